@@ -62,7 +62,7 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
             return std::shared_ptr<const SpacingField>();
         }
         const Result<Document> project = readDocument(*arguments.savedLimits, {.parameters = arguments.parameters});
-        return project ? SpacingField::build(project->spacing, toDomain(*project)) : project.faults();
+        return project ? SpacingField::build(spacingOf(*project), toDomain(*project)) : project.faults();
     }
     SpacingSpec spec;
     spec.size = arguments.size;

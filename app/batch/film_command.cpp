@@ -55,13 +55,14 @@ Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
     if (arguments.size || arguments.expression) {
         const auto names = std::move(document->spacing.names); // of the project's parameters
         document->spacing = {};
+        document->elementCounts.clear();
         document->spacing.names = names;
         document->spacing.size = arguments.size;
         document->spacing.expression = arguments.expression;
     }
     document->options.method = arguments.method.value_or(document->options.method);
     document->options.grid = arguments.grid.value_or(document->options.grid);
-    return MeshingJob{toDomain(*document), document->spacing, document->options};
+    return MeshingJob{toDomain(*document), spacingOf(*document), document->options};
 }
 
 FilmLayers layersOf(const FilmArguments &arguments) {

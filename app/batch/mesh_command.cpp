@@ -38,7 +38,7 @@ Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
         }
         printNotes(notes, arguments.quiet);
         return ReadJob{
-            {toDomain(*document), document->spacing, document->options}, boundsOf(*document), document->picture};
+            {toDomain(*document), spacingOf(*document), document->options}, boundsOf(*document), document->picture};
     }
     Result<Domain> domain = readDomain(input.path, input.options, &notes);
     if (!domain) {

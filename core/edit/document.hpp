@@ -74,6 +74,15 @@ struct Shape {
     friend bool operator==(const Shape &, const Shape &) = default;
 };
 
+/// The number of elements along each segment of a boundary part, from which the size of the part follows: see
+/// spacingOf().
+struct PartElements {
+    std::uint32_t count = 1;           ///< >= 1
+    double growth = PartSize{}.growth; ///< >= 0, see PartSize
+
+    friend bool operator==(const PartElements &, const PartElements &) = default;
+};
+
 /// A named number of a document, such as r = 0.4 or gap = 2*r.
 struct Parameter {
     std::string name;       ///< a letter or _, then letters, digits and _
@@ -89,7 +98,9 @@ struct Document {
     std::vector<RegionMarker> regionMarkers;
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
-    SpacingSpec spacing;
+    SpacingSpec spacing; ///< without the sizes that follow from `elementCounts`: see spacingOf()
+    /// Numbers of elements of boundary parts, by tag, in place of sizes in `spacing`.
+    std::map<std::int32_t, PartElements> elementCounts;
     MeshingOptions options;
     MeshLimits limits; ///< that its meshes must meet
     /// Maximum distance between a curve and its chords in the domain, relative to the radius of a circle or the size of
@@ -106,6 +117,11 @@ struct Document {
 /// Returns the domain of a document. Curved segments become chords that follow their curves; coinciding nodes of
 /// different shapes become one node.
 Domain toDomain(const Document &document);
+
+/// Returns the spacing of a document, in which boundary parts with a number of elements have the sizes that lead to it.
+/// Where the segments of such a part differ in length, the longest gets the number, and the others get elements of the
+/// same size.
+SpacingSpec spacingOf(const Document &document);
 
 /// Returns a document that shows a domain: segments are chained to polygons and polylines whose segments follow the
 /// curves of the domain; loops around one curve become circles and ellipses. Tags and names are kept.

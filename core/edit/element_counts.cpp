@@ -1,41 +1,22 @@
 #include "core/edit/element_counts.hpp"
 
 #include "core/edit/name_commands.hpp"
+#include "core/edit/part_lengths.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
+#include "core/spacing/spec/spec_check.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
-#include <vector>
 
 namespace forefront {
 namespace {
 
-constexpr double kSameCount = 1e-9; ///< relative; lengths of curves are known to about 12 digits
-
-/// Returns the mean distance of a segment from the chords that stand for it. The size of a boundary part holds at the
-/// chords and grows away from them, so that on the curve it is larger by the growth times this distance.
-double meanGap(const Document &document, const Shape &shape, std::uint32_t part) {
-    const Outline outline = outlineOf(shape);
-    const Chords chords = chordsOf(shape, outline, document.circleTolerance);
-    double sum = 0.0, total = 0.0;
-    for (std::size_t k = 0; k < chords.size(); ++k) {
-        const std::uint32_t segment = chords.segments[k];
-        if (outline.part(segment) != part || !outline.isCurved(segment)) {
-            continue;
-        }
-        constexpr double kMean = 2.0 / 3.0; // of a parabola, by its height
-        const CurveStretch &stretch = chords.stretches[k];
-        const Vec2 middle = outline.curve(segment).point(0.5 * (stretch.t0 + stretch.t1));
-        const double span = distance(chords.from(k), chords.to(k));
-        sum += kMean * span * distance(middle, midpoint(chords.from(k), chords.to(k)));
-        total += span;
-    }
-    return total > 0.0 ? sum / total : 0.0;
-}
+constexpr double kSameLength = 1e-9; ///< relative; lengths of curves are known to about 12 digits
 
 /// Segments of one tag, length and distance from their chords.
 struct Alike {
@@ -46,25 +27,31 @@ struct Alike {
 
 Result<std::vector<Alike>> sorted(const Document &document, const std::set<SegmentRef> &segments) {
     std::vector<Alike> groups;
+    const Shape *shape = nullptr;
+    std::vector<std::optional<double>> lengths;
+    std::vector<double> gaps;
     for (const SegmentRef segment : segments) {
-        const Shape *const shape = findShape(document, segment.shape);
-        if (shape == nullptr || segment.segment >= taggedSegments(*shape)) {
+        if (shape == nullptr || shape->id != segment.shape) {
+            shape = findShape(document, segment.shape);
+            lengths = shape != nullptr ? countableLengths(*shape) : std::vector<std::optional<double>>();
+            gaps = shape != nullptr ? meanGaps(document, *shape) : std::vector<double>();
+        }
+        if (segment.segment >= lengths.size()) {
             return error("no-such-segment", "segment not found");
         }
-        const std::optional<double> length = countableLength(*shape, segment.segment);
-        if (!length || !(*length > 0.0)) {
+        const double length = lengths[segment.segment].value_or(0.0), gap = gaps[segment.segment];
+        if (!(length > 0.0)) {
             return error("not-possible", "elements can be counted along a single line or curve only");
         }
         const std::int32_t tag = segmentTag(*shape, segment.segment);
-        const double gap = meanGap(document, *shape, segment.segment);
         const auto known = std::find_if(groups.begin(), groups.end(), [&](const Alike &group) {
-            return group.tag == tag && std::fabs(group.length - *length) <= kSameCount * *length &&
-                   std::fabs(group.gap - gap) <= kSameCount * *length;
+            return group.tag == tag && std::fabs(group.length - length) <= kSameLength * length &&
+                   std::fabs(group.gap - gap) <= kSameLength * length;
         });
         if (known != groups.end()) {
             known->segments.insert(segment);
         } else {
-            groups.push_back({tag, *length, gap, {segment}});
+            groups.push_back({tag, length, gap, {segment}});
         }
     }
     return groups;
@@ -117,45 +104,106 @@ Result<Document> withNamedTag(const Document &document, const Alike &group, std:
     return next;
 }
 
+/// Returns the growth of a boundary part.
+double growthOf(const Document &document, std::int32_t tag) {
+    const auto counted = document.elementCounts.find(tag);
+    if (counted != document.elementCounts.end()) {
+        return counted->second.growth;
+    }
+    const auto sized = document.spacing.partSizes.find(tag);
+    return sized != document.spacing.partSizes.end() ? sized->second.growth : PartSize{}.growth;
+}
+
 /// Gives segments a number of elements, or no size of their own. They get another tag if their tag is used elsewhere.
 Result<Document> withCount(const Document &document, const Alike &group, std::optional<std::uint32_t> count) {
-    const auto known = document.spacing.partSizes.find(group.tag);
-    const bool sized = known != document.spacing.partSizes.end();
-    if (!count && !sized) {
+    if (!count && !document.elementCounts.contains(group.tag) && !document.spacing.partSizes.contains(group.tag)) {
         return document;
     }
-    std::optional<PartSize> size;
-    if (count) {
-        size = sized ? known->second : PartSize{};
-        const double asked = group.length / *count;
-        if (group.gap > 0.0) { // so steep a growth would make the sizes along the curve too uneven to be counted
-            constexpr double kUneven = 0.03;
-            size->growth = std::min(size->growth, kUneven * asked / group.gap);
-        }
-        size->size = asked - size->growth * group.gap;
-    }
+    const auto elements = count ? std::optional(PartElements{*count, growthOf(document, group.tag)}) : std::nullopt;
     if (!usedElsewhere(document, group.tag, group.segments)) {
-        return setPartSize(document, group.tag, size);
+        return setPartElements(document, group.tag, elements);
     }
     const std::int32_t tag = freeBoundaryTag(document);
     const Result<Document> next = withNamedTag(document, group, tag);
-    return next && size ? setPartSize(*next, tag, size) : next;
+    return next && elements ? setPartElements(*next, tag, elements) : next;
+}
+
+/// Returns the size that gives a segment its number of elements.
+PartSize sizeFor(const PartElements &elements, double length, double gap) {
+    const double asked = length / elements.count;
+    PartSize size{asked, elements.growth};
+    if (gap > 0.0) { // so steep a growth would make the sizes along the curve too uneven to be counted
+        constexpr double kUneven = 0.03;
+        size.growth = std::min(size.growth, kUneven * asked / gap);
+        size.size = asked - size.growth * gap;
+    }
+    return size;
+}
+
+/// The segments of a boundary part, and which of them is the longest.
+struct TaggedParts : PartSegments {
+    const Shape *shape = nullptr;
+    std::size_t part = 0;
+};
+
+using ElementCounts = std::map<std::int32_t, PartElements>;
+
+bool hasAnyTag(const Shape &shape, const ElementCounts &tags) {
+    const std::vector<std::int32_t> &own = shape.segmentTags;
+    return own.empty() ? tags.contains(shape.tag)
+                       : std::any_of(own.begin(), own.end(), [&](auto tag) { return tags.contains(tag); });
+}
+
+/// Returns the segments with each of `tags`.
+std::map<std::int32_t, TaggedParts> partsOf(const Document &document, const ElementCounts &tags) {
+    std::map<std::int32_t, TaggedParts> parts;
+    for (const auto &shape : document.shapes) {
+        if (!hasAnyTag(*shape, tags)) {
+            continue;
+        }
+        const std::vector<PartLength> lengths = partLengths(*shape);
+        for (std::size_t k = 0; k < lengths.size(); ++k) {
+            const std::int32_t tag = segmentTag(*shape, k);
+            const double length = lengths[k].length;
+            if (!tags.contains(tag) || !(length > 0.0) || !std::isfinite(length)) {
+                continue;
+            }
+            TaggedParts &all = parts[tag];
+            all.shortest = all.count == 0 ? length : std::min(all.shortest, length);
+            if (length > all.longest) {
+                all.shape = shape.get();
+                all.part = k;
+                all.longest = length;
+            }
+            all.total += length;
+            ++all.count;
+        }
+    }
+    return parts;
+}
+
+std::map<std::int32_t, PartSize> sizesOf(const Document &document, const ElementCounts &tags) {
+    std::map<std::int32_t, PartSize> sizes;
+    for (const auto &[tag, parts] : partsOf(document, tags)) {
+        const double gap = meanGaps(document, *parts.shape)[parts.part];
+        sizes[tag] = sizeFor(tags.at(tag), parts.longest, gap);
+    }
+    return sizes;
 }
 
 } // namespace
 
-std::optional<double> countableLength(const Shape &shape, std::uint32_t part) {
-    const Outline outline = outlineOf(shape);
-    std::optional<double> length;
-    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        if (outline.part(k) == part) {
-            if (length) {
-                return std::nullopt;
-            }
-            length = outline.isCurved(k) ? outline.curve(k).length() : distance(outline.from(k), outline.to(k));
-        }
+std::vector<std::optional<double>> countableLengths(const Shape &shape) {
+    std::vector<std::optional<double>> lengths;
+    for (const PartLength &part : partLengths(shape)) {
+        lengths.push_back(part.pieces == 1 ? std::optional(part.length) : std::nullopt);
     }
-    return length;
+    return lengths;
+}
+
+std::optional<double> countableLength(const Shape &shape, std::uint32_t part) {
+    const std::vector<std::optional<double>> lengths = countableLengths(shape);
+    return part < lengths.size() ? lengths[part] : std::nullopt;
 }
 
 std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef segment) {
@@ -163,23 +211,12 @@ std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef s
     if (shape == nullptr || segment.segment >= taggedSegments(*shape)) {
         return std::nullopt;
     }
-    const auto size = document.spacing.partSizes.find(segmentTag(*shape, segment.segment));
-    const std::optional<double> length = countableLength(*shape, segment.segment);
-    if (size == document.spacing.partSizes.end() || !length) {
-        return std::nullopt;
-    }
-    const double gap = meanGap(document, *shape, segment.segment);
-    const double exact = *length / (size->second.size + size->second.growth * gap), count = std::round(exact);
-    const bool whole = count >= 1.0 && count <= kMaxElementCount && std::fabs(exact - count) <= kSameCount * count;
-    return whole ? std::optional(static_cast<std::uint32_t>(count)) : std::nullopt;
+    const auto elements = document.elementCounts.find(segmentTag(*shape, segment.segment));
+    return elements != document.elementCounts.end() ? std::optional(elements->second.count) : std::nullopt;
 }
 
 Result<Document> setElementCount(const Document &document, const std::set<SegmentRef> &segments,
                                  std::optional<std::uint32_t> count) {
-    if (count && (*count == 0 || *count > kMaxElementCount)) {
-        return error("bad-number",
-                     "expected 1 to " + std::to_string(kMaxElementCount) + " elements, got " + std::to_string(*count));
-    }
     const Result<std::vector<Alike>> groups = sorted(document, segments);
     if (!groups) {
         return groups.faults();
@@ -192,6 +229,70 @@ Result<Document> setElementCount(const Document &document, const std::set<Segmen
         }
     }
     return next;
+}
+
+Result<Document> setPartElements(const Document &document, std::int32_t tag, std::optional<PartElements> elements) {
+    Document next = document;
+    next.spacing.partSizes.erase(tag);
+    if (!elements) {
+        next.elementCounts.erase(tag);
+        return next;
+    }
+    if (elements->count == 0 || elements->count > kMaxElementCount) {
+        return error("bad-number", "expected 1 to " + std::to_string(kMaxElementCount) + " elements, got " +
+                                       std::to_string(elements->count));
+    }
+    Diagnostics faults;
+    checkPartSizes({{tag, {1.0, elements->growth}}}, faults);
+    if (!faults.empty()) {
+        return faults;
+    }
+    next.elementCounts[tag] = *elements;
+    return next;
+}
+
+std::map<std::int32_t, PartSegments> countedParts(const Document &document) {
+    const std::map<std::int32_t, TaggedParts> parts = partsOf(document, document.elementCounts);
+    return {parts.begin(), parts.end()};
+}
+
+std::optional<PartSize> elementSize(const Document &document, std::int32_t tag) {
+    const auto elements = document.elementCounts.find(tag);
+    if (elements == document.elementCounts.end()) {
+        return std::nullopt;
+    }
+    const std::map<std::int32_t, PartSize> sizes = sizesOf(document, {*elements});
+    return sizes.empty() ? std::nullopt : std::optional(sizes.begin()->second);
+}
+
+SpacingSpec spacingOf(const Document &document) {
+    SpacingSpec spacing = document.spacing;
+    for (const auto &[tag, size] : sizesOf(document, document.elementCounts)) {
+        spacing.partSizes[tag] = size;
+    }
+    return spacing;
+}
+
+void carryElementCounts(const Document &before, Document &next) {
+    constexpr double kSameTotal = 1e-3; // a repair moves nodes a little
+    ElementCounts kept;
+    std::set_intersection(next.elementCounts.begin(), next.elementCounts.end(), before.elementCounts.begin(),
+                          before.elementCounts.end(), std::inserter(kept, kept.end()),
+                          [](const auto &a, const auto &b) { return a.first < b.first; });
+    if (kept.empty() || before.shapes == next.shapes) {
+        return;
+    }
+    const std::map<std::int32_t, TaggedParts> then = partsOf(before, kept), now = partsOf(next, kept);
+    for (const auto &[tag, parts] : now) {
+        const auto old = then.find(tag);
+        if (old == then.end() || kept.at(tag) != before.elementCounts.at(tag) || parts.count == old->second.count ||
+            std::fabs(parts.total - old->second.total) > kSameTotal * old->second.total) {
+            continue;
+        }
+        const double count = std::round(kept.at(tag).count * (parts.longest / old->second.longest));
+        next.elementCounts[tag].count =
+            static_cast<std::uint32_t>(std::clamp(count, 1.0, static_cast<double>(kMaxElementCount)));
+    }
 }
 
 } // namespace forefront

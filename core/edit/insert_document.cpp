@@ -2,6 +2,7 @@
 
 #include "core/edit/bring_formulas.hpp"
 #include "core/edit/formulas.hpp"
+#include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
@@ -96,6 +97,12 @@ Document inserted(const Document &document, const Document &other, double scale,
         fresh.sources.insert(index);
         items.sources[static_cast<std::uint32_t>(items.sources.size())] = index;
         next.spacing.sources.push_back(source);
+    }
+    const std::vector<std::int32_t> known = boundaryTags(document);
+    for (const auto &[tag, elements] : other.elementCounts) {
+        if (!std::binary_search(known.begin(), known.end(), tag)) {
+            next.elementCounts.emplace(tag, elements);
+        }
     }
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());

@@ -1,5 +1,7 @@
 #include "core/edit/number_address.hpp"
 
+#include "core/base/number_text.hpp"
+#include "core/edit/element_counts.hpp"
 #include "core/edit/node_sizes.hpp"
 #include "core/edit/references.hpp"
 #include "core/edit/region_commands.hpp"
@@ -157,6 +159,39 @@ auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.m
     return what == "x" ? &marker.at.x : what == "y" ? &marker.at.y : what == "area" ? &marker.maxArea : nullptr;
 }
 
+/// Returns a number of a boundary part, which has a size or a number of elements.
+std::optional<double> boundaryNumber(const Document &document, const NumberAddress &address) {
+    const std::string &what = address.quantity;
+    const auto tag = static_cast<std::int32_t>(address.id);
+    if (const auto counted = document.elementCounts.find(tag); counted != document.elementCounts.end()) {
+        return what == "elements" ? std::optional<double>(counted->second.count)
+               : what == "growth" ? std::optional(counted->second.growth)
+                                  : std::nullopt;
+    }
+    const auto sized = document.spacing.partSizes.find(tag);
+    return sized != document.spacing.partSizes.end() ? copied(partNumber(sized->second, what)) : std::nullopt;
+}
+
+Status setBoundaryNumber(Document &document, const NumberAddress &address, double value) {
+    const auto tag = static_cast<std::int32_t>(address.id);
+    const auto counted = document.elementCounts.find(tag);
+    if (counted == document.elementCounts.end()) {
+        *partNumber(document.spacing.partSizes.at(tag), address.quantity) = value;
+        return {};
+    }
+    if (address.quantity == "growth") {
+        counted->second.growth = value;
+        return {};
+    }
+    const double count = std::round(value);
+    if (!(count >= 1.0 && count <= kMaxElementCount) || std::fabs(value - count) > 1e-9 * count) {
+        return error("bad-number", "invalid number of elements " + numberText(value, 6) +
+                                       "; expected a whole number from 1 to " + std::to_string(kMaxElementCount));
+    }
+    counted->second.count = static_cast<std::uint32_t>(count);
+    return {};
+}
+
 std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {
     using Place = std::optional<double> SpacingSpec::*;
     constexpr std::array<std::pair<std::string_view, Place>, 6> kNumbers{
@@ -240,11 +275,8 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
         return address.id < document.regionMarkers.size()
                    ? copied(markerNumber(document.regionMarkers[address.id], address.quantity))
                    : std::nullopt;
-    case Owner::Part: {
-        const auto part = document.spacing.partSizes.find(static_cast<std::int32_t>(address.id));
-        return part != document.spacing.partSizes.end() ? copied(partNumber(part->second, address.quantity))
-                                                        : std::nullopt;
-    }
+    case Owner::Part:
+        return boundaryNumber(document, address);
     case Owner::Spacing:
         break;
     }
@@ -268,8 +300,7 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
         *markerNumber(document.regionMarkers[address.id], address.quantity) = value;
         break;
     case Owner::Part:
-        *partNumber(document.spacing.partSizes.at(static_cast<std::int32_t>(address.id)), address.quantity) = value;
-        break;
+        return setBoundaryNumber(document, address, value);
     case Owner::Spacing:
         document.spacing.*spacingNumber(address.quantity) = value;
     }
@@ -286,7 +317,9 @@ Result<Document> checkedOwner(const Document &document, const NumberAddress &add
         return setRegionArea(document, address.id, document.regionMarkers[address.id].maxArea);
     case Owner::Part: {
         const auto tag = static_cast<std::int32_t>(address.id);
-        return setPartSize(document, tag, document.spacing.partSizes.at(tag));
+        const auto counted = document.elementCounts.find(tag);
+        return counted != document.elementCounts.end() ? setPartElements(document, tag, counted->second)
+                                                       : setPartSize(document, tag, document.spacing.partSizes.at(tag));
     }
     case Owner::Spacing:
         break;

@@ -15,9 +15,9 @@ namespace forefront {
 /// "shape/ID/x/K" and "shape/ID/y/K" for handle K (see handlesOf()), "shape/ID/radius" for a circle or rounded corners,
 /// "shape/ID/size/K" and "shape/ID/growth/K" for the size at a node, "shape/ID/rx" and "ry" for an ellipse,
 /// "shape/ID/left", "bottom", "width", "height" for a rectangle; "source/K/x", "y", "x2", "y2", "radius", "size",
-/// "endSize", "growth" for a size source; "region/K/x", "y", "area" for a region marker; "part/TAG/size", "growth" for
-/// a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn", "elementsAcross". ID is that
-/// of the shape; indices count from 0.
+/// "endSize", "growth" for a size source; "region/K/x", "y", "area" for a region marker; "part/TAG/size",
+/// "elements", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn",
+/// "elementsAcross". ID is that of the shape; indices count from 0.
 struct NumberAddress {
     enum class Owner : std::uint8_t { Shape, Source, Region, Part, Spacing };
     Owner owner = Owner::Spacing;

@@ -143,6 +143,7 @@ Result<Document> removeSource(const Document &document, std::size_t index) {
 
 Result<Document> setPartSize(const Document &document, std::int32_t tag, std::optional<PartSize> size) {
     Document next = document;
+    next.elementCounts.erase(tag);
     if (size) {
         next.spacing.partSizes[tag] = *size;
     } else {
@@ -180,6 +181,7 @@ Result<Document> setSpacing(const Document &document, SpacingSpec spacing) {
     }
     spacing.names = next.spacing.names;
     next.spacing = std::move(spacing);
+    next.elementCounts.clear();
     return next;
 }
 

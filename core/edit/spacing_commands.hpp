@@ -37,12 +37,12 @@ Document setKeepAutomatic(const Document &document, bool keep);
 Result<Document> replaceSource(const Document &document, std::size_t index, SizeSource source);
 Result<Document> removeSource(const Document &document, std::size_t index);
 
-/// Sets the size and growth of the boundary part with a tag; nullopt removes them.
+/// Sets the size and growth of the boundary part with a tag, in place of a number of elements; nullopt removes them.
 Result<Document> setPartSize(const Document &document, std::int32_t tag, std::optional<PartSize> size);
 
 Document setPaint(const Document &document, PaintedSpacing paint);
-/// Replaces the whole spacing, for example by that of a file. Parameters that its expression uses come along with
-/// their values: see bringParameters(). Error: too-many-parameters.
+/// Replaces the whole spacing, and numbers of elements, for example by the spacing of a file. Parameters that its
+/// expression uses come along with their values: see bringParameters(). Error: too-many-parameters.
 Result<Document> setSpacing(const Document &document, SpacingSpec spacing);
 
 /// Returns the name of a source, or one made of its shape and index such as "point source 2".

@@ -80,6 +80,12 @@ Document selectedPart(const Document &document, const Selection &selection) {
         if (selection.shapes.contains(shape->id)) {
             items.shapes[shape->id] = shape->id;
             part.shapes.push_back(shape);
+            for (std::uint32_t k = 0; k < taggedSegments(*shape); ++k) {
+                const auto elements = document.elementCounts.find(segmentTag(*shape, k));
+                if (elements != document.elementCounts.end()) {
+                    part.elementCounts.insert(*elements);
+                }
+            }
         }
     }
     for (const std::uint32_t k : selection.sources) {

@@ -304,6 +304,18 @@ class Meshing(Case):
         self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r", code=2)
         self.call("mesh", "plate.poly", "-o", "plate.vtu", "--set", "r=1", code=2)
 
+    def test_the_number_of_elements_stays_when_a_parameter_changes_the_length(self):
+        self.write("hole.json", """{"format": "forefront", "version": 2, "spacing": {"size": 20, "segmentsPerTurn": 0},
+            "shapes": [{"id": 1, "kind": "rectangle", "nodes": [[-99, -99], [99, 99]]},
+                       {"id": 2, "kind": "circle", "nodes": [[0, 0], [8, 0]], "tag": 2}],
+            "elementCounts": [{"tag": 2, "elements": 24}],
+            "parameters": {"d": "16"}, "formulas": {"shape/2/radius": "d/2"}}""")
+        for setting in [], ["--set", "d=20"], ["--set", "d=11.3"]:
+            self.call("mesh", "hole.json", "-o", "hole.su2", *setting)
+            self.assertIn("MARKER_TAG= boundary_2\nMARKER_ELEMS= 24\n", self.read("hole.su2"), setting)
+        self.call("mesh", "hole.json", "-o", "hole.su2", "--size", "1")  # replaces the spacing of the project
+        self.assertNotIn("MARKER_ELEMS= 24\n", self.read("hole.su2"))
+
     def test_film_and_check_set_parameters_too(self):
         self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.4},
             "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]]}],

@@ -1,3 +1,6 @@
+#include "core/edit/element_counts.hpp"
+#include "core/edit/formulas.hpp"
+#include "core/io/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -49,7 +52,7 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
     CHECK(edges(driver, 2) == 9);
     CHECK(edges(driver, 3) == 9);
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().spacing.partSizes.size() == 1);
+    CHECK(driver.document().elementCounts.size() == 1);
     driver.clickPlace({5, 5.5});
     REQUIRE(driver.context().selection.shapes == std::set<std::uint32_t>{2});
     driver.fill("inspector/elements", "40");
@@ -63,7 +66,97 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
     driver.frames(2);
     CHECK(driver.has("inspector/elements/meshed"));
     clear(driver, "inspector/elements");
-    CHECK(driver.document().spacing.partSizes.size() == 1);
+    CHECK(driver.document().elementCounts.size() == 1);
+}
+
+TEST_CASE("Elements: a circle of a parameter keeps its number when the parameter changes, and after saving") {
+    Draughtsman driver;
+    driver.rectangle({0.5, 0.5}, {9.5, 9.5});
+    driver.click("panel/parameters");
+    driver.settle();
+    driver.click("parameters/add");
+    driver.settle();
+    driver.fill("parameters/0/name", "d");
+    driver.fill("parameters/0/expression", "3");
+    Document sized = driver.document();
+    sized.spacing.size = 3.0;
+    sized.spacing.segmentsPerTurn = 0.0;
+    driver.context().document.apply(std::move(sized), "Size");
+    driver.key('C');
+    driver.clickPlace({5, 5});
+    driver.moveToPlace({7, 5});
+    driver.key('D');
+    driver.type("d/2");
+    driver.key(key::kEnter);
+    driver.key('V');
+    driver.clickPlace({5, 5.6});
+    REQUIRE(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    driver.fill("inspector/elements", "60");
+    CHECK(edges(driver, 2) == 60);
+    for (const char *d : {"4", "1.7", "6.5"}) {
+        CAPTURE(d);
+        driver.fill("parameters/0/expression", d);
+        CHECK(edges(driver, 2) == 60);
+        driver.frames(2);
+        CHECK_FALSE(driver.has("inspector/elements/meshed"));
+    }
+    const Document reopened = *parseProject(projectText(driver.document()), "test");
+    driver.context().document.load(reopened, {});
+    driver.settle();
+    CHECK(edges(driver, 2) == 60);
+    driver.key('Z', {Modifiers::kControl}); // nothing to undo
+    CHECK(edges(driver, 2) == 60);
+}
+
+TEST_CASE("Elements: the number takes an expression, and a size replaces it") {
+    Draughtsman driver;
+    driver.context().document.apply(*setParameters(driver.document(), {{"n", "30"}}), "Add parameter");
+    driver.rectangle({0.5, 0.5}, {9.5, 9.5});
+    driver.key('C');
+    driver.dragPlaces({5, 5}, {6.5, 5});
+    driver.key('V');
+    driver.clickPlace({5, 5.6});
+    driver.fill("inspector/elements", "2*n");
+    CHECK(elementCount(driver.document(), {2, 0}) == 60U);
+    CHECK(driver.document().formulas.at("part/2/elements") == "2*n");
+    driver.context().document.apply(*overrideParameters(driver.document(), {{"n", "40"}}), "Change parameter");
+    driver.settle();
+    CHECK(elementCount(driver.document(), {2, 0}) == 80U);
+    driver.fill("inspector/partgrowth", "0.5");
+    CHECK(driver.document().elementCounts.at(2) == PartElements{80, 0.5});
+    driver.fill("inspector/partsize", "0.25");
+    CHECK(driver.document().elementCounts.empty());
+    CHECK(driver.document().formulas.empty());
+    CHECK(driver.document().spacing.partSizes.at(2) == PartSize{0.25, 0.5});
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().formulas.at("part/2/elements") == "2*n");
+    CHECK(elementCount(driver.document(), {2, 0}) == 80U);
+}
+
+TEST_CASE("Elements: of circles that differ, the larger one has the number; each gets it when it is entered again") {
+    Draughtsman driver;
+    driver.rectangle({0.5, 0.5}, {9.5, 9.5});
+    driver.key('C');
+    driver.dragPlaces({3, 3}, {4, 3});
+    Document sized = driver.document();
+    sized.spacing.size = 3.0;
+    driver.context().document.apply(std::move(sized), "Size");
+    driver.key('V');
+    driver.clickPlace({3, 3.5});
+    driver.fill("inspector/elements", "60");
+    driver.key('C', {Modifiers::kControl});
+    driver.key('V', {Modifiers::kControl});
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 3);
+    driver.fill("inspector/centre/x", "7");
+    CHECK(edges(driver, 2) == 120);
+    driver.fill("inspector/radius", "0.5");
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{3});
+    CHECK(elementCount(driver.document(), {3, 0}) == 60U);
+    CHECK(edges(driver, 2) == 60 + 30);
+    driver.fill("inspector/elements", "60");
+    CHECK(edges(driver, 2) == 60);
+    CHECK(edges(driver, driver.document().shapes[2]->tag) == 60);
 }
 
 TEST_CASE("Spacing: the number of elements per turn is a field") {

@@ -79,6 +79,7 @@ Document fullDocument() {
     document.spacing.background = std::make_shared<const BackgroundMesh>(
         BackgroundMesh{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 1, 2}, {2, 1, 3}}, {0.1, 0.2, 0.3, 0.4}});
     document.spacing.partSizes = {{7, {0.05, 0.3}}, {9, {0.2, 0.0}}};
+    document.elementCounts = {{10, {24, 0.1}}, {11, {7, 0.0}}};
     document.parameters = {{"half", "h/2"}, {"h", "0.1"}};
     document.spacing.names = parameterValues(document.parameters);
     document.formulas = {{"shape/2/radius", "h"}, {"source/0/size", "half"}, {"spacing/size", "h"}};

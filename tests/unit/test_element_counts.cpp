@@ -1,7 +1,17 @@
 #include "core/boundary/discretise.hpp"
+#include "core/edit/corner_commands.hpp"
 #include "core/edit/element_counts.hpp"
+#include "core/edit/equality.hpp"
+#include "core/edit/formulas.hpp"
+#include "core/edit/insert_document.hpp"
+#include "core/edit/path_commands.hpp"
 #include "core/edit/path_curve.hpp"
+#include "core/edit/region_commands.hpp"
+#include "core/edit/repair_drawing.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "core/io/clipboard.hpp"
+#include "core/io/project/project.hpp"
 #include "core/spacing/spacing_field.hpp"
 #include "tests/unit/edit_support.hpp"
 
@@ -18,7 +28,7 @@ namespace {
 /// Returns the number of boundary edges with a tag, as meshed.
 std::ptrdiff_t edges(const Document &document, std::int32_t tag) {
     const Domain domain = toDomain(document);
-    const auto field = SpacingField::build(document.spacing, domain);
+    const auto field = SpacingField::build(spacingOf(document), domain);
     REQUIRE(field.ok());
     const Result<DiscreteDomain> discrete = discretise(domain, **field, false);
     REQUIRE(discrete.ok());
@@ -68,8 +78,9 @@ TEST_CASE("setElementCount: segments of one length share a tag, others get their
     const Document next = *setElementCount(document, {{1, 0}, {1, 1}, {1, 2}}, 8);
     CHECK(segmentTag(*next.shapes[0], 0) == segmentTag(*next.shapes[0], 2));
     CHECK(next.boundaryNames == std::map<std::int32_t, std::string>{{1, "wall"}, {2, "wall 2"}, {3, "wall 3"}});
-    CHECK(next.spacing.partSizes.at(2) == PartSize{0.5, 0.4});
-    CHECK(next.spacing.partSizes.at(3) == PartSize{0.125, 0.4});
+    CHECK(next.elementCounts == std::map<std::int32_t, PartElements>{{2, {8, 0.4}}, {3, {8, 0.4}}});
+    CHECK(spacingOf(next).partSizes.at(2) == PartSize{0.5, 0.4});
+    CHECK(spacingOf(next).partSizes.at(3) == PartSize{0.125, 0.4});
     CHECK(edges(next, segmentTag(*next.shapes[0], 1)) == 8);
     CHECK(edges(next, segmentTag(*next.shapes[0], 0)) > 8); // finer beside the short side
     // A segment that has its own tag keeps it; without a count, only the size is removed.
@@ -77,20 +88,20 @@ TEST_CASE("setElementCount: segments of one length share a tag, others get their
     CHECK(segmentTag(*again.shapes[0], 1) == segmentTag(*next.shapes[0], 1));
     CHECK(elementCount(again, {1, 1}) == 5U);
     const Document none = *setElementCount(again, {{1, 1}}, std::nullopt);
-    CHECK_FALSE(none.spacing.partSizes.contains(segmentTag(*none.shapes[0], 1)));
+    CHECK_FALSE(none.elementCounts.contains(segmentTag(*none.shapes[0], 1)));
 }
 
-TEST_CASE("setElementCount: without a count, other segments of the tag keep their size") {
+TEST_CASE("setElementCount: without a count, other segments of the tag keep theirs") {
     Document document = *addShapes({}, {square({0, 0}, 2)});
     document.boundaryNames = {{1, "wall"}};
-    document.spacing.partSizes[1] = {0.25, 0.2};
+    document = *setPartElements(document, 1, PartElements{8, 0.2});
     REQUIRE(elementCount(document, {1, 0}) == 8U);
     const Document next = *setElementCount(document, {{1, 0}}, std::nullopt);
     CHECK_FALSE(elementCount(next, {1, 0}).has_value());
     CHECK(elementCount(next, {1, 1}) == 8U);
     CHECK(next.boundaryNames.at(segmentTag(*next.shapes[0], 0)) == "wall 2");
     const Document same = *setElementCount(next, {{1, 0}}, std::nullopt); // has none
-    CHECK(same.spacing.partSizes == next.spacing.partSizes);
+    CHECK(same.elementCounts == next.elementCounts);
     CHECK(segmentTag(*same.shapes[0], 0) == segmentTag(*next.shapes[0], 0));
 }
 
@@ -104,7 +115,7 @@ TEST_CASE("setElementCount: a steep growth is lowered where a curve would not ge
     CHECK(edges(next, 1) == 2000);
 }
 
-TEST_CASE("setElementCount: refuses what cannot be counted; a size that does not divide the length is no count") {
+TEST_CASE("setElementCount: refuses what cannot be counted, and replaces sizes, which replace it") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
     rounded.radius = 0.5;
     Document document = *addShapes({}, {rounded, square({6, 0}, 2)});
@@ -112,9 +123,134 @@ TEST_CASE("setElementCount: refuses what cannot be counted; a size that does not
     CHECK(codeOf(setElementCount(document, {{2, 9}}, 4)) == "no-such-segment");
     CHECK(codeOf(setElementCount(document, {{2, 0}}, 0)) == "bad-number");
     CHECK(codeOf(setElementCount(document, {{2, 0}}, kMaxElementCount + 1)) == "bad-number");
+    CHECK(codeOf(setPartElements(document, 1, PartElements{4, -1.0})) == "bad-source");
     CHECK_FALSE(elementCount(document, {2, 0}).has_value());
-    document.spacing.partSizes[1] = {0.3, 0.2};
-    CHECK_FALSE(elementCount(document, {2, 0}).has_value());
-    document.spacing.partSizes[1] = {0.25, 0.2};
-    CHECK(elementCount(document, {2, 0}) == 8U);
+    const Document sized = *setPartSize(document, 1, PartSize{0.3, 0.1});
+    const Document counted = *setElementCount(sized, {{2, 0}}, 8);
+    const std::int32_t tag = segmentTag(*counted.shapes[1], 0);
+    CHECK(counted.elementCounts == std::map<std::int32_t, PartElements>{{tag, {8, 0.1}}});
+    const Document again = *setPartSize(counted, tag, PartSize{0.5, 0.1});
+    CHECK(again.elementCounts.empty());
+    CHECK(spacingOf(again).partSizes.at(tag) == PartSize{0.5, 0.1});
+    const Document other = *setSpacing(counted, spacingOf(again));
+    CHECK(other.elementCounts.empty());
+    CHECK(spacingOf(other).partSizes == again.spacing.partSizes);
+}
+
+TEST_CASE("Element counts: are kept when the length changes") {
+    Document document = *addShapes({}, {square({-10, -10}, 20), makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}})});
+    document.spacing.size = 5.0;
+    document.spacing.segmentsPerTurn = 0.0;
+    document = *setElementCount(document, {{2, 0}}, 60);
+    CHECK(edges(document, 2) == 60);
+    for (const double radius : {0.3, 1.25, 4.0}) {
+        CAPTURE(radius);
+        CHECK(edges(*setRadius(document, 2, radius), 2) == 60);
+    }
+    Selection circle;
+    circle.shapes = {2};
+    Document copied = *duplicateSelection(document, circle, {5, 5}, nullptr);
+    CHECK(edges(copied, 2) == 120);
+    CHECK(edges(*setRadius(copied, 2, 2.0), 2) == 60 + 30); // the longer one has the number
+}
+
+TEST_CASE("Element counts: divided and joined segments keep the size of their elements") {
+    Document document = *addShapes({}, {square({-10, -10}, 20), makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}})});
+    document.spacing.size = 50.0;
+    document.spacing.segmentsPerTurn = 0.0;
+    document = *setElementCount(*setElementCount(document, {{2, 0}}, 60), {{1, 0}}, 30);
+    const std::int32_t side = segmentTag(*document.shapes[0], 0);
+    Document next = *insertNode(*convertToPath(document, 2), {1, 0}, {0, -10});
+    carryElementCounts(document, next);
+    CHECK(elementCount(next, {2, 0}) == 15U);
+    CHECK(edges(next, 2) == 60);
+    CHECK(elementCount(next, {1, 0}) == 15U);
+    CHECK(edges(next, side) == 30);
+    Selection node;
+    node.nodes = {{1, 1}};
+    Document joined = deleteSelection(next, node);
+    carryElementCounts(next, joined);
+    CHECK(elementCount(joined, {1, 0}) == 30U);
+    Document cut = document; // a fillet shortens the side, which keeps its number
+    node.nodes = {{1, 1}};
+    cut = *filletCorners(document, node, 4.0);
+    carryElementCounts(document, cut);
+    CHECK(elementCount(cut, {1, 0}) == 30U);
+}
+
+TEST_CASE("Element counts: a repair that divides a segment keeps the size of its elements") {
+    Document document = *addShapes({}, {square({-10, -10}, 20),
+                                        makeShape(ShapeKind::Polyline, {{-8, 0}, {8, 0}}, ShapeUse::Constraint, 2),
+                                        makeShape(ShapeKind::Polyline, {{4, -5}, {4, 5}}, ShapeUse::Constraint, 3)});
+    document.spacing.size = 50.0;
+    document = *setElementCount(document, {{2, 0}}, 40);
+    const Result<RepairedDrawing> repaired = repairDrawing(document, 0.0);
+    REQUIRE(repaired.ok());
+    Document next = repaired->document;
+    carryElementCounts(document, next);
+    CHECK(next.elementCounts == std::map<std::int32_t, PartElements>{{2, {30, 0.2}}}); // of the longer piece
+    CHECK(edges(next, 2) == 40);
+}
+
+TEST_CASE("Element counts: a side whose corners are rounded keeps about its number") {
+    Document document = *addShapes({}, {makeShape(ShapeKind::Rectangle, {{0, 0}, {8, 6}})});
+    document.spacing.size = 50.0;
+    document = *setElementCount(document, {{1, 0}}, 60);
+    Shape rounded = *document.shapes[0];
+    rounded.radius = 1.0;
+    const std::ptrdiff_t count = edges(*replaceShape(document, rounded), segmentTag(rounded, 0));
+    CHECK(count >= 60);
+    CHECK(count <= 62);
+}
+
+TEST_CASE("Element counts: follow expressions, which must give whole numbers") {
+    Document document = *addShapes({}, {makeShape(ShapeKind::Circle, {{0, 0}, {8, 0}})});
+    document = *setParameters(*setElementCount(document, {{1, 0}}, 24), {{"d", "16"}, {"n", "24"}});
+    document = setFormula(std::move(document), "shape/1/radius", "d/2");
+    document = setFormula(std::move(document), "part/1/elements", "n");
+    CHECK(edges(document, 1) >= 24);
+    const Document larger = *overrideParameters(document, {{"d", "20"}, {"n", "60"}});
+    CHECK(circleRadius(*larger.shapes[0]) == 10.0);
+    CHECK(elementCount(larger, {1, 0}) == 60U);
+    CHECK(spacingOf(larger).partSizes.at(1).size == doctest::Approx(20.0 * std::numbers::pi / 60.0).epsilon(0.01));
+    const Result<Document> broken = overrideParameters(document, {{"n", "24.5"}});
+    REQUIRE_FALSE(broken.ok());
+    CHECK(broken.faults().front().message ==
+          "invalid number of elements 24.5; expected a whole number from 1 to 1000000");
+}
+
+TEST_CASE("Element counts: are written to projects with their sizes, which older programs use") {
+    Document document = *addShapes({}, {square({0, 0}, 4)});
+    document = *setElementCount(document, {{1, 0}, {1, 2}}, 8);
+    const std::string text = projectText(document);
+    CHECK(text.find(R"("partSizes": [
+      {"tag": 2, "size": 0.5, "growth": 0.2}
+    ])") != std::string::npos);
+    CHECK(text.find(R"("elementCounts": [{"tag": 2, "elements": 8, "growth": 0.2}])") != std::string::npos);
+    const Document read = *parseProject(text, "test");
+    CHECK(sameContent(read, document));
+    CHECK(read.spacing.partSizes.empty());
+    CHECK(projectText({}).find("elementCounts") == std::string::npos);
+    for (const char *wrong : {R"([{"tag": 2, "elements": 0}])", R"([{"tag": 2, "elements": 2.5}])", R"([{"tag": 2}])",
+                              R"([{"tag": 2, "elements": 3}, {"tag": 2, "elements": 4}])", "8"}) {
+        CAPTURE(wrong);
+        const auto refused =
+            parseProject(R"({"format": "forefront", "version": 2, "shapes": [], "spacing": {}, "elementCounts": )" +
+                             std::string(wrong) + "}",
+                         "test");
+        REQUIRE_FALSE(refused.ok());
+        CHECK(refused.faults().front().line == 1);
+    }
+}
+
+TEST_CASE("Element counts: come along with copies into another drawing whose parts do not have the tag") {
+    Document document = *addShapes({}, {square({0, 0}, 4), makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}})});
+    document = *setElementCount(document, {{2, 0}}, 24);
+    Selection circle;
+    circle.shapes = {2};
+    const Result<Document> copied = readClipboard(clipboardText(document, circle));
+    REQUIRE(copied.ok());
+    CHECK(insertCopied({}, *copied, {1, 1}, nullptr)->elementCounts == document.elementCounts);
+    const Document other = *setShapeTag(*addShapes({}, {square({0, 0}, 4)}), {1}, 2);
+    CHECK(insertCopied(other, *copied, {1, 1}, nullptr)->elementCounts.empty());
 }

@@ -49,7 +49,7 @@ std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &proj
     if (!document) {
         return thumbnail;
     }
-    const MeshingJob job{toDomain(*document), document->spacing, document->options};
+    const MeshingJob job{toDomain(*document), spacingOf(*document), document->options};
     Progress progress;
     progress.stop = stop;
     const Result<PreparedJob> prepared = prepare(job, progress, kElements);

@@ -1,6 +1,7 @@
 #include "ui/panels/element_count_row.hpp"
 
 #include "core/edit/element_counts.hpp"
+#include "core/edit/formulas.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
@@ -10,55 +11,86 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront {
 namespace {
 
-bool countable(const Document &document, SegmentRef segment) {
-    const Shape *const shape = findShape(document, segment.shape);
-    return shape != nullptr && countableLength(*shape, segment.segment).value_or(0.0) > 0.0;
-}
+/// A segment with the tag and length that it has now.
+struct CountedSegment {
+    std::int32_t tag = 1;
+    double length = 0.0;
+};
 
-std::optional<double> commonCount(const Document &document, const std::set<SegmentRef> &segments) {
-    const std::optional<std::uint32_t> first = elementCount(document, *segments.begin());
-    const bool same = std::all_of(segments.begin(), segments.end(),
-                                  [&](SegmentRef segment) { return elementCount(document, segment) == first; });
-    return same && first ? std::optional<double>(*first) : std::nullopt;
-}
-
-/// Returns the number of elements that the mesh of the present drawing has along a segment with a number of elements;
-/// nullopt if there is no such mesh.
-std::optional<std::size_t> meshedElements(const Shell &context, SegmentRef segment) {
-    const SessionSnapshot &run = *context.run.snapshot();
-    if (!run.mesh || !run.complete || context.run.outOfDate()) {
-        return std::nullopt;
-    }
-    const Document &document = *context.document.current();
-    const std::int32_t tag = segmentTag(*findShape(document, segment.shape), segment.segment);
-    const std::optional<std::uint32_t> count = elementCount(document, segment);
-    std::size_t sharing = 0; // segments of the tag, which have the same length
-    for (const auto &shape : document.shapes) {
-        for (std::uint32_t k = 0; k < taggedSegments(*shape); ++k) {
-            if (segmentTag(*shape, k) == tag) {
-                if (elementCount(document, {shape->id, k}) != count) {
-                    return std::nullopt;
-                }
-                ++sharing;
-            }
+/// Returns what is counted along segments; nothing if elements cannot be counted along one of them.
+std::vector<CountedSegment> countedSegments(const Document &document, const std::set<SegmentRef> &segments) {
+    std::vector<CountedSegment> counted;
+    const Shape *shape = nullptr;
+    std::vector<std::optional<double>> lengths;
+    for (const SegmentRef segment : segments) { // in the order of their shapes
+        if (shape == nullptr || shape->id != segment.shape) {
+            shape = findShape(document, segment.shape);
+            lengths = shape != nullptr ? countableLengths(*shape) : std::vector<std::optional<double>>();
         }
+        if (segment.segment >= lengths.size() || !(lengths[segment.segment].value_or(0.0) > 0.0)) {
+            return {};
+        }
+        counted.push_back({segmentTag(*shape, segment.segment), *lengths[segment.segment]});
+    }
+    return counted;
+}
+
+/// The number of elements that segments share.
+struct SharedCount {
+    std::optional<double> count; ///< not set: they have none, or they differ
+    std::string hint = "auto";   ///< shown in place of the number
+    PartSegments part;           ///< of the first segment
+};
+
+constexpr double kSameLength = 1e-9; ///< relative
+
+SharedCount sharedCount(const Document &document, const std::vector<CountedSegment> &segments) {
+    SharedCount shared;
+    const std::map<std::int32_t, PartSegments> parts = countedParts(document);
+    std::set<std::pair<std::uint32_t, double>> counts; // of the part, and the share of it that the segment has
+    for (const CountedSegment &segment : segments) {
+        const auto part = parts.find(segment.tag);
+        const double share = part != parts.end() ? segment.length / part->second.longest : 1.0;
+        counts.emplace(part != parts.end() ? document.elementCounts.at(segment.tag).count : 0,
+                       share > 1.0 - kSameLength ? 1.0 : share);
+    }
+    const auto [count, share] = *counts.begin();
+    if (counts.size() > 1) {
+        shared.hint = "several";
+    } else if (count > 0 && share == 1.0) {
+        shared.count = count;
+        shared.part = parts.at(segments.front().tag);
+    } else if (count > 0) {
+        shared.hint = "about " + std::to_string(std::max(std::lround(share * count), 1L));
+    }
+    return shared;
+}
+
+/// Returns the number of elements along each segment of a boundary part in the mesh of the present drawing; nullopt if
+/// there is no such mesh, or the segments differ in length.
+std::optional<std::size_t> meshedElements(const Shell &context, std::int32_t tag, const PartSegments &part) {
+    const SessionSnapshot &run = *context.run.snapshot();
+    if (!run.mesh || !run.complete || context.run.outOfDate() || part.shortest < (1.0 - kSameLength) * part.longest) {
+        return std::nullopt;
     }
     const std::vector<TaggedEdge> &edges = run.mesh->mesh.edges;
     const auto all = static_cast<std::size_t>(
         std::count_if(edges.begin(), edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; }));
-    return sharing > 0 && all % sharing == 0 ? std::optional(all / sharing) : std::nullopt;
+    return part.count > 0 && all % part.count == 0 ? std::optional(all / part.count) : std::nullopt;
 }
 
 /// Writes below the field how many elements the mesh has, if these are more or fewer.
-void drawMeshed(Shell &context, SegmentRef segment, double count) {
-    const std::optional<std::size_t> meshed = meshedElements(context, segment);
+void drawMeshed(Shell &context, std::int32_t tag, const PartSegments &part, double count) {
+    const std::optional<std::size_t> meshed = meshedElements(context, tag, part);
     if (!meshed || static_cast<double>(*meshed) == count) {
         return;
     }
@@ -70,33 +102,49 @@ void drawMeshed(Shell &context, SegmentRef segment, double count) {
                              : "The minimum size is larger.");
 }
 
-std::string explanation(const std::set<SegmentRef> &segments) {
-    const std::string along =
-        segments.size() == 1 ? "Number of elements along it." : "Number of elements along each of them.";
-    return along +
-           " Sets the size of a boundary part, with a tag of its own where others share the tag. Leave it empty "
-           "to use the general size.";
+std::string explanation(std::size_t segments) {
+    const std::string along = segments == 1 ? "Number of elements along it" : "Number of elements along each of them";
+    return along + ", kept when its length changes. It belongs to a boundary part, with a tag of its own where others "
+                   "share the tag. If segments of the part differ in length later, the longest has this number, and "
+                   "shorter ones have elements of the same size. Leave it empty to use the general size.";
+}
+
+std::string addressOfCount(std::int32_t tag) {
+    return "part/" + std::to_string(tag) + "/elements";
+}
+
+/// Gives the segments a number of elements that was entered, with its expression if there is one.
+void applyCount(Shell &context, const std::set<SegmentRef> &segments, std::optional<std::uint32_t> count) {
+    const EnteredFormula entered = std::exchange(context.entered, {}); // its tag may change
+    Result<Document> next = setElementCount(*context.document.current(), segments, count);
+    if (next && count) {
+        for (const SegmentRef segment : segments) {
+            const std::int32_t tag = segmentTag(*findShape(*next, segment.shape), segment.segment);
+            next = setFormula(*std::move(next), addressOfCount(tag), entered.text);
+        }
+    }
+    EditState::apply(context, std::move(next), "Set number of elements");
 }
 
 } // namespace
 
 void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     const Document &document = *context.document.current();
-    const auto counted = [&](SegmentRef segment) { return countable(document, segment); };
-    if (segments.empty() || !std::all_of(segments.begin(), segments.end(), counted)) {
+    const std::vector<CountedSegment> counted = countedSegments(document, segments);
+    if (counted.empty()) {
         return;
     }
-    const std::optional<double> before = commonCount(document, segments);
-    std::optional<double> count = before;
+    const std::int32_t tag = counted.front().tag;
+    const SharedCount shared = sharedCount(document, counted);
+    std::optional<double> count = shared.count;
     form::label(context, "Elements");
-    const bool differ = !before && std::any_of(segments.begin(), segments.end(), [&](SegmentRef segment) {
-        return elementCount(document, segment).has_value();
-    });
-    const bool changed = form::optionalField(context, "inspector/elements", count, differ ? "several" : "auto");
-    ui::rowTooltip(context, explanation(segments));
+    // Without a number, the address is one that no number has: the field has no expression yet, but can take one.
+    const bool changed = form::optionalField(context, "inspector/elements", count, shared.hint.c_str(), -1.0F,
+                                             addressOfCount(shared.count ? tag : 0));
+    ui::rowTooltip(context, explanation(segments.size()));
     if (!changed) {
-        if (before) {
-            drawMeshed(context, *segments.begin(), *before);
+        if (shared.count) {
+            drawMeshed(context, tag, shared.part, *shared.count);
         }
         return;
     }
@@ -107,8 +155,7 @@ void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
                         fault);
         return;
     }
-    const auto whole = count ? std::optional(static_cast<std::uint32_t>(*count)) : std::nullopt;
-    EditState::apply(context, setElementCount(document, segments, whole), "Set number of elements");
+    applyCount(context, segments, count ? std::optional(static_cast<std::uint32_t>(*count)) : std::nullopt);
 }
 
 void elementCountRow(Shell &context, const std::set<std::uint32_t> &shapes) {

@@ -1,5 +1,6 @@
 #include "ui/panels/size_rows.hpp"
 
+#include "core/edit/element_counts.hpp"
 #include "core/edit/node_sizes.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
@@ -17,24 +18,41 @@
 
 namespace forefront {
 
+namespace {
+
+/// Returns the size that follows from the number of elements of a boundary part.
+std::string followingSize(const Document &document, std::int32_t tag) {
+    const std::optional<PartSize> size = elementSize(document, tag);
+    return size ? ui::number(size->size, 4) : "auto";
+}
+
+} // namespace
+
 void partSizeRow(Shell &context, std::int32_t tag) {
     const Document &document = *context.document.current();
     const auto found = document.spacing.partSizes.find(tag);
     const bool given = found != document.spacing.partSizes.end();
+    const auto counted = document.elementCounts.find(tag);
+    const bool follows = counted != document.elementCounts.end();
     std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
-    double growth = given ? found->second.growth : PartSize{}.growth;
+    double growth = given ? found->second.growth : follows ? counted->second.growth : PartSize{}.growth;
+    const std::string hint = follows ? followingSize(document, tag) : "auto";
     const std::string address = "part/" + std::to_string(tag) + '/';
     form::label(context, "Size, growth");
-    bool changed =
-        form::optionalField(context, "inspector/partsize", size, "auto", form::halfWidth(context), address + "size");
-    ui::rowTooltip(context,
-                   "Largest element size along this boundary part, and its growth per unit of distance. Leave it "
-                   "empty to use the general size.");
+    bool changed = form::optionalField(context, "inspector/partsize", size, hint.c_str(), form::halfWidth(context),
+                                       address + "size");
+    ui::rowTooltip(context, follows ? "Element size along this boundary part, which follows from its number of "
+                                      "elements, and its growth per unit of distance. A size replaces the number."
+                                    : "Largest element size along this boundary part, and its growth per unit of "
+                                      "distance. Leave it empty to use the general size.");
     ImGui::SameLine(0, context.px(6));
-    ImGui::BeginDisabled(!size); // growth has no meaning without a size
+    ImGui::BeginDisabled(!size && !follows); // growth has no meaning without a size
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
     ImGui::EndDisabled();
-    if (changed && (size || given)) {
+    if (changed && follows && !size) {
+        EditState::apply(context, setPartElements(document, tag, PartElements{counted->second.count, growth}),
+                         "Change size of boundary part");
+    } else if (changed && (size || given)) {
         EditState::apply(context,
                          setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
                          "Change size of boundary part");

@@ -76,7 +76,7 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document 
     preview->faults = validate(*domain);
     Progress progress;
     progress.stop = stop;
-    Result<std::shared_ptr<const SpacingField>> field = spacing.get(document.spacing, *domain, progress);
+    Result<std::shared_ptr<const SpacingField>> field = spacing.get(spacingOf(document), *domain, progress);
     if (!field) {
         preview->faults.insert(preview->faults.end(), field.faults().begin(), field.faults().end());
         return preview;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/edit/element_counts.hpp"
 #include "core/edit/formulas.hpp"
 #include "core/edit/history.hpp"
 #include "core/spacing/shared_spacing.hpp"
@@ -27,9 +28,10 @@ class DocumentStore {
     /// opened, and stays the same during a stroke.
     std::string step() const { return std::to_string(loads_) + '/' + std::to_string(history_.position()); }
     /// Makes `next` the current document. Consecutive changes with the same non-empty `stroke` form one undo step until
-    /// endStroke(), such as a drag or a brush stroke. Numbers that were edited directly lose their formulas. Returns
-    /// false if nothing changed.
+    /// endStroke(), such as a drag or a brush stroke. Divided segments share their number of elements, and numbers that
+    /// were edited directly lose their formulas. Returns false if nothing changed.
     bool apply(Document next, std::string label, std::string_view stroke = {}) {
+        carryElementCounts(*current(), next);
         carryFormulas(*current(), next);
         return tell(history_.commit(std::move(label), std::move(next), stroke));
     }

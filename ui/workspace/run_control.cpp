@@ -196,7 +196,7 @@ void RunControl::showFile(FileMesh read) {
 
 MeshingJob RunControl::job() const {
     const std::shared_ptr<const Document> document = document_.current();
-    return {toDomain(*document), document->spacing, document->options};
+    return {toDomain(*document), spacingOf(*document), document->options};
 }
 
 void RunControl::start(StartMode mode, Extent extent) {

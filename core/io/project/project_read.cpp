@@ -3,6 +3,7 @@
 #include "core/io/json/json_check.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/project/project_curves.hpp"
+#include "core/io/project/project_element_counts.hpp"
 #include "core/io/project/project_node_sizes.hpp"
 #include "core/io/project/project_parameters.hpp"
 #include "core/io/project/project_picture.hpp"
@@ -57,13 +58,14 @@ class ProjectReader {
             check_.noteUnknown(*given, {"file", "at", "size", "opacity", "locked"});
         }
         nextId(root);
+        readElementCounts(root, document_, check_);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
         check_.noteUnknown(root, {"format", "version", "shapes", "regionMarkers", "boundaryNames", "regionNames",
                                   "spacing", "options", "limits", "nextId", "circleTolerance", "curveTolerance",
-                                  "parameters", "formulas", "picture"});
+                                  "parameters", "formulas", "picture", "elementCounts"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -368,7 +370,7 @@ Result<SpacingSpec> readProjectSpacing(const SourceText &source) {
     if (!document) {
         return document.faults();
     }
-    return std::move(document->spacing);
+    return spacingOf(*document);
 }
 
 } // namespace forefront

@@ -2,6 +2,7 @@
 #include "core/io/json/json_text.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/project/project_curves.hpp"
+#include "core/io/project/project_element_counts.hpp"
 #include "core/io/project/project_node_sizes.hpp"
 #include "core/io/project/project_picture.hpp"
 #include "core/io/project/project_spacing.hpp"
@@ -28,7 +29,8 @@ class ProjectWriter {
         regionMarkers(document.regionMarkers);
         names("boundaryNames", document.boundaryNames);
         names("regionNames", document.regionNames);
-        writeSpacing(document.spacing, out_);
+        writeSpacing(spacingOf(document), out_);
+        writeElementCounts(document, out_);
         options(document.options);
         limits(document.limits);
         out_ << ",\n  \"circleTolerance\": ";
