@@ -159,6 +159,22 @@ TEST_CASE("Elements: of circles that differ, the larger one has the number; each
     CHECK(edges(driver, driver.document().shapes[2]->tag) == 60);
 }
 
+TEST_CASE("Elements: new shapes do not join a part that has a number of them") {
+    Draughtsman driver;
+    driver.key('C');
+    driver.dragPlaces({5, 5}, {6, 5});
+    driver.key('V');
+    driver.settle();
+    driver.fill("inspector/elements", "60");
+    REQUIRE(driver.document().elementCounts.contains(1));
+    driver.rectangle({0.5, 0.5}, {9.5, 9.5});
+    CHECK(driver.document().shapes[1]->tag == 2);
+    CHECK(edges(driver, 1) == 60);
+    driver.fill("options/tag", "1"); // shown already
+    driver.rectangle({1, 1}, {2, 2});
+    CHECK(driver.document().shapes[2]->tag == 3);
+}
+
 TEST_CASE("Spacing: the number of elements per turn is a field") {
     Draughtsman driver;
     driver.key('C');

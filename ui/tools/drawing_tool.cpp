@@ -237,7 +237,7 @@ void DrawingTool::forget(Shell &) {
 
 bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &label) {
     const std::shared_ptr<const Document> before = context.document.current();
-    shape.tag = shape.use == ShapeUse::Boundary ? state_->boundaryTag : state_->constraintTag;
+    shape.tag = state_->tagOfNext(shape.use, *before);
     Result<Document> next = addShape(*before, std::move(shape));
     if (next) {
         next = joinToSegments(*next, before->nextId);

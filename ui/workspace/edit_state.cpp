@@ -1,6 +1,7 @@
 #include "ui/workspace/edit_state.hpp"
 
 #include "core/edit/formulas.hpp"
+#include "core/edit/name_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -37,6 +38,14 @@ const std::shared_ptr<const PickIndex> &EditState::index(const Workspace &contex
         revision_ = revision;
     }
     return index_;
+}
+
+std::int32_t EditState::tagOfNext(ShapeUse use, const Document &document) const {
+    const bool boundary = use == ShapeUse::Boundary;
+    const std::int32_t tag = boundary ? boundaryTag : constraintTag;
+    const EditState initial;
+    const bool chosen = tag != (boundary ? initial.boundaryTag : initial.constraintTag);
+    return chosen || !document.elementCounts.contains(tag) ? tag : freeBoundaryTag(document);
 }
 
 void EditState::forgetNumbers() {

@@ -60,6 +60,9 @@ struct EditState {
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
+    /// Returns the tag of the next shape drawn. A shape does not join a boundary part with a number of elements, unless
+    /// the user has chosen its tag.
+    std::int32_t tagOfNext(ShapeUse use, const Document &document) const;
     /// Resets tags of the next shapes and sizes in domain units, which belong to one drawing.
     void forgetNumbers();
     /// Returns a new stroke key for DocumentStore::apply().
