@@ -22,6 +22,7 @@ class SpacingPanel final : public Panel {
   private:
     static void drawExpression(Shell &context);
     static void drawSources(Shell &context);
+    static void drawElementCounts(Shell &context);
     static void drawLimits(Shell &context);
 };
 
@@ -129,6 +130,25 @@ void SpacingPanel::drawSources(Shell &context) {
     drawKeepAutomatic(context);
 }
 
+/// Draws the fields for the numbers of elements that curves and narrow places need.
+void SpacingPanel::drawElementCounts(Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
+    std::optional<double> perTurn = document->spacing.segmentsPerTurn, across = document->spacing.elementsAcross;
+    form::label(context, "Elements per");
+    const float half = form::halfWidth(context);
+    if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half, "spacing/segmentsPerTurn")) {
+        EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change edges per turn");
+    }
+    ui::rowTooltip(context, "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
+                            "automatic spacing, else 0. Curves always get as many as their shape needs.");
+    ImGui::SameLine(0, context.px(6));
+    if (form::optionalField(context, "spacing/across", across, "gap", half, "spacing/elementsAcross")) {
+        EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements across");
+    }
+    ui::tooltip(context, "Elements across narrow places, such as channels; 0: narrow places do not matter. Empty: 2 "
+                         "with automatic spacing, else 0. Corners are no narrow places, except tips below 20 degrees.");
+}
+
 void SpacingPanel::drawLimits(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     std::optional<double> minimum = document->spacing.minimum, maximum = document->spacing.maximum;
@@ -148,21 +168,7 @@ void SpacingPanel::drawLimits(Shell &context) {
         EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
     }
     ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
-    std::optional<double> perTurn = document->spacing.segmentsPerTurn;
-    form::label(context, "Per turn");
-    if (form::optionalField(context, "spacing/perturn", perTurn, "auto", -1.0F, "spacing/segmentsPerTurn")) {
-        EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change edges per turn");
-    }
-    ui::rowTooltip(context, "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
-                            "automatic spacing, else 0. Curves always get as many as their shape needs.");
-    std::optional<double> across = document->spacing.elementsAcross;
-    form::label(context, "Across gaps");
-    if (form::optionalField(context, "spacing/across", across, "auto", -1.0F, "spacing/elementsAcross")) {
-        EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements across");
-    }
-    ui::rowTooltip(context,
-                   "Elements across narrow places, such as channels; 0: narrow places do not matter. Empty: 2 "
-                   "with automatic spacing, else 0. Corners are no narrow places, except tips below 20 degrees.");
+    drawElementCounts(context);
     form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;
     if (ui::checkbox(context, "spacing/fromboundary", "Use boundary lengths", fromBoundary)) {
