@@ -2,13 +2,13 @@
 
 #include "core/arrangement/repair.hpp"
 #include "core/domain/validate.hpp"
-#include "core/io/common/crc32.hpp"
 #include "core/io/format.hpp"
 #include "core/io/lesson/lesson_read.hpp"
 #include "core/io/png/png.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/mesh/mesh_domain.hpp"
+#include "tests/support/png_sample.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -136,7 +136,7 @@ std::string withCheckSums(std::string_view bytes) {
         if (length > file.size() - at - 12) {
             break;
         }
-        const std::uint32_t sum = crc32(std::string_view(file).substr(at + 4, length + 4));
+        const std::uint32_t sum = testing::pngSum(std::string_view(file).substr(at + 4, length + 4));
         for (std::size_t k = 0; k < 4; ++k) {
             file[at + 8 + length + k] = static_cast<char>(sum >> (24 - 8 * k) & 0xFFU);
         }

@@ -1,9 +1,8 @@
 #include "tests/support/png_sample.hpp"
 
-#include "core/io/common/crc32.hpp"
-
 #include <algorithm>
 #include <cstddef>
+#include <zlib.h>
 
 namespace forefront::testing {
 
@@ -19,9 +18,14 @@ std::string fourBytes(std::uint32_t value) {
 
 } // namespace
 
+std::uint32_t pngSum(std::string_view bytes) {
+    return static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const Bytef *>(bytes.data()), static_cast<uInt>(bytes.size())));
+}
+
 std::string pngChunk(std::string_view kind, std::string_view content) {
     const std::string body = std::string(kind).append(content);
-    return fourBytes(static_cast<std::uint32_t>(content.size())) + body + fourBytes(crc32(body));
+    return fourBytes(static_cast<std::uint32_t>(content.size())) + body + fourBytes(pngSum(body));
 }
 
 std::string storedStream(const std::vector<std::uint8_t> &bytes) {
@@ -37,7 +41,7 @@ std::string storedStream(const std::vector<std::uint8_t> &bytes) {
         stream.append(bytes.begin() + static_cast<std::ptrdiff_t>(at),
                       bytes.begin() + static_cast<std::ptrdiff_t>(at + size));
     }
-    return stream;
+    return stream + fourBytes(static_cast<std::uint32_t>(adler32(1, bytes.data(), static_cast<uInt>(bytes.size()))));
 }
 
 std::string pngFile(const PngSample &sample, const std::string &data) {
@@ -49,8 +53,8 @@ std::string pngFile(const PngSample &sample, const std::string &data) {
     file += sample.palette.empty() ? std::string() : pngChunk("PLTE", sample.palette);
     file += sample.transparency.empty() ? std::string() : pngChunk("tRNS", sample.transparency);
     const std::size_t cut = data.size() / 2;
-    return file + pngChunk("IDAT", data.substr(0, cut)) + pngChunk("tEXt", "a note") +
-           pngChunk("IDAT", data.substr(cut)) + pngChunk("IEND", {});
+    return file + pngChunk("IDAT", data.substr(0, cut)) + pngChunk("IDAT", data.substr(cut)) +
+           pngChunk("tEXt", "a note") + pngChunk("IEND", {});
 }
 
 std::string pngFile(const PngSample &sample) {

@@ -16,9 +16,11 @@ struct PngSample {
     std::string palette{}, transparency{};
 };
 
+/// Returns the check sum of the kind and content of a chunk.
+std::uint32_t pngSum(std::string_view bytes);
 /// Returns a chunk of a PNG file with its length and check sum.
 std::string pngChunk(std::string_view kind, std::string_view content);
-/// Returns bytes as a zlib stream that is not compressed; without a check sum, which the reader does not need.
+/// Returns bytes as a zlib stream that is not compressed.
 std::string storedStream(const std::vector<std::uint8_t> &bytes);
 /// Returns a PNG file with this compressed data, by default the bytes of the sample.
 std::string pngFile(const PngSample &sample, const std::string &data);

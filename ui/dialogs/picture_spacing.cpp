@@ -33,7 +33,7 @@ double rounded(double value) {
 /// Returns the picture with about as many values as can be drawn one by one.
 GreyPicture reduced(const GreyPicture &picture) {
     const GreyCounts counts = greyCounts(picture.columns, picture.rows, kThumbnailValues);
-    GreyPicture small{picture.header, counts.columns, counts.rows};
+    GreyPicture small{picture.pixelColumns, picture.pixelRows, counts.columns, counts.rows};
     for (std::size_t row = 0; row < counts.rows; ++row) {
         for (std::size_t column = 0; column < counts.columns; ++column) {
             const std::size_t from = (2 * row + 1) * picture.rows / (2 * counts.rows);
@@ -57,7 +57,7 @@ std::optional<Box2> ownPlace(const Document &document, const std::filesystem::pa
 PictureSpacingDialog::PictureSpacingDialog(const Shell &context, std::filesystem::path file, GreyPicture picture)
     : file_(std::move(file)), picture_(std::move(picture)), thumbnail_(reduced(picture_)) {
     const Document &document = *context.document.current();
-    const auto columns = static_cast<double>(picture_.header.columns), rows = static_cast<double>(picture_.header.rows);
+    const auto columns = static_cast<double>(picture_.pixelColumns), rows = static_cast<double>(picture_.pixelRows);
     if (const std::optional<Box2> own = ownPlace(document, file_)) {
         sizes_.box = *own;
     } else if (document.shapes.empty()) {
@@ -97,8 +97,8 @@ void PictureSpacingDialog::drawPicture(Shell &context) const {
     const auto counted = [](std::size_t columns, std::size_t rows) {
         return ui::count(columns) + " \xc3\x97 " + ui::count(rows);
     };
-    ui::muted(context, counted(picture_.header.columns, picture_.header.rows) + " pixels");
-    const bool means = picture_.values.size() < picture_.header.columns * picture_.header.rows;
+    ui::muted(context, counted(picture_.pixelColumns, picture_.pixelRows) + " pixels");
+    const bool means = picture_.values.size() < picture_.pixelColumns * picture_.pixelRows;
     ui::muted(context, means ? counted(picture_.columns, picture_.rows) + " values: means of the pixels"
                              : ui::count(picture_.values.size()) + " values");
     ui::mark(context, "dialog/picturespacing/values");
@@ -129,8 +129,8 @@ void PictureSpacingDialog::drawSizes(Shell &context) {
 
 void PictureSpacingDialog::drawPlaces(Shell &context) {
     const Document &document = *context.document.current();
-    const double columns = static_cast<double>(picture_.header.columns);
-    const double rows = static_cast<double>(picture_.header.rows);
+    const double columns = static_cast<double>(picture_.pixelColumns);
+    const double rows = static_cast<double>(picture_.pixelRows);
     const auto place = [&](const char *name, const char *label, const Box2 &box, const char *tip) {
         if (ui::button(context, std::string("dialog/picturespacing/") + name, label,
                        sizes_.box == box ? ui::ButtonKind::Primary : ui::ButtonKind::Plain)) {

@@ -12,29 +12,16 @@
 
 namespace forefront {
 
-/// What the first bytes of a PNG file say about its pixels.
-struct PngHeader {
-    static constexpr std::size_t kBytes = 33; ///< of the file, up to the end of the header
-
-    std::size_t columns = 0, rows = 0;
-    unsigned depth = 8;  ///< bits of a sample
-    unsigned colour = 0; ///< colour type: bits 1 palette, 2 colour, 4 alpha
-    bool interlaced = false;
-};
-
 /// The grey values of a picture, each the mean over a rectangle of pixels.
 struct GreyPicture {
-    PngHeader header;
-    std::size_t columns = 0, rows = 0;
-    std::vector<double> values; ///< row by row from the top; 0: black, 1: white, kNoGrey: transparent
+    std::size_t pixelColumns = 0, pixelRows = 0; ///< of the file
+    std::size_t columns = 0, rows = 0;           ///< of the values
+    std::vector<double> values;                  ///< row by row from the top; 0: black, 1: white, kNoGrey: transparent
 };
 inline constexpr double kNoGrey = -1.0;
 
 /// Returns true if a file begins like a PNG file.
 bool looksLikePng(std::string_view head);
-
-/// Reads the header of a PNG file. Faults: bad-picture, large-picture (more than 100 million pixels).
-Result<PngHeader> readPngHeader(const SourceText &source);
 
 /// Returns the numbers of columns and rows of values for a picture with so many pixels: those of the pixels, or both
 /// divided by the same whole number so that there are at most `most` values.
@@ -44,8 +31,8 @@ struct GreyCounts {
 GreyCounts greyCounts(std::size_t columns, std::size_t rows, std::size_t most);
 
 /// Reads the grey values of a PNG file of any kind: colours become their luminance (Rec. 709, of the stored values),
-/// and where more than half the pixels of a value are fully transparent, there is none. Faults: those of
-/// readPngHeader(), cancelled.
+/// and where more than half the pixels of a value are fully transparent, there is none. Faults:
+/// bad-picture, large-picture (more than 100 million pixels), cancelled.
 Result<GreyPicture> readGreyPicture(const SourceText &source, std::size_t most);
 
 /// Returns the grey values of a picture as the spacing of a background mesh (see spacingOfGrid()). Notes if the picture

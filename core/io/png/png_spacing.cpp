@@ -28,16 +28,15 @@ Result<SpacingSpec> spacingOfPicture(const GreyPicture &picture, const PictureSi
     if (Diagnostics faults = faultsOf(sizes); !faults.empty()) {
         return faults;
     }
-    const PngHeader &header = picture.header;
-    if (picture.columns < header.columns || picture.rows < header.rows) {
+    if (picture.columns < picture.pixelColumns || picture.rows < picture.pixelRows) {
         source.note("picture-averaged",
-                    "the picture has " + std::to_string(header.columns) + " x " + std::to_string(header.rows) +
-                        " pixels; " + std::to_string(picture.columns) + " x " + std::to_string(picture.rows) +
-                        " means of them are used",
+                    "the picture has " + std::to_string(picture.pixelColumns) + " x " +
+                        std::to_string(picture.pixelRows) + " pixels; " + std::to_string(picture.columns) + " x " +
+                        std::to_string(picture.rows) + " means of them are used",
                     0);
     }
-    const Box2 box = sizes.around ? pictureBoxAround(sizes.box, static_cast<double>(header.columns),
-                                                     static_cast<double>(header.rows))
+    const Box2 box = sizes.around ? pictureBoxAround(sizes.box, static_cast<double>(picture.pixelColumns),
+                                                     static_cast<double>(picture.pixelRows))
                                   : sizes.box;
     SizeGrid grid;
     grid.columns = picture.columns;
