@@ -224,6 +224,17 @@ TEST_CASE("Inspector: several tags are not shown as one, and a number gives all 
     CHECK(driver.undoLabel() == "Change tag");
 }
 
+TEST_CASE("Tags: a shape drawn after the tag of new shapes got a name or a size gets another tag") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {2, 2});
+    Document named = driver.document();
+    named.boundaryNames[named.shapes[0]->tag] = "airfoil";
+    driver.context().document.apply(std::move(named), "Name");
+    driver.rectangle({0, 0}, {9, 8});
+    CHECK(driver.document().shapes[1]->tag != driver.document().shapes[0]->tag);
+    CHECK_FALSE(driver.document().boundaryNames.contains(driver.document().shapes[1]->tag));
+}
+
 TEST_CASE("Elements: the field is not shown for shapes of several segments") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

@@ -45,7 +45,9 @@ std::int32_t EditState::tagOfNext(ShapeUse use, const Document &document) const 
     const std::int32_t tag = boundary ? boundaryTag : constraintTag;
     const EditState initial;
     const bool chosen = tag != (boundary ? initial.boundaryTag : initial.constraintTag);
-    return chosen || !document.elementCounts.contains(tag) ? tag : freeBoundaryTag(document);
+    const bool special = document.boundaryNames.contains(tag) || document.elementCounts.contains(tag) ||
+                         document.spacing.partSizes.contains(tag);
+    return chosen || !special ? tag : freeBoundaryTag(document);
 }
 
 void EditState::forgetNumbers() {

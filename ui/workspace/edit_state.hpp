@@ -60,8 +60,8 @@ struct EditState {
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
-    /// Returns the tag of the next shape drawn. A shape does not join a boundary part with a number of elements, unless
-    /// the user has chosen its tag.
+    /// Returns the tag of the next shape drawn. A shape does not join a boundary part that has a name, a size or a
+    /// number of elements, unless the user has chosen its tag.
     std::int32_t tagOfNext(ShapeUse use, const Document &document) const;
     /// Resets tags of the next shapes and sizes in domain units, which belong to one drawing.
     void forgetNumbers();
