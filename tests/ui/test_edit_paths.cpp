@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <numbers>
 #include <string>
+#include <utility>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -180,6 +182,22 @@ TEST_CASE("Paths: keys change nodes and segments, split and join") {
     CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Cubic);
     driver.key('L', shift);
     CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Line);
+}
+
+TEST_CASE("Paths: with whole shapes selected, keys change the kind of all their nodes") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+    driver.key('V');
+    driver.key('A', {Modifiers::kControl});
+    REQUIRE(driver.context().selection.nodes.empty());
+    for (const auto &[key, kind] : {std::pair('S', NodeKind::Smooth), std::pair('C', NodeKind::Corner)}) {
+        driver.key(key, {Modifiers::kShift});
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            CHECK((nodeKind(*driver.document().shapes[0], k) == NodeKind::Corner) == (kind == NodeKind::Corner));
+        }
+    }
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(nodeKind(*driver.document().shapes[0], 3) != NodeKind::Corner);
 }
 
 TEST_CASE("Paths: joining two paths leaves no missing shapes in the selection") {

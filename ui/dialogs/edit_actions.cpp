@@ -15,6 +15,8 @@
 #include "ui/workspace/picture_view.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 
 namespace forefront {
 namespace {
@@ -185,6 +187,27 @@ bool hasPathNode(const Shell &context) {
     });
 }
 
+bool hasPath(const Shell &context) {
+    const Document &document = *context.document.current();
+    return std::any_of(context.selection.shapes.begin(), context.selection.shapes.end(), [&](std::uint32_t id) {
+        const Shape *const shape = findShape(document, id);
+        return shape != nullptr && isPath(*shape);
+    });
+}
+
+/// Returns the selected nodes, or all nodes of the selected paths if no node is selected.
+std::set<NodeRef> nodesMeant(const Document &document, const Selection &selection) {
+    std::set<NodeRef> nodes = selection.nodes;
+    for (const std::uint32_t id : selection.nodes.empty() ? selection.shapes : std::set<std::uint32_t>()) {
+        const Shape *const shape = findShape(document, id);
+        const std::size_t count = shape != nullptr && isPath(*shape) ? shape->nodes.size() : 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            nodes.insert({id, static_cast<std::uint32_t>(k)});
+        }
+    }
+    return nodes;
+}
+
 bool hasPathSegment(const Shell &context) {
     const Document &document = *context.document.current();
     return std::any_of(context.selection.segments.begin(), context.selection.segments.end(), [&](SegmentRef segment) {
@@ -206,12 +229,13 @@ void addPathActions(ActionRegistry &actions) {
                      .enabled = enabled,
                      .separatorBefore = first});
     };
-    add("path.corner", "Corner node", 'C', hasPathNode, true,
-        [](const Document &d, const Selection &s) { return setNodeKind(d, s.nodes, NodeKind::Corner); });
-    add("path.smooth", "Smooth node", 'S', hasPathNode, false,
-        [](const Document &d, const Selection &s) { return setNodeKind(d, s.nodes, NodeKind::Smooth); });
-    add("path.symmetric", "Symmetric node", 'Y', hasPathNode, false,
-        [](const Document &d, const Selection &s) { return setNodeKind(d, s.nodes, NodeKind::Symmetric); });
+    const auto hasNodes = [](const Shell &c) { return hasPathNode(c) || (c.selection.nodes.empty() && hasPath(c)); };
+    add("path.corner", "Corner node", 'C', hasNodes, true,
+        [](const Document &d, const Selection &s) { return setNodeKind(d, nodesMeant(d, s), NodeKind::Corner); });
+    add("path.smooth", "Smooth node", 'S', hasNodes, false,
+        [](const Document &d, const Selection &s) { return setNodeKind(d, nodesMeant(d, s), NodeKind::Smooth); });
+    add("path.symmetric", "Symmetric node", 'Y', hasNodes, false,
+        [](const Document &d, const Selection &s) { return setNodeKind(d, nodesMeant(d, s), NodeKind::Symmetric); });
     add("path.line", "Segment to line", 'L', hasPathSegment, false,
         [](const Document &d, const Selection &s) { return setCurved(d, s.segments, false); });
     add("path.curve", "Segment to curve", 'U', hasPathSegment, false,
