@@ -2,6 +2,7 @@
 
 #include "core/edit/bring_formulas.hpp"
 #include "core/edit/formulas.hpp"
+#include "core/spacing/part_list.hpp"
 #include "core/spacing/parts/expression/expression_parser.hpp"
 #include "core/spacing/spec/spec_check.hpp"
 
@@ -182,6 +183,20 @@ Result<Document> setSpacing(const Document &document, SpacingSpec spacing) {
     spacing.names = next.spacing.names;
     next.spacing = std::move(spacing);
     next.elementCounts.clear();
+    return next;
+}
+
+Result<Document> setImportedSpacing(const Document &document, SpacingSpec spacing) {
+    SpacingSpec rest = spacing;
+    rest.background = nullptr;
+    if (!spacing.background || !sameContent(rest, SpacingSpec())) {
+        return setSpacing(document, std::move(spacing));
+    }
+    Document next = document;
+    next.spacing.size.reset();
+    next.spacing.expression.reset();
+    next.spacing.fromBoundary = false;
+    next.spacing.background = std::move(spacing.background);
     return next;
 }
 

@@ -2,8 +2,10 @@
 #include "core/io/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_list.hpp"
 #include "ui/parts/settings.hpp"
+#include "ui/platform/assets.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace forefront::test {
 
@@ -181,6 +184,18 @@ TEST_CASE("Recent files: a file given on the command line becomes one of them") 
     CHECK(driver.context().settings.recentFiles.front() == file.string());
     Driver missing({.file = place.path / "no-such.forefront"});
     CHECK(missing.context().settings.recentFiles.empty());
+}
+
+TEST_CASE("Dialogs: they do not begin in the folder of the samples after one was opened") {
+    Draughtsman driver;
+    const std::vector<Sample> gallery = samples();
+    REQUIRE_FALSE(gallery.empty());
+    openDocument(driver.context(), gallery.front().path);
+    driver.settle();
+    REQUIRE(driver.context().settings.recentFiles.front() == gallery.front().path.string());
+    CHECK(startFolder(driver.context()).empty());
+    driver.context().settings.recentFiles.emplace_back("/bay/lake.forefront");
+    CHECK(startFolder(driver.context()) == "/bay");
 }
 
 TEST_CASE("Settings: the window position is saved, and invalid positions are ignored") {

@@ -68,6 +68,27 @@ TEST_CASE("Picture as spacing: two sizes, around the drawing, one undo step") {
     CHECK(sameContent(driver.document(), before));
 }
 
+TEST_CASE("Picture as spacing: it takes the place of the size, and leaves sources and limits") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 5});
+    Document next = driver.document();
+    next.spacing.size = 0.1;
+    next.spacing.sources.push_back({.a = {3, 3}, .size = 0.05, .growth = 0.3});
+    next.spacing.minimum = 0.02;
+    driver.context().document.apply(next, "Spacing");
+    chooseSpacing(driver, writeHalves(place.path / "sizes.png"));
+    driver.fill("dialog/picturespacing/black", "0.25");
+    driver.fill("dialog/picturespacing/white", "0.5");
+    driver.click("dialog/picturespacing/ok");
+    driver.settle();
+    CHECK_FALSE(driver.document().spacing.size);
+    CHECK(driver.document().spacing.minimum == 0.02);
+    CHECK(driver.document().spacing.sources == next.spacing.sources);
+    CHECK(spacingAt(driver, {3, 3}) == doctest::Approx(0.05));
+    CHECK(spacingAt(driver, {8, 3}) == doctest::Approx(0.5));
+}
+
 TEST_CASE("Picture as spacing: a size of 0 is reported beside its field, and the old one stays") {
     const TemporaryFolder place;
     Draughtsman driver;

@@ -127,9 +127,13 @@ std::filesystem::path startFolder(const Shell &context) {
     if (!context.document.path().empty()) {
         return context.document.path().parent_path();
     }
-    return context.settings.recentFiles.empty()
-               ? std::filesystem::path()
-               : std::filesystem::path(context.settings.recentFiles.front()).parent_path();
+    const std::vector<Sample> gallery = samples();
+    for (const std::filesystem::path file : context.settings.recentFiles) {
+        if (std::none_of(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; })) {
+            return file.parent_path();
+        }
+    }
+    return {}; // the working folder
 }
 
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
@@ -307,7 +311,7 @@ void importSpacing(Shell &context) {
         if (!spacing) {
             return spacing.faults();
         }
-        Result<Document> next = setSpacing(*c.document.current(), std::move(spacing).value());
+        Result<Document> next = setImportedSpacing(*c.document.current(), std::move(spacing).value());
         if (!next) {
             return next.faults();
         }

@@ -178,8 +178,8 @@ bool PictureSpacingDialog::import(Shell &context) {
     source.name = file_.string();
     source.notes = &notes;
     Result<SpacingSpec> spacing = spacingOfPicture(picture_, sizes_, source);
-    Result<Document> next =
-        spacing ? setSpacing(*context.document.current(), *std::move(spacing)) : Result<Document>(spacing.faults());
+    Result<Document> next = spacing ? setImportedSpacing(*context.document.current(), *std::move(spacing))
+                                    : Result<Document>(spacing.faults());
     if (!next) {
         const Diagnostic &fault = next.faults().front();
         fault_ = fault.advice.empty() ? fault.message : fault.message + "; " + fault.advice;
