@@ -28,7 +28,7 @@ void write(const Driver::Picture &picture, const std::filesystem::path &file) {
 
 /// Opens the dialog for a picture with dark rings.
 void importRings(Driver &driver) {
-    GreyPicture picture{{4000, 2600}, 500, 325};
+    GreyPicture picture{4000, 2600, 500, 325, {}};
     for (int row = 0; row < 325; ++row) {
         for (int column = 0; column < 500; ++column) {
             const double radius = std::hypot(column - 250, row - 160);
