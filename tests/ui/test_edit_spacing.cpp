@@ -73,6 +73,17 @@ TEST_CASE("Sources: placed by click and by drag, named, and the inspector says w
     CHECK(driver.undoLabel() == "Resize source");
 }
 
+TEST_CASE("Sources: the size proposed for the first one stays for the next") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S');
+    driver.clickPlace({3, 3});
+    driver.settle();
+    driver.clickPlace({3.2, 3});
+    REQUIRE(driver.document().spacing.sources.size() == 2);
+    CHECK(driver.document().spacing.sources[1].size == driver.document().spacing.sources[0].size);
+}
+
 TEST_CASE(
     "Sources: a line gets a size at its second end, when it is drawn or in the inspector; both ends are dragged") {
     Draughtsman driver;

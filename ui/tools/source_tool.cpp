@@ -45,6 +45,7 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     source.b = source.shape == SourceShape::Line ? b : a;
     source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
     source.size = size(context, a);
+    state_->sourceSize = source.size; // or the next one nearby would be four times finer
     source.endSize = source.shape == SourceShape::Line ? state_->sourceEndSize : std::nullopt;
     source.growth = state_->sourceGrowth;
     // A unique name, so that the inspector can tell which source wins.
@@ -91,7 +92,7 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
     if (ui::segmented(context, "options/source/shape", state_->sourceShape, 190.0F)) {
         cancel();
     }
-    double shown = size(context, context.view.camera.centre);
+    double shown = size(context, first_.value_or(over_ ? pointer_.at : context.view.camera.centre));
     if (drawSizeOption(context, flow, "options/source/size", "Size", shown, "Element size at the source")) {
         state_->sourceSize = shown;
     }
