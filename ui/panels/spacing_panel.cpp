@@ -139,8 +139,9 @@ void SpacingPanel::drawElementCounts(Shell &context) {
     if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half, "spacing/segmentsPerTurn")) {
         EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change edges per turn");
     }
-    ui::rowTooltip(context, "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
-                            "automatic spacing, else 0. Curves always get as many as their shape needs.");
+    ui::rowTooltip(context,
+                   "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
+                   "automatic spacing, fewer on small bends, else 0. Curves always get as many as their shape needs.");
     ImGui::SameLine(0, context.px(6));
     if (form::optionalField(context, "spacing/across", across, "gap", half, "spacing/elementsAcross")) {
         EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements across");
