@@ -168,11 +168,13 @@ TEST_CASE("Elements: new shapes do not join a part that has a number of them") {
     driver.fill("inspector/elements", "60");
     REQUIRE(driver.document().elementCounts.contains(1));
     driver.rectangle({0.5, 0.5}, {9.5, 9.5});
-    CHECK(driver.document().shapes[1]->tag == 2);
+    CHECK(driver.document().shapes[1]->tag == 3); // 2 is for constraints
     CHECK(edges(driver, 1) == 60);
-    driver.fill("options/tag", "1"); // shown already
     driver.rectangle({1, 1}, {2, 2});
-    CHECK(driver.document().shapes[2]->tag == 3);
+    CHECK(driver.document().shapes[2]->tag == 4);
+    driver.fill("options/tag", "1"); // chosen
+    driver.rectangle({7, 7}, {8, 8});
+    CHECK(driver.document().shapes[3]->tag == 1);
 }
 
 TEST_CASE("Spacing: the number of elements per turn is a field") {

@@ -138,7 +138,7 @@ void BoxTool::drawSketch(CanvasPainter &painter, Shell &context) {
 }
 
 void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
-    drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+    drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     if (kind_ == ShapeKind::Rectangle) {
         drawLengthOption(context, flow, "options/cornerradius", "Corner radius", radius_,
                          "Radius of the corners of the next rectangle; 0: sharp corners");

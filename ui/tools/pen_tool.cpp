@@ -256,9 +256,9 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
                          "Maximum distance between the path and your stroke; 0: two pixels");
     }
     if (kind_ == ShapeKind::Polygon) {
-        drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+        drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     } else {
-        drawTagOption(context, flow, state_->constraintTag, "Tag of the next constraint");
+        drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next constraint");
     }
     state_->drawSnapOptions(context, flow);
 }

@@ -32,7 +32,7 @@ void PointTool::drawSketch(CanvasPainter &painter, Shell &context) {
 }
 
 void PointTool::drawOptions(Shell &context, ui::Flow &flow) {
-    drawTagOption(context, flow, state_->constraintTag, "Tag of the next point");
+    drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next point");
     state_->drawSnapOptions(context, flow);
 }
 

@@ -59,7 +59,7 @@ void RegularPolygonTool::drawSketch(CanvasPainter &painter, Shell &context) {
 }
 
 void RegularPolygonTool::drawOptions(Shell &context, ui::Flow &flow) {
-    drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+    drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     double sides = sides_;
     constexpr double kMostSides = 1000.0;
     if (drawSizeOption(context, flow, "options/sides", "Sides", sides, "Number of sides of the next polygon") &&
@@ -136,7 +136,7 @@ void ArcTool::drawSketch(CanvasPainter &painter, Shell &context) {
 }
 
 void ArcTool::drawOptions(Shell &context, ui::Flow &flow) {
-    drawTagOption(context, flow, state_->constraintTag, "Tag of the next constraint");
+    drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next constraint");
     state_->drawSnapOptions(context, flow);
 }
 

@@ -70,7 +70,7 @@ void SlotTool::drawSketch(CanvasPainter &painter, Shell &context) {
 }
 
 void SlotTool::drawOptions(Shell &context, ui::Flow &flow) {
-    drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+    drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     state_->drawSnapOptions(context, flow);
 }
 

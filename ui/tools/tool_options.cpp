@@ -11,14 +11,16 @@
 
 namespace forefront {
 
-void drawTagOption(Workspace &context, ui::Flow &flow, std::int32_t &tag, const char *tooltip) {
+void drawTagOption(Workspace &context, ui::Flow &flow, EditState &state, ShapeUse use, const char *tooltip) {
     flow.item("tag");
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "Tag");
     ImGui::SameLine();
+    std::int32_t tag = state.tagOfNext(use, *context.document.current());
     double value = tag;
     if (ui::inputNumber(context, "options/tag", value, 44.0F) && value >= 1.0 && value <= 1e9) {
         tag = static_cast<std::int32_t>(std::floor(value));
+        (use == ShapeUse::Boundary ? state.boundaryTag : state.constraintTag) = tag;
     }
     ui::tooltip(context, tooltip);
     ImGui::SameLine();

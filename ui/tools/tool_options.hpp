@@ -11,8 +11,8 @@ namespace ui {
 class Flow;
 }
 
-/// Draws the option "Tag [ 1 ]  name".
-void drawTagOption(Workspace &context, ui::Flow &flow, std::int32_t &tag, const char *tooltip);
+/// Draws the option "Tag [ 1 ]  name" for the next shape drawn.
+void drawTagOption(Workspace &context, ui::Flow &flow, EditState &state, ShapeUse use, const char *tooltip);
 /// Draws the option "LABEL [ 0.5 ]" for a positive number. Returns true if it changed.
 bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
                     const char *tooltip);

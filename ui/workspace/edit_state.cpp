@@ -9,6 +9,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -42,12 +43,12 @@ const std::shared_ptr<const PickIndex> &EditState::index(const Workspace &contex
 
 std::int32_t EditState::tagOfNext(ShapeUse use, const Document &document) const {
     const bool boundary = use == ShapeUse::Boundary;
-    const std::int32_t tag = boundary ? boundaryTag : constraintTag;
-    const EditState initial;
-    const bool chosen = tag != (boundary ? initial.boundaryTag : initial.constraintTag);
-    const bool special = document.boundaryNames.contains(tag) || document.elementCounts.contains(tag) ||
-                         document.spacing.partSizes.contains(tag);
-    return chosen || !special ? tag : freeBoundaryTag(document);
+    const std::optional<std::int32_t> &chosen = boundary ? boundaryTag : constraintTag;
+    constexpr std::int32_t kBoundary = 1, kConstraint = 2;
+    const std::int32_t usual = boundary ? kBoundary : kConstraint;
+    const bool special = document.boundaryNames.contains(usual) || document.elementCounts.contains(usual) ||
+                         document.spacing.partSizes.contains(usual);
+    return chosen.value_or(special ? std::max(freeBoundaryTag(document), kConstraint + 1) : usual);
 }
 
 void EditState::forgetNumbers() {

@@ -43,9 +43,9 @@ struct SelectionFilter {
 
 /// State shared by the editing tools: the picking index and the options in their strips.
 struct EditState {
-    std::int32_t boundaryTag = 1;   ///< for the next boundary drawn
-    std::int32_t constraintTag = 2; ///< for the next constraint drawn
-    double brushRadius = 0.0;       ///< domain units; 0: derived from the view on first use
+    /// Tags of the next boundaries and constraints drawn, as chosen by the user; absent: see tagOfNext().
+    std::optional<std::int32_t> boundaryTag, constraintTag;
+    double brushRadius = 0.0; ///< domain units; 0: derived from the view on first use
     PenMode penMode = PenMode::Corners;
     double freehandTolerance = 0.0; ///< maximum distance from the stroke, domain units; 0: two pixels
     SelectionFilter picks;
@@ -60,8 +60,8 @@ struct EditState {
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
-    /// Returns the tag of the next shape drawn. A shape does not join a boundary part that has a name, a size or a
-    /// number of elements, unless the user has chosen its tag.
+    /// Returns the tag of the next shape drawn: the one that the user has chosen, else 1 for boundaries and 2 for
+    /// constraints, or a free one where that part has a name, a size or a number of elements.
     std::int32_t tagOfNext(ShapeUse use, const Document &document) const;
     /// Resets tags of the next shapes and sizes in domain units, which belong to one drawing.
     void forgetNumbers();
