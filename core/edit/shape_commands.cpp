@@ -263,7 +263,7 @@ Result<Document> replaceShapes(const Document &document, std::vector<Shape> shap
 
 Result<Document> replaceShape(const Document &document, Shape shape) {
     return changeShape(document, shape.id, [&](Shape &place) -> Status {
-        place = std::move(shape);
+        std::swap(place, shape);
         return {};
     });
 }
