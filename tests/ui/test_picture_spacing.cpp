@@ -89,6 +89,20 @@ TEST_CASE("Picture as spacing: it takes the place of the size, and leaves source
     CHECK(spacingAt(driver, {8, 3}) == doctest::Approx(0.5));
 }
 
+TEST_CASE("Picture as spacing: Enter accepts a number in its field, and imports elsewhere") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 5});
+    chooseSpacing(driver, writeHalves(place.path / "sizes.png"));
+    driver.fill("dialog/picturespacing/black", "0.25");
+    driver.fill("dialog/picturespacing/white", "0.5");
+    REQUIRE(driver.has("dialog/picturespacing/ok"));
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.context().dialogs.any());
+    CHECK(spacingAt(driver, {8, 3}) == doctest::Approx(0.5));
+}
+
 TEST_CASE("Picture as spacing: a size of 0 is reported beside its field, and the old one stays") {
     const TemporaryFolder place;
     Draughtsman driver;

@@ -192,6 +192,8 @@ bool PictureSpacingDialog::import(Shell &context) {
 }
 
 bool PictureSpacingDialog::draw(Shell &context) {
+    // Enter in a field only accepts its number.
+    const bool enter = !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(key::kEnter, false);
     drawPicture(context);
     ImGui::Dummy({0, context.px(6)});
     drawSizes(context);
@@ -209,7 +211,8 @@ bool PictureSpacingDialog::draw(Shell &context) {
         return false;
     }
     ImGui::SameLine(0, context.px(10));
-    if (ui::button(context, "dialog/picturespacing/ok", "Import", ui::ButtonKind::Primary, true, 124.0F)) {
+    const bool ok = ui::button(context, "dialog/picturespacing/ok", "Import", ui::ButtonKind::Primary, true, 124.0F);
+    if (ok || enter) {
         return !import(context);
     }
     return true;
