@@ -440,7 +440,7 @@ Result<Document> setSegmentTag(const Document &document, const std::set<SegmentR
 
 Result<Document> setShapeName(const Document &document, std::uint32_t id, std::string name) {
     return changeShape(document, id, [&](Shape &shape) -> Status {
-        shape.name = std::move(name);
+        shape.name.swap(name);
         return {};
     });
 }
