@@ -9,7 +9,7 @@ namespace FOREFRONT_API forefront {
 struct PictureSizes {
     double black = 0.0; ///< size where the picture is black, > 0
     double white = 0.0; ///< size where it is white, > 0
-    Box2 box;           ///< rectangle of the picture, in domain units
+    Box2 box{};         ///< rectangle of the picture, in domain units
     /// True: the picture keeps its proportions and covers the box (see pictureBoxAround()). False: it fills the box.
     bool around = false;
 
