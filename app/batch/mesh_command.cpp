@@ -45,10 +45,7 @@ Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
         return domain.faults();
     }
     printNotes(notes, arguments.quiet);
-    Box2 box;
-    for (const Vec2 node : domain->nodes) {
-        box.add(node);
-    }
+    const Box2 box = domain->bounds();
     return ReadJob{{std::move(*domain), {}, {}}, box, {}};
 }
 
