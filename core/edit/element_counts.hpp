@@ -24,7 +24,7 @@ std::optional<double> countableLength(const Shape &shape, std::uint32_t part);
 /// Returns the number of elements of the boundary part that a segment belongs to; nullopt if it has none.
 std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef segment);
 
-/// Gives segments a number of elements each, so that `count` elements result where nothing asks for smaller ones;
+/// Gives segments a number of elements each, so that `count` elements result unless another rule makes them smaller;
 /// nullopt removes it, and a size. Numbers belong to tags, so segments get tags of their own, shared by segments of the
 /// same tag and length. A tag keeps its growth, and its name with a number. Shorter segments of the same call may ask
 /// for smaller elements near the ends of longer ones. Faults: no-such-segment; not-possible for a segment without a

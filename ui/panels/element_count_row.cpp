@@ -56,7 +56,7 @@ constexpr double kSameLength = 1e-9; ///< relative
 SharedCount sharedCount(const Document &document, const std::vector<CountedSegment> &segments) {
     SharedCount shared;
     const std::map<std::int32_t, PartSegments> parts = countedParts(document);
-    std::set<std::pair<std::uint32_t, double>> counts; // of the part, and the share of it that the segment has
+    std::set<std::pair<std::uint32_t, double>> counts; // number of the part, share of it along the segment
     for (const CountedSegment &segment : segments) {
         const auto part = parts.find(segment.tag);
         const double share = part != parts.end() ? segment.length / part->second.longest : 1.0;

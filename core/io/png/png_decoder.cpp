@@ -6,8 +6,8 @@
 #include <cstring>
 #include <png.h>
 
-// After a fault, libpng jumps back to the last setjmp, past whatever was called since. So nothing in between, here or
-// in its callbacks, has a destructor.
+// After a fault, libpng jumps back to the last setjmp and runs no destructors on the way. So no function between them,
+// here or in the callbacks, has an object that needs one.
 
 namespace forefront {
 

@@ -30,7 +30,7 @@ class PngDecoder {
     unsigned sampleBytes() const;
     /// Returns the number of passes over the picture: 7 if it is interlaced, else 1.
     int passes() const;
-    /// Reads the next row of a pass, which has so many pixels. `row` has room for columns() pixels.
+    /// Reads the next row of a pass. `pixels`: its number of pixels; `row`: has room for columns() pixels.
     bool readRow(std::uint8_t *row, std::size_t pixels);
     /// Reads the rest of the file.
     bool finish();

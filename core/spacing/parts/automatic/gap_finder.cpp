@@ -61,7 +61,7 @@ struct Cone {
         const double furthest = std::max(left ? side + spread : 0.0, right ? spread - side : 0.0);
         const Vec2 gap{std::max({box.min.x - part.max.x, part.min.x - box.max.x, 0.0}),
                        std::max({box.min.y - part.max.y, part.min.y - box.max.y, 0.0})};
-        constexpr double kMargin = 0.99; // of rounding
+        constexpr double kMargin = 0.99; // for rounding errors
         return furthest > 0.0 && furthest >= kMargin * kFacing * length(gap);
     }
 };
