@@ -37,6 +37,20 @@ Result<Document> withGoodLimits(Document document) {
     return document;
 }
 
+/// Sets one of the numbers of elements of the spacing if `check` finds no fault in it.
+Result<Document> withCheckedCount(const Document &document, std::optional<double> SpacingSpec::*member,
+                                  const std::optional<double> &count,
+                                  void (*check)(const std::optional<double> &, Diagnostics &)) {
+    Diagnostics faults;
+    check(count, faults);
+    if (!faults.empty()) {
+        return faults;
+    }
+    Document next = document;
+    next.spacing.*member = count;
+    return next;
+}
+
 } // namespace
 
 Result<Document> setSize(const Document &document, std::optional<double> size) {
@@ -74,25 +88,11 @@ Result<Document> setGradation(const Document &document, std::optional<double> gr
 }
 
 Result<Document> setSegmentsPerTurn(const Document &document, std::optional<double> count) {
-    Diagnostics faults;
-    checkSegmentsPerTurn(count, faults);
-    if (!faults.empty()) {
-        return faults;
-    }
-    Document next = document;
-    next.spacing.segmentsPerTurn = count;
-    return next;
+    return withCheckedCount(document, &SpacingSpec::segmentsPerTurn, count, checkSegmentsPerTurn);
 }
 
 Result<Document> setElementsAcross(const Document &document, std::optional<double> count) {
-    Diagnostics faults;
-    checkElementsAcross(count, faults);
-    if (!faults.empty()) {
-        return faults;
-    }
-    Document next = document;
-    next.spacing.elementsAcross = count;
-    return next;
+    return withCheckedCount(document, &SpacingSpec::elementsAcross, count, checkElementsAcross);
 }
 
 Document setFromBoundary(const Document &document, bool fromBoundary) {
