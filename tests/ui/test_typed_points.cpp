@@ -31,6 +31,59 @@ TEST_CASE("Typed points: X after the first corner asks for the opposite corner; 
     CHECK(boundsOf(*driver.document().shapes[3]) == Box2{{3, 3.5}, {3.5, 4}});
 }
 
+TEST_CASE("Typed numbers: width and height go right and up, negative ones left and down, wherever the pointer is") {
+    Draughtsman driver;
+    const auto box = [&](Vec2 corner, Vec2 pointer, const char *width, const char *height) {
+        driver.clickPlace(corner);
+        driver.moveToPlace(pointer);
+        driver.keys(width);
+        driver.key(key::kTab);
+        driver.keys(height);
+        driver.key(key::kEnter);
+        return boundsOf(*driver.document().shapes.back());
+    };
+    for (const int tool : {int{'R'}, int{'K'}}) {
+        driver.key(tool);
+        CHECK(box({5, 5}, {2, 1}, "3", "4") == Box2{{5, 5}, {8, 9}});
+        CHECK(box({5.5, 5.5}, {8, 9.5}, "-3", "-4") == Box2{{2.5, 1.5}, {5.5, 5.5}});
+        CHECK(box({6, 6}, {9, 1}, "-2", "1") == Box2{{4, 6}, {6, 7}});
+    }
+    driver.clickPlace({1, 1});
+    driver.keys("0");
+    driver.key(key::kTab); // refused: the field stays open
+    driver.key(key::kEnter);
+    CHECK(driver.document().shapes.size() == 6);
+    driver.key(key::kEscape);
+    driver.key(key::kEscape);
+    driver.key('R'); // the first corner typed, too, and only the width: the pointer chooses the height
+    driver.moveToPlace({7, 7});
+    driver.keys("2");
+    driver.key(key::kTab);
+    driver.keys("3");
+    driver.key(key::kEnter);
+    driver.keys("4,1");
+    driver.key(key::kEnter);
+    CHECK(boundsOf(*driver.document().shapes.back()) == Box2{{2, 3}, {6, 4}});
+}
+
+TEST_CASE("Typed numbers: a regular polygon of a typed radius has a corner on the right, wherever the pointer is") {
+    Draughtsman driver;
+    driver.key('H');
+    driver.clickPlace({5, 5});
+    driver.moveToPlace({4, 7.2});
+    driver.keys("2");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes[0] == Vec2{7, 5});
+    driver.moveToPlace({3, 3});
+    driver.clickPlace({5, 5});
+    driver.moveToPlace({6, 6});
+    driver.keys("2q180");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(distance(driver.document().shapes[1]->nodes[0], {3, 5}) < 1e-12);
+}
+
 TEST_CASE("Typed points: a dragged node goes to a typed point or by a typed way; that is one undo step") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});

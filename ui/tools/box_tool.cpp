@@ -55,12 +55,11 @@ Vec2 BoxTool::corner(Vec2 at) const {
     if (!isBox() || !first_) {
         return at;
     }
-    Vec2 arm = at - *first_;
+    const Vec2 arm = at - *first_;
     const std::optional<double> width = entry_.value(EntryField::Width), height = entry_.value(EntryField::Height);
     if (width || height) {
-        // The pointer chooses the side.
-        arm = {width ? std::copysign(*width, arm.x) : arm.x, height ? std::copysign(*height, arm.y) : arm.y};
-        return *first_ + arm;
+        // The signs choose the sides, not the pointer: it is where the first corner was clicked, or anywhere.
+        return *first_ + Vec2{width.value_or(arm.x), height.value_or(arm.y)};
     }
     if (!modifiers_.shift()) {
         return at;
@@ -148,11 +147,13 @@ void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
 
 std::string BoxTool::statusText(const Shell &) const {
     if (kind_ == ShapeKind::Ellipse) {
-        return first_ ? "Click the opposite corner, or type width, Tab, height, or its place as x4,3. Shift: circle"
+        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or its place as "
+                        "x4,3. Shift: circle"
                       : "Drag from corner to corner of its box. Inside another shape it becomes a hole";
     }
     if (isBox()) {
-        return first_ ? "Click the opposite corner, or type width, Tab, height, or its place as x4,3. Shift: square"
+        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or its place as "
+                        "x4,3. Shift: square"
                       : "Drag from corner to corner, or type x, Tab, y. Inside another shape it becomes a hole";
     }
     return first_ ? "Click a point on the circle, or type the radius, or D and the diameter"

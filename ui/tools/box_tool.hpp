@@ -30,7 +30,8 @@ class BoxTool final : public DrawingTool {
 
   private:
     bool isBox() const { return kind_ != ShapeKind::Circle; }
-    /// Returns the corner that a click places, given the typed width and height, and Shift for a square.
+    /// Returns the corner that a click places, given the typed width and height (negative: to the left, downwards), and
+    /// Shift for a square.
     Vec2 corner(Vec2 at) const;
     /// Returns the shape between the first click and another.
     Shape shapeTo(Vec2 second) const;

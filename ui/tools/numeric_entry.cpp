@@ -31,9 +31,15 @@ bool isPrintable(char32_t c) {
     return c >= U' ' && c <= U'~';
 }
 
-/// Returns true for quantities that must be positive; coordinates and angles may have any sign.
+/// Returns true for quantities that may have any sign but not be 0: a negative width or height goes to the left or
+/// down.
+bool isExtent(EntryField field) {
+    return field == EntryField::Width || field == EntryField::Height;
+}
+
+/// Returns true for quantities that must be positive; coordinates and angles may have any value.
 bool isLength(EntryField field) {
-    return field != EntryField::X && field != EntryField::Y && field != EntryField::Angle;
+    return field != EntryField::X && field != EntryField::Y && field != EntryField::Angle && !isExtent(field);
 }
 
 /// Returns the text of an expression without the = that may begin it.
@@ -54,6 +60,9 @@ Result<double> read(EntryField field, std::string_view text, const NamedValues &
     Result<double> number = evaluate(text, names);
     if (number && isLength(field) && !(*number > 0.0)) {
         return error("bad-number", "expected a number above 0");
+    }
+    if (number && isExtent(field) && *number == 0.0) {
+        return error("bad-number", "expected a number other than 0");
     }
     return number;
 }

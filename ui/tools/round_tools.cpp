@@ -21,6 +21,12 @@ std::span<const EntryField> RegularPolygonTool::entryFields() const {
     return centre_ ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
 }
 
+Vec2 RegularPolygonTool::firstCorner(Vec2 at) const {
+    const std::optional<double> radius = entry_.value(EntryField::Radius);
+    // A typed radius without an angle means a corner on the right, wherever the pointer happens to be.
+    return radius && !entry_.value(EntryField::Angle) ? *centre_ + Vec2{*radius, 0.0} : at;
+}
+
 std::vector<Vec2> RegularPolygonTool::corners(Vec2 first) const {
     std::vector<Vec2> result;
     const Vec2 arm = first - *centre_;
@@ -41,7 +47,7 @@ void RegularPolygonTool::place(Vec2 at, Shell &context) {
     }
     Shape shape;
     shape.kind = ShapeKind::Polygon;
-    shape.nodes = corners(at);
+    shape.nodes = corners(firstCorner(at));
     commitShape(context, std::move(shape), "Draw regular polygon");
     centre_.reset();
 }
@@ -53,9 +59,10 @@ void RegularPolygonTool::drawSketch(CanvasPainter &painter, Shell &context) {
     }
     const Theme &theme = context.theme;
     painter.handle(*centre_, 3.0, theme.canvas, theme.selection);
-    painter.polyline(corners(pointer_.at), true, theme.selection, 2.0);
-    painter.dashed(*centre_, pointer_.at, fade(theme.selection, 0.6), 1.0);
-    drawMeasure(painter, context, "r = " + ui::number(distance(*centre_, pointer_.at)));
+    const Vec2 first = firstCorner(pointer_.at);
+    painter.polyline(corners(first), true, theme.selection, 2.0);
+    painter.dashed(*centre_, first, fade(theme.selection, 0.6), 1.0);
+    drawMeasure(painter, context, "r = " + ui::number(distance(*centre_, first)));
 }
 
 void RegularPolygonTool::drawOptions(Shell &context, ui::Flow &flow) {
@@ -147,7 +154,7 @@ std::string ArcTool::statusText(const Shell &) const {
     case 1:
         return "Click where the arc ends, or type distance, Tab, angle";
     default:
-        return "Click a point on the arc, or type its radius. Backspace: remove the last end";
+        return "Click a point on the arc, or point to its side and type the radius. Backspace: remove the last end";
     }
 }
 

@@ -28,6 +28,8 @@ class RegularPolygonTool final : public DrawingTool {
     std::span<const EntryField> entryFields() const override;
 
   private:
+    /// Returns the first corner that a click would place, given the typed numbers.
+    Vec2 firstCorner(Vec2 at) const;
     std::vector<Vec2> corners(Vec2 first) const;
 
     int sides_ = 6;
