@@ -43,6 +43,45 @@ void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, cons
     }
 }
 
+std::vector<double> cutInto(const SpacingIntegral &integral, std::uint32_t count) {
+    std::vector<double> fractions;
+    integral.cut(count, fractions);
+    fractions.insert(fractions.begin(), 0.0);
+    fractions.push_back(1.0);
+    return fractions;
+}
+
+/// Cuts a curve into the pieces that the spacing asks for, at least `minimum`, and so many that all are close to it.
+std::vector<double> cutClosely(const SpacingIntegral &integral, const CurvePath &path, const SpacingField &spacing,
+                               std::uint32_t minimum) {
+    const auto pieces = [&](double count) { return std::max(minimum, static_cast<std::uint32_t>(count)); };
+    const auto allowed = [&](const std::vector<double> &fractions) {
+        for (std::size_t i = 1; i < fractions.size(); ++i) {
+            if (!path.allows(fractions[i - 1], fractions[i])) {
+                return false;
+            }
+        }
+        return true;
+    };
+    std::vector<double> fractions = cutInto(integral, pieces(integral.pieces()));
+    if (!allowed(fractions)) {
+        fractions = cutInto(integral, pieces(std::ceil(integral.total())));
+    }
+    constexpr int kMaxRounds = 12; // the integral already calls for nearly enough
+    for (int round = 0; round < kMaxRounds && !allowed(fractions); ++round) {
+        std::vector<double> finer = {0.0};
+        for (std::size_t i = 1; i < fractions.size(); ++i) {
+            if (!path.allows(fractions[i - 1], fractions[i])) {
+                finer.push_back(std::midpoint(fractions[i - 1], fractions[i]));
+            }
+            finer.push_back(fractions[i]);
+        }
+        fractions = std::move(finer);
+    }
+    joinShortPieces(fractions, path, spacing, minimum);
+    return fractions;
+}
+
 } // namespace
 
 CurveCuts::CurveCuts(const Domain &domain)
@@ -90,40 +129,13 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
     if (outcome != SpacingIntegral::Outcome::Done) {
         return outcome;
     }
-    const double minimum = about.start == about.end ? 3.0 : 1.0; // a loop needs three
-    const auto cutInto = [&](double count) {
-        std::vector<double> fractions;
-        integral.cut(static_cast<std::uint32_t>(std::max(minimum, count)), fractions);
-        fractions.insert(fractions.begin(), 0.0);
-        fractions.push_back(1.0);
-        return fractions;
-    };
-    const auto allowed = [&](const std::vector<double> &fractions) {
-        for (std::size_t i = 1; i < fractions.size(); ++i) {
-            if (!path.allows(fractions[i - 1], fractions[i])) {
-                return false;
-            }
-        }
-        return true;
-    };
-    std::vector<double> fractions = cutInto(integral.pieces());
-    if (!allowed(fractions)) {
-        fractions = cutInto(std::ceil(integral.total()));
+    const std::uint32_t asked = elementsAlong(domain_, about);
+    if (asked > limit) {
+        return SpacingIntegral::Outcome::TooMany;
     }
-    constexpr int kMaxRounds = 12; // the integral already calls for nearly enough
-    for (int round = 0; round < kMaxRounds && !allowed(fractions); ++round) {
-        std::vector<double> finer = {0.0};
-        for (std::size_t i = 1; i < fractions.size(); ++i) {
-            if (!path.allows(fractions[i - 1], fractions[i])) {
-                finer.push_back(std::midpoint(fractions[i - 1], fractions[i]));
-            }
-            finer.push_back(fractions[i]);
-        }
-        fractions = std::move(finer);
-    }
-    joinShortPieces(fractions, path, spacing, static_cast<std::size_t>(minimum));
+    const std::uint32_t minimum = about.start == about.end ? 3 : 1; // a loop needs three
     cuts_[chain].clear();
-    for (const double fraction : fractions) {
+    for (const double fraction : asked > 0 ? cutInto(integral, asked) : cutClosely(integral, path, spacing, minimum)) {
         cuts_[chain].push_back(std::lerp(about.t0, about.t1, fraction));
     }
     return outcome;

@@ -37,8 +37,8 @@ class CurveCuts {
     /// Returns the domain segment that a piece is attributed to: the one at its middle.
     std::uint32_t source(const ChainPiece &piece) const;
 
-    /// Divides a chain by the spacing; `integral` is scratch space; afterwards it holds the location of a fault, if
-    /// any.
+    /// Divides a chain by the spacing, or into the number of elements that it asks for; `integral` is scratch space;
+    /// afterwards it holds the location of a fault, if any.
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
     /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight

@@ -313,7 +313,11 @@ class Discretiser {
             if (outcome != SpacingIntegral::Outcome::Done) {
                 return faultOf(outcome, midpoint(a, b));
             }
-            count_[s] = std::min(most_[s], static_cast<std::uint32_t>(integral_.pieces()));
+            if (segment.elements > room) {
+                return faultOf(SpacingIntegral::Outcome::TooMany, midpoint(a, b));
+            }
+            const std::uint32_t asked = segment.elements;
+            count_[s] = std::min(most_[s], asked > 0 ? asked : static_cast<std::uint32_t>(integral_.pieces()));
             integral_.cut(count_[s], fractions_);
         }
         std::uint32_t from = number(segment.a);

@@ -54,7 +54,8 @@ struct DiscreteDomain {
 };
 
 /// Divides the segments of a validated domain so that their lengths follow the spacing, or keeps them exactly as given,
-/// and finds the faces and their regions. The number of pieces follows from ∫ds/ρ, with nodes at equal fractions of it.
+/// and finds the faces and their regions. The number of pieces is DomainSegment::elements, or follows from ∫ds/ρ, with
+/// nodes at equal fractions of it.
 /// Deterministic; the geometry does not depend on the order or orientation of loops.
 ///
 /// Segments that follow one curve through nodes where nothing else meets are divided as one, with every node on the

@@ -133,6 +133,19 @@ double chordTolerance(const Domain &domain) {
     return domain.curveTolerance > 0.0 ? domain.curveTolerance : kDefault * domain.bounds().diagonal();
 }
 
+std::uint32_t elementsAlong(const Domain &domain, const CurveChain &chain) {
+    const std::uint32_t whole = chain.segments.empty() ? 0 : domain.segments[chain.segments.front()].elements;
+    if (whole == 0) {
+        return 0;
+    }
+    // The difference of two rounded numbers: with those of the other chains it adds up to the whole.
+    const Curve &curve = domain.curves[chain.curve];
+    const double share = whole / curve.length(0.0, 1.0);
+    const double before = std::round(share * curve.length(0.0, chain.t0));
+    const double after = std::round(share * curve.length(0.0, chain.t1));
+    return static_cast<std::uint32_t>(std::max(after - before, chain.start == chain.end ? 3.0 : 1.0));
+}
+
 CurveChains curveChains(const Domain &domain) {
     return ChainFinder(domain).run();
 }

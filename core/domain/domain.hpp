@@ -31,6 +31,9 @@ struct DomainSegment {
     SegmentRole role = SegmentRole::Boundary;
     /// The part of a curve that the segment is a chord of, from a to b. Straight segments follow none.
     CurveStretch stretch = {};
+    /// Number of elements along the whole line or curve that the segment is a part of; 0: as the spacing asks. Stands
+    /// above the spacing and the tolerance of curves.
+    std::uint32_t elements = 0;
 };
 
 /// Attributes of the face that contains a point.

@@ -2,6 +2,7 @@
 
 #include "core/base/ids.hpp"
 #include "core/edit/domain_sources.hpp"
+#include "core/edit/element_counts.hpp"
 #include "core/edit/node_sizes.hpp"
 #include "core/edit/refine_chords.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -48,7 +49,7 @@ class NodeMerger {
 class DomainBuilder {
   public:
     DomainBuilder(const Document &document, DomainSources *sources)
-        : document_(document), sources_(sources), merger_(domain_.nodes) {}
+        : document_(document), sources_(sources), counted_(countedParts(document)), merger_(domain_.nodes) {}
 
     Domain build() {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
@@ -99,6 +100,7 @@ class DomainBuilder {
     void addOutline(const Shape &shape, std::uint32_t number) {
         const Outline outline = outlineOf(shape);
         const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
+        const std::vector<std::uint32_t> elements = elementsOfParts(document_, shape, counted_);
         std::vector<std::uint32_t> ids;
         ids.reserve(chords.nodes.size());
         for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
@@ -117,8 +119,9 @@ class DomainBuilder {
                 }
                 stretch.curve = static_cast<std::uint32_t>(domain_.curves.size() - 1);
             }
-            domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1],
-                                        segmentTag(shape, outline.part(segment)), role, stretch});
+            const std::size_t part = outline.part(segment);
+            domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1], segmentTag(shape, part), role,
+                                        stretch, part < elements.size() ? elements[part] : 0});
             if (sources_ != nullptr) {
                 sources_->segments.push_back({number, segment});
             }
@@ -127,6 +130,7 @@ class DomainBuilder {
 
     const Document &document_;
     DomainSources *sources_;
+    std::map<std::int32_t, PartSegments> counted_;
     Domain domain_;
     NodeMerger merger_;
     bool flattened_ = false; ///< some chords were chosen here, regardless of what is near

@@ -74,8 +74,8 @@ struct Shape {
     friend bool operator==(const Shape &, const Shape &) = default;
 };
 
-/// The number of elements along each segment of a boundary part, from which the size of the part follows: see
-/// spacingOf().
+/// The number of elements along each segment of a boundary part. Where the segments differ in length, the longest gets
+/// the number, and the others get elements of the same size, which becomes the size of the part: see spacingOf().
 struct PartElements {
     std::uint32_t count = 1;           ///< >= 1
     double growth = PartSize{}.growth; ///< >= 0, see PartSize
@@ -115,12 +115,10 @@ struct Document {
 };
 
 /// Returns the domain of a document. Curved segments become chords that follow their curves; coinciding nodes of
-/// different shapes become one node.
+/// different shapes become one node. Segments of boundary parts with a number of elements ask for that number.
 Domain toDomain(const Document &document);
 
 /// Returns the spacing of a document, in which boundary parts with a number of elements have the sizes that lead to it.
-/// Where the segments of such a part differ in length, the longest gets the number, and the others get elements of the
-/// same size.
 SpacingSpec spacingOf(const Document &document);
 
 /// Returns a document that shows a domain: segments are chained to polygons and polylines whose segments follow the

@@ -18,10 +18,10 @@ namespace {
 
 constexpr double kSameLength = 1e-9; ///< relative; lengths of curves are known to about 12 digits
 
-/// Segments of one tag, length and distance from their chords.
+/// Segments of one tag and length.
 struct Alike {
     std::int32_t tag = 0;
-    double length = 0.0, gap = 0.0;
+    double length = 0.0;
     std::set<SegmentRef> segments;
 };
 
@@ -29,29 +29,26 @@ Result<std::vector<Alike>> sorted(const Document &document, const std::set<Segme
     std::vector<Alike> groups;
     const Shape *shape = nullptr;
     std::vector<std::optional<double>> lengths;
-    std::vector<double> gaps;
     for (const SegmentRef segment : segments) {
         if (shape == nullptr || shape->id != segment.shape) {
             shape = findShape(document, segment.shape);
             lengths = shape != nullptr ? countableLengths(*shape) : std::vector<std::optional<double>>();
-            gaps = shape != nullptr ? meanGaps(document, *shape) : std::vector<double>();
         }
         if (segment.segment >= lengths.size()) {
             return error("no-such-segment", "segment not found");
         }
-        const double length = lengths[segment.segment].value_or(0.0), gap = gaps[segment.segment];
+        const double length = lengths[segment.segment].value_or(0.0);
         if (!(length > 0.0)) {
             return error("not-possible", "elements can be counted along a single line or curve only");
         }
         const std::int32_t tag = segmentTag(*shape, segment.segment);
         const auto known = std::find_if(groups.begin(), groups.end(), [&](const Alike &group) {
-            return group.tag == tag && std::fabs(group.length - length) <= kSameLength * length &&
-                   std::fabs(group.gap - gap) <= kSameLength * length;
+            return group.tag == tag && std::fabs(group.length - length) <= kSameLength * length;
         });
         if (known != groups.end()) {
             known->segments.insert(segment);
         } else {
-            groups.push_back({tag, length, gap, {segment}});
+            groups.push_back({tag, length, {segment}});
         }
     }
     return groups;
@@ -128,24 +125,6 @@ Result<Document> withCount(const Document &document, const Alike &group, std::op
     return next && elements ? setPartElements(*next, tag, elements) : next;
 }
 
-/// Returns the size that gives a segment its number of elements.
-PartSize sizeFor(const PartElements &elements, double length, double gap) {
-    const double asked = length / elements.count;
-    PartSize size{asked, elements.growth};
-    if (gap > 0.0) { // so steep a growth would make the sizes along the curve too uneven to be counted
-        constexpr double kUneven = 0.03;
-        size.growth = std::min(size.growth, kUneven * asked / gap);
-        size.size = asked - size.growth * gap;
-    }
-    return size;
-}
-
-/// The segments of a boundary part, and which of them is the longest.
-struct TaggedParts : PartSegments {
-    const Shape *shape = nullptr;
-    std::size_t part = 0;
-};
-
 using ElementCounts = std::map<std::int32_t, PartElements>;
 
 bool hasAnyTag(const Shape &shape, const ElementCounts &tags) {
@@ -155,8 +134,8 @@ bool hasAnyTag(const Shape &shape, const ElementCounts &tags) {
 }
 
 /// Returns the segments with each of `tags`.
-std::map<std::int32_t, TaggedParts> partsOf(const Document &document, const ElementCounts &tags) {
-    std::map<std::int32_t, TaggedParts> parts;
+std::map<std::int32_t, PartSegments> partsOf(const Document &document, const ElementCounts &tags) {
+    std::map<std::int32_t, PartSegments> parts;
     for (const auto &shape : document.shapes) {
         if (!hasAnyTag(*shape, tags)) {
             continue;
@@ -168,13 +147,9 @@ std::map<std::int32_t, TaggedParts> partsOf(const Document &document, const Elem
             if (!tags.contains(tag) || !(length > 0.0) || !std::isfinite(length)) {
                 continue;
             }
-            TaggedParts &all = parts[tag];
+            PartSegments &all = parts[tag];
             all.shortest = all.count == 0 ? length : std::min(all.shortest, length);
-            if (length > all.longest) {
-                all.shape = shape.get();
-                all.part = k;
-                all.longest = length;
-            }
+            all.longest = std::max(all.longest, length);
             all.total += length;
             ++all.count;
         }
@@ -185,8 +160,8 @@ std::map<std::int32_t, TaggedParts> partsOf(const Document &document, const Elem
 std::map<std::int32_t, PartSize> sizesOf(const Document &document, const ElementCounts &tags) {
     std::map<std::int32_t, PartSize> sizes;
     for (const auto &[tag, parts] : partsOf(document, tags)) {
-        const double gap = meanGaps(document, *parts.shape)[parts.part];
-        sizes[tag] = sizeFor(tags.at(tag), parts.longest, gap);
+        const PartElements &elements = tags.at(tag);
+        sizes[tag] = {parts.longest / elements.count, elements.growth};
     }
     return sizes;
 }
@@ -252,8 +227,26 @@ Result<Document> setPartElements(const Document &document, std::int32_t tag, std
 }
 
 std::map<std::int32_t, PartSegments> countedParts(const Document &document) {
-    const std::map<std::int32_t, TaggedParts> parts = partsOf(document, document.elementCounts);
-    return {parts.begin(), parts.end()};
+    return partsOf(document, document.elementCounts);
+}
+
+std::vector<std::uint32_t> elementsOfParts(const Document &document, const Shape &shape,
+                                           const std::map<std::int32_t, PartSegments> &counted) {
+    if (counted.empty() || !hasAnyTag(shape, document.elementCounts)) {
+        return {};
+    }
+    std::vector<std::uint32_t> elements;
+    for (const PartLength &part : partLengths(shape)) {
+        const std::int32_t tag = segmentTag(shape, elements.size());
+        const auto found = counted.find(tag);
+        double count = 0.0;
+        if (found != counted.end() && part.pieces == 1) {
+            count =
+                std::max(1.0, std::round(document.elementCounts.at(tag).count * (part.length / found->second.longest)));
+        }
+        elements.push_back(static_cast<std::uint32_t>(count));
+    }
+    return elements;
 }
 
 std::optional<PartSize> elementSize(const Document &document, std::int32_t tag) {
@@ -282,7 +275,7 @@ void carryElementCounts(const Document &before, Document &next) {
     if (kept.empty() || before.shapes == next.shapes) {
         return;
     }
-    const std::map<std::int32_t, TaggedParts> then = partsOf(before, kept), now = partsOf(next, kept);
+    const std::map<std::int32_t, PartSegments> then = partsOf(before, kept), now = partsOf(next, kept);
     for (const auto &[tag, parts] : now) {
         const auto old = then.find(tag);
         if (old == then.end() || kept.at(tag) != before.elementCounts.at(tag) || parts.count == old->second.count ||

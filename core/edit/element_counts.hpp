@@ -24,11 +24,10 @@ std::optional<double> countableLength(const Shape &shape, std::uint32_t part);
 /// Returns the number of elements of the boundary part that a segment belongs to; nullopt if it has none.
 std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef segment);
 
-/// Gives segments a number of elements each, so that `count` elements result unless another rule makes them smaller;
-/// nullopt removes it, and a size. Numbers belong to tags, so segments get tags of their own, shared by segments of the
-/// same tag and length. A tag keeps its growth, and its name with a number. Shorter segments of the same call may ask
-/// for smaller elements near the ends of longer ones. Faults: no-such-segment; not-possible for a segment without a
-/// countableLength(); bad-number for a count of 0 or above kMaxElementCount.
+/// Gives segments a number of elements each, whatever other sizes ask for; nullopt removes it, and a size. Numbers
+/// belong to tags, so segments get tags of their own, shared by segments of the same tag and length. A tag keeps its
+/// growth, and its name with a number. Faults: no-such-segment; not-possible for a segment without a countableLength();
+/// bad-number for a count of 0 or above kMaxElementCount.
 Result<Document> setElementCount(const Document &document, const std::set<SegmentRef> &segments,
                                  std::optional<std::uint32_t> count);
 
@@ -44,6 +43,10 @@ struct PartSegments {
 };
 /// Returns the segments of each boundary part with a number of elements, by tag; none for parts without segments.
 std::map<std::int32_t, PartSegments> countedParts(const Document &document);
+/// Returns the number of elements along each tagged part of a shape (see taggedSegments()), 0 where the spacing
+/// decides; empty if no part has any. `counted`: the result of countedParts().
+std::vector<std::uint32_t> elementsOfParts(const Document &document, const Shape &shape,
+                                           const std::map<std::int32_t, PartSegments> &counted);
 /// Returns the size that follows from the number of elements of the boundary part with a tag; nullopt if it has none.
 std::optional<PartSize> elementSize(const Document &document, std::int32_t tag);
 

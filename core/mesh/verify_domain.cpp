@@ -99,6 +99,9 @@ class CurveWalk {
             deviation_ = std::max(deviation_, curve_.deviation(segment.stretch.t0, segment.stretch.t1));
         }
         deviation_ *= 1.01; // parameters of nodes are rounded
+        if (elementsAlong(domain, chain) > 0) {
+            deviation_ = curve_.length(chain.t0, chain.t1); // few elements may be anywhere between their nodes
+        }
     }
 
     /// Returns the area by which chords of the curve may differ.

@@ -61,8 +61,12 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
     CHECK(driver.has("inspector/elements/fault"));
     CHECK(edges(driver, driver.document().shapes[1]->tag) == 40);
     CHECK_FALSE(driver.has("inspector/elements/meshed"));
-    driver.fill("inspector/elements", "4"); // the bend of the circle needs more
-    CHECK(edges(driver, driver.document().shapes[1]->tag) > 4);
+    driver.fill("inspector/elements", "4");
+    CHECK(edges(driver, driver.document().shapes[1]->tag) == 4);
+    driver.frames(2);
+    CHECK_FALSE(driver.has("inspector/elements/meshed"));
+    driver.fill("inspector/elements", "2"); // a closed curve has at least three
+    CHECK(edges(driver, driver.document().shapes[1]->tag) == 3);
     driver.frames(2);
     CHECK(driver.has("inspector/elements/meshed"));
     clear(driver, "inspector/elements");

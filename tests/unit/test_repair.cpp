@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <stop_token>
 
@@ -76,6 +77,26 @@ std::size_t constraintCount(const Domain &domain) {
 }
 
 } // namespace
+
+TEST_CASE("repair: the pieces of a divided segment share its number of elements") {
+    Domain domain;
+    addLoop(domain, square(0.0, 0.0, 10.0));
+    for (const Vec2 p : {Vec2{1.0, 5.0}, Vec2{9.0, 5.0}, Vec2{7.0, 2.0}, Vec2{7.0, 8.0}}) {
+        domain.nodes.push_back(p);
+    }
+    domain.segments.push_back({4, 5, 2, SegmentRole::Constraint, {}, 40});
+    domain.segments.push_back({6, 7, 3, SegmentRole::Constraint, {}, 0});
+    const Domain result = repaired(domain);
+    std::map<double, std::uint32_t> elements; // by length
+    for (const DomainSegment &segment : result.segments) {
+        if (segment.tag == 2) {
+            elements[distance(result.nodes[segment.a], result.nodes[segment.b])] = segment.elements;
+        } else {
+            CHECK(segment.elements == 0);
+        }
+    }
+    CHECK(elements == std::map<double, std::uint32_t>{{2.0, 10}, {6.0, 30}});
+}
 
 TEST_CASE("repair: merges nodes, drops duplicate, empty and unreferenced parts, and reports each change") {
     Domain domain;

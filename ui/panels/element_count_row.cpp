@@ -96,15 +96,17 @@ void drawMeshed(Shell &context, std::int32_t tag, const PartSegments &part, doub
     }
     ui::small(context, "The mesh has " + std::to_string(*meshed) + " here.", true);
     ui::mark(context, "inspector/elements/meshed");
-    ui::tooltip(context, static_cast<double>(*meshed) > count
-                             ? "A smaller size acts here: of a part, a source, the automatic spacing or a narrow "
-                               "place. Curves also get as many elements as their shape needs."
-                             : "The minimum size is larger.");
+    ui::tooltip(context,
+                static_cast<double>(*meshed) > count
+                    ? "With fewer elements the boundary would meet itself or other parts. A closed curve has at "
+                      "least three."
+                    : "With more elements the boundary would meet itself or other parts, or it is kept as it "
+                      "is drawn.");
 }
 
 std::string explanation(std::size_t segments) {
     const std::string along = segments == 1 ? "Number of elements along it" : "Number of elements along each of them";
-    return along + ", kept when its length changes. It belongs to a boundary part, with a tag of its own where others "
+    return along + ", whatever other sizes ask for. It belongs to a boundary part, with a tag of its own where others "
                    "share the tag. If segments of the part differ in length later, the longest has this number, and "
                    "shorter ones have elements of the same size. Leave it empty to use the general size.";
 }

@@ -62,6 +62,9 @@ void addCurvatureSites(const Domain &domain, const CurveChains &chains, double s
         if (progress.cancelled()) {
             return;
         }
+        if (domain.segments[chain.segments.front()].elements > 0) {
+            continue; // their size is given
+        }
         const Curve &curve = domain.curves[chain.curve];
         for (const std::uint32_t s : chain.segments) {
             const DomainSegment &segment = domain.segments[s];
