@@ -84,6 +84,66 @@ TEST_CASE("Typed numbers: a regular polygon of a typed radius has a corner on th
     CHECK(distance(driver.document().shapes[1]->nodes[0], {3, 5}) < 1e-12);
 }
 
+TEST_CASE("Typed numbers: the view shows what is typed outside it, and keeps still otherwise") {
+    Draughtsman driver;
+    const View &view = driver.context().view;
+    const auto shows = [&](const Box2 &box) {
+        const Box2 visible = view.camera.visible();
+        return visible.contains(box.min) && visible.contains(box.max);
+    };
+    const auto typed = [&](const char *first, const char *second) {
+        driver.keys(first);
+        driver.key(key::kTab);
+        driver.keys(second);
+        driver.key(key::kEnter);
+        driver.settle();
+    };
+    driver.key('R');
+    const Camera before = view.camera;
+    driver.clickPlace({1, 1});
+    typed("6", "5");
+    CHECK(view.camera == before);
+    const Box2 seen = before.visible();
+    typed("20", "15"); // the corner, then the size
+    CHECK(shows({{20, 15}, {20, 15}}));
+    CHECK(shows({{1, 1}, {7, 6}})); // what was in view, too
+    typed("40", "3");
+    CHECK(shows({{20, 15}, {60, 18}}));
+    CHECK(view.camera.visible().size().x < 4.0 * seen.size().x); // just enough
+    driver.key('P');
+    const double zoom = view.camera.zoom;
+    typed("2", "3");
+    typed("1", "90");
+    CHECK(view.camera.zoom == zoom);
+    typed("300", "180");
+    CHECK(shows({{-298, 4}, {2, 4}}));
+    driver.key(key::kEscape);
+    // Zoomed in on purpose: what the pointer draws does not move the view, even if the shape is larger.
+    driver.context().view.zoomAt(driver.pixel({20, 15}), 100.0);
+    const Camera close = view.camera;
+    driver.key('R');
+    driver.clickPlace(close.toPlane(driver.canvas().centre()));
+    driver.clickPlace(close.toPlane(driver.canvas().centre() + Pixel(80, 60)));
+    CHECK(driver.document().shapes.size() == 3);
+    CHECK(view.camera == close);
+}
+
+TEST_CASE("Typed numbers: the view follows a node that is dragged or set to a place outside it") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 6}});
+    driver.key('V');
+    driver.press(driver.pixel({9, 6}));
+    driver.moveToPlace({8, 5});
+    driver.type("30,20");
+    driver.key(key::kEnter);
+    driver.release(driver.pixel({8, 5}));
+    driver.settle();
+    CHECK(driver.context().view.camera.visible().contains({30, 20}));
+    driver.fill("inspector/at/x", "-50");
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{-50, 20});
+    CHECK(driver.context().view.camera.visible().contains({-50, 20}));
+}
+
 TEST_CASE("Typed points: a dragged node goes to a typed point or by a typed way; that is one undo step") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});

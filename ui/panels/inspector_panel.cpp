@@ -210,6 +210,7 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
         Vec2 at = shape.nodes[0];
         if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
             EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
+            context.view.reveal(boxOf(at, at));
         }
         return;
     } else {
@@ -297,6 +298,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     heading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
     if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
         EditState::apply(context, setHandle(document, ref, at), "Move node");
+        context.view.reveal(boxOf(at, at));
     }
     if (isPath(*shape)) {
         drawNodeKind(context, *shape, ref);

@@ -109,11 +109,25 @@ void DrawingTool::placeTyped(Shell &context) {
     if (!node.x.empty() || !node.y.empty()) {
         typedNodes_.push_back(std::move(node));
     }
-    place(pointer_.at, context);
+    const bool typedNumbers = !entry_.label().empty();
+    const std::uint64_t revision = context.document.revision();
+    const Vec2 at = pointer_.at;
+    place(at, context);
     entry_.clear();
     if (!inProgress()) {
         typedNodes_.clear();
     }
+    if (typedNumbers) {
+        reveal(at, revision != context.document.revision(), context);
+    }
+}
+
+/// Brings what was typed into view: the shape that it completed, or the node. What the pointer placed is in view.
+void DrawingTool::reveal(Vec2 node, bool completed, Shell &context) const {
+    const Selection &drawn = context.selection;
+    const Shape *const shape =
+        completed && !drawn.shapes.empty() ? findShape(*context.document.current(), *drawn.shapes.begin()) : nullptr;
+    context.view.reveal(shape != nullptr ? boundsOf(*shape) : boxOf(node, node));
 }
 
 /// Lets the numbers of a shape that were typed follow their expressions. What does not fit, such as a width that the

@@ -82,6 +82,7 @@ class DrawingTool : public Tool {
   private:
     bool press(const CanvasEvent &event, Shell &context);
     void placeTyped(Shell &context);
+    void reveal(Vec2 node, bool completed, Shell &context) const;
     void keepFormulas(Document &document, std::uint32_t shape) const;
     bool typed(const CanvasEvent &event, Shell &context);
     void follow(const CanvasEvent &event, Shell &context);

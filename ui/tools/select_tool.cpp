@@ -329,6 +329,7 @@ bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
     if (answer == NumericEntry::Answer::Place) {
         entry_.clear();
         mode_ = Mode::Idle; // the button is still down, but the move is over
+        context.view.reveal(boxOf(snapped_.at, snapped_.at));
     }
     return true;
 }

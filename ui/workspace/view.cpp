@@ -20,6 +20,17 @@ void View::zoomAt(Pixel pixel, double factor) {
     following = false;
 }
 
+void View::reveal(const Box2 &box) {
+    const Box2 visible = camera.visible();
+    if (box.empty() || (visible.contains(box.min) && visible.contains(box.max))) {
+        return;
+    }
+    Box2 whole = boxOf(camera.toPlane({room.x, room.y}), camera.toPlane({room.x + room.width, room.y + room.height}));
+    whole.add(box);
+    fit(whole);
+    fitted.reset(); // or the next change of the canvas would undo what the user zooms and pans from here on
+}
+
 void View::rescale(const Box2 &before, const Box2 &after) {
     const double factor = after.size().x / before.size().x;
     camera.centre = after.min + factor * (camera.centre - before.min);

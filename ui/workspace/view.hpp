@@ -58,6 +58,9 @@ struct View : ColourChoice {
     void fit(const Box2 &box);
     void pan(Pixel pixels);
     void zoomAt(Pixel pixel, double factor);
+    /// Zooms out just enough to show a box, such as that of typed numbers, together with what is in view; does nothing
+    /// if the box is in view.
+    void reveal(const Box2 &box);
     /// Changes the scale of the plane so that what was in the box `before` now lies in `after`, at the same pixels.
     /// Both have the same proportions.
     void rescale(const Box2 &before, const Box2 &after);
