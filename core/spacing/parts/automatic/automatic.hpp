@@ -16,8 +16,8 @@ struct AutomaticSpacing {
 double automaticMaximum(const Box2 &box);
 
 /// Chooses a graded spacing that leaves short segments and curves undivided, makes the domain about 45 elements across,
-/// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require). With `channels`, it is
-/// also finer in narrow places, else only at sharp corners and lone points.
+/// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require). It is finer at sharp
+/// corners and lone points, and with `channels` in narrow places, too.
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
                                   double segmentsPerTurn, bool channels = true, const Progress &progress = {});
 

@@ -47,8 +47,8 @@ struct GapRules {
 /// by less than a factor of 2, or they are no longer than `shortest`. Decides inside and outside by even-odd counting
 /// in floating point, which is good enough for sizes under either inside rule. Leaves out long gaps, and tips of
 /// corners below 20 degrees, that are narrower than 1/32 of the longest useful element: finer elements would add to
-/// their number, not to their quality. With GapRules::everywhere, it leaves out only
-/// corners of 20 degrees or more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
+/// their number, not to their quality. With GapRules::everywhere, it leaves out only corners of 20 degrees or more,
+/// tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; parts shorter than `shortest` are not divided. `index` holds the segments,
