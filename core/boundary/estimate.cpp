@@ -14,7 +14,7 @@ namespace forefront {
 namespace {
 
 constexpr double kFirstCells = 400.0;
-constexpr std::size_t kMaxCells = 8000;
+constexpr std::size_t kMaxCells = 4000;
 constexpr std::size_t kPiecesProbed = 4;
 constexpr double kTolerance = 0.03;
 constexpr double kMaxElements = 1e18;
@@ -161,11 +161,18 @@ class MeanDensity {
         cell.value = cell.covered * mean;
         // Where the boundary cuts the cell, the part inside may be anywhere in it. Sample along the boundary, where the
         // spacing tends to be smallest.
+        BoundaryPiece last;
         for (std::size_t i = 0; i < std::min(coverage.pieces.size(), kPiecesProbed); ++i) {
             const BoundaryPiece part = partWithin(pieces_[coverage.pieces[i]], coverage.box);
-            const double atA = density(part.a), atB = density(part.b);
-            minimum = std::min({minimum, atA, atB});
-            maximum = std::max({maximum, atA, atB});
+            for (const Vec2 end : {part.a, part.b}) {
+                if (i > 0 && (end == last.a || end == last.b)) {
+                    continue; // neighbours share it
+                }
+                const double there = density(end);
+                minimum = std::min(minimum, there);
+                maximum = std::max(maximum, there);
+            }
+            last = part;
         }
         cell.error = cell.covered * std::max(std::fabs(mean - centreDensity), cut ? 0.3 * (maximum - minimum) : 0.0);
         cell.coverage = std::move(coverage);

@@ -96,7 +96,7 @@ class ElementProfile {
     Box2 box_;
     const SpacingField &spacing_;
     bool alongX_ = true;
-    int left_ = 50'000; ///< cells that may still be quartered, which takes a few milliseconds in all
+    int left_ = 8'000; ///< cells that may still be quartered, which takes a few milliseconds in all
     std::array<double, kBins> shares_{};
 };
 
