@@ -112,6 +112,22 @@ TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
     CHECK(driver.run().state == RunState::Finished);
 }
 
+TEST_CASE("Notes: when the last shape is undone, the caption of its mesh goes, too") {
+    Draughtsman driver;
+    driver.settle();
+    const PixelRect caption = driver.context().widgets.find("timeline/caption")->rect;
+    const auto empty = driver.picture();
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key(key::kF5);
+    driver.settle();
+    REQUIRE(driver.run().state == RunState::Finished);
+    CHECK(driver.picture().differences(empty, caption) > 200);
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    REQUIRE(driver.document().shapes.empty());
+    CHECK(driver.picture().differences(empty, caption) == 0);
+}
+
 TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it again") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

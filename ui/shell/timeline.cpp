@@ -138,7 +138,8 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
     if (context.run.cancelling()) {
         return "Cancelling\xe2\x80\xa6";
     }
-    switch (run.state) {
+    const bool emptied = context.document.current()->shapes.empty() && context.run.outOfDate();
+    switch (emptied ? RunState::Empty : run.state) {
     case RunState::Empty:
         return invitation(context);
     case RunState::Cancelled:
