@@ -167,7 +167,7 @@ bool FileDialog::drawList(Shell &context) {
     bool opened = false;
     if (entries_.empty()) {
         ImGui::SetCursorPos({context.px(10), context.px(8)});
-        ui::muted(context, "No matching files");
+        ui::muted(context, "No files of this kind here");
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(entries_.size()));

@@ -105,10 +105,12 @@ void drawMeshed(Shell &context, std::int32_t tag, const PartSegments &part, doub
 }
 
 std::string explanation(std::size_t segments) {
-    const std::string along = segments == 1 ? "Number of elements along it" : "Number of elements along each of them";
-    return along + ", whatever other sizes ask for. It belongs to a boundary part, with a tag of its own where others "
-                   "share the tag. If segments of the part differ in length later, the longest has this number, and "
-                   "shorter ones have elements of the same size. Leave it empty to use the general size.";
+    const std::string along = segments == 1 ? "Number of elements along the whole of it"
+                                            : "Number of elements along the whole of each of them";
+    return along +
+           ", around a circle the full turn, whatever other sizes ask for. If others have the same tag, it gets a "
+           "tag of its own. Where segments with the tag differ in length, the longest has this number, and "
+           "shorter ones have elements of the same size. Leave it empty to use the general size.";
 }
 
 std::string addressOfCount(std::int32_t tag) {

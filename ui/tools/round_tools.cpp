@@ -152,7 +152,7 @@ std::string ArcTool::statusText(const Shell &) const {
     case 0:
         return "Click where the arc begins, or type x, Tab, y";
     case 1:
-        return "Click where the arc ends, or type distance, Tab, angle";
+        return "Click where the arc ends, or type distance, Tab, angle, or its place as 4,3";
     default:
         return "Click a point on the arc, or point to its side and type the radius. Backspace: remove the last end";
     }
