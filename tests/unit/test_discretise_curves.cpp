@@ -76,6 +76,44 @@ TEST_CASE("discretise: random domains of curves stay simple, with nodes on the c
     CHECK(curved > 20 * straightened / 10); // straight parts of rounded polygons among them
 }
 
+TEST_CASE("discretise: curves of random domains get the numbers of elements that they ask for") {
+    std::size_t asked = 0, exact = 0;
+    for (std::uint64_t seed = 0; seed < 210; ++seed) {
+        CAPTURE(seed);
+        Domain domain = randomCurvedDomain(seed);
+        RandomSource random(seed);
+        std::vector<std::uint32_t> wanted(domain.curves.size());
+        for (std::uint32_t &count : wanted) {
+            count = random.chance(0.5) ? static_cast<std::uint32_t>(random.integer(1, 60)) : 0;
+        }
+        for (DomainSegment &segment : domain.segments) {
+            segment.elements = segment.stretch.follows() ? wanted[segment.stretch.curve] : 0;
+        }
+        const double size = domain.bounds().diagonal();
+        for (const double rho : {0.3 * size, 0.005 * size}) {
+            const auto discrete = discretise(domain, constantSpacing(rho), false);
+            REQUIRE(discrete.ok());
+            checkRegions(domain, *discrete);
+            checkAreas(*discrete);
+            std::vector<std::uint32_t> made(wanted.size());
+            for (const CurveStretch &stretch : discrete->stretches) {
+                if (stretch.follows()) {
+                    ++made[stretch.curve];
+                }
+            }
+            for (const CurveChain &chain : curveChains(domain).list) {
+                const bool whole = chain.t0 == 0.0 && chain.t1 == 1.0;
+                if (whole && wanted[chain.curve] >= 3) {
+                    ++asked;
+                    exact += made[chain.curve] == wanted[chain.curve] ? 1 : 0;
+                }
+            }
+        }
+    }
+    CHECK(asked > 1000);
+    CHECK(10 * exact > 9 * asked); // the others would meet something
+}
+
 TEST_CASE("discretise: a circle is divided by the spacing, regardless of its chords") {
     for (const double tolerance : {0.02, 1e-3, 1e-5}) {
         for (const double rho : {0.02, 0.05, 0.11}) {

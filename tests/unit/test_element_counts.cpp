@@ -12,6 +12,8 @@
 #include "core/edit/spacing_commands.hpp"
 #include "core/io/clipboard.hpp"
 #include "core/io/project/project.hpp"
+#include "core/mesh/verify.hpp"
+#include "core/mesher/pipeline.hpp"
 #include "core/spacing/spacing_field.hpp"
 #include "tests/unit/edit_support.hpp"
 
@@ -146,6 +148,31 @@ TEST_CASE("setElementCount: with fewer elements than keep the boundary apart, it
     const Document document = *addShapes({}, {outer, inner});
     CHECK(edges(*setElementCount(document, {{1, 0}}, 4), 1) > 4);
     CHECK(edges(*setElementCount(document, {{1, 0}}, 40), 1) == 40);
+}
+
+TEST_CASE("setElementCount: meshes with few elements along curves fit their domain, and others do not") {
+    const auto slot = makeShape(ShapeKind::Circle, {{3, 2}, {4, 2}}, ShapeUse::Boundary, 2);
+    const auto inner = makeShape(ShapeKind::Circle, {{7, 4}, {8, 4}}, ShapeUse::Constraint, 3);
+    Document document = *addShapes({}, {square({0, 0}, 10), slot, inner});
+    document = *setElementCount(*setElementCount(document, {{2, 0}}, 3), {{3, 0}}, 5);
+    const Domain domain = toDomain(document);
+    for (const Method method : {Method::Fast, Method::Classic}) {
+        MeshingJob job{domain, spacingOf(document), document.options};
+        job.options.method = method;
+        const Result<MeshingOutcome> outcome = meshDomain(job);
+        REQUIRE(outcome.ok());
+        Mesh mesh = outcome->mesh;
+        for (const auto &[tag, count] : std::map<std::int32_t, std::ptrdiff_t>{{2, 3}, {3, 5}}) {
+            CHECK(std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const auto &e) { return e.tag == tag; }) ==
+                  count);
+        }
+        CHECK(verifyAgainst(mesh, domain).empty());
+        const auto onHole =
+            std::find_if(mesh.edges.begin(), mesh.edges.end(), [](const auto &e) { return e.tag == 2; });
+        Vec2 &moved = mesh.nodes[index(onHole->b)];
+        moved += 1e-4 * (moved - Vec2{3, 2}); // beside the curve
+        CHECK_FALSE(verifyAgainst(mesh, domain).empty());
+    }
 }
 
 TEST_CASE("setElementCount: refuses what cannot be counted, and replaces sizes, which replace it") {
