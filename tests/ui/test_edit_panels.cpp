@@ -1,3 +1,4 @@
+#include "core/edit/path_commands.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
@@ -5,6 +6,9 @@
 #include <doctest/doctest.h>
 #include <imgui.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -261,7 +265,7 @@ TEST_CASE("Shapes panel: lists 500 shapes, says how many are left out, and still
     CHECK_FALSE(driver.has("shapes/region/missing"));
 }
 
-TEST_CASE("Polygon: as a spline through clicked points, or freehand and simplified") {
+TEST_CASE("Polygon: as a spline through clicked points, or freehand with its corners") {
     Draughtsman driver;
     driver.key('P');
     driver.click("options/pen/Spline");
@@ -292,6 +296,59 @@ TEST_CASE("Polygon: as a spline through clicked points, or freehand and simplifi
     CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
     CHECK(driver.document().shapes[0]->nodes.size() == 4);
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(30.0).epsilon(0.02));
+}
+
+TEST_CASE("Polygon: a freehand loop becomes smooth curves, or corners as chosen") {
+    Draughtsman driver;
+    const auto draw = [&] {
+        driver.key('P');
+        const auto at = [&](int k) {
+            return driver.canvas().centre() + 150.0 * Pixel(std::cos(0.06 * k), std::sin(0.06 * k));
+        };
+        driver.moveTo(at(0));
+        driver.press(at(0));
+        for (int k = 1; k < 104; ++k) {
+            driver.moveTo(at(k));
+        }
+        driver.release(at(104));
+        driver.settle();
+        return *driver.document().shapes.back();
+    };
+    driver.key('P');
+    driver.click("options/pen/Freehand");
+    const double radius = driver.context().view.camera.length(150.0), disc = std::numbers::pi * radius * radius;
+    const Shape smooth = draw();
+    CHECK(smooth.kind == ShapeKind::Polygon);
+    CHECK(smooth.nodes.size() >= 2);
+    CHECK(smooth.nodes.size() <= 8);
+    REQUIRE(smooth.curves.size() == smooth.nodes.size());
+    for (std::size_t k = 0; k < smooth.nodes.size(); ++k) {
+        CHECK(smooth.curves[k].kind() == CurveKind::Cubic);
+        CHECK(nodeKind(smooth, static_cast<std::uint32_t>(k)) != NodeKind::Corner);
+    }
+    CHECK(areaOf(smooth) == doctest::Approx(disc).epsilon(0.03));
+    CHECK(driver.undoLabel() == "Draw polygon");
+    driver.key('Z', kControl);
+    driver.key('P');
+    driver.click("options/freehand/Corners");
+    const Shape straight = draw();
+    CHECK(straight.curves.empty());
+    CHECK(straight.nodes.size() > 10);
+    driver.key('L'); // a line with a corner in its middle
+    driver.click("options/freehand/Smooth");
+    const Pixel middle = driver.canvas().centre();
+    driver.moveTo(middle + Pixel(-100, 0));
+    driver.press(middle + Pixel(-100, 0));
+    for (int k = -99; k <= 100; k += 3) {
+        driver.moveTo(middle + Pixel(k, std::abs(k) - 100));
+    }
+    driver.release(middle + Pixel(100, 0));
+    driver.settle();
+    const Shape &line = *driver.document().shapes.back();
+    CHECK(line.kind == ShapeKind::Polyline);
+    CHECK(line.use == ShapeUse::Constraint);
+    CHECK(line.nodes.size() == 3);
+    CHECK(line.curves.empty());
 }
 
 TEST_CASE("Polygon: a freehand loop closes where it began; undo while drawing cancels it") {

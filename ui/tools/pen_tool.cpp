@@ -1,6 +1,7 @@
 #include "ui/tools/pen_tool.hpp"
 
 #include "core/edit/drawn_paths.hpp"
+#include "core/geometry/stroke_fit.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
@@ -50,16 +51,62 @@ double PenTool::freehandTolerance(const Shell &context) const {
 
 void PenTool::finishFreehand(Vec2 at, Shell &context) {
     hand_.push_back(at);
+    const bool loop =
+        kind_ == ShapeKind::Polygon && distance(hand_.back(), hand_.front()) <= EditState::reach(context, 10.0);
+    state_->freehandPath == FreehandPath::Smooth ? smoothStroke(context, loop) : simplifyStroke(context, loop);
+    cancel();
+}
+
+void PenTool::simplifyStroke(Shell &context, bool loop) {
     path_.clear();
     for (const Vec2 node : simplified(hand_, freehandTolerance(context))) {
         path_.push_back({node, {}});
     }
-    const bool loop = distance(path_.back().at, path_.front().at) <= EditState::reach(context, 10.0);
-    if (kind_ == ShapeKind::Polygon && loop && path_.size() > 3) {
+    if (loop && path_.size() > 3) {
         path_.pop_back();
     }
     finish(context);
-    cancel();
+}
+
+void PenTool::smoothStroke(Shell &context, bool loop) {
+    // What lies beside the ends, which have snapped, would bend the path there; the end of a loop meets its beginning.
+    const double beside = EditState::reach(context, 6.0), overlap = EditState::reach(context, 10.0);
+    const Vec2 first = hand_.front(), last = hand_.back();
+    std::vector<Vec2> stroke = hand_;
+    stroke.pop_back();
+    while (stroke.size() > 2 && distance(stroke.back(), loop ? first : last) <= (loop ? overlap : beside)) {
+        stroke.pop_back();
+    }
+    while (stroke.size() > 2 && distance(stroke[1], first) <= beside) {
+        stroke.erase(stroke.begin() + 1);
+    }
+    if (!loop) {
+        stroke.push_back(last);
+    }
+    Shape shape;
+    shape.curves = fitStroke(stroke, freehandTolerance(context), loop);
+    for (Curve &curve : shape.curves) {
+        shape.nodes.push_back(curve.point(0.0));
+        curve = curve.kind() == CurveKind::Line ? Curve() : curve;
+    }
+    if (!loop) {
+        shape.nodes.push_back(last);
+        if (kind_ == ShapeKind::Polygon) {
+            shape.curves.emplace_back(); // straight back to the beginning
+        }
+    }
+    const bool curved = std::any_of(shape.curves.begin(), shape.curves.end(),
+                                    [](const Curve &curve) { return curve.kind() != CurveKind::Line; });
+    const std::size_t needed = kind_ == ShapeKind::Polygon && !curved ? 3 : 2;
+    if (shape.nodes.size() < needed) {
+        announceTooFew(context);
+        return;
+    }
+    if (!curved) {
+        shape.curves.clear();
+    }
+    shape.kind = kind_;
+    commit(context, std::move(shape));
 }
 
 void PenTool::release(Vec2 at, bool away, Shell &context) {
@@ -109,15 +156,18 @@ void PenTool::finish(Shell &context) {
     if (enough) {
         commit(context, kind_ == ShapeKind::Polygon);
     } else if (!path_.empty()) {
-        context.log.announce(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes, or two and a curve"
-                                                         : "A polyline needs at least two nodes");
+        announceTooFew(context);
     }
+}
+
+void PenTool::announceTooFew(Shell &context) const {
+    context.log.announce(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes, or two and a curve"
+                                                     : "A polyline needs at least two nodes");
 }
 
 void PenTool::commit(Shell &context, bool closed) {
     Shape shape;
     shape.kind = closed ? ShapeKind::Polygon : ShapeKind::Polyline;
-    shape.use = kind_ == ShapeKind::Polygon ? ShapeUse::Boundary : ShapeUse::Constraint;
     if (state_->penMode == PenMode::Spline && path_.size() > 2) {
         shape.curves = splineOf(closed);
     }
@@ -129,6 +179,11 @@ void PenTool::commit(Shell &context, bool closed) {
             shape.curves.push_back(curved(path_[k], next) ? segment(path_[k], next) : Curve());
         }
     }
+    commit(context, std::move(shape));
+}
+
+void PenTool::commit(Shell &context, Shape shape) {
+    shape.use = kind_ == ShapeKind::Polygon ? ShapeUse::Boundary : ShapeUse::Constraint;
     if (commitShape(context, std::move(shape), kind_ == ShapeKind::Polygon ? "Draw polygon" : "Draw polyline")) {
         cancel();
     }
@@ -250,8 +305,12 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
         cancel();
     }
     ui::tooltip(context, "Corners: click for corners, drag for curves. Spline: a smooth curve through the points that "
-                         "you click. Freehand: drag, and the path is simplified.");
+                         "you click. Freehand: draw by dragging.");
     if (state_->penMode == PenMode::Freehand) {
+        flow.item("freehand");
+        ui::segmented(context, "options/freehand", state_->freehandPath, std::min(150.0F, flow.room() / context.scale));
+        ui::tooltip(context, "Smooth: your stroke becomes curves, with corners where it turns sharply. Corners: it "
+                             "becomes straight segments.");
         drawLengthOption(context, flow, "options/tolerance", "Tolerance", state_->freehandTolerance,
                          "Maximum distance between the path and your stroke; 0: two pixels");
     }

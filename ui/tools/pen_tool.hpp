@@ -7,7 +7,7 @@ namespace forefront {
 
 /// Draws a polygon (boundary) or a polyline (constraint) node by node, like Inkscape's pen: a click places a corner, a
 /// drag a smooth node and its two control points. As a spline, clicks place the points of a smooth curve; freehand, a
-/// drag draws a path that is simplified on release.
+/// drag draws a path that becomes smooth curves or straight segments on release.
 class PenTool final : public DrawingTool {
   public:
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
@@ -52,8 +52,13 @@ class PenTool final : public DrawingTool {
     void commit(Shell &context, bool closed);
     /// Returns true if undo brings a discarded path back.
     bool bringsBack(const Shell &context) const;
-    /// Completes the freehand path with its end and simplifies it.
+    void commit(Shell &context, Shape shape);
+    /// Completes the freehand path with its end, and makes a shape of it.
     void finishFreehand(Vec2 at, Shell &context);
+    /// Makes straight segments, or smooth curves, of the freehand path; `loop`: it ends near where it began.
+    void simplifyStroke(Shell &context, bool loop);
+    void smoothStroke(Shell &context, bool loop);
+    void announceTooFew(Shell &context) const;
     double freehandTolerance(const Shell &context) const;
     /// Returns the curves between the points placed so far.
     std::vector<Curve> splineOf(bool closed) const;

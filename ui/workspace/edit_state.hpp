@@ -31,6 +31,18 @@ struct EnumWords<PenMode> {
     static constexpr std::array<std::string_view, 3> kList = {"corners", "spline", "freehand"};
 };
 
+/// What a stroke drawn freehand becomes.
+enum class FreehandPath : std::uint8_t {
+    Smooth, ///< curves, with corners where the hand turned sharply
+    Corners ///< straight segments
+};
+
+template <>
+struct EnumWords<FreehandPath> {
+    static constexpr auto kLast = FreehandPath::Corners;
+    static constexpr std::array<std::string_view, 2> kList = {"smooth", "corners"};
+};
+
 /// The kinds of items that the select tool picks.
 struct SelectionFilter {
     bool shapes = true; ///< also their segments
@@ -47,6 +59,7 @@ struct EditState {
     std::optional<std::int32_t> boundaryTag, constraintTag;
     double brushRadius = 0.0; ///< domain units; 0: derived from the view on first use
     PenMode penMode = PenMode::Corners;
+    FreehandPath freehandPath = FreehandPath::Smooth;
     double freehandTolerance = 0.0; ///< maximum distance from the stroke, domain units; 0: two pixels
     SelectionFilter picks;
     DabMode brushMode = DabMode::Set;
