@@ -153,6 +153,42 @@ TEST_CASE("Picture: two clicks and a distance set its scale, about the first poi
     CHECK(driver.document().picture.has_value());
 }
 
+TEST_CASE("Picture: a calibration scales what was traced, too, in one step, unless it is switched off") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    beginCalibration(driver, place);
+    driver.key('R');
+    driver.dragPlaces({150.0, 60.0}, {250.0, 120.0});
+    const Box2 drawn = boundsOf(*driver.document().shapes[0]);
+    driver.key('Z');
+    const auto clickPoints = [&](Vec2 first, Vec2 second) {
+        driver.click("options/picture/mode/Calibrate");
+        driver.clickPlace(first);
+        driver.clickPlace(second);
+        driver.settle();
+    };
+    clickPoints(kFirst, kSecond);
+    const Pixel onScreen = driver.pixel(drawn.max);
+    driver.fill("options/picture/distance", "50");
+    const Box2 scaled = boundsOf(*driver.document().shapes[0]);
+    const double factor = pictureOf(driver).size.x / 400.0;
+    CHECK(factor == doctest::Approx(0.25).epsilon(0.01));
+    CHECK(scaled.size().x == doctest::Approx(factor * drawn.size().x));
+    const Vec2 corner = pictureOf(driver).corner;
+    CHECK(distance(scaled.min, corner + factor * drawn.min) < 1e-9 * drawn.size().x); // on the same pixels of it
+    CHECK(glm::distance(driver.pixel(scaled.max), onScreen) < 1.0);
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(boundsOf(*driver.document().shapes[0]) == drawn);
+    CHECK(pictureOf(driver).size.x == 400.0);
+    CHECK(glm::distance(driver.pixel(drawn.max), onScreen) < 1.0);
+
+    driver.click("options/picture/scaledrawing");
+    driver.fill("options/picture/distance", "50");
+    CHECK(boundsOf(*driver.document().shapes[0]) == drawn);
+    CHECK(pictureOf(driver).size.x == doctest::Approx(100.0).epsilon(0.01));
+    CHECK(driver.undoLabel() == "Calibrate background picture");
+}
+
 TEST_CASE("Picture: undo and redo of a scale keep it in place on the screen") {
     const TemporaryFolder place;
     Draughtsman driver;

@@ -1,5 +1,7 @@
 #include "ui/tools/picture_tool.hpp"
 
+#include "core/edit/scale_document.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
@@ -106,6 +108,7 @@ void PictureTool::pressPoint(Vec2 at, Shell &context) {
     }
     if (points_.size() == 2) {
         points_.clear();
+        scaleDrawing_.reset();
     }
     points_.push_back(share(picture, at));
     held_ = points_.size() - 1;
@@ -157,14 +160,29 @@ void PictureTool::deactivate(Shell &context) {
     stroke_.clear();
     held_.reset();
     points_.clear();
+    scaleDrawing_.reset();
     mode_ = PictureMode::Move;
 }
 
+bool PictureTool::scalesDrawing(const Shell &context) const {
+    const Document &document = *context.document.current();
+    return !document.shapes.empty() && scaleDrawing_.value_or(boundsOf(document).overlaps(boundsOf(*document.picture)));
+}
+
 void PictureTool::calibrate(Shell &context, double distance) const {
-    const BackgroundPicture &picture = *context.document.current()->picture;
-    const Vec2 fixed = place(picture, 0);
-    const double factor = distance / forefront::distance(fixed, place(picture, 1));
-    change(context, scaledAbout(picture, fixed, factor), "Calibrate background picture");
+    const std::shared_ptr<const Document> before = context.document.current();
+    const Vec2 fixed = place(*before->picture, 0);
+    const double factor = distance / forefront::distance(fixed, place(*before->picture, 1));
+    if (!scalesDrawing(context)) {
+        change(context, scaledAbout(*before->picture, fixed, factor), "Calibrate background picture");
+        return;
+    }
+    if (EditState::apply(context, scaleDocument(*before, fixed, factor), "Calibrate picture and drawing")) {
+        keepPictureInView(context, *before);
+        if (before->spacing.expression) {
+            context.log.announce("The drawing is scaled; the spacing expression is not");
+        }
+    }
 }
 
 void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {
@@ -195,6 +213,14 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
         ui::checkPositive(context, "options/picture/distance", length)) {
         calibrate(context, length);
     }
+    if (!context.document.current()->shapes.empty()) {
+        flow.item("picture/scaledrawing");
+        bool scales = scalesDrawing(context);
+        if (ui::checkbox(context, "options/picture/scaledrawing", "Scale the drawing, too", scales)) {
+            scaleDrawing_ = scales;
+        }
+        ui::tooltip(context, "The drawing and its element sizes keep their place on the picture");
+    }
     Vec2 wanted = first;
     bool moved = drawPlaceField(context, flow, "options/picture/x1", "First point: x", wanted.x);
     moved = drawPlaceField(context, flow, "options/picture/y1", "y", wanted.y) || moved;
@@ -211,7 +237,7 @@ void PictureTool::drawLook(Shell &context, ui::Flow &flow) {
     ui::muted(context, "Opacity");
     ImGui::SameLine();
     double percent = 100.0 * picture.opacity;
-    if (ui::slider(context, "options/picture/opacity", percent, 0.0, 100.0, "%.0f %%", false, 96.0F)) {
+    if (ui::slider(context, "options/picture/opacity", percent, 0.0, 100.0, "%.0f %%", false, 140.0F)) {
         stroke_ = stroke_.empty() ? state_->newStroke() : stroke_;
         picture.opacity = percent / 100.0;
         change(context, picture, "Change opacity of background picture", stroke_);

@@ -55,6 +55,8 @@ class PictureTool final : public Tool {
                 const std::string &stroke = {}) const;
     /// Makes the distance between the two points `distance`.
     void calibrate(Shell &context, double distance) const;
+    /// Returns true if a calibration scales the drawing, too: as chosen, else if the drawing lies on the picture.
+    bool scalesDrawing(const Shell &context) const;
     Vec2 place(const BackgroundPicture &picture, std::size_t point) const;
     static Vec2 share(const BackgroundPicture &picture, Vec2 place);
     void drawPlace(Shell &context, ui::Flow &flow);
@@ -64,9 +66,10 @@ class PictureTool final : public Tool {
     std::shared_ptr<EditState> state_;
     PictureMode mode_ = PictureMode::Move;
     std::vector<Vec2> points_; ///< at most two, as shares of the width and height, so that they move with the picture
-    std::optional<std::size_t> held_; ///< point being dragged
-    std::string stroke_;              ///< of the drag or the slider; empty: none
-    Vec2 grip_;                       ///< from the corner of the picture to where it is held
+    std::optional<bool> scaleDrawing_; ///< chosen for these points; absent: see scalesDrawing()
+    std::optional<std::size_t> held_;  ///< point being dragged
+    std::string stroke_;               ///< of the drag or the slider; empty: none
+    Vec2 grip_;                        ///< from the corner of the picture to where it is held
 };
 
 } // namespace forefront

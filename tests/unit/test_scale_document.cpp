@@ -1,0 +1,54 @@
+#include "core/edit/scale_document.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace forefront;
+
+TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; growth and numbers of elements do not") {
+    Shape circle;
+    circle.kind = ShapeKind::Circle;
+    circle.nodes = {{10, 10}, {14, 10}};
+    circle.nodeSizes[1] = {2.0, 0.3};
+    Document document = *addShape({}, circle);
+    SizeSource source;
+    source.a = {20, 10};
+    source.radius = 2.0;
+    source.growth = 0.1;
+    source.endSize = 3.0;
+    document.spacing.sources = {source};
+    document.spacing.size = 5.0;
+    document.spacing.maximum = 8.0;
+    document.spacing.partSizes[3] = {4.0, 0.2};
+    document.spacing.paint.origin = {10, 10};
+    auto tile = std::make_shared<PaintedSpacing::Tile>();
+    tile->fill(6.0F);
+    document.spacing.paint.tiles[{0, 0}] = tile;
+    document.regionMarkers = {{{12, 10}, 1, 9.0}};
+    document.elementCounts[1] = {7, 0.2};
+    document.picture = BackgroundPicture{.file = "/lake.png", .corner = {0, 0}, .size = {40, 20}};
+    const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5);
+    REQUIRE(scaled.ok());
+    CHECK(scaled->shapes[0]->nodes == std::vector<Vec2>{{10, 10}, {12, 10}});
+    CHECK(scaled->shapes[0]->nodeSizes.at(1) == PartSize{1.0, 0.3});
+    const SpacingSpec &spacing = scaled->spacing;
+    CHECK(spacing.sources[0].a == Vec2{15, 10});
+    CHECK(spacing.sources[0].radius == 1.0);
+    CHECK(spacing.sources[0].size == 0.5);
+    CHECK(spacing.sources[0].endSize == 1.5);
+    CHECK(spacing.sources[0].growth == 0.1);
+    CHECK(spacing.size == 2.5);
+    CHECK(spacing.maximum == 4.0);
+    CHECK_FALSE(spacing.minimum.has_value());
+    CHECK(spacing.partSizes.at(3) == PartSize{2.0, 0.2});
+    CHECK(spacing.paint.pitch == 0.5);
+    CHECK(spacing.paint.origin == Vec2{10, 10});
+    CHECK((*spacing.paint.tiles.at({0, 0}))[5] == 3.0F);
+    CHECK(scaled->regionMarkers[0].at == Vec2{11, 10});
+    CHECK(scaled->regionMarkers[0].maxArea == 2.25);
+    CHECK(scaled->elementCounts == document.elementCounts);
+    CHECK(scaled->picture->corner == Vec2{5, 5});
+    CHECK(scaled->picture->size == Vec2{20, 10});
+    CHECK_FALSE(scaleDocument(document, {}, 0.0).ok());
+}
