@@ -43,6 +43,16 @@ std::optional<std::int32_t> tagOf(const Names &names, const std::string &name) {
 
 } // namespace
 
+std::optional<std::int32_t> boundaryTagNamed(const Document &document, const std::string &name) {
+    if (const std::optional<std::int32_t> named = tagOf(document.boundaryNames, name)) {
+        return named;
+    }
+    const std::vector<std::int32_t> tags = boundaryTags(document);
+    const auto found = std::find_if(
+        tags.begin(), tags.end(), [&](std::int32_t tag) { return boundaryName(document.boundaryNames, tag) == name; });
+    return found != tags.end() ? std::optional(*found) : std::nullopt;
+}
+
 std::int32_t freeBoundaryTag(const Document &document) {
     const std::vector<std::int32_t> tags = boundaryTags(document);
     const std::int32_t last = tags.empty() ? 0 : tags.back();

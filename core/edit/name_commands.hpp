@@ -4,6 +4,7 @@
 #include "core/edit/references.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -22,6 +23,9 @@ Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &
 
 /// Names the region of one marker, by the same rules. Fault: no-such-marker.
 Result<Document> nameRegionOf(const Document &document, std::size_t marker, const std::string &name);
+
+/// Returns the boundary tag that has a name, or the default name of a tag in use.
+std::optional<std::int32_t> boundaryTagNamed(const Document &document, const std::string &name);
 
 /// Returns the smallest tag above all boundary tags in use or named.
 std::int32_t freeBoundaryTag(const Document &document);

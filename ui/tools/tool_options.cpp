@@ -1,6 +1,9 @@
 #include "ui/tools/tool_options.hpp"
 
+#include "core/edit/name_commands.hpp"
+#include "core/edit/region_commands.hpp"
 #include "ui/widgets/flow.hpp"
+#include "ui/widgets/number_text.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
@@ -8,8 +11,38 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
 
 namespace forefront {
+
+namespace {
+
+constexpr double kMaxTag = 1e9;
+
+/// Returns the tag for a typed number or name; names a free tag if nothing has the name. Reports what is neither.
+std::optional<std::int32_t> typedTag(Workspace &context, const std::string &typed) {
+    const std::shared_ptr<const Document> document = context.document.current();
+    const std::string text(trimmed(typed));
+    if (const std::optional<double> number = parseNumber(text)) {
+        if (*number >= 1.0 && *number <= kMaxTag && *number == std::floor(*number)) {
+            return static_cast<std::int32_t>(*number);
+        }
+    } else if (const std::optional<std::int32_t> known = boundaryTagNamed(*document, text)) {
+        return known;
+    } else if (!text.empty()) {
+        const std::int32_t tag = freeBoundaryTag(*document);
+        const bool named = EditState::apply(context, setBoundaryName(*document, tag, text), "Name boundary");
+        return named ? std::optional(tag) : std::nullopt;
+    }
+    const std::string reason = "expected a tag from 1 to 1000000000 or a name, got '" + text + "'";
+    ui::refuseEntry(context, "options/tag",
+                    error("bad-tag", reason, "enter a number such as 3, or a name such as inlet"), reason);
+    return std::nullopt;
+}
+
+} // namespace
 
 void drawTagOption(Workspace &context, ui::Flow &flow, EditState &state, ShapeUse use, const char *tooltip) {
     flow.item("tag");
@@ -17,12 +50,12 @@ void drawTagOption(Workspace &context, ui::Flow &flow, EditState &state, ShapeUs
     ui::muted(context, "Tag");
     ImGui::SameLine();
     std::int32_t tag = state.tagOfNext(use, *context.document.current());
-    double value = tag;
-    if (ui::inputNumber(context, "options/tag", value, 44.0F) && value >= 1.0 && value <= 1e9) {
-        tag = static_cast<std::int32_t>(std::floor(value));
+    const std::optional<std::string> typed = ui::inputChecked(context, "options/tag", std::to_string(tag), 64.0F);
+    ui::tooltip(context, std::string(tooltip) + ": a number, a name in use, or a new name");
+    if (const std::optional<std::int32_t> entered = typed ? typedTag(context, *typed) : std::nullopt) {
+        tag = *entered;
         (use == ShapeUse::Boundary ? state.boundaryTag : state.constraintTag) = tag;
     }
-    ui::tooltip(context, tooltip);
     ImGui::SameLine();
     ui::muted(context, boundaryName(context.document.current()->boundaryNames, tag));
 }

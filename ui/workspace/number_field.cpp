@@ -176,4 +176,9 @@ bool inputOptional(Workspace &context, std::string_view name, std::optional<doub
     return changed;
 }
 
+std::optional<std::string> inputChecked(Workspace &context, std::string_view name, const std::string &shown,
+                                        float width) {
+    return drawEntry(context, name, shown, "", width, {});
+}
+
 } // namespace forefront::ui

@@ -33,5 +33,10 @@ bool inputOptional(Workspace &context, std::string_view name, std::optional<doub
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
                 const std::string &addressY);
 
+/// Draws a field for a text that the caller checks and may refuse, see refuseEntry(). Returns the new text when one was
+/// committed.
+std::optional<std::string> inputChecked(Workspace &context, std::string_view name, const std::string &shown,
+                                        float width);
+
 } // namespace ui
 } // namespace forefront

@@ -1,0 +1,43 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+namespace forefront::test {
+
+TEST_CASE("Tags: the field of the next shape takes a number, a name in use or a new name, and says so otherwise") {
+    Draughtsman driver;
+    driver.key('R');
+    driver.fill("options/tag", "inlet"); // a new name: a tag of its own
+    CHECK(driver.undoLabel() == "Name boundary");
+    driver.dragPlaces({1, 1}, {3, 3});
+    const std::int32_t inlet = driver.document().shapes[0]->tag;
+    CHECK(driver.document().boundaryNames.at(inlet) == "inlet");
+    driver.fill("options/tag", "9");
+    driver.dragPlaces({4, 1}, {6, 3});
+    CHECK(driver.document().shapes[1]->tag == 9);
+    driver.fill("options/tag", " inlet ");
+    driver.dragPlaces({7, 1}, {9, 3});
+    CHECK(driver.document().shapes[2]->tag == inlet);
+    driver.fill("options/tag", "boundary_9"); // the name of a tag without one
+    driver.dragPlaces({1, 4}, {3, 6});
+    CHECK(driver.document().shapes[3]->tag == 9);
+    CHECK(driver.document().boundaryNames.size() == 1);
+    for (const char *wrong : {"0", "-2", "1.5", " "}) {
+        CAPTURE(wrong);
+        driver.fill("options/tag", wrong);
+        CHECK(driver.has("options/tag/fault"));
+        CHECK(driver.context().log.entries().back().diagnostic.message.find("expected a tag") != std::string::npos);
+    }
+    driver.dragPlaces({4, 4}, {6, 6});
+    CHECK(driver.document().shapes[4]->tag == 9);
+    driver.key('L'); // constraints, too
+    driver.fill("options/tag", "crack");
+    driver.clickPlace({7, 5});
+    driver.clickPlace({9, 6});
+    driver.key(key::kEnter);
+    const Shape &line = *driver.document().shapes.back();
+    CHECK(driver.document().boundaryNames.at(line.tag) == "crack");
+    CHECK(line.tag != inlet);
+}
+
+} // namespace forefront::test
