@@ -71,7 +71,7 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
     std::optional<std::string> rename;
     const std::string name = boundaryName(document.boundaryNames, tag);
     std::int32_t wanted = tag;
-    if (form::tag(context, "inspector/tag", "Tag, name", wanted, name, rename)) {
+    if (form::tag(context, "inspector/tag", "Boundary tag", wanted, name, rename)) {
         changeTag(context, part, wanted);
     } else if (rename) {
         EditState::apply(context, nameBoundaryPart(document, part, *rename), "Name boundary");
@@ -105,7 +105,7 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
         boundaryTagRow(context, *tags.begin(), part);
         return;
     }
-    form::label(context, "Tag");
+    form::label(context, "Boundary tag");
     std::optional<double> wanted;
     if (form::optionalField(context, "inspector/tag", wanted, "several") && wanted &&
         ui::checkPositive(context, "inspector/tag", std::floor(*wanted))) {
@@ -269,7 +269,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
     heading(context, displayName(shape));
     std::string name = shape.name;
-    if (form::text(context, "inspector/name", "Name", name, kindName(shape).c_str()) && name != shape.name) {
+    if (form::text(context, "inspector/name", "Shape name", name, kindName(shape).c_str()) && name != shape.name) {
         EditState::apply(context, setShapeName(document, shape.id, name), "Name shape");
     }
     useRow(context, {shape.id}, shape.use);
@@ -278,7 +278,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
         partSizeRow(context, shape.tag);
         elementCountRow(context, std::set{shape.id});
     } else {
-        form::label(context, "Tag");
+        form::label(context, "Boundary tag");
         ui::muted(context, "several");
         ImGui::SameLine();
         if (ui::button(context, "inspector/onetag", "Same for all")) {
@@ -355,7 +355,7 @@ void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
     SizeSource source = document.spacing.sources[index];
     heading(context, displayName(source, index));
     const auto address = [&](const char *quantity) { return "source/" + std::to_string(index) + '/' + quantity; };
-    bool changed = form::text(context, "inspector/name", "Name", source.name, "pier head");
+    bool changed = form::text(context, "inspector/name", "Source name", source.name, "pier head");
     if (source.shape == SourceShape::Line) {
         changed = form::pair(context, "inspector/a", "From", source.a, {address("x"), address("y")}) || changed;
         changed = form::pair(context, "inspector/b", "To", source.b, {address("x2"), address("y2")}) || changed;
@@ -395,7 +395,7 @@ void InspectorPanel::drawMarker(Shell &context, std::uint32_t index) const {
     }
     std::optional<std::string> rename;
     std::int32_t tag = marker.tag;
-    if (form::tag(context, "inspector/tag", "Tag, name", tag, regionName(document.regionNames, tag), rename)) {
+    if (form::tag(context, "inspector/tag", "Region tag", tag, regionName(document.regionNames, tag), rename)) {
         EditState::apply(context, setRegionTag(document, index, tag), "Change region");
     } else if (rename) {
         EditState::apply(context, nameRegionOf(document, index, *rename), "Name region");
