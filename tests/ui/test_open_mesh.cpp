@@ -116,8 +116,10 @@ TEST_CASE("Open mesh: a file that cannot be read is reported in the dialog, whic
 }
 
 TEST_CASE("Open mesh: while the file is read, the dialog shows how far that is, and Esc or Cancel ends only that") {
-    for (const auto &[action, dialog] :
-         {std::pair("file.openMesh", "openmesh"), {"file.open", "open"}, {"file.import", "import"}}) {
+    for (const auto &[action, dialog] : {std::pair("file.openMesh", "openmesh"),
+                                         {"file.open", "open"},
+                                         {"file.import", "import"},
+                                         {"file.importSpacing", "importspacing"}}) {
         for (const bool escape : {true, false}) {
             PlateReader driver;
             const std::string name = std::string("dialog/") + dialog;

@@ -84,12 +84,46 @@ void openForeign(Shell &context, const std::filesystem::path &file, const std::s
         });
 }
 
+/// Makes the spacing of a project, mesh or grid that of the drawing once another thread has read it.
+std::shared_ptr<const FileOutcome> importSpacingOf(Shell &context, const std::filesystem::path &file) {
+    auto outcome = std::make_shared<FileOutcome>();
+    const std::uint64_t loads = context.document.loads();
+    readInBackground(context, file, outcome,
+                     [&context, file, outcome, loads](const Progress &progress) -> Result<BackgroundTask::Finish> {
+                         const auto notes = std::make_shared<ImportNotes>();
+                         ImportOptions options;
+                         options.progress = progress;
+                         const auto read =
+                             std::make_shared<Result<SpacingSpec>>(readSpacing(file, options, notes.get()));
+                         if (!*read) {
+                             return read->faults();
+                         }
+                         return BackgroundTask::Finish([&context, file, outcome, notes, read, loads] {
+                             if (replacedWhileReading(context, file, loads)) {
+                                 return;
+                             }
+                             Result<Document> next = setImportedSpacing(*context.document.current(), **read);
+                             if (!next) {
+                                 outcome->faults = next.faults();
+                                 return;
+                             }
+                             context.document.apply(*std::move(next), "Import spacing");
+                             context.log.announce("Imported spacing from " + file.filename().string());
+                             context.log.add(notes->diagnostics());
+                         });
+                     });
+    return outcome;
+}
+
+/// Returns the format of a file, without reading it if it is a pipe, which could wait for ever.
+const FileFormat *formatWithoutWaiting(const std::filesystem::path &file) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(file, ignored) ? fileFormatOf(file) : fileFormatOf(file, {});
+}
+
 /// Returns true for files that may be large: all but projects, and those whose format is unknown.
 bool opensInBackground(const std::filesystem::path &file) {
-    std::error_code ignored;
-    // Reading the head of a pipe could wait for ever.
-    const FileFormat *const format =
-        std::filesystem::is_regular_file(file, ignored) ? fileFormatOf(file) : fileFormatOf(file, {});
+    const FileFormat *const format = formatWithoutWaiting(file);
     return format != nullptr && !isProject(format);
 }
 
@@ -301,24 +335,9 @@ void importSpacing(Shell &context) {
         {"All files", {}, "any"}};
     request.folder = startFolder(context);
     request.reads = [](Shell &c, const std::filesystem::path &file) {
-        const FileFormat *const format = fileFormatOf(file);
+        const FileFormat *const format = formatWithoutWaiting(file);
         const bool picture = format != nullptr && std::string_view(format->id) == "png";
-        return picture ? importPictureSpacing(c, file) : nullptr;
-    };
-    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
-        ImportNotes notes;
-        Result<SpacingSpec> spacing = readSpacing(file, {}, &notes);
-        if (!spacing) {
-            return spacing.faults();
-        }
-        Result<Document> next = setImportedSpacing(*c.document.current(), std::move(spacing).value());
-        if (!next) {
-            return next.faults();
-        }
-        c.document.apply(*std::move(next), "Import spacing");
-        c.log.announce("Imported spacing from " + file.filename().string());
-        c.log.add(notes.diagnostics());
-        return {};
+        return picture ? importPictureSpacing(c, file) : importSpacingOf(c, file);
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
