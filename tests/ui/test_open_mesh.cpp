@@ -53,6 +53,37 @@ TEST_CASE("Open mesh: the file is read on another thread, and Esc drops it") {
     CHECK_FALSE(driver.showsFile());
 }
 
+TEST_CASE("Open mesh: its colours end with it, unless the user chooses colours meanwhile") {
+    for (const bool sizes : {true, false}) {
+        CAPTURE(sizes);
+        PlateReader driver;
+        driver.unfoldLayers();
+        const auto visible = [&](const char *layer) { return driver.context().layer(layer)->visible; };
+        if (!sizes) {
+            driver.click("layer/size"); // visible at first
+        }
+        const auto start = [&] {
+            driver.key('N', {Modifiers::kControl});
+            driver.settle();
+        };
+        for (int k = 0; k < 2; ++k) { // opened again
+            driver.open();
+            driver.settle();
+            CHECK(visible("quality"));
+            CHECK_FALSE(visible("size"));
+        }
+        start();
+        CHECK_FALSE(visible("quality"));
+        CHECK(visible("size") == sizes);
+        driver.open();
+        driver.settle();
+        driver.click("layer/quality");
+        driver.click("layer/quality");
+        start();
+        CHECK(visible("quality"));
+    }
+}
+
 TEST_CASE("Open: a mesh is read on another thread to be edited as a drawing, and Esc drops it") {
     PlateReader driver;
     openDocument(driver.context(), driver.folder() / "plate.msh");

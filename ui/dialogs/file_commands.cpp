@@ -181,6 +181,7 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
     context.document.load(document, own ? file : std::filesystem::path(), false,
                           sample != gallery.end() ? sample->title : file.stem().string());
     context.run.clear();
+    restoreColours(context);
     context.examiner.abandon();
     context.selection.clear();
     context.view.isolatedBin.reset();
@@ -239,6 +240,7 @@ void newDocument(Shell &context) {
         c.document.load(std::move(fresh), {});
         c.selection.clear();
         c.run.clear();
+        restoreColours(c);
         c.view.isolatedBin.reset();
         c.view.fit({{0.0, 0.0}, {10.0, 10.0}});
         c.animate();

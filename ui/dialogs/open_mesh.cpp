@@ -57,7 +57,7 @@ void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path 
     context.view.fitPending = true;
     const std::size_t elements = opened.mesh.view->mesh.elements.size();
     context.run.showFile(opened.mesh);
-    showLayer(context.layers, "quality", true);
+    showMeshColours(context);
     context.log.announce(file.filename().string() + ": " + ui::count(elements) +
                          " triangles, shown as they are in the file; press 2 to remesh the outline");
     context.log.add(opened.notes);

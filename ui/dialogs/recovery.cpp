@@ -40,6 +40,7 @@ bool Recovery::recover(OrphanedJournal &orphan, Shell &context) {
     context.document.load(std::move(document).value(), orphan.savedAt(), true, orphan.title());
     context.selection.clear();
     context.run.clear();
+    restoreColours(context);
     context.view.fitPending = true;
     follow(context);
     journal_.flush();

@@ -24,7 +24,10 @@ Settings settingsToSave(const Shell &context) {
     const std::optional<OpenLesson> &lesson = context.lessons.open;
     settings.layers.clear();
     for (const LayerSlot &slot : context.layers) {
-        const bool visible = lesson ? lesson->layersBefore.at(slot.layer->id()) : slot.visible;
+        const bool coloured = context.coloursBefore && slot.layer->coloursByValue();
+        const bool visible = lesson     ? lesson->layersBefore.at(slot.layer->id())
+                             : coloured ? slot.layer->id() == *context.coloursBefore
+                                        : slot.visible;
         if (visible != slot.layer->visibleAtStart()) {
             settings.layers[slot.layer->id()] = visible;
         }

@@ -96,7 +96,7 @@ void showRound(Shell &context, std::size_t round) {
     context.run.showFile(std::move(fields));
     adaptation.selected = round;
     adaptation.shown = context.run.now().mesh->version;
-    showLayer(context.layers, "quality", true);
+    showMeshColours(context);
     if (adapted.error) {
         chooseField(context, MeshPart::Elements, kErrorField);
     } else {

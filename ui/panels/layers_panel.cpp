@@ -36,6 +36,9 @@ class LayersPanel final : public Panel {
             bool visible = slot.visible;
             if (ui::eyeSwitch(context, std::string("layer/") + slot.layer->id(), slot.layer->name(), visible, each)) {
                 showLayer(context.layers, slot.layer->id(), visible);
+                if (slot.layer->coloursByValue()) {
+                    context.coloursBefore.reset(); // the user's own choice
+                }
                 context.animate();
             }
         }

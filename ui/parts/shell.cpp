@@ -1,5 +1,7 @@
 #include "ui/parts/shell.hpp"
 
+#include <utility>
+
 namespace forefront {
 
 void ToolBox::choose(std::string_view id, Shell &context) {
@@ -30,6 +32,25 @@ LayerSlot *Shell::layer(std::string_view id) {
         }
     }
     return nullptr;
+}
+
+void showMeshColours(Shell &context) {
+    if (!context.coloursBefore) {
+        context.coloursBefore.emplace();
+        for (const LayerSlot &slot : context.layers) {
+            if (slot.visible && slot.layer->coloursByValue()) {
+                context.coloursBefore = slot.layer->id();
+            }
+        }
+    }
+    showLayer(context.layers, "quality", true);
+}
+
+void restoreColours(Shell &context) {
+    if (const std::optional<std::string> before = std::exchange(context.coloursBefore, std::nullopt)) {
+        showLayer(context.layers, "quality", false);
+        showLayer(context.layers, *before, true);
+    }
 }
 
 void cancelTask(Shell &context) {

@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -43,7 +45,10 @@ struct Shell : Workspace {
     std::vector<LayerSlot> layers;
     std::vector<std::unique_ptr<Panel>> panels;
     LessonRoom lessons;
-    double drawSeconds = 0.025;  ///< per frame for drawing a large mesh; 0: one small piece a frame, for tests
+    double drawSeconds = 0.025; ///< per frame for drawing a large mesh; 0: one small piece a frame, for tests
+    /// Id of the layer that coloured the canvas before showMeshColours(), or empty for none; absent: it is not in
+    /// force.
+    std::optional<std::string> coloursBefore;
     bool contextMenu = false;    ///< a tool asks for the menu of the selection at the pointer
     SideBySide sides;            ///< runs with other grids or the other method
     bool quit = false;           ///< end the program after this frame
@@ -56,6 +61,11 @@ struct Shell : Workspace {
     /// Returns the layer with this id, or null.
     LayerSlot *layer(std::string_view id);
 };
+
+/// Colours meshes by their quality, until the user chooses other layers or another document is opened.
+void showMeshColours(Shell &context);
+/// Shows the layer that showMeshColours() has replaced.
+void restoreColours(Shell &context);
 
 /// Cancels the background task, if there is one, and says so in the log.
 void cancelTask(Shell &context);
