@@ -252,11 +252,24 @@ bool combo(WidgetContext &context, std::string_view name, std::span<const char *
 bool slider(WidgetContext &context, std::string_view name, double &value, double minimum, double maximum,
             const char *pattern, bool logarithmic, float width) {
     const Id id(name);
-    ImGui::SetNextItemWidth(widthOf(context, width));
+    // The number stands beside the slider: in it, the knob would cover it.
+    const float beside = std::max(ImGui::CalcTextSize(format(pattern, minimum).c_str()).x,
+                                  ImGui::CalcTextSize(format(pattern, maximum).c_str()).x) +
+                         context.px(8);
+    const float whole = width < 0.0F ? ImGui::GetContentRegionAvail().x : context.px(width);
+    ImGui::BeginGroup();
+    ImGui::SetNextItemWidth(std::max(whole - beside, context.px(24)));
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##slider")); // after a click with Ctrl
+    ImGui::PushStyleColor(ImGuiCol_Text, typing ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ImVec4(0, 0, 0, 0));
     const bool changed =
         ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &minimum, &maximum, pattern,
                             ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    ImGui::PopStyleColor();
     mark(context, name);
+    ImGui::SameLine(0, context.px(8));
+    ImGui::TextUnformatted(format(pattern, value).c_str());
+    mark(context, std::string(name) + "/number");
+    ImGui::EndGroup();
     return changed;
 }
 

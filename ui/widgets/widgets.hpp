@@ -38,7 +38,8 @@ bool segmented(WidgetContext &context, std::string_view name, std::span<const ch
                float width = 0.0F, std::span<const char *const> tips = {});
 bool combo(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
            float width = -1.0F);
-/// Draws a linear or logarithmic slider. `format` is a printf format for a double.
+/// Draws a linear or logarithmic slider and its number; `width` is that of both. `format` is a printf format for a
+/// double.
 bool slider(WidgetContext &context, std::string_view name, double &value, double minimum, double maximum,
             const char *format, bool logarithmic = false, float width = -1.0F);
 /// Draws a thin slider with `shown` to its right; `t` in [0, 1]. Widths in design pixels.
