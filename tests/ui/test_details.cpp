@@ -361,4 +361,42 @@ TEST_CASE("Labels: a label is placed clear of the others, or left out") {
     CHECK_FALSE(painter.freeLabel({0, 0}, {6, 3}, "no room", rgb(0xffffff), rgb(0), font));
 }
 
+TEST_CASE("Labels: stay clear of the handles of the selected shape") {
+    Draughtsman driver;
+    driver.rectangle({2, 2}, {8, 7});
+    driver.key('V');
+    driver.settle();
+    Shell &context = driver.context();
+    REQUIRE(context.selection.shapes.size() == 1);
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushClipRectFullScreen();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    CanvasPainter painter(list, context.view.camera, 1.0);
+    context.tools.current().reserveOverlay(painter, context);
+    const double gap = context.view.camera.length(12.0); // of the handles that scale
+    for (const Vec2 handle : {Vec2{2, 2}, Vec2{8, 7}, Vec2{5, 7 + gap}}) {
+        const int before = list.VtxBuffer.Size;
+        REQUIRE(painter.freeLabel(handle, {-6, -6}, "shore", rgb(0xffffff), rgb(0), context.fonts.small));
+        Box2 drawn;
+        for (int k = before; k < list.VtxBuffer.Size; ++k) {
+            drawn.add(Vec2{static_cast<double>(list.VtxBuffer[k].pos.x), static_cast<double>(list.VtxBuffer[k].pos.y)});
+        }
+        const Pixel at = driver.pixel(handle);
+        CHECK_FALSE(drawn.overlaps(boxAround({at.x, at.y}, 3.5)));
+    }
+}
+
+TEST_CASE("Sliders: the number stands beside the slider, not under its knob") {
+    Driver driver;
+    driver.context().actions.run("edit.preferences", driver.context());
+    driver.settle();
+    const std::string name = "dialog/preferences/scale";
+    REQUIRE(driver.has(name + "/number"));
+    const PixelRect slider = driver.context().widgets.find(name)->rect;
+    const PixelRect number = driver.context().widgets.find(name + "/number")->rect;
+    CHECK(number.x >= slider.x + slider.width);
+    CHECK(number.width > 20.0);
+}
+
 } // namespace forefront::test

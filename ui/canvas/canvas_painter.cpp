@@ -222,6 +222,12 @@ bool CanvasPainter::freeLabel(Vec2 at, Pixel offset, std::string_view text, Colo
     return false;
 }
 
+void CanvasPainter::reserve(Vec2 place, double radius) {
+    const Pixel p = camera_.toPixel(place);
+    const double half = radius * scale_;
+    reserve({p.x - half, p.y - half, 2.0 * half, 2.0 * half});
+}
+
 void CanvasPainter::text(Vec2 at, std::string_view text, Colour colour, ImFont *font) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
     const ImVec2 size = used->CalcTextSizeA(used->FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());

@@ -49,6 +49,8 @@ class CanvasPainter {
     bool freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
     /// Keeps free labels out of a rectangle of pixels.
     void reserve(const PixelRect &rect) { taken_.push_back(rect); }
+    /// Keeps free labels off a place, such as a handle; the radius is in design pixels.
+    void reserve(Vec2 place, double radius);
     /// Draws text without a plate, centred on the place.
     void text(Vec2 at, std::string_view text, Colour colour, ImFont *font = nullptr);
 

@@ -61,6 +61,8 @@ class Tool {
     /// Handles an event and returns true if it was used. Unused keys go to the shortcuts, so that a tool in the middle
     /// of a path can take digits, Enter, Backspace and Esc.
     virtual bool handle(const CanvasEvent &event, Shell &context) = 0;
+    /// Keeps labels of the layers off the handles that drawOverlay() will draw.
+    virtual void reserveOverlay(CanvasPainter &, const Shell &) {}
     virtual void drawOverlay(CanvasPainter &, Shell &) {}
     /// Returns true if the options strip should be shown now.
     virtual bool hasOptions(const Shell &) const { return false; }

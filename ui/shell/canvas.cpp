@@ -304,7 +304,8 @@ void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const La
     }
 }
 
-/// Keeps labels clear of the plates on the canvas, as placed in the last frame, and of the selected nodes.
+/// Keeps labels clear of the plates on the canvas, as placed in the last frame, of the selected nodes and of the
+/// handles of the tool.
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
     for (const auto &[name, widget] : context.widgets.all()) {
         const bool plate = name == "options" || name == "hints" || name == "canvas/plate" || name == "canvas/news" ||
@@ -313,15 +314,14 @@ void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) 
             painter.reserve(widget.rect);
         }
     }
-    const double half = 6.0 * painter.scale();
     for (const NodeRef node : context.selection.nodes) {
         const Shape *const shape = findShape(*context.document.current(), node.shape);
         const std::vector<Vec2> handles = shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>();
         if (node.node < handles.size()) {
-            const Pixel p = painter.camera().toPixel(handles[node.node]);
-            painter.reserve({p.x - half, p.y - half, 2.0 * half, 2.0 * half});
+            painter.reserve(handles[node.node], 6.0);
         }
     }
+    context.tools.current().reserveOverlay(painter, context);
 }
 
 void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {

@@ -97,6 +97,31 @@ void SelectTool::drawSourceHandles(CanvasPainter &painter, Shell &context) const
     }
 }
 
+void SelectTool::reserveOverlay(CanvasPainter &painter, const Shell &context) {
+    constexpr std::size_t kMaxReserved = 300; // more would slow down the search for free places
+    const Document &document = *context.document.current();
+    const Box2 visible = context.view.camera.visible();
+    std::size_t reserved = 0;
+    const auto reserve = [&](Vec2 place) {
+        if (reserved < kMaxReserved && visible.contains(place)) {
+            painter.reserve(place, 5.5);
+            ++reserved;
+        }
+    };
+    for (const std::uint32_t id : context.selection.shapes) {
+        const Shape *const shape = reserved < kMaxReserved ? findShape(document, id) : nullptr;
+        for (const Vec2 handle : shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>()) {
+            reserve(handle);
+        }
+    }
+    for (const Control &control : controlsOf(document, context.selection)) {
+        reserve(control.at);
+    }
+    for (const Vec2 place : transform_.places(context)) {
+        reserve(place);
+    }
+}
+
 void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     drawHandles(painter, context);
     drawControls(painter, context);

@@ -25,6 +25,7 @@ class SelectTool final : public Tool {
     void deactivate(Shell &context) override;
     void forget(Shell &context) override { deactivate(context); }
     bool handle(const CanvasEvent &event, Shell &context) override;
+    void reserveOverlay(CanvasPainter &painter, const Shell &context) override;
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }
     void drawOptions(Shell &context, ui::Flow &flow) override;

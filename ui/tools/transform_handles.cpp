@@ -201,6 +201,18 @@ std::string TransformHandles::measure() const {
     return factor + "   " + ui::number(std::abs(by.x) * size.x) + " \xc3\x97 " + ui::number(std::abs(by.y) * size.y);
 }
 
+std::vector<Vec2> TransformHandles::places(const Shell &context) const {
+    std::vector<Vec2> shown;
+    const Box2 &around = box(context);
+    for (const Handle &handle : kHandles) {
+        const std::optional<Vec2> there = around.empty() ? std::nullopt : placeOf(handle, around, context);
+        if (there) {
+            shown.push_back(*there);
+        }
+    }
+    return shown;
+}
+
 void TransformHandles::draw(CanvasPainter &painter, Shell &context, const std::optional<Handle> &hovered) const {
     const Theme &theme = context.theme;
     if (active() && away_) {

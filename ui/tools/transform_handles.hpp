@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -38,6 +39,8 @@ class TransformHandles {
     bool typed(const CanvasEvent &event, Shell &context);
     void end();
 
+    /// Returns the places of the handles that are shown.
+    std::vector<Vec2> places(const Shell &context) const;
     void draw(CanvasPainter &painter, Shell &context, const std::optional<Handle> &hovered) const;
     /// Returns a line for the status bar.
     static std::string statusText(const Handle &handle);
