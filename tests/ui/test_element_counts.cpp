@@ -65,10 +65,12 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
     CHECK(edges(driver, driver.document().shapes[1]->tag) == 4);
     driver.frames(2);
     CHECK_FALSE(driver.has("inspector/elements/meshed"));
+    const double below = driver.context().widgets.find("inspector/centre/x")->rect.y;
     driver.fill("inspector/elements", "2"); // a closed curve has at least three
     CHECK(edges(driver, driver.document().shapes[1]->tag) == 3);
     driver.frames(2);
     CHECK(driver.has("inspector/elements/meshed"));
+    CHECK(driver.context().widgets.find("inspector/centre/x")->rect.y == below); // the note moves nothing
     clear(driver, "inspector/elements");
     CHECK(driver.document().elementCounts.size() == 1);
 }

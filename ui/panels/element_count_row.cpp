@@ -9,6 +9,8 @@
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/number_field.hpp"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -104,6 +106,14 @@ void drawMeshed(Shell &context, std::int32_t tag, const PartSegments &part, doub
                       "is drawn.");
 }
 
+/// Draws that note, or leaves its line empty, so that what is below stays in place when meshes come and go.
+void drawMeshedRow(Shell &context, std::int32_t tag, const PartSegments &part, double count) {
+    const float top = ImGui::GetCursorPosY();
+    drawMeshed(context, tag, part, count);
+    const float line = context.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + line));
+}
+
 std::string explanation(std::size_t segments) {
     const std::string along = segments == 1 ? "Number of elements along the whole of it"
                                             : "Number of elements along the whole of each of them";
@@ -146,10 +156,10 @@ void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     const bool changed = form::optionalField(context, "inspector/elements", count, shared.hint.c_str(), -1.0F,
                                              addressOfCount(shared.count ? tag : 0));
     ui::rowTooltip(context, explanation(segments.size()));
+    if (shared.count) {
+        drawMeshedRow(context, tag, shared.part, *shared.count);
+    }
     if (!changed) {
-        if (shared.count) {
-            drawMeshed(context, tag, shared.part, *shared.count);
-        }
         return;
     }
     constexpr double kMax = kMaxElementCount;
