@@ -180,6 +180,35 @@ TEST_CASE("Parameters: a circle of radius d/2, with d a parameter, begins on its
     CHECK(driver.document().formulas.at("shape/1/radius") == "d/2");
 }
 
+TEST_CASE("Parameters: a negative width is drawn to the left and keeps its expression") {
+    Draughtsman driver;
+    addParameter(driver, "r", "2");
+    driver.key('R');
+    driver.clickPlace({7, 2});
+    driver.type("=-r");
+    driver.key(key::kTab);
+    driver.type("1.5*r");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{5, 2}, {7, 5}});
+    CHECK(driver.document().formulas.at("shape/1/width") == "-(-r)");
+    CHECK(driver.document().formulas.at("shape/1/height") == "1.5*r");
+    driver.clickPlace({4, 4});
+    driver.type("-1");
+    driver.key(key::kTab);
+    driver.type("-2");
+    driver.key(key::kEnter);
+    CHECK(boundsOf(*driver.document().shapes[1]) == Box2{{3, 2}, {4, 4}});
+    driver.key('K'); // half of each is stored
+    driver.clickPlace({4, 5});
+    driver.type("2");
+    driver.key(key::kTab);
+    driver.type("2*r");
+    driver.key(key::kEnter);
+    CHECK(driver.document().formulas.size() == 3);
+    CHECK(driver.document().formulas.at("shape/3/ry") == "(2*r)/2");
+}
+
 TEST_CASE("Parameters: a path that undo brings back keeps the expressions of its nodes") {
     Draughtsman driver;
     addParameter(driver, "r", "2");

@@ -6,6 +6,7 @@
 #include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -161,7 +162,15 @@ void DrawingTool::keepFormulas(Document &document, std::uint32_t shape) const {
         }
     }
     const auto half = [](const std::string &text) { return text.empty() ? text : "(" + text + ")/2"; };
-    const std::string width = entry_.expression(EntryField::Width), height = entry_.expression(EntryField::Height);
+    // Plain numbers need no formula. A negative one was typed to go to the left or down.
+    const auto extent = [&](EntryField field) {
+        const std::string text = entry_.expression(field);
+        if (text.empty() || parseNumber(text)) {
+            return std::string();
+        }
+        return entry_.value(field).value_or(0.0) < 0.0 ? "-(" + text + ")" : text;
+    };
+    const std::string width = extent(EntryField::Width), height = extent(EntryField::Height);
     if (rectangle) {
         keep("width", width);
         keep("height", height);
