@@ -128,6 +128,24 @@ TEST_CASE("Typed numbers: the view shows what is typed outside it, and keeps sti
     CHECK(view.camera == close);
 }
 
+TEST_CASE("Paste: the view shows coordinates that lie outside it, and keeps still otherwise") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    const Camera before = driver.context().view.camera;
+    driver.platform().setClipboard("2 2\n4 2\n4 4\n2 2\n");
+    driver.key('V', {Modifiers::kControl});
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.context().view.camera == before);
+    driver.platform().setClipboard("100 50\n120 50\n120 60\n100 50\n");
+    driver.key('V', {Modifiers::kControl});
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 3);
+    const Box2 visible = driver.context().view.camera.visible();
+    CHECK(visible.contains({120, 60}));
+    CHECK(visible.contains({1, 1}));
+}
+
 TEST_CASE("Typed numbers: the view follows a node that is dragged or set to a place outside it") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 6}});

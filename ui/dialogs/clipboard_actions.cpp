@@ -33,6 +33,11 @@ void paste(Shell &context) {
         context.log.add(insertion.notes);
         if (first) {
             context.actions.run("view.fit", context);
+            return;
+        }
+        const Box2 pasted = boundsOf(*context.document.current(), context.selection);
+        if (!pasted.overlaps(context.view.camera.visible())) {
+            context.view.reveal(pasted);
         }
     }
 }
