@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Drives the real window as a user would, with xdotool under Xvfb: draws a square with a hole, paints, meshes, steps back
-three times, exports, and checks the exported file. It never sleeps for a fixed time, but waits for the state that the
-program writes after each frame. Usage: window_test.py FOREFRONT. Exit code 77: Xvfb or xdotool is missing."""
+"""Drives the real window as a user would, with xdotool under Xvfb: draws a square with a hole, copies and pastes, paints,
+meshes, steps back three times, exports, and checks the exported file. It never sleeps for a fixed time, but waits for the
+state that the program writes after each frame. Usage: window_test.py FOREFRONT. Exit code 77: a tool is missing."""
 import json
 import os
 import shutil
@@ -105,6 +105,17 @@ class Window:
     def key(self, name):
         self.xdotool("key", name)
 
+    def clipboard(self, form):
+        """Returns what is on the clipboard in a form, or nothing."""
+        taken = subprocess.run(["xclip", "-selection", "clipboard", "-target", form, "-out"], env=self.env, check=False,
+                               timeout=TIMEOUT, capture_output=True, text=True)
+        return taken.stdout
+
+    def offer(self, form, text):
+        """Puts a text on the clipboard as another program would, in one form."""
+        subprocess.run(["xclip", "-selection", "clipboard", "-target", form, "-in"], env=self.env, check=True,
+                       timeout=TIMEOUT, input=text, text=True, stdout=subprocess.DEVNULL)
+
     def drag(self, start, end):
         self.xdotool("mousemove", *start, "mousedown", 1)
         for part in range(1, 6):
@@ -131,6 +142,21 @@ def run(program, folder):
         window.wait("one shape", lambda s: s["shapes"] == 1)
         window.drag(*around(60))
         window.wait("two shapes", lambda s: s["shapes"] == 2)
+
+        print("copying a drawing to another program, and from it")
+        window.key("ctrl+a")
+        window.key("ctrl+c")
+        end = time.monotonic() + TIMEOUT
+        while "<path" not in (copied := window.clipboard("image/svg+xml")) and time.monotonic() < end:
+            time.sleep(0.02)
+        if copied.count("<path") != 2 or window.clipboard("UTF8_STRING") != copied:
+            raise Failure(f"the clipboard holds {copied[:300]!r}")
+        drawn = window.state()["revision"]
+        window.offer("image/svg+xml", '<svg xmlns="http://www.w3.org/2000/svg"><rect width="2" height="1"/></svg>')
+        window.key("ctrl+v")
+        window.wait("the shape of the other program", lambda s: s["shapes"] == 3)
+        window.key("ctrl+z")
+        window.wait("its removal", lambda s: s["revision"] == drawn and s["shapes"] == 2)
 
         print("typing a size and undoing it")
         for panel in ("layers", "inspector"):
@@ -223,7 +249,7 @@ def remember_place(program, folder):
 
 
 def main():
-    for tool in ("Xvfb", "xdotool", "xprop"):
+    for tool in ("Xvfb", "xdotool", "xclip", "xprop"):
         if shutil.which(tool) is None:
             print(f"skipped: {tool} is not installed")
             return SKIPPED

@@ -12,12 +12,12 @@ namespace forefront {
 namespace {
 
 void copy(Shell &context) {
-    context.platform.setClipboard(clipboardText(*context.document.current(), context.selection));
+    context.platform.copyDrawing(clipboardText(*context.document.current(), context.selection));
 }
 
 /// Inserts the drawing on the clipboard where it was copied from, or beside what is already there.
 void paste(Shell &context) {
-    const Result<Document> drawing = readClipboard(context.platform.clipboard());
+    const Result<Document> drawing = readClipboard(context.platform.copiedDrawing());
     if (!drawing) {
         context.log.add(drawing.faults());
         return;

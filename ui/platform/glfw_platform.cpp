@@ -158,7 +158,7 @@ std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::st
     return platform;
 }
 
-GlfwPlatform::GlfwPlatform(GLFWwindow *window) : window_(window) {
+GlfwPlatform::GlfwPlatform(GLFWwindow *window) : window_(window), drawings_(X11Clipboard::open()) {
     glfwSetWindowUserPointer(window_, this);
     glfwSetCursorPosCallback(window_, Callbacks::move);
     glfwSetMouseButtonCallback(window_, Callbacks::button);
@@ -266,6 +266,19 @@ std::string GlfwPlatform::clipboard() const {
 
 void GlfwPlatform::setClipboard(const std::string &text) {
     glfwSetClipboardString(window_, text.c_str());
+}
+
+std::string GlfwPlatform::copiedDrawing() const {
+    std::string svg = drawings_ ? X11Clipboard::take() : std::string();
+    return svg.empty() ? clipboard() : svg;
+}
+
+void GlfwPlatform::copyDrawing(const std::string &svg) {
+    if (drawings_) {
+        drawings_->offer(svg);
+    } else {
+        setClipboard(svg);
+    }
 }
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/platform/platform.hpp"
+#include "ui/platform/x11_clipboard.hpp"
 
 #include <array>
 #include <memory>
@@ -33,6 +34,8 @@ class GlfwPlatform final : public Platform {
     void setCursor(CursorShape shape) override;
     std::string clipboard() const override;
     void setClipboard(const std::string &text) override;
+    std::string copiedDrawing() const override;
+    void copyDrawing(const std::string &svg) override;
 
   private:
     struct Callbacks;
@@ -44,6 +47,7 @@ class GlfwPlatform final : public Platform {
     std::array<GLFWcursor *, 8> cursors_{};
     CursorShape cursor_ = CursorShape::Arrow;
     WindowPlace place_;
+    std::unique_ptr<X11Clipboard> drawings_; ///< null without an X server
 };
 
 } // namespace forefront

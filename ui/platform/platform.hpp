@@ -45,6 +45,10 @@ class Platform {
     virtual void setCursor(CursorShape shape) = 0;
     virtual std::string clipboard() const = 0;
     virtual void setClipboard(const std::string &text) = 0;
+    /// Returns the drawing on the clipboard: as SVG if another program offers it so, else its text.
+    virtual std::string copiedDrawing() const { return clipboard(); }
+    /// Puts a drawing on the clipboard, as SVG and as text.
+    virtual void copyDrawing(const std::string &svg) { setClipboard(svg); }
 };
 
 } // namespace forefront
