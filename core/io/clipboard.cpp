@@ -142,7 +142,7 @@ std::string clipboardText(const Document &document, const Selection &selection) 
     return svg.text + "</g>\n</svg>\n";
 }
 
-Result<Document> readClipboard(std::string_view text) {
+Result<Document> readClipboard(std::string_view text, ImportNotes *notes) {
     if (const std::string project = projectIn(text); !project.empty()) {
         return parseProject(project, "the clipboard");
     }
@@ -150,7 +150,9 @@ Result<Document> readClipboard(std::string_view text) {
         return parseProject(text, "the clipboard");
     }
     if (looksLikeSvg(text.substr(0, 4096))) {
-        const Result<Domain> domain = readSvg({text, "the clipboard", {}, {}});
+        SourceText source{text, "the clipboard", {}, {}};
+        source.notes = notes;
+        const Result<Domain> domain = readSvgShapes(source);
         return domain ? Result<Document>(fromDomain(*domain)) : Result<Document>(domain.faults());
     }
     return readCoordinates(text);

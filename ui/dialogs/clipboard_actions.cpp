@@ -17,7 +17,8 @@ void copy(Shell &context) {
 
 /// Inserts the drawing on the clipboard where it was copied from, or beside what is already there.
 void paste(Shell &context) {
-    const Result<Document> drawing = readClipboard(context.platform.copiedDrawing());
+    ImportNotes notes;
+    const Result<Document> drawing = readClipboard(context.platform.copiedDrawing(), &notes);
     if (!drawing) {
         context.log.add(drawing.faults());
         return;
@@ -30,6 +31,7 @@ void paste(Shell &context) {
     if (EditState::apply(context, std::move(next), "Paste")) {
         context.tools.choose("select", context);
         context.selection = std::move(insertion.added);
+        context.log.add(notes.diagnostics());
         context.log.add(insertion.notes);
         if (first) {
             context.actions.run("view.fit", context);

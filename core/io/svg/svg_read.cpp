@@ -4,8 +4,11 @@
 #include "core/io/svg/svg_drawing.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -78,7 +81,82 @@ class SvgBuilder {
         return domain;
     }
 
+    /// Returns the paths as shapes that share no nodes.
+    Result<Domain> runApart() {
+        std::vector<Part> parts;
+        for (const SvgPath &path : paths_) {
+            parts.push_back(partOf(path));
+        }
+        const auto isArea = [](Part part) { return part == Part::Painted || part == Part::Outline; };
+        if (std::none_of(parts.begin(), parts.end(), isArea)) {
+            return run();
+        }
+        Domain domain;
+        std::set<const SvgPath *, SameNodes> added;
+        for (const bool areas : {true, false}) { // an outline rather than a line that is drawn along it
+            for (std::size_t k = 0; k < paths_.size(); ++k) {
+                if (parts[k] == Part::Nothing ? areas : isArea(parts[k]) != areas) {
+                    continue;
+                }
+                noteReading(paths_[k], parts[k]);
+                if (parts[k] == Part::Nothing) {
+                    continue;
+                }
+                if (!added.insert(&paths_[k]).second) {
+                    source_.note("svg-duplicate", "shapes that lie exactly on another one are left out",
+                                 paths_[k].offset);
+                    continue;
+                }
+                if (parts[k] == Part::Painted && std::exchange(painted_, paths_[k].element) != paths_[k].element &&
+                    !domain.nodes.empty()) {
+                    source_.note("svg-shapes", "filled shapes are kept apart: one inside another is a hole",
+                                 paths_[k].offset);
+                }
+                addApart(paths_[k], areas, domain);
+            }
+        }
+        domain.boundaryNames = tags_.names();
+        domain.curveTolerance = source_.options.curveTolerance;
+        return domain;
+    }
+
   private:
+    /// Orders paths; those with the same nodes are equal.
+    struct SameNodes {
+        bool operator()(const SvgPath *a, const SvgPath *b) const {
+            return std::lexicographical_compare(a->nodes.begin(), a->nodes.end(), b->nodes.begin(), b->nodes.end(),
+                                                comesBefore);
+        }
+    };
+
+    /// Adds a path with nodes of its own.
+    void addApart(const SvgPath &path, bool area, Domain &domain) {
+        const bool closed = path.nodes.size() > 2 && (area || path.closed);
+        const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+        const auto firstCurve = static_cast<std::uint32_t>(domain.curves.size());
+        const std::int32_t tag = tags_.of(path.name);
+        domain.curves.insert(domain.curves.end(), path.curves.begin(), path.curves.end());
+        domain.nodes.push_back(path.nodes.front());
+        for (std::size_t k = 0; k + (closed ? 0 : 1) < path.nodes.size(); ++k) {
+            const bool back = k + 1 == path.nodes.size();
+            const Vec2 to = back ? path.nodes.front() : path.nodes[k + 1];
+            if (to == domain.nodes.back()) {
+                continue;
+            }
+            const auto from = static_cast<std::uint32_t>(domain.nodes.size() - 1);
+            CurveStretch stretch = k < path.stretches.size() ? path.stretches[k] : CurveStretch{};
+            stretch.curve += stretch.follows() ? firstCurve : 0;
+            if (!back) {
+                domain.nodes.push_back(to);
+            }
+            domain.segments.push_back(
+                {from, back ? first : from + 1, tag, area ? SegmentRole::Boundary : SegmentRole::Constraint, stretch});
+        }
+        if (domain.nodes.size() == first + 1) { // all of it in one place
+            domain.nodes.pop_back();
+        }
+    }
+
     static constexpr auto kNone = static_cast<std::size_t>(-1);
 
     /// Returns true if a path is painted. Lines are often drawn without fill="none".
@@ -158,6 +236,14 @@ Result<Domain> readSvg(const SourceText &source) {
         return drawing.faults();
     }
     return SvgBuilder(std::move(*drawing), source).run();
+}
+
+Result<Domain> readSvgShapes(const SourceText &source) {
+    Result<SvgPaths> drawing = drawnPaths(source);
+    if (!drawing) {
+        return drawing.faults();
+    }
+    return SvgBuilder(std::move(*drawing), source).runApart();
 }
 
 } // namespace forefront
