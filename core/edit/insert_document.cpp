@@ -133,7 +133,14 @@ Result<Document> insertCopied(const Document &document, const Document &other, V
             return moved;
         }
     }
-    return inserted(document, *moved, 1.0, moved->spacing.sources, insertion);
+    Document next = inserted(document, *moved, 1.0, moved->spacing.sources, insertion);
+    const std::vector<std::int32_t> known = boundaryTags(document);
+    for (const auto &[tag, size] : moved->spacing.partSizes) {
+        if (!std::binary_search(known.begin(), known.end(), tag) && !next.elementCounts.contains(tag)) {
+            next.spacing.partSizes.insert_or_assign(tag, size);
+        }
+    }
+    return next;
 }
 
 } // namespace forefront

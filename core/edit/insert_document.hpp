@@ -19,7 +19,8 @@ struct Insertion {
 /// bringFormulas(). `insertion`, if not null, is set to what was added.
 Document insertDrawing(const Document &document, const Document &other, double scale, Insertion *insertion);
 
-/// Like insertDrawing() without scaling, and with the size sources, which leave automatic spacing on. If an added
+/// Like insertDrawing() without scaling, and with the size sources, which leave automatic spacing on, and the sizes of
+/// boundary parts whose tags `document` does not use. If an added
 /// shape, source or marker would coincide with an existing one, everything added is moved by the smallest multiple of
 /// `step` that avoids this. Errors: those of moveSelection().
 Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Insertion *insertion);

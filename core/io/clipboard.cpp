@@ -70,6 +70,18 @@ class SvgText {
     }
 };
 
+/// Copies the element size or the number of elements of a boundary part.
+void copySizes(const Document &document, std::int32_t tag, Document &part) {
+    const auto elements = document.elementCounts.find(tag);
+    if (elements != document.elementCounts.end()) {
+        part.elementCounts.insert(*elements);
+    }
+    const auto size = document.spacing.partSizes.find(tag);
+    if (size != document.spacing.partSizes.end()) {
+        part.spacing.partSizes.insert(*size);
+    }
+}
+
 /// Returns a document with only the selected things.
 Document selectedPart(const Document &document, const Selection &selection) {
     Document part;
@@ -81,10 +93,10 @@ Document selectedPart(const Document &document, const Selection &selection) {
             items.shapes[shape->id] = shape->id;
             part.shapes.push_back(shape);
             for (std::uint32_t k = 0; k < taggedSegments(*shape); ++k) {
-                const auto elements = document.elementCounts.find(segmentTag(*shape, k));
-                if (elements != document.elementCounts.end()) {
-                    part.elementCounts.insert(*elements);
-                }
+                copySizes(document, segmentTag(*shape, k), part);
+            }
+            if (shape->kind == ShapeKind::Point) {
+                copySizes(document, shape->tag, part);
             }
         }
     }

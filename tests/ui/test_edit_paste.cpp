@@ -1,3 +1,4 @@
+#include "core/edit/spacing_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -32,4 +33,29 @@ TEST_CASE("Paste: the shapes of another program stay apart, and the log says wha
         CAPTURE(code);
         CHECK(driver.logHas(code));
     }
+}
+
+TEST_CASE("Paste: boundary parts and points keep their sizes in another drawing, but do not change its parts") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 5});
+    const PartSize size{0.25, 0.1};
+    driver.context().document.apply(*setPartSize(driver.document(), 1, size), "Size");
+    driver.key('V');
+    driver.key('A', {Modifiers::kControl});
+    driver.key('C', {Modifiers::kControl});
+    driver.key('N', {Modifiers::kControl});
+    driver.settle();
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    REQUIRE(driver.document().shapes.empty());
+    driver.key('V', {Modifiers::kControl});
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    REQUIRE(driver.document().spacing.partSizes.contains(1));
+    CHECK(driver.document().spacing.partSizes.at(1) == size);
+    driver.context().document.apply(*setPartSize(driver.document(), 1, PartSize{0.5, 0.1}), "Size");
+    driver.key('V', {Modifiers::kControl});
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 2);
+    CHECK(driver.document().spacing.partSizes.at(1) == PartSize{0.5, 0.1});
 }
