@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -277,4 +278,24 @@ TEST_CASE("Trim tool: a click removes the part between two crossings, or extends
     CHECK(driver.document().shapes.back()->nodes.front().x == doctest::Approx(6));
     driver.clickPlace({8, 3});
     CHECK(driver.undoLabel() == "Extend"); // nothing in its way: refused
+}
+
+TEST_CASE("Pen: choosing another tool keeps a path that is too short, and undo brings it back with its tool") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.clickPlace({2, 2});
+    driver.moveToPlace({4, 2});
+    driver.type("3");
+    driver.key(key::kEnter);
+    driver.key('R');
+    const auto tool = [&] { return std::string(driver.context().tools.current().id()); };
+    CHECK(tool() == "rectangle");
+    CHECK(driver.document().shapes.empty());
+    CHECK(driver.logHas("unfinished-path"));
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(tool() == "polygon");
+    driver.clickPlace({2, 6});
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{2, 2}, {5, 2}, {2, 6}});
 }

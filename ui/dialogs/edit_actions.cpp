@@ -129,10 +129,21 @@ void addFileActions(ActionRegistry &actions) {
                  .separatorBefore = true});
 }
 
-/// Returns what undo would undo: in the unfinished input of the tool first, then in the document.
+/// Returns the tool whose input undo concerns: the active one, or one that keeps a path which it dropped; null if none.
+Tool *undoingTool(const Shell &context) {
+    if (!context.tools.current().undoLabel(context).empty()) {
+        return &context.tools.current();
+    }
+    const auto &tools = context.tools.tools;
+    const auto found =
+        std::find_if(tools.begin(), tools.end(), [&](const auto &tool) { return !tool->undoLabel(context).empty(); });
+    return found != tools.end() ? found->get() : nullptr;
+}
+
+/// Returns what undo would undo: in the unfinished input of a tool first, then in the document.
 std::string undoLabel(const Shell &context) {
-    const std::string ofTool = context.tools.current().undoLabel(context);
-    return ofTool.empty() ? context.document.undoLabel() : ofTool;
+    const Tool *const tool = undoingTool(context);
+    return tool == nullptr ? context.document.undoLabel() : tool->undoLabel(context);
 }
 
 std::string redoLabel(const Shell &context) {
@@ -150,17 +161,21 @@ void travel(Shell &context, bool (DocumentStore::*step)()) {
     keepPictureInView(context, *before);
 }
 
+void undo(Shell &context) {
+    if (Tool *const tool = undoingTool(context)) {
+        context.tools.choose(tool->id(), context); // the path is continued with its tool
+        static_cast<void>(tool->undo(context));
+    } else {
+        travel(context, &DocumentStore::undo);
+    }
+}
+
 void addHistoryActions(ActionRegistry &actions) {
     actions.add({.id = "edit.undo",
                  .menu = "Edit",
                  .title = "Undo",
                  .shortcuts = {{'Z', kControl}},
-                 .run =
-                     [](Shell &c) {
-                         if (!c.tools.current().undo(c)) {
-                             travel(c, &DocumentStore::undo);
-                         }
-                     },
+                 .run = undo,
                  .enabled = [](const Shell &c) { return !undoLabel(c).empty(); },
                  .dynamic = [](const Shell &c) { return titleWith("Undo", undoLabel(c)); },
                  .repeats = true});

@@ -12,8 +12,21 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace forefront {
+namespace {
+
+/// Announces what did not succeed, without the tick of a command that did.
+void warn(Shell &context, std::string message) {
+    Diagnostic warning;
+    warning.severity = Severity::Warning;
+    warning.code = "unfinished-path";
+    warning.message = std::move(message);
+    context.log.add(std::move(warning));
+}
+
+} // namespace
 
 const char *PenTool::icon() const {
     return kind_ == ShapeKind::Polygon ? icon::kPolygon : icon::kPolyline;
@@ -152,17 +165,24 @@ void PenTool::pull(Vec2 to) {
 }
 
 void PenTool::finish(Shell &context) {
-    const bool enough = kind_ == ShapeKind::Polygon ? canClose() : path_.size() >= 2;
-    if (enough) {
+    if (canFinish()) {
         commit(context, kind_ == ShapeKind::Polygon);
     } else if (!path_.empty()) {
         announceTooFew(context);
     }
 }
 
+void PenTool::deactivate(Shell &context) {
+    if (canFinish()) {
+        finish(context);
+    }
+    discard(context); // what has too few nodes, or was refused
+    DrawingTool::deactivate(context);
+}
+
 void PenTool::announceTooFew(Shell &context) const {
-    context.log.announce(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes, or two and a curve"
-                                                     : "A polyline needs at least two nodes");
+    warn(context, kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes, or two and a curve"
+                                              : "A polyline needs at least two nodes");
 }
 
 void PenTool::commit(Shell &context, bool closed) {
@@ -215,7 +235,7 @@ void PenTool::discard(Shell &context) {
         discarded_ = std::move(path);
         discardedTyped_ = typedNodes_;
         discardedRevision_ = context.document.revision();
-        context.log.announce("The path is discarded; Ctrl Z brings it back");
+        warn(context, "The path is discarded; Ctrl Z brings it back");
     }
 }
 

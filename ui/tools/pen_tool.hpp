@@ -19,6 +19,8 @@ class PenTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &context) const override;
+    /// Makes a shape of the path if it has enough nodes; otherwise undo brings it back, with the tool.
+    void deactivate(Shell &context) override;
     bool undo(Shell &context) override;
     bool redo(Shell &context) override;
     std::string undoLabel(const Shell &context) const override;
@@ -47,6 +49,7 @@ class PenTool final : public DrawingTool {
     /// Returns the segment between two nodes.
     static Curve segment(const Node &from, const Node &to);
     bool anyCurved() const;
+    bool canFinish() const { return kind_ == ShapeKind::Polygon ? canClose() : path_.size() >= 2; }
     bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
     bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
     void commit(Shell &context, bool closed);
