@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -298,4 +300,27 @@ TEST_CASE("Pen: choosing another tool keeps a path that is too short, and undo b
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{2, 2}, {5, 2}, {2, 6}});
+}
+
+TEST_CASE("Select: the end of a line that is dropped on a side becomes a node of both, in one step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('L');
+    driver.clickPlace({3, 3});
+    driver.clickPlace({5, 5});
+    driver.key(key::kEnter);
+    driver.key('V');
+    driver.dragPlaces({5, 5}, {8.97, 6.3});
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 2);
+    const Shape &side = *driver.document().shapes[0], &line = *driver.document().shapes[1];
+    const Vec2 end = line.nodes.back();
+    CHECK(end.x == 9.0);
+    CHECK(std::find(side.nodes.begin(), side.nodes.end(), end) != side.nodes.end());
+    CHECK(driver.context().preview->faults.empty());
+    CHECK(driver.context().selection.nodes == std::set<NodeRef>{{line.id, 1}});
+    CHECK(driver.undoLabel() == "Move node");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[1]->nodes.back() == Vec2{5, 5});
 }

@@ -1,5 +1,6 @@
 #include "ui/tools/select_tool.hpp"
 
+#include "core/edit/join_segments.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
@@ -7,6 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -316,6 +320,37 @@ void SelectTool::updateMove(Shell &context) {
     EditState::apply(context, moved(snapped_.at), moveLabel(), stroke_);
 }
 
+void SelectTool::joinMoved(Shell &context) {
+    const std::shared_ptr<const Document> before = context.document.current();
+    if (grabbed_.kind != Hit::Kind::Node || before == start_) {
+        return;
+    }
+    std::set<std::uint32_t> moved{grabbed_.shape};
+    for (const NodeRef node : moving_.nodes) {
+        moved.insert(node.shape);
+    }
+    Document joined = *before;
+    for (const std::uint32_t shape : moved) {
+        joined = joinToSegments(joined, shape);
+    }
+    if (joined.shapes == before->shapes) {
+        return;
+    }
+    // A node inserted into the path itself renumbers those behind it.
+    std::set<NodeRef> nodes;
+    for (const NodeRef node : context.selection.nodes) {
+        const std::vector<Vec2> old = handlesOf(*findShape(*before, node.shape));
+        const std::vector<Vec2> now = handlesOf(*findShape(joined, node.shape));
+        const auto at = node.node < old.size() ? std::find(now.begin(), now.end(), old[node.node]) : now.end();
+        if (at != now.end()) {
+            nodes.insert({node.shape, static_cast<std::uint32_t>(at - now.begin())});
+        }
+    }
+    if (EditState::apply(context, std::move(joined), moveLabel(), stroke_)) {
+        context.selection.nodes = std::move(nodes);
+    }
+}
+
 bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
     if (mode_ != Mode::Moving) {
         return false;
@@ -327,6 +362,7 @@ bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
     }
     updateMove(context);
     if (answer == NumericEntry::Answer::Place) {
+        joinMoved(context);
         entry_.clear();
         mode_ = Mode::Idle; // the button is still down, but the move is over
         context.view.reveal(boxOf(snapped_.at, snapped_.at));
@@ -387,6 +423,8 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
         context.selection.nodes.merge(inside.nodes);
         context.selection.sources.merge(inside.sources);
         context.selection.markers.merge(inside.markers);
+    } else if (mode_ == Mode::Moving) {
+        joinMoved(context);
     } else if (mode_ == Mode::Boxing) {
         select(grabbed_, adds_, context.selection);
     } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {

@@ -67,6 +67,8 @@ class SelectTool final : public Tool {
     void drag(const CanvasEvent &event, Shell &context);
     /// Moves the selection to where the pointer or the typed numbers say.
     void updateMove(Shell &context);
+    /// Joins what was dragged by a node to the segments on which its nodes now lie, as drawing does.
+    void joinMoved(Shell &context);
     /// Handles numbers typed during a drag. Returns true if the event was used.
     bool typedMove(const CanvasEvent &event, Shell &context);
     void release(const CanvasEvent &event, Shell &context);
