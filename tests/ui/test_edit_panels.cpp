@@ -167,6 +167,27 @@ TEST_CASE("Context menu: opens with an empty selection and while a drawing tool 
     CHECK(driver.document().shapes.size() == 2);
 }
 
+TEST_CASE("Context menu: in a tool that does not show the selection, it does not act on one") {
+    Draughtsman driver;
+    for (const char tool : {'P', 'M', 'R'}) {
+        CAPTURE(tool);
+        driver.rectangle({1, 1}, {5, 5});
+        driver.key(tool);
+        const Pixel empty = driver.pixel({8, 8});
+        driver.moveTo(empty);
+        driver.press(empty, MouseButton::Right);
+        driver.release(empty, MouseButton::Right);
+        driver.settle();
+        REQUIRE(driver.has("contextmenu"));
+        for (const char *action : {"edit.cut", "edit.delete", "shape.hide"}) {
+            CHECK_FALSE(driver.has(std::string("contextmenu/") + action));
+        }
+        CHECK(driver.has("contextmenu/edit.paste"));
+        driver.key(key::kEscape);
+        driver.settle();
+    }
+}
+
 TEST_CASE("Select: picks only the chosen kinds of items") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});

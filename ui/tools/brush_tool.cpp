@@ -85,6 +85,7 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
             changed_ = false;
             stroke(event.place, context);
         } else if (event.button == MouseButton::Right) {
+            context.selection.clear(); // it is not drawn in this tool, so the menu must not act on it
             context.contextMenu = true;
         }
         return true;

@@ -83,6 +83,7 @@ void DrawingTool::release(Vec2 at, bool away, Shell &context) {
 bool DrawingTool::press(const CanvasEvent &event, Shell &context) {
     follow(event, context);
     if (event.button == MouseButton::Right && !inProgress()) {
+        context.selection.clear(); // it is not drawn in this tool, so the menu must not act on it
         context.contextMenu = true;
         return true;
     }

@@ -75,6 +75,7 @@ bool TrimTool::handle(const CanvasEvent &event, Shell &context) {
         return true;
     case Kind::Press:
         if (event.button == MouseButton::Right) {
+            context.selection.clear(); // it is not drawn in this tool, so the menu must not act on it
             context.contextMenu = true;
         } else if (event.button == MouseButton::Left) {
             if (const std::optional<Change> change = changeAt(event.place, context)) {
