@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace forefront::test {
 
@@ -62,6 +64,28 @@ TEST_CASE("Guess: a wrong click is explained, and the following click moves to t
     driver.settle();
     CHECK(driver.waits());
     CHECK(driver.run().explanation->advance == 2);
+}
+
+TEST_CASE("Guess: another tool shows the end again that was shown before") {
+    MeshedSquare driver;
+    const std::uint64_t end = driver.run().known;
+    const std::vector<Vec2> nodes = driver.mesh().nodes;
+    REQUIRE(driver.run().advance == end);
+    driver.key('Q');
+    driver.settle();
+    REQUIRE(driver.run().advance < end);
+    driver.key('V');
+    driver.settle();
+    CHECK(driver.run().advance == end);
+    CHECK(driver.mesh().nodes == nodes);
+    driver.key(key::kHome); // chosen by the user, who returns there
+    driver.settle();
+    const std::uint64_t start = driver.run().advance;
+    driver.key('Q');
+    driver.settle();
+    driver.key('V');
+    driver.settle();
+    CHECK(driver.run().advance == start);
 }
 
 } // namespace forefront::test

@@ -8,6 +8,8 @@
 
 #include <imgui.h>
 
+#include <utility>
+
 namespace forefront {
 
 const char *GuessTool::icon() const {
@@ -43,11 +45,21 @@ void GuessTool::startAgain() {
 
 void GuessTool::activate(Shell &context) {
     startAgain();
+    const SessionSnapshot &run = context.run.now();
+    const bool atEnd = context.run.hasRun() && !context.run.showsFile() && run.complete && run.advance == run.known;
+    endedRun_ = atEnd ? run.shownRun : 0;
     for (const char *layer : {"front", "candidates"}) {
         showLayer(context.layers, layer, true);
     }
     if (!asks(context)) {
         nextBase(context);
+    }
+}
+
+void GuessTool::deactivate(Shell &context) {
+    const std::uint64_t run = std::exchange(endedRun_, 0);
+    if (run != 0 && context.run.hasRun() && !context.run.showsFile() && context.run.now().shownRun == run) {
+        context.run.seekEnd();
     }
 }
 

@@ -18,6 +18,7 @@ class GuessTool final : public Tool {
     int key() const override { return 'Q'; }
     CursorShape cursor() const override { return CursorShape::Crosshair; }
     void activate(Shell &context) override;
+    void deactivate(Shell &context) override;
     bool handle(const CanvasEvent &event, Shell &context) override;
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }
@@ -37,6 +38,7 @@ class GuessTool final : public Tool {
     Vec2 place_;                          ///< of the last guess
     std::uint64_t run_ = 0, advance_ = 0; ///< that it belongs to
     int guesses_ = 0, points_ = 0;
+    std::uint64_t endedRun_ = 0; ///< whose end was shown when the tool was chosen, and is shown again; 0: none
 };
 
 } // namespace forefront
