@@ -188,6 +188,20 @@ TEST_CASE("Context menu: in a tool that does not show the selection, it does not
     }
 }
 
+TEST_CASE("Select: the buttons of its options stay in place when something is selected") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 5});
+    driver.key('V');
+    const auto places = [&] {
+        driver.settle();
+        const auto &widgets = driver.context().widgets;
+        return std::pair(widgets.find("options/delete")->rect.x, widgets.find("options/picks")->rect.x);
+    };
+    const auto selected = places();
+    driver.key(key::kEscape);
+    CHECK(places() == selected);
+}
+
 TEST_CASE("Select: picks only the chosen kinds of items") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});

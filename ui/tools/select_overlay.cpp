@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace forefront {
@@ -155,8 +156,10 @@ void SelectTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("selected");
     ImGui::AlignTextToFramePadding();
     const std::size_t count = selection.size();
-    ui::muted(context, count == 0 ? "Nothing selected" : std::to_string(count) + " selected");
-    ImGui::SameLine(0, context.px(16));
+    constexpr const char *kNothing = "Nothing selected";
+    const float room = ImGui::CalcTextSize(kNothing).x; // the widest usual text, so that the buttons stay in place
+    ui::muted(context, count == 0 ? kNothing : std::to_string(count) + " selected");
+    ImGui::SameLine(0, std::max(0.0F, room - ImGui::GetItemRectSize().x) + context.px(16));
     if (ui::button(context, "options/delete", "Delete", ui::ButtonKind::Plain, count > 0)) {
         context.actions.run("edit.delete", context);
     }
