@@ -41,8 +41,20 @@ Curve ChainShapes::curveOf(std::span<const Link> run) const {
     const Curve &whole = domain_.curves[first.curve];
     const Curve curve = from == 0.0 && to == 1.0 ? whole : whole.part(from, to);
     const Vec2 start = domain_.nodes[run.front().from], end = domain_.nodes[run.back().to];
-    const bool ends = distance(curve.point(0.0), start) <= tolerance_ && distance(curve.point(1.0), end) <= tolerance_;
-    return ends && curve.kind() == CurveKind::Arc ? curve : joining(curve, start, end);
+    if (curve.kind() != CurveKind::Arc) {
+        return joining(curve, start, end);
+    }
+    const Vec2 gaps[] = {start - curve.point(0.0), end - curve.point(1.0)};
+    if (std::max(length(gaps[0]), length(gaps[1])) <= tolerance_ && joins(curve, start, end)) {
+        return curve;
+    }
+    // An arc that is small in its drawing. To fit its chord, it is turned and scaled, which would change an arc that
+    // is nearly closed out of proportion.
+    constexpr double kMostChange = 0.01;
+    const double chord = distance(curve.point(0.0), curve.point(1.0));
+    const Curve fitting = length(gaps[1] - gaps[0]) <= kMostChange * chord ? joining(curve, start, end) : Curve();
+    return fitting.kind() == CurveKind::Arc && joins(fitting, start, end) ? fitting
+                                                                          : joining(cubicAlong(curve), start, end);
 }
 
 void ChainShapes::addRun(std::span<const Link> run, Shape &shape) const {

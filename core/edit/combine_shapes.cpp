@@ -4,6 +4,7 @@
 #include "core/edit/boundary_loops.hpp"
 #include "core/edit/domain_shapes.hpp"
 #include "core/edit/node_sizes.hpp"
+#include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
@@ -161,6 +162,9 @@ Result<Document> combineShapes(const Document &document, const std::set<std::uin
                 }
                 made.name = first.name;
                 made.use = made.use == ShapeUse::Boundary ? first.use : ShapeUse::Constraint;
+                if (Diagnostics faults = checkShape(made); !faults.empty()) {
+                    return faults;
+                }
                 fresh.shapes.insert(made.id);
                 next.shapes.push_back(std::make_shared<const Shape>(std::move(made)));
             }

@@ -7,6 +7,7 @@
 #include "core/edit/domain_shapes.hpp"
 #include "core/edit/domain_sources.hpp"
 #include "core/edit/node_sizes.hpp"
+#include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
@@ -61,7 +62,9 @@ class DrawingRepair {
         RepairedDrawing result{document_, std::move(repaired->changes), validate(repaired->domain), {}};
         if (!result.changes.empty()) {
             findChanged(*repaired);
-            replaceChanged(*repaired, result);
+            if (Status faults = replaceChanged(*repaired, result); !faults.empty()) {
+                return faults;
+            }
         }
         return result;
     }
@@ -110,7 +113,7 @@ class DrawingRepair {
                endsOf(domain.nodes[now.a], domain.nodes[now.b]) == endsOf(given_.nodes[then.a], given_.nodes[then.b]);
     }
 
-    void replaceChanged(const Repaired &repaired, RepairedDrawing &result) const {
+    Status replaceChanged(const Repaired &repaired, RepairedDrawing &result) const {
         const Domain &domain = repaired.domain;
         Document &next = result.document;
         std::vector<std::uint32_t> segments, points;
@@ -142,8 +145,12 @@ class DrawingRepair {
         for (Shape &shape : made) {
             shape.id = next.nextId++;
             shape.name = nameOf(shape, edges);
+            if (Diagnostics faults = checkShape(shape); !faults.empty()) {
+                return faults;
+            }
             next.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
         }
+        return {};
     }
 
     /// Gives the sizes at nodes of changed shapes to the nodes that these became: nodes of `made` or, where only shapes

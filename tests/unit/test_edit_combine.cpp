@@ -1,8 +1,10 @@
 #include "core/domain/validate.hpp"
 #include "core/edit/boundary_loops.hpp"
 #include "core/edit/combine_shapes.hpp"
+#include "core/edit/repair_drawing.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/unit/edit_support.hpp"
 
@@ -122,6 +124,40 @@ TEST_CASE("combineShapes: circles and rectangles combine by their outlines") {
     const Document result = combined(document, {1, 2}, ShapeOperation::Difference);
     CHECK(totalArea(result) == doctest::Approx(50.0 - 2.0 * std::numbers::pi).epsilon(0.01));
     CHECK(lengths(result).at(3) == doctest::Approx(2.0 * std::numbers::pi).epsilon(0.01));
+}
+
+TEST_CASE("combineShapes: shapes that are tiny beside another one become valid shapes, combined or repaired") {
+    testing::RandomSource random(12);
+    const auto around = [&](Vec2 at, double size) {
+        return at + size * Vec2{2.0 * random.unit() - 1.0, 2.0 * random.unit() - 1.0};
+    };
+    const auto checkAll = [](const Document &document) {
+        for (const auto &shape : document.shapes) {
+            const Diagnostics faults = checkShape(*shape);
+            CHECK_MESSAGE(faults.empty(), faults.front().message);
+        }
+    };
+    int made = 0;
+    for (int i = 0; i < 40; ++i) {
+        const double size = std::pow(10.0, -1.0 - 0.2 * i);
+        CAPTURE(size);
+        const Vec2 centre = around({0, 0}, 1.0), on = around({3, 0}, 1.0);
+        const Vec2 at = Curve::circle(centre, on).point(random.unit());
+        const Document document = documentOf({makeShape(ShapeKind::Circle, {centre, on}),
+                                              slotAround(around(at, size), around(at, size), 0.7 * size),
+                                              slotAround(around(at, size), around(at, size), 0.4 * size)});
+        for (const auto operation : {ShapeOperation::Union, ShapeOperation::Difference, ShapeOperation::Intersection,
+                                     ShapeOperation::Exclusion, ShapeOperation::Divide}) {
+            if (const auto result = combineShapes(document, {1, 2, 3}, operation)) {
+                checkAll(*result);
+                ++made;
+            }
+        }
+        const auto repaired = repairDrawing(document);
+        REQUIRE(repaired.ok());
+        checkAll(repaired->document);
+    }
+    CHECK(made > 100);
 }
 
 TEST_CASE("combineShapes: refuses open shapes, single ones, unknown ones, and an empty result") {
