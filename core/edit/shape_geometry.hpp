@@ -56,9 +56,6 @@ struct Chords {
 /// Returns the chords that stand for a shape in a domain; `outline` is that of the shape, and the curves of the
 /// stretches are its segments. See Document::circleTolerance.
 Chords chordsOf(const Shape &shape, const Outline &outline, double circleTolerance);
-/// Returns a polyline along an outline, for drawing; `tolerance` is its maximum distance from curves, in domain units.
-/// Closed outlines do not repeat their first point.
-std::vector<Vec2> flattened(const Outline &outline, double tolerance);
 
 /// Returns the number of corners of the polygon for a circle: the smallest multiple of four in [8, 4096] that keeps the
 /// sagitta within `tolerance`·radius.

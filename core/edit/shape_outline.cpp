@@ -174,22 +174,4 @@ Chords chordsOf(const Shape &shape, const Outline &outline, double circleToleran
     return chords;
 }
 
-std::vector<Vec2> flattened(const Outline &outline, double tolerance) {
-    std::vector<Vec2> points;
-    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        points.push_back(outline.from(k));
-        if (outline.isCurved(k)) {
-            for (const double t : outline.curves[k].flatten(tolerance)) {
-                if (t != 1.0) {
-                    points.push_back(outline.curves[k].point(t));
-                }
-            }
-        }
-    }
-    if (outline.segmentCount() < outline.nodes.size()) {
-        points.push_back(outline.nodes.back());
-    }
-    return points;
-}
-
 } // namespace forefront

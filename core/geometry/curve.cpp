@@ -303,8 +303,12 @@ double Curve::nearest(Vec2 p, double t0, double t1) const {
     for (int zoom = 0; zoom < kZooms; ++zoom) {
         const auto at = [&](int i) { return i == kSamples ? high : std::lerp(low, high, i / double{kSamples}); };
         int nearest = 0;
+        double least = distanceSquared(point(at(0)), p);
         for (int i = 1; i <= kSamples; ++i) {
-            nearest = distanceSquared(point(at(i)), p) < distanceSquared(point(at(nearest)), p) ? i : nearest;
+            if (const double d = distanceSquared(point(at(i)), p); d < least) {
+                nearest = i;
+                least = d;
+            }
         }
         best = at(nearest);
         const double before = at(std::max(nearest - 1, 0)), after = at(std::min(nearest + 1, kSamples));
@@ -387,6 +391,35 @@ std::vector<double> Curve::flatten(double tolerance, double t0, double t1) const
             open.back().second = halvings + 1;
             open.emplace_back(std::midpoint(from, to), halvings + 1);
         }
+    }
+    return result;
+}
+
+std::vector<double> Curve::flattenWithin(const Box2 &box, double tolerance, double t0, double t1) const {
+    std::vector<double> result;
+    if (!finite() || kind_ == CurveKind::Line) {
+        return {t1};
+    }
+    constexpr int kMostHalvings = 40;
+    const double small = box.diagonal();
+    std::vector<std::pair<double, int>> open = {{t1, 0}}; // ends of pieces and how often they were halved
+    double from = t0;
+    while (!open.empty()) {
+        const auto [to, halvings] = open.back();
+        const Box2 piece = bounds(from, to);
+        if (piece.overlaps(box) && piece.diagonal() > small && halvings < kMostHalvings) {
+            open.back().second = halvings + 1;
+            open.emplace_back(std::midpoint(from, to), halvings + 1);
+            continue;
+        }
+        if (piece.overlaps(box)) {
+            const std::vector<double> fine = flatten(tolerance, from, to);
+            result.insert(result.end(), fine.begin(), fine.end());
+        } else {
+            result.push_back(to);
+        }
+        from = to;
+        open.pop_back();
     }
     return result;
 }

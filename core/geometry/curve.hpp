@@ -80,6 +80,9 @@ class Curve {
     /// (domain units, > 0) from the part between; at most kMaxPieces of them. A curve that is not finite gives t1
     /// alone.
     std::vector<double> flatten(double tolerance, double t0 = 0.0, double t1 = 1.0) const;
+    /// Does the same for a view of a box: what is outside the box becomes a few pieces that do not enter it, however
+    /// small the tolerance is.
+    std::vector<double> flattenWithin(const Box2 &box, double tolerance, double t0 = 0.0, double t1 = 1.0) const;
     static constexpr std::size_t kMaxPieces = 10000;
 
     friend bool operator==(const Curve &, const Curve &) = default;

@@ -236,6 +236,38 @@ TEST_CASE("Canvas: the moved picture of a large mesh is where the mesh is") {
     }
 }
 
+TEST_CASE("Canvas: at the deepest zoom, a circle is drawn where it is") {
+    Draughtsman driver;
+    driver.key('C');
+    driver.dragPlaces({5, 4}, {8, 4});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.settle();
+    const Shape circle = *driver.document().shapes.at(0);
+    Camera &camera = driver.context().view.camera;
+    const PixelRect canvas = driver.canvas();
+    const Colour boundary = driver.context().theme.boundary;
+    const auto hits = [&](const Driver::Picture &picture) { // on a small cross, which the circle passes
+        int count = 0;
+        for (int k = -6; k <= 6; ++k) {
+            const auto x = static_cast<std::size_t>(canvas.centre().x), y = static_cast<std::size_t>(canvas.centre().y);
+            const std::size_t at =
+                4 * ((y + static_cast<std::size_t>(k)) * static_cast<std::size_t>(picture.size.width) + x);
+            count += std::abs(picture.rgba[at] - boundary.r) < 40 && std::abs(picture.rgba[at + 1] - boundary.g) < 40
+                         ? 1
+                         : 0;
+        }
+        return count;
+    };
+    camera.zoom = camera.maxZoom;
+    for (const double t : {0.1234567, 0.3456789, 0.6543219}) {
+        camera.centre = Curve::circle(circle.nodes[0], circle.nodes[1]).point(t);
+        driver.context().animate();
+        driver.settle();
+        CHECK(hits(driver.picture()) > 0);
+    }
+}
+
 TEST_CASE("Canvas: a small mesh is redrawn whenever the camera moves") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

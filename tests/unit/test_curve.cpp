@@ -256,6 +256,29 @@ TEST_CASE("curve: a flattened curve stays within the tolerance and ends exactly"
     CHECK(Curve::line({0, 0}, {1, 0}).flatten(1e-4).size() == 1);
 }
 
+TEST_CASE("curve: flattened within a box, it is fine there, and elsewhere its few pieces stay outside") {
+    RandomSource random(10);
+    for (int i = 0; i < 100; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit(), size = std::pow(10.0, -6.0 * random.unit());
+        const Box2 box = boxAround(curve.point(std::lerp(t0, t1, random.unit())), size);
+        const double tolerance = 1e-3 * size;
+        const std::vector<double> ends = curve.flattenWithin(box, tolerance, t0, t1);
+        REQUIRE(ends.back() == t1);
+        CHECK(ends.size() < 500);
+        double from = t0;
+        for (const double to : ends) {
+            const Box2 piece = curve.bounds(from, to);
+            CHECK((!piece.overlaps(box) || curve.deviation(from, to) <= tolerance * (1.0 + 1e-6)));
+            CHECK((to > from) == (t1 > t0));
+            from = to;
+        }
+    }
+    const Curve circle = Curve::circle({0, 0}, {1, 0});
+    CHECK(circle.flattenWithin(boxAround({0, 0}, 9), 1e-4) == circle.flatten(1e-4)); // all of it
+    CHECK(circle.flattenWithin(boxAround({9, 9}, 1), 1e-4).size() == 1);
+}
+
 TEST_CASE("curve: data that is not finite and absurd tolerances give a bounded number of pieces") {
     for (const double bad : {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
         CHECK_FALSE(Curve::cubic({0, 0}, {bad, 1}, {1, 1}, {2, 0}).finite());

@@ -1,5 +1,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 
+#include "core/edit/shape_geometry.hpp"
+
 #include <glm/common.hpp>
 #include <imgui.h>
 
@@ -104,16 +106,32 @@ void CanvasPainter::polyline(std::span<const Vec2> points, bool closed, Colour c
                       im(width * scale_));
 }
 
-double CanvasPainter::curveTolerance() const {
-    return camera_.length(0.2 * scale_);
+void CanvasPainter::addAlong(const Curve &curve, double width, std::vector<Vec2> &points) const {
+    const Box2 box = camera_.visible().grown(camera_.length(width * scale_));
+    for (const double t : curve.flattenWithin(box, camera_.length(0.2 * scale_))) {
+        points.push_back(curve.point(t));
+    }
 }
 
 void CanvasPainter::curve(const Curve &curve, Colour colour, double width) {
     std::vector<Vec2> points = {curve.point(0.0)};
-    for (const double t : curve.flatten(curveTolerance())) {
-        points.push_back(curve.point(t));
-    }
+    addAlong(curve, width, points);
     polyline(points, false, colour, width);
+}
+
+void CanvasPainter::outline(const Outline &outline, Colour colour, double width) {
+    std::vector<Vec2> points;
+    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+        points.push_back(outline.from(k));
+        if (outline.isCurved(k)) {
+            addAlong(outline.curves[k], width, points);
+            points.pop_back(); // the next node
+        }
+    }
+    if (outline.segmentCount() < outline.nodes.size()) {
+        points.push_back(outline.nodes.back());
+    }
+    polyline(points, outline.closed, colour, width);
 }
 
 void CanvasPainter::triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill) {

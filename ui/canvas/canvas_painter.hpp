@@ -13,6 +13,8 @@ struct ImFont;
 
 namespace forefront {
 
+struct Outline;
+
 /// Draws primitives over the canvas that change with every frame, such as tool overlays, labels and candidates.
 /// Positions are in domain units, widths and radii in design pixels (scaled for HiDPI here). It can draw thousands of
 /// primitives; millions belong in GPU batches.
@@ -27,8 +29,8 @@ class CanvasPainter {
     void polyline(std::span<const Vec2> points, bool closed, Colour colour, double width = 1.5);
     /// Draws a curve as a polyline that looks smooth at the current zoom.
     void curve(const Curve &curve, Colour colour, double width = 1.5);
-    /// Returns the maximum distance between a curve and a polyline that looks the same, in domain units.
-    double curveTolerance() const;
+    /// Does the same for all segments of an outline.
+    void outline(const Outline &outline, Colour colour, double width = 1.5);
     void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
     void rectangle(const Box2 &box, Colour colour, double width = 1.0);
     void fillRectangle(const Box2 &box, Colour fill);
@@ -59,6 +61,8 @@ class CanvasPainter {
     ImDrawList &list() { return list_; }
 
   private:
+    /// Adds the points after the first of a polyline along a curve, fine enough in the view to look smooth.
+    void addAlong(const Curve &curve, double width, std::vector<Vec2> &points) const;
     PixelRect labelRect(Vec2 at, Pixel offset, std::string_view text, ImFont *font) const;
 
     ImDrawList &list_;

@@ -48,11 +48,16 @@ class BoundaryLayer final : public Layer {
 
   private:
     void update(const LayerFrame &frame) {
-        // Curves become polylines finer than the pixels; recomputed when the zoom crosses a power of two.
+        // Curves become polylines finer than the pixels in and around the view; recomputed when the zoom crosses a
+        // power of two, and when the view leaves that area. All of a curve would be too much where the zoom is deep.
         const int zoom = frame.domain.curves.empty() ? 0 : std::ilogb(frame.camera.zoom);
-        if (revision_ == frame.revision && theme_ == frame.theme.kind && zoom_ == zoom) {
+        const Box2 visible = frame.camera.visible();
+        const bool covered = !partial_ || (detailed_.contains(visible.min) && detailed_.contains(visible.max));
+        if (revision_ == frame.revision && theme_ == frame.theme.kind && zoom_ == zoom && covered) {
             return;
         }
+        detailed_ = visible.grown(visible.diagonal());
+        partial_ = false;
         revision_ = frame.revision;
         theme_ = frame.theme.kind;
         zoom_ = zoom;
@@ -62,8 +67,8 @@ class BoundaryLayer final : public Layer {
         points_.clear();
         const bool hides = std::any_of(frame.document.shapes.begin(), frame.document.shapes.end(),
                                        [](const auto &shape) { return shape->hidden; });
-        const Domain visible = hides ? visiblePart(frame.document) : Domain();
-        const Domain &domain = hides ? visible : frame.domain;
+        const Domain shown = hides ? visiblePart(frame.document) : Domain();
+        const Domain &domain = hides ? shown : frame.domain;
         for (const DomainSegment &segment : domain.segments) {
             const bool outer = segment.role == SegmentRole::Boundary;
             const Colour colour = outer ? frame.theme.boundary : frame.theme.constraint;
@@ -85,12 +90,13 @@ class BoundaryLayer final : public Layer {
     }
 
     /// Returns the points of a polyline along a segment, its second end included.
-    static std::vector<Vec2> alongSegment(const Domain &domain, const DomainSegment &segment, double tolerance) {
+    std::vector<Vec2> alongSegment(const Domain &domain, const DomainSegment &segment, double tolerance) {
         std::vector<Vec2> points;
         const CurveStretch &stretch = segment.stretch;
         if (stretch.curve < domain.curves.size()) {
             const Curve &curve = domain.curves[stretch.curve];
-            const std::vector<double> ends = curve.flatten(tolerance, stretch.t0, stretch.t1);
+            const std::vector<double> ends = curve.flattenWithin(detailed_, tolerance, stretch.t0, stretch.t1);
+            partial_ = partial_ || !holds(detailed_, curve.bounds(stretch.t0, stretch.t1));
             for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
                 points.push_back(curve.point(ends[k]));
             }
@@ -100,7 +106,9 @@ class BoundaryLayer final : public Layer {
     }
 
     LineBatch boundary_, constraints_, points_;
-    int zoom_ = 0; ///< exponent of the zoom that the curves are fine enough for
+    int zoom_ = 0;         ///< exponent of the zoom that the curves are fine enough for
+    Box2 detailed_;        ///< where they are
+    bool partial_ = false; ///< curves reach beyond it
     std::uint64_t revision_ = 0;
     ThemeKind theme_ = ThemeKind::Dark;
 };

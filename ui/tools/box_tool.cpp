@@ -124,8 +124,7 @@ void BoxTool::drawSketch(CanvasPainter &painter, Shell &context) {
             painter.dashed({first_->x, second.y}, second, fade(theme.selection, 0.4), 1.0);
             painter.dashed({second.x, first_->y}, second, fade(theme.selection, 0.4), 1.0);
         }
-        const Outline outline = outlineOf(shapeTo(second));
-        painter.polyline(flattened(outline, painter.curveTolerance()), true, theme.selection, 2.0);
+        painter.outline(outlineOf(shapeTo(second)), theme.selection, 2.0);
         const Vec2 size{std::abs(second.x - first_->x), std::abs(second.y - first_->y)};
         drawMeasure(painter, context, ui::number(size.x) + " \xc3\x97 " + ui::number(size.y));
     } else {

@@ -40,8 +40,7 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
         }
         const bool whole = selection.shapes.contains(shape->id);
         const Outline outline = outlineOf(*shape);
-        painter.polyline(flattened(outline, painter.curveTolerance()), outline.closed,
-                         fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
+        painter.outline(outline, fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
         const std::vector<Vec2> handles = handlesOf(*shape);
         for (std::uint32_t k = 0; k < handles.size() && drawn < kMaxHandles; ++k) {
             if (visible.contains(handles[k])) {

@@ -58,8 +58,7 @@ void SlotTool::drawSketch(CanvasPainter &painter, Shell &context) {
         const double radius = radiusTo(pointer_.at);
         painter.dashed(centres_[0], centres_[1], fade(theme.selection, 0.6), 1.0);
         if (radius > 0.0) {
-            const Outline outline = outlineOf(slotAround(centres_[0], centres_[1], radius));
-            painter.polyline(flattened(outline, painter.curveTolerance()), true, theme.selection, 2.0);
+            painter.outline(outlineOf(slotAround(centres_[0], centres_[1], radius)), theme.selection, 2.0);
         }
         measure = "r = " + ui::number(radius);
     }
