@@ -105,7 +105,8 @@ class Strip {
   public:
     Strip(const CurvePart &first, const CurvePart &second, double tolerance)
         : first_(first, first.start, first.along),
-          second_(second, first.start, first.along), curves_{&first.curve, &second.curve}, tolerance_(tolerance) {}
+          second_(second, first.start, first.along), curves_{&first.curve, &second.curve}, tolerance_(tolerance),
+          noise_(std::max(first.noise, second.noise)) {}
 
     std::vector<CurveContact> run() {
         const double low = std::max(first_.low(), second_.low()), high = std::min(first_.high(), second_.high());
@@ -151,7 +152,7 @@ class Strip {
         const bool sameSide = (left.gap > 0.0) == (right.gap > 0.0) && (left.gap > 0.0) == (middle.gap > 0.0);
         if (sameSide && least > off + tolerance_) {
             append(right, true);
-        } else if (off <= 0.25 * tolerance_ || halvings == 0) {
+        } else if (off <= 0.25 * tolerance_ || width <= noise_ || halvings == 0) { // bends within noise are arbitrary
             append(middle, false);
             append(right, false);
         } else {
@@ -222,7 +223,7 @@ class Strip {
     CurveGraph first_;
     CurveGraph second_;
     const Curve *curves_[2];
-    double tolerance_;
+    double tolerance_, noise_;
     std::vector<Sample> samples_;
     std::vector<std::uint8_t> clear_; ///< per sample: the curves are apart between it and the one before
 };

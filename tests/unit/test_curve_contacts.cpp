@@ -1,3 +1,4 @@
+#include "core/edit/curve_crossings.hpp"
 #include "core/geometry/curve_contacts.hpp"
 #include "tests/support/random_domains.hpp"
 
@@ -59,5 +60,17 @@ TEST_CASE("curve contacts: a line that just misses or just crosses an arc") {
     for (const CurveContact &contact : crossing) {
         CHECK(contact.crossing);
         CHECK(std::fabs(std::fabs(contact.onFirst.x) - half) < 1e-10);
+    }
+}
+
+TEST_CASE("curve contacts: a piece as short as the rounding of its coordinates takes no more than a few samples") {
+    // The second control point of the cubic, rounded, is just beyond its end: a cusp.
+    const Vec2 end{2.6356478118823627, -999999999999914};
+    const Curve cubic =
+        Curve::cubic({8.9999999648563698, -4e16}, {9.3041712856720302, -21735105435802704}, end + Vec2{0.0, 2.0}, end);
+    for (const double tolerance : {5e5, 2.7e8}) {
+        for (const CurveCrossing &crossing : crossingsOf(Curve::line({0, -5e14}, {0, -1e15}), cubic, tolerance)) {
+            CHECK(distance(crossing.at, end) < 1e9);
+        }
     }
 }
