@@ -407,7 +407,8 @@ std::vector<double> Curve::flattenWithin(const Box2 &box, double tolerance, doub
     while (!open.empty()) {
         const auto [to, halvings] = open.back();
         const Box2 piece = bounds(from, to);
-        if (piece.overlaps(box) && piece.diagonal() > small && halvings < kMostHalvings) {
+        if (piece.overlaps(box) && piece.diagonal() > small && halvings < kMostHalvings &&
+            result.size() + open.size() < kMaxPieces) {
             open.back().second = halvings + 1;
             open.emplace_back(std::midpoint(from, to), halvings + 1);
             continue;

@@ -288,6 +288,8 @@ TEST_CASE("curve: data that is not finite and absurd tolerances give a bounded n
     for (const double size : {1e-300, 1.0, 1e150}) {
         CHECK(Curve::cubic({0, 0}, {size, size}, {size, -size}, {0, 1}).flatten(1e-30).size() <= Curve::kMaxPieces);
         CHECK(Curve::arc({0, 0}, {size, 0}, {0, size}).flatten(1e-30).size() <= Curve::kMaxPieces);
+        const Curve far = Curve::arc({0, 0}, {size, 0}, {0, size}, 1.0, 1e-12); // the box is finer than its rounding
+        CHECK(far.flattenWithin(boxAround(far.point(0.5), 1e-20 * size), 1e-30 * size).size() < 100000);
     }
 }
 
