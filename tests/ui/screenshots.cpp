@@ -68,6 +68,11 @@ std::vector<Scene> scenes() {
         driver.click("tool/select");
         driver.context().selection.segments = {{driver.context().document.current()->shapes.front()->id, 0}};
     };
+    const auto inspectShape = [](Driver &driver) {
+        driver.click("tool/select");
+        driver.context().selection.shapes = {driver.context().document.current()->shapes.front()->id};
+        showLayer(driver.context().layers, "dimensions", true);
+    };
     return {{"meshed", [](Driver &) {}},
             {"inspector", inspect},
             {"rectangle", tool("rectangle")},
@@ -83,6 +88,13 @@ std::vector<Scene> scenes() {
              }},
             {"quality", [](Driver &driver) { showLayer(driver.context().layers, "quality", true); }},
             {"rulers", action("view.rulers")},
+            {"dimensions",
+             [](Driver &driver) {
+                 driver.context().selection.clear();
+                 showLayer(driver.context().layers, "size", false);
+                 showLayer(driver.context().layers, "dimensions", true);
+             }},
+            {"dimensions-selected", inspectShape},
             {"steps", panel("steps")},
             {"statistics", panel("statistics")},
             {"checks", panel("checks")},
@@ -138,6 +150,7 @@ TEST_CASE("Screenshots: panels and dialogs" * doctest::skip()) {
                 driver.context().dialogs.closeAll();
                 driver.context().settings.rulers = false;
                 showLayer(driver.context().layers, "size", true);
+                showLayer(driver.context().layers, "dimensions", false);
                 driver.settle();
             }
         }

@@ -227,14 +227,22 @@ bool CanvasPainter::freeLabel(Vec2 at, Pixel offset, std::string_view text, Colo
     const PixelRect first = labelRect(at, offset, text, font);
     const double height = first.height / scale_ + 1.0;
     const double mirrored = -offset.x - first.width / scale_ + 2.0 * kLabelPadX;
+    std::vector<Pixel> offsets;
     for (const double level : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
         for (const double x : {offset.x, mirrored}) {
-            const Pixel place{x, offset.y + level * height};
-            const PixelRect rect = labelRect(at, place, text, font);
-            if (std::none_of(taken_.begin(), taken_.end(), [&](const PixelRect &t) { return rect.overlaps(t); })) {
-                label(at, place, text, colour, plate, font);
-                return true;
-            }
+            offsets.emplace_back(x, offset.y + level * height);
+        }
+    }
+    return freeLabel(at, offsets, text, colour, plate, font);
+}
+
+bool CanvasPainter::freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour,
+                              Colour plate, ImFont *font) {
+    for (const Pixel offset : offsets) {
+        const PixelRect rect = labelRect(at, offset, text, font);
+        if (std::none_of(taken_.begin(), taken_.end(), [&](const PixelRect &t) { return rect.overlaps(t); })) {
+            label(at, offset, text, colour, plate, font);
+            return true;
         }
     }
     return false;

@@ -49,6 +49,9 @@ class CanvasPainter {
     /// Draws a label where it covers no other label and no reserved area: at `offset`, otherwise on the other side of
     /// the place, above or below it. Returns false, and draws nothing, if all of these are taken.
     bool freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    /// Draws a label at the first of some offsets where it covers no other label and no reserved area.
+    bool freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour, Colour plate,
+                   ImFont *font = nullptr);
     /// Keeps free labels out of a rectangle of pixels.
     void reserve(const PixelRect &rect) { taken_.push_back(rect); }
     /// Keeps free labels off a place, such as a handle; the radius is in design pixels.

@@ -31,6 +31,8 @@ std::unique_ptr<Layer> makeCandidatesLayer();
 std::unique_ptr<Layer> makeTestsLayer();
 /// Writes the names of boundary parts and, close up, the numbers of nodes.
 std::unique_ptr<Layer> makeLabelsLayer();
+/// Writes lengths, radii and angles of the drawing, or of the selected shapes.
+std::unique_ptr<Layer> makeDimensionsLayer();
 /// Draws size sources and region markers.
 std::unique_ptr<Layer> makeMarksLayer();
 /// Marks the faults of the drawing.
