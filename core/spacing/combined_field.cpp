@@ -18,6 +18,35 @@ const char *capWords(SpacingOrigin origin) {
     }
 }
 
+/// Returns the rule that sets the cap, as a label that no site has.
+SiteLabel capRule(SpacingOrigin origin) {
+    return {origin, SiteReason::Source, 0};
+}
+
+/// Returns the rule of a sample of a part evaluated point by point: the same as that of the sites from which the
+/// gradation limit spreads it.
+SiteLabel partRule(const SpacingSample &sample) {
+    switch (sample.origin) {
+    case SpacingOrigin::Expression:
+        return {sample.origin, SiteReason::ExpressionEdge, 0};
+    case SpacingOrigin::Paint:
+        return {sample.origin, SiteReason::PaintEdge, 0};
+    case SpacingOrigin::Background:
+        return {sample.origin, SiteReason::BackgroundEdge, 0};
+    case SpacingOrigin::Region:
+        return {sample.origin, SiteReason::RegionEdge, sample.source};
+    default:
+        return {sample.origin, SiteReason::Source, sample.source};
+    }
+}
+
+/// Returns true if two labels are of one rule. Lengths, bends, gaps and corners of all segments are one rule each,
+/// since the neighbour of a segment demands nearly the same.
+bool sameRule(const SiteLabel &a, const SiteLabel &b) {
+    const bool each = a.reason <= SiteReason::NodeSize; // not made from the whole boundary
+    return a.origin == b.origin && a.reason == b.reason && (a.index == b.index || !each);
+}
+
 /// Returns the maximum of a site over a box, which is at a corner.
 double maximumOverBox(const SizeSite &site, const Box2 &box) {
     return std::max(
@@ -89,26 +118,70 @@ void CombinedField::atMany(std::span<const Vec2> points, std::span<double> rho) 
 
 SpacingSample CombinedField::sample(Vec2 p) const {
     SpacingSample sample{parts_.cap, parts_.capOrigin, 0, capWords(parts_.capOrigin)};
+    SiteLabel rule = capRule(parts_.capOrigin);
     for (std::size_t i = 0; i < parts_.few.sites.size(); ++i) {
         if (parts_.few.sites[i].at(p) < sample.rho) {
-            sample = sampleSite(parts_.few.sites[i], parts_.few.labels[i], parts_.words, p);
+            rule = parts_.few.labels[i];
+            sample = sampleSite(parts_.few.sites[i], rule, parts_.words, p);
         }
     }
     forPoints([&](const auto &part) {
         if (part.at(p) < sample.rho) {
             sample = part.sample(p, parts_.words);
+            rule = partRule(sample);
         }
     });
     if (parts_.tree && parts_.tree->at(p) < sample.rho) {
         const std::size_t winner = parts_.tree->winner(p);
-        sample = sampleSite(parts_.tree->sites()[winner], parts_.treeLabels[winner], parts_.words, p);
+        rule = parts_.treeLabels[winner];
+        sample = sampleSite(parts_.tree->sites()[winner], rule, parts_.words, p);
     }
     if (sample.rho <= parts_.minimum) {
         sample.origin = SpacingOrigin::Minimum;
         sample.describe = capWords(SpacingOrigin::Minimum);
+        rule = capRule(SpacingOrigin::Minimum);
     }
     sample.rho = inlineAt(p);
+    sample.runnerUp = runnerUp(p, rule);
+    if (sample.runnerUp) { // the tree is less exact than its sites
+        sample.runnerUp->rho = std::max(sample.runnerUp->rho, sample.rho);
+    }
     return sample;
+}
+
+std::optional<SpacingRunnerUp> CombinedField::runnerUp(Vec2 p, const SiteLabel &winner) const {
+    SpacingRunnerUp least{std::numeric_limits<double>::infinity(), {}};
+    if (!sameRule(winner, capRule(parts_.capOrigin))) {
+        least = {parts_.cap, capWords(parts_.capOrigin)};
+    }
+    const auto compare = [&](const std::vector<SizeSite> &sites, const std::vector<SiteLabel> &labels) {
+        std::size_t best = sites.size();
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            if (!sameRule(labels[i], winner) &&
+                sites[i].at(p) < (best < sites.size() ? sites[best].at(p) : least.rho)) {
+                best = i;
+            }
+        }
+        if (best < sites.size()) {
+            least = {sites[best].at(p), sampleSite(sites[best], labels[best], parts_.words, p).describe};
+        }
+    };
+    compare(parts_.few.sites, parts_.few.labels);
+    forPoints([&](const auto &part) {
+        if (!(part.at(p) < least.rho)) {
+            return;
+        }
+        SpacingSample sample = part.sample(p, parts_.words);
+        if (!sameRule(partRule(sample), winner)) {
+            least = {sample.rho, std::move(sample.describe)};
+        } else if (sample.runnerUp && sample.runnerUp->rho < least.rho) {
+            least = std::move(*sample.runnerUp);
+        }
+    });
+    if (parts_.tree) {
+        compare(parts_.tree->sites(), parts_.treeLabels);
+    }
+    return least.rho < std::numeric_limits<double>::infinity() ? std::optional(std::move(least)) : std::nullopt;
 }
 
 } // namespace forefront

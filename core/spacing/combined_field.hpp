@@ -117,6 +117,8 @@ class CombinedField final : public SpacingField {
     void forPoints(const Visit &visit) const {
         std::apply([&](const auto &...part) { ((part ? visit(*part) : void()), ...); }, parts_.points);
     }
+    /// Returns the smallest size at p of all rules but one.
+    std::optional<SpacingRunnerUp> runnerUp(Vec2 p, const SiteLabel &winner) const;
     double inlineAt(Vec2 p) const {
         double rho = parts_.cap;
         for (const SizeSite &site : parts_.few.sites) {

@@ -21,6 +21,9 @@ class ScaledField final : public SpacingField {
     SpacingSample sample(Vec2 p) const override {
         SpacingSample sample = field_->sample(p);
         sample.rho *= factor_;
+        if (sample.runnerUp) {
+            sample.runnerUp->rho *= factor_;
+        }
         return sample;
     }
     double minimum() const override { return factor_ * field_->minimum(); }

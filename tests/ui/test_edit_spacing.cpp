@@ -217,6 +217,35 @@ TEST_CASE("Inspector: fields do not move as the pointer approaches them") {
     CHECK(driver.context().widgets.find("spacing/size")->rect.y == over);
 }
 
+TEST_CASE("Inspector: the runner-up of the node spacing stands below the winner, and nothing moves") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.key(key::kEscape);
+    Document sized = driver.document();
+    sized.spacing = {};
+    sized.spacing.size = 1.0;
+    driver.context().document.apply(std::move(sized), "Size");
+    driver.settle();
+    driver.moveToPlace({3, 3});
+    driver.frames(3);
+    CHECK_FALSE(driver.has("inspector/runnerup")); // there is one rule
+    const double below = driver.context().widgets.find("spacing/size")->rect.y;
+    Document source = driver.document();
+    source.spacing.sources.push_back({SourceShape::Point, {3, 3}, {}, 0.0, 0.25, 0.25, "pier head"});
+    driver.context().document.apply(std::move(source), "Source");
+    driver.settle();
+    driver.moveToPlace({3.5, 3});
+    driver.frames(3);
+    REQUIRE(driver.has("inspector/runnerup"));
+    const PixelRect winner = driver.context().widgets.find("inspector/here")->rect,
+                    next = driver.context().widgets.find("inspector/runnerup")->rect;
+    CHECK(next.y >= winner.y + winner.height - 1.0);
+    CHECK(next.width > 20.0);
+    CHECK(driver.context().widgets.find("spacing/size")->rect.y == below);
+    CHECK(next.y + next.height <= below);
+}
+
 TEST_CASE("Inspector: reports an error in the spacing, but none for an empty drawing") {
     Draughtsman driver;
     REQUIRE(driver.has("inspector/here"));

@@ -1,4 +1,5 @@
 #include "core/domain/domain.hpp"
+#include "core/spacing/scaled_field.hpp"
 #include "core/spacing/spacing_field.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -75,6 +76,56 @@ TEST_CASE("SpacingField: sources, constant and expression combine by minimum and
     CHECK(field->sample({3.5, 3}).describe == "source 'pier head'");
     CHECK(field->sample({5, 9.6}).describe == "source 1");
     CHECK(field->sample({0.5, 6}).describe == "expression 0.5 + 0.1*x");
+}
+
+TEST_CASE("SpacingField: a sample names the rule with the next larger size") {
+    Domain domain = rectangle(8, 4, 1, 1);
+    domain.segments[1].tag = 5; // from (8, 0) to (8, 4)
+    domain.boundaryNames[5] = "outlet";
+    SpacingSpec spec;
+    spec.size = 1.0;
+    const auto constant = built(spec, domain);
+    CHECK_FALSE(constant->sample({4, 2}).runnerUp);
+    spec.sources.push_back({SourceShape::Point, {2, 2}, {}, 0.0, 0.25, 0.25, "pier"});
+    spec.partSizes = {{5, {0.125, 0.25}}};
+    const auto field = built(spec, domain);
+    const auto check = [&](Vec2 p, const char *winner, double rho, const char *next) {
+        const SpacingSample sample = field->sample(p);
+        CHECK(sample.describe == winner);
+        CHECK(sample.rho == field->at(p));
+        REQUIRE(sample.runnerUp);
+        CHECK(sample.runnerUp->rho == doctest::Approx(rho));
+        CHECK(sample.runnerUp->describe == next);
+    };
+    check({2, 2}, "source 'pier'", 1.0, "constant"); // the size of the outlet would be 1.625
+    check({4.5, 2}, "source 'pier'", 1.0, "constant");
+    check({5, 2}, "size of 'outlet'", 1.0, "constant"); // 0.875; the source asks for 1.0 as well
+    check({6, 2}, "size of 'outlet'", 1.0, "constant");
+    check({4.8, 2}, "size of 'outlet'", 0.95, "source 'pier'"); // 0.925
+    check({4.7, 2}, "source 'pier'", 0.95, "size of 'outlet'"); // 0.925
+    check({0, 0}, "source 'pier'", 1.0, "constant");
+    spec.size = 0.1;
+    const auto fine = built(spec, domain);
+    CHECK(fine->sample({2, 2}).describe == "constant");
+    CHECK(fine->sample({2, 2}).runnerUp->describe == "source 'pier'");
+    CHECK(scaledField(fine, 2.0)->sample({2, 2}).runnerUp->rho == doctest::Approx(0.5));
+}
+
+TEST_CASE("SpacingField: the lengths of all boundary segments are one rule, with sites in a list and in a tree") {
+    for (const int pieces : {5, 500}) {
+        CAPTURE(pieces);
+        SpacingSpec spec;
+        spec.fromBoundary = true;
+        spec.size = 5.0;
+        const auto field = built(spec, rectangle(10, 10, pieces, pieces));
+        for (const Vec2 p : {Vec2{5, 0.1}, Vec2{0.3, 0.2}, Vec2{9.9, 7}}) {
+            const SpacingSample sample = field->sample(p);
+            CHECK(sample.describe.starts_with("length of boundary segment "));
+            REQUIRE(sample.runnerUp);
+            CHECK(sample.runnerUp->rho == 5.0);
+            CHECK(sample.runnerUp->describe == "constant");
+        }
+    }
 }
 
 TEST_CASE("SpacingField: automatic spacing respects short segments and is graded") {

@@ -121,40 +121,62 @@ void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
     }
 }
 
-/// Returns the node spacing under the pointer and the part of the spacing that sets it, or the reason why there is
-/// none.
-std::string spacingHere(const Workspace &context) {
+/// The node spacing under the pointer and what sets it.
+struct SpacingHere {
+    std::string winner;   ///< spacing and the part that sets it, or the reason why there is none
+    std::string runnerUp; ///< the next larger spacing and its part; may be empty
+};
+
+SpacingHere spacingHere(const Workspace &context) {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
     const std::shared_ptr<const Domain> &domain = context.preview->domain;
     if (!spacing) {
         const bool empty = !domain || domain->nodes.empty();
-        return empty ? "Draw a domain to see its spacing here." : "The spacing has an error: see Checks.";
+        return {empty ? "Draw a domain to see its spacing here." : "The spacing has an error: see Checks.", {}};
     }
     if (!context.view.pointer) {
-        return "Point at the canvas to read the spacing there.";
+        return {"Point at the canvas to read the spacing there.", {}};
     }
     const SpacingSample sample = spacing->sample(*context.view.pointer);
-    return "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe;
+    SpacingHere here{"\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, {}};
+    if (sample.runnerUp) {
+        here.runnerUp = "then " + ui::number(sample.runnerUp->rho, 3) + ": " + sample.runnerUp->describe;
+    }
+    return here;
 }
 
-/// Draws spacingHere() in exactly two lines, so that the fields below do not move under the pointer. A tooltip shows
+/// Draws spacingHere() in exactly three lines, so that the fields below do not move under the pointer. A tooltip shows
 /// text that does not fit.
 void InspectorPanel::drawHere(Shell &context) const {
     const float top = ImGui::GetCursorPosY();
-    const std::string text = spacingHere(context);
+    const SpacingHere here = spacingHere(context);
     ImGui::PushFont(context.fonts.small);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string winner = ui::twoLines(here.winner, width);
+    const bool wraps = winner.find('\n') != std::string::npos;
+    const std::string runnerUp = wraps ? ui::oneLine(here.runnerUp, width) : ui::twoLines(here.runnerUp, width);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 0.0F));
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
-    const std::string shown = ui::twoLines(text, ImGui::GetContentRegionAvail().x);
-    ImGui::TextUnformatted(shown.c_str());
-    ImGui::PopStyleColor();
+    ImGui::TextUnformatted(winner.c_str());
     ui::mark(context, "inspector/here");
+    if (winner.ends_with("\xe2\x80\xa6")) {
+        ui::tooltip(context, here.winner);
+    }
     if (!context.preview->spacing && context.preview->domain && !context.preview->domain->nodes.empty()) {
         ui::mark(context, "inspector/fault");
     }
-    if (shown.ends_with("\xe2\x80\xa6")) {
-        ui::tooltip(context, text);
+    ImGui::PopStyleColor();
+    if (!runnerUp.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, fade(context.theme.muted, 0.8));
+        ImGui::TextUnformatted(runnerUp.c_str());
+        ImGui::PopStyleColor();
+        ui::mark(context, "inspector/runnerup");
+        if (runnerUp.ends_with("\xe2\x80\xa6")) {
+            ui::tooltip(context, here.runnerUp);
+        }
     }
-    const float room = 2.0F * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::PopStyleVar();
+    const float room = 3.0F * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
     ImGui::PopFont();
     ImGui::SetCursorPosY(top + room);
 }

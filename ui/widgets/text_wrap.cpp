@@ -50,6 +50,16 @@ std::string twoLines(std::string_view text, float width) {
     return lines + "\xe2\x80\xa6";
 }
 
+std::string oneLine(std::string_view text, float width) {
+    std::string line(text);
+    const auto tooWide = [&] { return ImGui::CalcTextSize(line.c_str()).x > width; };
+    for (std::size_t cut = text.rfind(' '); tooWide() && cut != std::string_view::npos && cut > 0;
+         cut = text.rfind(' ', cut - 1)) {
+        line = std::string(text.substr(0, cut)) + "\xe2\x80\xa6";
+    }
+    return line;
+}
+
 void wrappedText(std::string_view text, float width) {
     const float room = width > 0.0F ? width : ImGui::GetContentRegionAvail().x;
     const std::string lines = wrapped(text, room);

@@ -85,7 +85,13 @@ double GradedSources::at(Vec2 p) const {
 SpacingSample GradedSources::sample(Vec2 p, const SiteWords &words) const {
     const auto winner =
         std::min_element(lines_.begin(), lines_.end(), [p](const Line &a, const Line &b) { return a.at(p) < b.at(p); });
-    return {winner->at(p), SpacingOrigin::Source, winner->source, sourceWords(words, winner->source)};
+    SpacingSample sample{winner->at(p), SpacingOrigin::Source, winner->source, sourceWords(words, winner->source)};
+    for (auto line = lines_.begin(); line != lines_.end(); ++line) {
+        if (line != winner && (!sample.runnerUp || line->at(p) < sample.runnerUp->rho)) {
+            sample.runnerUp = SpacingRunnerUp{line->at(p), sourceWords(words, line->source)};
+        }
+    }
+    return sample;
 }
 
 } // namespace forefront
