@@ -104,6 +104,11 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
         }
         spacing = std::move(*fromFile);
     }
+    if (arguments.size || arguments.expression || file) {
+        for (DomainSegment &segment : read.job.domain.segments) {
+            segment.elements = 0; // numbers of elements belong to the spacing of the project
+        }
+    }
     if (arguments.gradation) {
         spacing.gradation = arguments.gradation;
     }
