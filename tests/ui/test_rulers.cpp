@@ -28,6 +28,24 @@ TEST_CASE("rulerScale: labels and marks at steps of 1, 2 or 5, far enough apart;
     CHECK(rulerText(2.5e9, 5e8) == "2.5e+09");
 }
 
+TEST_CASE("multiplesWithin: finds the multiples of a step, and ends where the step is lost in rounding") {
+    const Multiples few = multiplesWithin(-1.0, 1.3, 0.5);
+    CHECK(few.first == -2.0);
+    CHECK(few.count == 5);
+    CHECK(multiplesWithin(0.1, 0.4, 0.5).count == 0);
+    CHECK(multiplesWithin(4e16, 4e16 + 64.0, 1e-3).count == 10'000);
+}
+
+TEST_CASE("Canvas: the grid is drawn where its step is lost in rounding") {
+    Draughtsman driver;
+    Shell &context = driver.context();
+    context.view.camera.centre = {4e16, -4e16};
+    context.view.camera.zoom = 1e4;
+    context.animate();
+    driver.frames(2); // would not end
+    CHECK(context.view.camera.visible().min.x > 3.9e16);
+}
+
 TEST_CASE("Rulers: Ctrl+R shows them along two edges, with a mark at the pointer; the setting is kept") {
     const TemporaryFolder folder;
     const EditorSetup setup{.settingsFolder = folder.path};

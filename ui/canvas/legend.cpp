@@ -1,5 +1,6 @@
 #include "ui/canvas/legend.hpp"
 
+#include "ui/canvas/ruler_scale.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -84,8 +85,9 @@ std::vector<LegendTick> linearTicks(const ColourRange &range) {
                                  : minStep <= 2.0 * power ? 2.0
                                  : minStep <= 5.0 * power ? 5.0
                                                           : 10.0);
-    for (double value = step * std::ceil(range.from / step); value < range.to; value += step) {
-        const double at = range.position(value);
+    const Multiples within = multiplesWithin(range.from, range.to, step);
+    for (int k = 0; k < within.count; ++k) {
+        const double value = (within.first + k) * step, at = range.position(value);
         if (at > 0.1 && at < 0.92) { // not too close to the ends
             ticks.push_back({at, ui::number(value, 3)});
         }

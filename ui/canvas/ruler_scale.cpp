@@ -31,6 +31,12 @@ RulerScale rulerScale(double unitsPerPixel, double minLabel, double minMark) {
     return scale;
 }
 
+Multiples multiplesWithin(double low, double high, double step) {
+    constexpr double kMaxCount = 1e4;
+    const double first = std::ceil(low / step), count = std::floor(high / step) - first + 1.0;
+    return count >= 1.0 ? Multiples{first, static_cast<int>(std::min(count, kMaxCount))} : Multiples{};
+}
+
 std::string rulerText(double value, double major) {
     constexpr int kMaxDecimals = 9;
     constexpr double kMaxPlain = 1e9; // larger numbers are written with an exponent

@@ -1,4 +1,5 @@
 #include "core/edit/snap.hpp"
+#include "ui/canvas/ruler_scale.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
@@ -23,10 +24,14 @@ class LatticeLayer final : public Layer {
         const auto colour = [&](double i) {
             return std::fmod(i, 5.0) == 0.0 ? fade(frame.theme.gridLine, 2.0) : frame.theme.gridLine;
         };
-        for (double i = std::ceil(visible.min.x / pitch); i * pitch <= visible.max.x; i += 1.0) {
+        const Multiples columns = multiplesWithin(visible.min.x, visible.max.x, pitch);
+        for (int k = 0; k < columns.count; ++k) {
+            const double i = columns.first + k;
             lines_.add({i * pitch, visible.min.y}, {i * pitch, visible.max.y}, colour(i));
         }
-        for (double i = std::ceil(visible.min.y / pitch); i * pitch <= visible.max.y; i += 1.0) {
+        const Multiples rows = multiplesWithin(visible.min.y, visible.max.y, pitch);
+        for (int k = 0; k < rows.count; ++k) {
+            const double i = rows.first + k;
             lines_.add({visible.min.x, i * pitch}, {visible.max.x, i * pitch}, colour(i));
         }
         lines_.draw(frame.gl, frame.camera, {.width = 1.0 * frame.scale});

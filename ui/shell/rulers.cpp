@@ -27,11 +27,9 @@ class Ruler {
         const Box2 visible = camera.visible();
         const double low = upright_ ? visible.min.y : visible.min.x, high = upright_ ? visible.max.y : visible.max.x;
         const RulerScale scale = scaleFor(low, high);
-        const double first = std::ceil(low / scale.minor());
-        constexpr double kMaxMarks = 1e4; // far from the origin a step can be lost in rounding
-        const auto count = static_cast<int>(std::min(std::floor(high / scale.minor()) - first, kMaxMarks));
-        for (int k = 0; k <= count; ++k) {
-            const double step = first + k;
+        const Multiples marks = multiplesWithin(low, high, scale.minor());
+        for (int k = 0; k < marks.count; ++k) {
+            const double step = marks.first + k;
             if (std::fmod(step, scale.divisions) == 0.0) {
                 drawLabel(step / scale.divisions * scale.major, scale.major);
             } else {
