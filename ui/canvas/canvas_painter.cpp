@@ -212,14 +212,38 @@ PixelRect CanvasPainter::labelRect(Vec2 at, Pixel offset, std::string_view text,
             static_cast<double>(size.y) + 2.0 * padY};
 }
 
-PixelRect CanvasPainter::label(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate,
-                               ImFont *font) {
+void CanvasPainter::drawLabel(const PixelRect &rect, std::string_view text, Colour colour, Colour plate, ImFont *font,
+                              bool free) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
-    const PixelRect rect = labelRect(at, offset, text, used);
     list_.AddRectFilled(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), plate, im(4.0 * scale_));
     list_.AddText(used, used->FontSize, im({rect.x + kLabelPadX * scale_, rect.y + kLabelPadY * scale_}), colour,
                   text.data(), text.data() + text.size());
-    taken_.push_back(rect);
+    space_.take(rect);
+    placed_.push_back({rect, std::string(text), free});
+}
+
+PixelRect CanvasPainter::label(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate,
+                               ImFont *font) {
+    PixelRect rect = labelRect(at, offset, text, font);
+    if (space_.holds(camera_.toPixel(at))) {
+        const Pixel mirrored{-offset.x - rect.width / scale_ + 2.0 * kLabelPadX,
+                             -offset.y - rect.height / scale_ + 2.0 * kLabelPadY};
+        const double level = rect.height / scale_ + 2.0;
+        rect = space_.inside(rect);
+        std::vector<Pixel> offsets = {offset, {mirrored.x, offset.y}, {offset.x, mirrored.y}, mirrored};
+        for (const double step : {1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0}) {
+            offsets.emplace_back(offset.x, offset.y + step * level);
+            offsets.emplace_back(mirrored.x, offset.y + step * level);
+        }
+        for (const Pixel other : offsets) {
+            const PixelRect there = labelRect(at, other, text, font);
+            if (space_.isFree(there, false)) {
+                rect = there;
+                break;
+            }
+        }
+    }
+    drawLabel(rect, text, colour, plate, font, false);
     return rect;
 }
 
@@ -240,18 +264,38 @@ bool CanvasPainter::freeLabel(Vec2 at, std::span<const Pixel> offsets, std::stri
                               Colour plate, ImFont *font) {
     for (const Pixel offset : offsets) {
         const PixelRect rect = labelRect(at, offset, text, font);
-        if (std::none_of(taken_.begin(), taken_.end(), [&](const PixelRect &t) { return rect.overlaps(t); })) {
-            label(at, offset, text, colour, plate, font);
+        if (space_.isFree(rect, true)) {
+            drawLabel(rect, text, colour, plate, font, true);
             return true;
         }
     }
     return false;
 }
 
+void CanvasPainter::keepInside(const PixelRect &room) {
+    constexpr double kLineCell = 4.0; // design pixels; less than the gap between a line and the text beside it
+    space_.open(room, kLineCell * scale_);
+}
+
+void CanvasPainter::reserve(const Outline &outline) {
+    std::vector<Vec2> points;
+    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+        points = {outline.from(k)};
+        if (outline.isCurved(k)) {
+            addAlong(outline.curves[k], 1.0, points);
+        } else {
+            points.push_back(outline.to(k));
+        }
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            space_.takeLine(camera_.toPixel(points[i - 1]), camera_.toPixel(points[i]));
+        }
+    }
+}
+
 void CanvasPainter::reserve(Vec2 place, double radius) {
     const Pixel p = camera_.toPixel(place);
     const double half = radius * scale_;
-    reserve({p.x - half, p.y - half, 2.0 * half, 2.0 * half});
+    reserve(PixelRect{p.x - half, p.y - half, 2.0 * half, 2.0 * half});
 }
 
 void CanvasPainter::text(Vec2 at, std::string_view text, Colour colour, ImFont *font) {

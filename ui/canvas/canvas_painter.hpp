@@ -2,9 +2,11 @@
 
 #include "core/geometry/curve.hpp"
 #include "ui/canvas/camera.hpp"
+#include "ui/canvas/label_space.hpp"
 #include "ui/style/colour.hpp"
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,20 +46,33 @@ class CanvasPainter {
     void circle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     void disc(Vec2 centre, double radius, Colour fill);
     void dashedCircle(Vec2 centre, double radius, Colour colour, double width = 1.5);
-    /// Draws text on a rounded plate, `offset` design pixels from the place. Returns its rectangle in pixels.
+    /// Draws text on a rounded plate, `offset` design pixels from the place. Where that would cover another label or a
+    /// reserved area, or the edge of the room, it lies on another side of the place. Returns its rectangle in pixels.
     PixelRect label(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
-    /// Draws a label where it covers no other label and no reserved area: at `offset`, otherwise on the other side of
-    /// the place, above or below it. Returns false, and draws nothing, if all of these are taken.
+    /// Draws a label where it covers no other label, no reserved area or line and no edge: at `offset`, otherwise on
+    /// the other side of the place, above or below it. Returns false, and draws nothing, if all of these are taken.
     bool freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
-    /// Draws a label at the first of some offsets where it covers no other label and no reserved area.
+    /// Draws a label at the first of some offsets where it covers nothing of that.
     bool freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour, Colour plate,
                    ImFont *font = nullptr);
-    /// Keeps free labels out of a rectangle of pixels.
-    void reserve(const PixelRect &rect) { taken_.push_back(rect); }
-    /// Keeps free labels off a place, such as a handle; the radius is in design pixels.
+    /// Keeps labels inside a rectangle of pixels, such as the canvas.
+    void keepInside(const PixelRect &room);
+    /// Keeps labels out of a rectangle of pixels.
+    void reserve(const PixelRect &rect) { space_.take(rect); }
+    /// Keeps free labels off the line of an outline.
+    void reserve(const Outline &outline);
+    /// Keeps labels off a place, such as a handle; the radius is in design pixels.
     void reserve(Vec2 place, double radius);
     /// Draws text without a plate, centred on the place.
     void text(Vec2 at, std::string_view text, Colour colour, ImFont *font = nullptr);
+
+    /// A label that was drawn.
+    struct Placed {
+        PixelRect rect;
+        std::string text;
+        bool free = false; ///< drawn by freeLabel()
+    };
+    const std::vector<Placed> &labels() const { return placed_; }
 
     const Camera &camera() const { return camera_; }
     double scale() const { return scale_; }
@@ -66,12 +81,14 @@ class CanvasPainter {
   private:
     /// Adds the points after the first of a polyline along a curve, fine enough in the view to look smooth.
     void addAlong(const Curve &curve, double width, std::vector<Vec2> &points) const;
+    void drawLabel(const PixelRect &rect, std::string_view text, Colour colour, Colour plate, ImFont *font, bool free);
     PixelRect labelRect(Vec2 at, Pixel offset, std::string_view text, ImFont *font) const;
 
     ImDrawList &list_;
     const Camera &camera_;
     double scale_;
-    std::vector<PixelRect> taken_; ///< areas of labels and reserved areas
+    LabelSpace space_;
+    std::vector<Placed> placed_;
 };
 
 } // namespace forefront

@@ -206,7 +206,8 @@ class DimensionsLayer final : public Layer {
         const std::string text = textOf(dimension);
         const Pixel way{std::cos(middle), -std::sin(middle)};
         const Pixel offset = offsetBeside(sizeOf(text, frame), way) + kAngleArc * way;
-        if (!write(painter, frame, dimension.from, std::array{offset, offset + 14.0 * way}, text)) {
+        if (!write(painter, frame, dimension.from, std::array{offset, offset + 14.0 * way, offset + 28.0 * way},
+                   text)) {
             return;
         }
         const double radius = frame.camera.length(kAngleArc * frame.scale);

@@ -3,8 +3,13 @@
 #include "ui/layers/layers.hpp"
 #include "ui/workspace/moment.hpp"
 
+#include <imgui.h>
+
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -18,70 +23,102 @@ class LabelsLayer final : public Layer {
     const char *name() const override { return "Labels"; }
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
+        if (revision_ != frame.revision) {
+            revision_ = frame.revision;
+            updateRuns(frame.document);
+        }
         drawNodeNumbers(painter, frame);
-        for (const auto &shape : frame.document.shapes) {
-            drawNames(painter, frame, *shape);
+        for (const RunsOfShape &runs : runs_) {
+            for (const Run &run : runs.runs) {
+                drawName(painter, frame, run);
+            }
         }
     }
 
   private:
-    /// Writes the name of each run of segments with the same tag beside the run, but not at its middle, where the arrow
-    /// of the front is.
-    static void drawNames(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape) {
+    /// Segments of a shape with the same tag, one after the other, and the place of their name. It is beside the run,
+    /// but not at its middle, where the arrow of the front is.
+    struct Run {
+        std::int32_t tag = 0;
+        Vec2 at;
+        Vec2 along;          ///< unit vector of the outline there
+        double extent = 0.0; ///< length; of a circle, its diameter
+    };
+    struct RunsOfShape {
+        std::shared_ptr<const Shape> shape;
+        std::vector<Run> runs;
+    };
+
+    /// Finds the runs of shapes that have changed; a dragged node changes one shape of many.
+    void updateRuns(const Document &document) {
+        runs_.resize(document.shapes.size());
+        for (std::size_t k = 0; k < runs_.size(); ++k) {
+            if (runs_[k].shape != document.shapes[k]) {
+                const Shape &shape = *document.shapes[k];
+                runs_[k] = {document.shapes[k], shape.hidden ? std::vector<Run>() : runsOf(shape)};
+            }
+        }
+    }
+
+    static std::vector<Run> runsOf(const Shape &shape) {
         if (shape.kind == ShapeKind::Circle && shape.nodes.size() >= 2) {
             const double radius = distance(shape.nodes[0], shape.nodes[1]);
-            drawName(painter, frame, shape.nodes[0] + Vec2{0.0, radius}, shape.tag, 2.0 * radius);
-            return;
+            return {{shape.tag, shape.nodes[0] + Vec2{0.0, radius}, {1.0, 0.0}, 2.0 * radius}};
         }
         const Outline outline = outlineOf(shape);
         const std::size_t segments = outline.segmentCount();
-        if (segments == 0) {
-            return;
+        std::vector<double> lengths;
+        for (std::size_t i = 0; i < segments; ++i) {
+            lengths.push_back(outline.curve(i).length());
         }
         const auto tagOf = [&](std::size_t i) { return segmentTag(shape, outline.part(i)); };
         std::size_t begin = 0; // a run of a closed outline may go on over its first node
         while (outline.closed && begin < segments && tagOf(begin) == tagOf((begin + segments - 1) % segments)) {
             ++begin;
         }
-        for (std::size_t first = begin % segments, seen = 0; seen < segments;) {
+        std::vector<Run> runs;
+        for (std::size_t seen = 0; seen < segments;) {
+            const std::size_t first = (begin + seen) % segments;
             std::size_t count = 0;
             double whole = 0.0;
             while (seen < segments && tagOf((first + count) % segments) == tagOf(first)) {
-                whole += outline.curve((first + count) % segments).length();
+                whole += lengths[(first + count) % segments];
                 ++count;
                 ++seen;
             }
-            drawName(painter, frame, pointAlong(outline, first, count, 0.3 * whole), tagOf(first), whole);
-            first = (first + count) % segments;
-        }
-    }
-
-    /// Returns the point at a length along `count` segments of the outline, the first of which is `first`; on a cubic,
-    /// a point near it.
-    static Vec2 pointAlong(const Outline &outline, std::size_t first, std::size_t count, double way) {
-        std::size_t i = first;
-        for (std::size_t k = 0; k + 1 < count; ++k) {
-            const Curve curve = outline.curve(i);
-            const double length = curve.length();
-            if (way <= length) {
-                return curve.point(length > 0.0 ? way / length : 0.0);
+            double way = 0.3 * whole;
+            std::size_t at = first;
+            for (std::size_t k = 0; k + 1 < count && way > lengths[at]; ++k) {
+                way -= lengths[at];
+                at = (at + 1) % segments;
             }
-            way -= length;
-            i = i + 1 < outline.segmentCount() ? i + 1 : 0;
+            const Curve curve = outline.curve(at);
+            // On a cubic, this is a point near that place.
+            const double t = lengths[at] > 0.0 ? std::min(1.0, way / lengths[at]) : 0.0;
+            runs.push_back({tagOf(first), curve.point(t), curve.tangent(t), whole});
         }
-        const Curve last = outline.curve(i);
-        const double length = last.length();
-        return last.point(length > 0.0 ? std::min(1.0, way / length) : 0.0);
+        return runs;
     }
 
-    static void drawName(CanvasPainter &painter, const LayerFrame &frame, Vec2 at, std::int32_t tag, double extent) {
-        const auto named = frame.document.boundaryNames.find(tag);
-        if (named == frame.document.boundaryNames.end() || frame.camera.zoom * extent < 40.0 * frame.scale) {
+    /// Writes a name on its run, or beside it where the run is selected.
+    static void drawName(CanvasPainter &painter, const LayerFrame &frame, const Run &run) {
+        const auto named = frame.document.boundaryNames.find(run.tag);
+        if (named == frame.document.boundaryNames.end() || frame.camera.zoom * run.extent < 40.0 * frame.scale ||
+            !frame.camera.visible().contains(run.at)) {
             return;
         }
-        const double half = 3.25 * static_cast<double>(named->second.size());
-        painter.freeLabel(at, {-half, -7.0}, named->second, frame.theme.muted, fade(frame.theme.popup, 0.82),
-                          frame.fonts.small);
+        const std::string &name = named->second;
+        const ImFont &font = *frame.fonts.small;
+        const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, name.data(), name.data() + name.size());
+        const Pixel half = 0.5 / frame.scale * Pixel(size.x, size.y);
+        const Pixel side{run.along.y, run.along.x}; // across the run, on the screen
+        constexpr double kGap = 12.0;
+        const double reach = std::abs(side.x) * half.x + std::abs(side.y) * half.y + kGap;
+        std::vector<Pixel> offsets;
+        for (const double away : {0.0, reach, -reach, reach + 2.0 * half.y, -reach - 2.0 * half.y}) {
+            offsets.push_back(away * side - half);
+        }
+        painter.freeLabel(run.at, offsets, name, frame.theme.muted, fade(frame.theme.popup, 0.82), frame.fonts.small);
     }
 
     static void drawNodeNumbers(CanvasPainter &painter, const LayerFrame &frame) {
@@ -126,6 +163,9 @@ class LabelsLayer final : public Layer {
                std::any_of(e.candidates.begin(), e.candidates.end(),
                            [&](const CandidateTrace &c) { return is(c.node); });
     }
+
+    std::vector<RunsOfShape> runs_; ///< of the document with revision_
+    std::uint64_t revision_ = ~std::uint64_t{0};
 };
 
 } // namespace

@@ -83,6 +83,7 @@ struct Canvas::Parts {
     double rasterZoom = 0.0;
 
     std::shared_ptr<const SpacingRaster> raster; ///< as drawn; never null
+    std::vector<CanvasPainter::Placed> labels;   ///< of the last frame
 
     void requestRaster(Shell &context);
     void takeRaster(const Shell &context);
@@ -107,6 +108,10 @@ std::uint64_t Canvas::stillDraws() const {
 
 std::size_t Canvas::meshBytes() const {
     return parts_->gl.elements().bytes() + parts_->comparedBatch.bytes();
+}
+
+const std::vector<CanvasPainter::Placed> &Canvas::labels() const {
+    return parts_->labels;
 }
 
 bool Canvas::drawsNews() const {
@@ -304,9 +309,10 @@ void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const La
     }
 }
 
-/// Keeps labels clear of the plates on the canvas, as placed in the last frame, of the selected nodes and of the
-/// handles of the tool.
+/// Keeps labels on the canvas, and clear of the plates on it, as placed in the last frame, of the selected nodes and of
+/// what the tool draws.
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
+    painter.keepInside(context.view.camera.viewport);
     for (const auto &[name, widget] : context.widgets.all()) {
         const bool plate = name == "options" || name == "hints" || name == "canvas/plate" || name == "canvas/news" ||
                            name.starts_with("canvas/legend/");
@@ -331,13 +337,19 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
                       {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)});
     CanvasPainter painter(list, frame.camera, frame.scale);
     reservePlates(context, painter);
+    // What the tool draws lies above the layers, but its words, which are at the pointer, take their places first.
+    list.ChannelsSplit(2);
+    list.ChannelsSetCurrent(1);
+    context.tools.current().drawOverlay(painter, context);
+    drawProbe(painter, context);
+    list.ChannelsSetCurrent(0);
     for (LayerSlot &slot : context.layers) {
         if (slot.visible) {
             slot.layer->drawOverlay(painter, frame);
         }
     }
-    context.tools.current().drawOverlay(painter, context);
-    drawProbe(painter, context);
+    list.ChannelsMerge();
+    labels = painter.labels();
     constexpr double kFlagSeconds = 2.5;
     const double age = context.platform.now() - context.view.flagTime;
     if (context.view.flag && age < kFlagSeconds) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "ui/canvas/canvas_painter.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace forefront {
 
@@ -24,6 +27,8 @@ class Canvas {
     std::uint64_t stillDraws() const;
     /// Returns the bytes that the meshes drawn take up here and in buffers of OpenGL; for tests.
     std::size_t meshBytes() const;
+    /// Returns the labels of the last frame; for tests.
+    const std::vector<CanvasPainter::Placed> &labels() const;
     /// Returns true while the picture of a new large mesh is incomplete; another mesh would begin it again.
     bool drawsNews() const;
 
