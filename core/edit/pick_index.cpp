@@ -71,15 +71,15 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
 
 /// Adds the centres of a rectangle and of the arcs of a path; those of circles and ellipses are handles.
 void PickIndex::addCentres(std::uint32_t shape, const Outline &outline) {
-    const auto add = [&](Vec2 centre) { centres_.push_back({shape, 0, centre, centre}); };
+    const auto add = [&](std::uint32_t part, Vec2 centre) { centres_.push_back({shape, part, centre, centre}); };
     if (document_->shapes[shape]->kind == ShapeKind::Rectangle) {
-        add(boundsOf(*document_->shapes[shape]).centre());
+        add(0, boundsOf(*document_->shapes[shape]).centre());
     }
     for (std::uint32_t s = 0; s < outline.segmentCount(); ++s) {
         if (outline.isCurved(s) && outline.curves[s].kind() == CurveKind::Arc &&
             document_->shapes[shape]->kind != ShapeKind::Ellipse) {
             const std::array<double, 8> numbers = outline.curves[s].numbers();
-            add({numbers[0], numbers[1]});
+            add(outline.part(s), {numbers[0], numbers[1]});
         }
     }
 }
@@ -96,13 +96,14 @@ std::vector<Curve> PickIndex::curvesNear(Vec2 p, double tolerance, std::size_t m
     lineTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
         const Shape &shape = *document_->shapes[lines_[item].shape];
         const double d = lineDistance(lines_[item], p);
-        if (d <= tolerance && shape.kind != ShapeKind::Point && (!filter || filter(shape))) {
+        if (d <= tolerance && shape.kind != ShapeKind::Point && filter.admitsSegment(shape, lines_[item].part)) {
             near.emplace_back(d, item);
         }
     });
     std::sort(near.begin(), near.end());
     near.resize(std::min(near.size(), most));
     std::vector<Curve> curves;
+    curves.reserve(near.size());
     for (const auto &[d, item] : near) {
         curves.push_back(curveOf(lines_[item]));
     }
@@ -114,7 +115,7 @@ std::optional<Vec2> PickIndex::centre(Vec2 p, double tolerance, const Filter &fi
     double limit = tolerance;
     centreTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
         const double d = distance(centres_[item].a, p);
-        if (d <= limit && (!filter || filter(*document_->shapes[centres_[item].shape]))) {
+        if (d <= limit && filter.admitsSegment(*document_->shapes[centres_[item].shape], centres_[item].part)) {
             limit = d;
             best = centres_[item].a;
         }
@@ -139,7 +140,7 @@ std::optional<NodeHit> PickIndex::node(Vec2 p, double tolerance, const Filter &f
     handleTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
         const double d = distance(handles_[item].a, p);
         const bool nearer = d < limit || (d == limit && (best == kNoIndex || item > best));
-        if (nearer && (!filter || filter(*document_->shapes[handles_[item].shape]))) {
+        if (nearer && filter.admitsNode(*document_->shapes[handles_[item].shape], handles_[item].part)) {
             best = item;
             limit = d;
         }
@@ -158,7 +159,7 @@ std::optional<SegmentHit> PickIndex::segment(Vec2 p, double tolerance, const Fil
         const Shape &shape = *document_->shapes[lines_[item].shape];
         const double d = lineDistance(lines_[item], p);
         const bool nearer = d < limit || (d == limit && (best == kNoIndex || item > best));
-        if (nearer && shape.kind != ShapeKind::Point && (!filter || filter(shape))) {
+        if (nearer && shape.kind != ShapeKind::Point && filter.admitsSegment(shape, lines_[item].part)) {
             best = item;
             limit = d;
         }

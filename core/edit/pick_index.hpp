@@ -9,6 +9,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -38,8 +41,28 @@ class PickIndex {
 
     const Document &document() const { return *document_; }
 
-    /// Returns false for shapes that a search must ignore, such as the one being dragged.
-    using Filter = std::function<bool(const Shape &)>;
+    /// Some handles and segments of shapes.
+    struct Parts {
+        std::set<NodeRef> nodes;
+        std::set<SegmentRef> segments;
+    };
+    /// What a search may find; by default everything.
+    struct Filter {
+        Filter() = default;
+        template <class Predicate>
+        requires std::is_invocable_r_v<bool, Predicate, const Shape &> Filter(Predicate predicate)
+            : shapes(std::move(predicate)) {}
+
+        bool admitsNode(const Shape &shape, std::uint32_t handle) const {
+            return (!shapes || shapes(shape)) && (!ignored || !ignored->nodes.contains({shape.id, handle}));
+        }
+        bool admitsSegment(const Shape &shape, std::uint32_t part) const {
+            return (!shapes || shapes(shape)) && (!ignored || !ignored->segments.contains({shape.id, part}));
+        }
+
+        std::function<bool(const Shape &)> shapes; ///< returns false for shapes to ignore; empty: none
+        std::shared_ptr<const Parts> ignored;      ///< parts of other shapes to ignore; null: none
+    };
 
     /// Returns the handle nearest to p within `tolerance` (domain units); of equally near ones, the one drawn last.
     std::optional<NodeHit> node(Vec2 p, double tolerance, const Filter &filter = {}) const;
@@ -68,7 +91,7 @@ class PickIndex {
   private:
     struct Entry {
         std::uint32_t shape = 0; ///< position in Document::shapes
-        std::uint32_t part = 0;  ///< handle or segment
+        std::uint32_t part = 0;  ///< handle or segment; of a centre, its segment
         Vec2 a, b;
         std::uint32_t curve = kNoCurve; ///< index into curves_
     };

@@ -3,7 +3,10 @@
 #include "core/edit/plane_map.hpp"
 #include "core/edit/snap_points.hpp"
 
+#include <array>
+#include <cstdio>
 #include <numbers>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -50,6 +53,8 @@ std::optional<Vec2> gridPoint(const SnapQuery &query) {
 
 } // namespace
 
+namespace {
+
 const char *wordOf(SnapKind kind) {
     switch (kind) {
     case SnapKind::Node:
@@ -66,35 +71,87 @@ const char *wordOf(SnapKind kind) {
         return "tangent";
     case SnapKind::Segment:
         return "on line";
-    case SnapKind::None:
     case SnapKind::Grid:
+        return "grid";
     case SnapKind::Angle:
+        return "angle";
     case SnapKind::Locked:
+        return "locked";
+    case SnapKind::None:
         break;
     }
     return "";
 }
 
+/// Returns the direction from a to b in degrees, a multiple of `step` in [0, 360).
+double steppedDirection(Vec2 a, Vec2 b, double step) {
+    const Vec2 arm = b - a;
+    const double degrees = std::round(std::atan2(arm.y, arm.x) / kDegree / step) * step;
+    return degrees < 0.0 ? degrees + 360.0 : degrees >= 360.0 ? degrees - 360.0 : degrees;
+}
+
+Snapped snapLocked(const PickIndex &index, const SnapQuery &query) {
+    // Coordinates that are not locked still snap: a typed distance points exactly at the node under the pointer.
+    SnapQuery free = query;
+    free.locks = {};
+    const Snapped target = snap(index, free);
+    Snapped locked{applyLocks(query, target.at), SnapKind::Locked};
+    locked.locks = query.locks;
+    locked.within = query.locks.x && query.locks.y ? SnapKind::None : target.kind;
+    if (query.locks.distance || query.locks.angle) {
+        locked.from = query.anchor;
+    }
+    return locked;
+}
+
+} // namespace
+
+Snapped lockedAt(Vec2 place) {
+    Snapped locked{place, SnapKind::Locked};
+    locked.locks.x = place.x;
+    locked.locks.y = place.y;
+    return locked;
+}
+
+std::string wordsOf(const Snapped &snapped) {
+    if (snapped.kind == SnapKind::Angle) {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "angle %.4g\xc2\xb0", snapped.degrees);
+        return text.data();
+    }
+    if (snapped.kind != SnapKind::Locked) {
+        return wordOf(snapped.kind);
+    }
+    std::string words;
+    const SnapLocks &locks = snapped.locks;
+    for (const auto &[lock, name] : {std::pair(locks.x, "x"), std::pair(locks.y, "y"),
+                                     std::pair(locks.distance, "length"), std::pair(locks.angle, "angle")}) {
+        if (lock) {
+            words += (words.empty() ? "" : ", ") + std::string(name);
+        }
+    }
+    words += words.empty() ? "locked" : " locked";
+    return snapped.within == SnapKind::None ? words : words + ", " + wordOf(snapped.within);
+}
+
 Snapped snap(const PickIndex &index, const SnapQuery &query) {
     if (query.locks.any()) {
-        // Coordinates that are not locked still snap: a typed distance points exactly at the node under the pointer.
-        SnapQuery free = query;
-        free.locks = {};
-        return {applyLocks(query, snap(index, free).at), SnapKind::Locked, {}};
+        return snapLocked(index, query);
     }
     if (query.off) {
-        return {query.at, SnapKind::None, {}};
+        return {query.at};
     }
-    if (query.angle && query.anchor) {
-        const Vec2 arm = query.at - *query.anchor;
-        const double degrees = std::atan2(arm.y, arm.x) / kDegree;
-        return {
-            alongAngle(*query.anchor, query.at, std::round(degrees / kSnapAngle) * kSnapAngle), SnapKind::Angle, {}};
+    if (query.angle && query.anchor && query.at != *query.anchor) {
+        Snapped turned{{}, SnapKind::Angle};
+        turned.degrees = steppedDirection(*query.anchor, query.at, query.angleStep);
+        turned.at = alongAngle(*query.anchor, query.at, turned.degrees);
+        turned.from = query.anchor;
+        return turned;
     }
     if (const auto node = index.node(query.at, query.tolerance, query.filter)) {
         const Shape *const shape = findShape(index.document(), node->ref.shape);
         const bool centre = isRound(*shape) && node->ref.node == 0;
-        return {node->at, centre ? SnapKind::Centre : SnapKind::Node, {}};
+        return {node->at, centre ? SnapKind::Centre : SnapKind::Node};
     }
     if (const auto special = specialPoint(index, query)) {
         return *special;
@@ -103,9 +160,9 @@ Snapped snap(const PickIndex &index, const SnapQuery &query) {
         return {segment->at, SnapKind::Segment, segment};
     }
     if (const auto point = gridPoint(query)) {
-        return {*point, SnapKind::Grid, {}};
+        return {*point, SnapKind::Grid};
     }
-    return {query.at, SnapKind::None, {}};
+    return {query.at};
 }
 
 double gridPitch(double unitsPerPixel, double minPixels) {

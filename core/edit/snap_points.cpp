@@ -59,11 +59,11 @@ class Nearest {
   public:
     explicit Nearest(const SnapQuery &query) : query_(query), limit_(query.tolerance) {}
 
-    void offer(Vec2 at, SnapKind kind) {
+    void offer(Vec2 at, SnapKind kind, std::optional<Vec2> from = {}) {
         const double away = distance(at, query_.at);
         if (away < limit_ || (away == limit_ && !best_)) {
             limit_ = away;
-            best_ = Snapped{at, kind, {}};
+            best_ = Snapped{at, kind, {}, from};
         }
     }
     const std::optional<Snapped> &best() const { return best_; }
@@ -74,15 +74,17 @@ class Nearest {
     std::optional<Snapped> best_;
 };
 
-/// Offers where a line from the anchor meets a curve at a right angle, and where it touches the curve.
+/// Offers where a line from the anchor meets a curve at a right angle, and where it touches the curve. A curve that
+/// begins at the anchor meets the line there, which does not count.
 void offerDirections(const Curve &curve, Vec2 anchor, Vec2 pointer, Nearest &nearest) {
     const double start = curve.nearest(pointer);
+    const double apart = 1e-9 * curve.bounds().diagonal();
     const auto perpendicular = rootNear(curve, start, [&](double t) {
         const Vec2 arm = curve.point(t) - anchor, along = curve.derivative(t);
         return ValueAndSlope{dot(arm, along), dot(along, along) + dot(arm, curve.secondDerivative(t))};
     });
-    if (perpendicular && curve.point(*perpendicular) != anchor) {
-        nearest.offer(curve.point(*perpendicular), SnapKind::Perpendicular);
+    if (perpendicular && distance(curve.point(*perpendicular), anchor) > apart) {
+        nearest.offer(curve.point(*perpendicular), SnapKind::Perpendicular, anchor);
     }
     if (curve.kind() == CurveKind::Line) {
         return;
@@ -91,8 +93,8 @@ void offerDirections(const Curve &curve, Vec2 anchor, Vec2 pointer, Nearest &nea
         const Vec2 arm = curve.point(t) - anchor;
         return ValueAndSlope{cross(arm, curve.derivative(t)), cross(arm, curve.secondDerivative(t))};
     });
-    if (tangent && curve.point(*tangent) != anchor) {
-        nearest.offer(curve.point(*tangent), SnapKind::Tangent);
+    if (tangent && distance(curve.point(*tangent), anchor) > apart) {
+        nearest.offer(curve.point(*tangent), SnapKind::Tangent, anchor);
     }
 }
 
@@ -113,8 +115,8 @@ std::optional<Snapped> specialPoint(const PickIndex &index, const SnapQuery &que
         if (!isClosed(curve)) {
             nearest.offer(curve.point(0.5), SnapKind::Midpoint);
         }
-        if (query.draws && query.anchor) {
-            offerDirections(curve, *query.anchor, query.at, nearest);
+        for (const Vec2 from : query.lines) {
+            offerDirections(curve, from, query.at, nearest);
         }
     }
     if (const std::optional<Vec2> centre = index.centre(query.at, query.tolerance, query.filter)) {

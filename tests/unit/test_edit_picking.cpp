@@ -1,4 +1,5 @@
 #include "core/edit/curve_crossings.hpp"
+#include "core/edit/dragged_parts.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/pick_index.hpp"
 #include "core/edit/region_commands.hpp"
@@ -236,8 +237,9 @@ TEST_CASE("snap: midpoints, centres and crossings of all kinds of segments") {
     CHECK(onArc.kind == SnapKind::Intersection);
     CHECK(distance(onArc.at, {11 + std::sqrt(0.5), std::sqrt(0.5)}) < 1e-9);
     CHECK(snapped({13.1, 2.1}).kind == SnapKind::Segment);
-    CHECK(std::string(wordOf(SnapKind::Intersection)) == "intersection");
-    CHECK(std::string(wordOf(SnapKind::Grid)).empty());
+    CHECK(wordsOf(onArc) == "intersection");
+    CHECK(wordsOf({{}, SnapKind::Grid}) == "grid");
+    CHECK(wordsOf({}).empty());
 }
 
 TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is drawn") {
@@ -247,29 +249,27 @@ TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is dr
         {makeShape(ShapeKind::Polyline, {{0, 0}, {8, 4}}), makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}}), wave}));
     SnapQuery query;
     query.tolerance = 0.1;
-    query.anchor = Vec2{3, 6};
-    query.draws = true;
+    query.lines = {Vec2{3, 6}};
     query.at = {4.85, 2.38};
     CHECK(snap(index, query).kind == SnapKind::Perpendicular);
     CHECK(distance(snap(index, query).at, {4.8, 2.4}) < 1e-12);
-    query.draws = false; // as when something is moved
+    query.lines.clear(); // as when a shape is moved
     CHECK(snap(index, query).kind == SnapKind::Segment);
-    query.draws = true;
-    query.anchor = Vec2{18, 0};
+    query.lines = {Vec2{20, -9}, Vec2{18, 0}};
     query.at = {19.52, 0.9};
     CHECK(snap(index, query).kind == SnapKind::Tangent);
     CHECK(distance(snap(index, query).at, {19.5, std::sqrt(0.75)}) < 1e-12);
     query.at = {20.98, -0.05};
     CHECK(snap(index, query).kind == SnapKind::Node); // the point of the circle
-    query.anchor = Vec2{20, 3};
+    query.lines = {Vec2{20, 3}};
     query.at = {20.03, -1.02};
     CHECK(snap(index, query).kind == SnapKind::Perpendicular); // on the far side
     CHECK(distance(snap(index, query).at, {20, -1}) < 1e-12);
-    query.anchor = Vec2{1, 14};
+    query.lines = {Vec2{1, 14}};
     query.at = wave.curves[0].point(0.2);
     const Snapped onWave = snap(index, query);
     CHECK(onWave.kind == SnapKind::Perpendicular);
-    CHECK(std::abs(dot(onWave.at - *query.anchor, wave.curves[0].tangent(wave.curves[0].nearest(onWave.at)))) < 1e-6);
+    CHECK(std::abs(dot(onWave.at - *onWave.from, wave.curves[0].tangent(wave.curves[0].nearest(onWave.at)))) < 1e-6);
     query.at = wave.curves[0].point(0.4);
     CHECK(snap(index, query).kind == SnapKind::Segment);
 }
@@ -280,8 +280,7 @@ TEST_CASE("snap: perpendiculars far from the origin, and opposite the point of a
                                             makeShape(ShapeKind::Circle, {far + Vec2{200, 0}, far + Vec2{210, 0}})}));
     SnapQuery query;
     query.tolerance = 1.0;
-    query.anchor = far + Vec2{30, 60};
-    query.draws = true;
+    query.lines = {far + Vec2{30, 60}};
     query.at = far + Vec2{48.5, 23.8};
     CHECK(snap(index, query).kind == SnapKind::Perpendicular);
     CHECK(distance(snap(index, query).at, far + Vec2{48, 24}) < 1e-8);
@@ -290,6 +289,66 @@ TEST_CASE("snap: perpendiculars far from the origin, and opposite the point of a
     query.tolerance = 0.1;
     query.at = {-1.01, 0.01};
     CHECK(snap(atOrigin, query).kind == SnapKind::Segment);
+}
+
+TEST_CASE("targetsOfDrag: other nodes and segments of the own path, not those that follow the dragged node") {
+    const std::shared_ptr<const Document> document =
+        sharedDocumentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}, {2, 6}, {0, 4}}),
+                          makeShape(ShapeKind::Rectangle, {{10, 0}, {14, 4}})});
+    const std::uint32_t path = document->shapes[0]->id, rectangle = document->shapes[1]->id;
+    const PickIndex index(document);
+    Selection dragged;
+    dragged.nodes = {{path, 0}};
+    SnapQuery query;
+    query.tolerance = 0.1;
+    query.filter = targetsOfDrag(*document, dragged);
+    const auto snapped = [&](Vec2 at) {
+        query.at = at;
+        return snap(index, query).kind;
+    };
+    CHECK(snapped({4.02, 4.02}) == SnapKind::Node);
+    CHECK(snapped({2.02, 6.02}) == SnapKind::Node);
+    CHECK(snapped({4.05, 2.01}) == SnapKind::Midpoint);
+    CHECK(snapped({4.05, 1.2}) == SnapKind::Segment);
+    CHECK(snapped({0.02, 0.02}) == SnapKind::None);   // itself
+    CHECK(snapped({4.02, 0.5}) == SnapKind::Segment); // from its neighbour on
+    CHECK(snapped({0.02, 4.02}) != SnapKind::Node);   // its neighbour
+    CHECK(snapped({2.02, 0.02}) == SnapKind::None);   // a segment that follows
+    CHECK(snapped({10.02, 0.02}) == SnapKind::Node);  // another shape
+    CHECK(linesToNode(*document, dragged, {path, 0}) == std::vector<Vec2>{{4, 0}, {0, 4}});
+    query.lines = linesToNode(*document, dragged, {path, 0});
+    CHECK(snapped({10.03, 0.02}) == SnapKind::Node);
+    CHECK(snapped({2.97, 5.04}) == SnapKind::Midpoint);
+    dragged.nodes = {{path, 0}, {path, 1}};
+    CHECK(linesToNode(*document, dragged, {path, 0}) == std::vector<Vec2>{{0, 4}});
+    // The handles of a rectangle depend on each other, and a whole shape has nothing to snap to of its own.
+    dragged.nodes = {{rectangle, 0}};
+    query.filter = targetsOfDrag(*document, dragged);
+    CHECK(snapped({14.02, 4.02}) == SnapKind::None);
+    dragged = {};
+    dragged.shapes = {path};
+    query.filter = targetsOfDrag(*document, dragged);
+    CHECK(snapped({4.02, 4.02}) == SnapKind::None);
+    CHECK(linesToNode(*document, dragged, {path, 0}).empty());
+}
+
+TEST_CASE("targetsOfDrag: the centre of an arc that does not change") {
+    Shape path = makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {8, 0}, {12, 0}});
+    path.curves = {Curve::line({0, 0}, {4, 0}), Curve::arc({6, 0}, {-2, 0}, {0, 2}, 0, -std::numbers::pi),
+                   Curve::line({8, 0}, {12, 0})};
+    const std::shared_ptr<const Document> document = sharedDocumentOf({path});
+    const PickIndex index(document);
+    const std::uint32_t id = document->shapes[0]->id;
+    SnapQuery query;
+    query.tolerance = 0.1;
+    query.at = {6.02, 0.02};
+    Selection dragged;
+    dragged.nodes = {{id, 0}};
+    query.filter = targetsOfDrag(*document, dragged);
+    CHECK(snap(index, query).kind == SnapKind::Centre);
+    dragged.nodes = {{id, 1}};
+    query.filter = targetsOfDrag(*document, dragged);
+    CHECK(snap(index, query).kind == SnapKind::None);
 }
 
 TEST_CASE("crossingsOf: lines, circles, arcs and cubics; touching curves and ends on a curve count") {
@@ -337,6 +396,12 @@ TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly
     query.at = {3, 2};
     const Vec2 thirty = snap(index, query).at - *query.anchor;
     CHECK(std::atan2(thirty.y, thirty.x) == doctest::Approx(std::acos(-1.0) / 6));
+    CHECK(wordsOf(snap(index, query)) == "angle 30\xc2\xb0");
+    query.at = {3, -5};
+    CHECK(wordsOf(snap(index, query)) == "angle 285\xc2\xb0");
+    query.angleStep = 22.5;
+    query.at = {3, 2};
+    CHECK(wordsOf(snap(index, query)) == "angle 22.5\xc2\xb0");
 }
 
 TEST_CASE("snap: locked coordinates stay fixed, the others still snap") {
@@ -347,6 +412,10 @@ TEST_CASE("snap: locked coordinates stay fixed, the others still snap") {
     query.locks.x = 3.25;
     CHECK(snap(index, query).at == Vec2{3.25, 0}); // y is drawn to the node (4, 0)
     CHECK(snap(index, query).kind == SnapKind::Locked);
+    CHECK(wordsOf(snap(index, query)) == "x locked, node");
+    query.at = {7.1, 1.4};
+    CHECK(wordsOf(snap(index, query)) == "x locked");
+    CHECK(wordsOf(lockedAt({1, 2})) == "x, y locked");
     query.locks = {};
     query.anchor = Vec2{1, 1};
     query.locks.distance = 2.0;

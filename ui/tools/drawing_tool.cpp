@@ -7,6 +7,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/number_text.hpp"
+#include "ui/workspace/snap_mark.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,14 +34,16 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     over_ = event.kind != CanvasEvent::Kind::Leave;
     SnapQuery query = state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control());
     query.anchor = anchor();
-    query.draws = true;
+    if (query.anchor) {
+        query.lines = {*query.anchor};
+    }
     query.locks = entry_.locks();
     if (const std::optional<TypedPair> pair = entry_.pair()) {
-        pointer_ = {typedPlace(*pair), SnapKind::Locked, {}};
+        pointer_ = lockedAt(typedPlace(*pair));
         return;
     }
     const std::optional<Vec2> own = query.locks.any() || query.off ? std::nullopt : ownSnap(place_, context);
-    pointer_ = own ? Snapped{*own, SnapKind::Node, {}} : snap(*state_->index(context), query);
+    pointer_ = own ? Snapped{*own, SnapKind::Node} : snap(*state_->index(context), query);
 }
 
 bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {

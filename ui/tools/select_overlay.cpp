@@ -4,6 +4,7 @@
 #include "ui/tools/select_tool.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/snap_mark.hpp"
 
 #include <imgui.h>
 
@@ -108,10 +109,14 @@ void SelectTool::reserveOverlay(CanvasPainter &painter, const Shell &context) {
             ++reserved;
         }
     };
-    for (const std::uint32_t id : context.selection.shapes) {
-        const Shape *const shape = reserved < kMaxReserved ? findShape(document, id) : nullptr;
-        for (const Vec2 handle : shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>()) {
-            reserve(handle);
+    for (const auto &shape : document.shapes) {
+        if (!context.selection.touches(shape->id) || !boundsOf(*shape).overlaps(visible)) {
+            continue;
+        }
+        painter.reserve(outlineOf(*shape));
+        if (context.selection.shapes.contains(shape->id) && reserved < kMaxReserved) {
+            const std::vector<Vec2> handles = handlesOf(*shape);
+            std::for_each(handles.begin(), handles.end(), reserve);
         }
     }
     for (const Control &control : controlsOf(document, context.selection)) {

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace forefront {
 
@@ -65,6 +66,7 @@ class SelectTool final : public Tool {
     void press(const CanvasEvent &event, Shell &context);
     void openMenu(const CanvasEvent &event, Shell &context);
     void drag(const CanvasEvent &event, Shell &context);
+    void beginMove(Shell &context);
     /// Moves the selection to where the pointer or the typed numbers say.
     void updateMove(Shell &context);
     /// Joins what was dragged by a node to the segments on which its nodes now lie, as drawing does.
@@ -98,6 +100,8 @@ class SelectTool final : public Tool {
     std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;
     Selection moving_;
+    PickIndex::Filter targets_; ///< of moving_
+    std::vector<Vec2> linesTo_; ///< see linesToNode()
     std::string stroke_, nudgeStroke_;
     TransformHandles transform_;
 };

@@ -4,6 +4,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/snap_mark.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,7 +101,7 @@ void TransformHandles::begin(const Handle &handle, const CanvasEvent &event, She
     last_ = event;
     pressPixel_ = event.pixel;
     pressPlace_ = event.place;
-    target_ = {cornerOf(startBox_, handle.x, handle.y), SnapKind::None, {}};
+    target_ = {cornerOf(startBox_, handle.x, handle.y), SnapKind::None};
     away_ = false;
 }
 
@@ -123,6 +124,7 @@ void TransformHandles::drag(const CanvasEvent &event, Shell &context) {
 
 void TransformHandles::update(Shell &context) {
     const Vec2 corner = cornerOf(startBox_, handle_.x, handle_.y) + (last_.place - pressPlace_);
+    angleStep_ = context.snapping.angleStep;
     SnapQuery query = state_->query(context, corner, false, handle_.rotates || last_.modifiers.alt());
     if (context.snapping.toDrawing) {
         query.filter = [this](const Shape &shape) { return !moving_.touches(shape.id); };
@@ -162,7 +164,7 @@ double TransformHandles::angle() const {
     }
     const Vec2 centre = fixedPoint();
     const double turn = std::remainder(degrees(last_.place - centre) - degrees(pressPlace_ - centre), 360.0);
-    return last_.modifiers.shift() ? std::round(turn / kSnapAngle) * kSnapAngle : turn;
+    return last_.modifiers.shift() ? std::round(turn / angleStep_) * angleStep_ : turn;
 }
 
 PlaneMap TransformHandles::map() const {

@@ -15,7 +15,7 @@
 namespace forefront {
 
 /// The handles around the selection that scale and rotate it, and the drag of one of them. Shift keeps the proportions
-/// or turns in steps of 15 degrees, Ctrl scales about the centre, Alt turns snapping off, and a typed number is the
+/// or turns in steps of some degrees, Ctrl scales about the centre, Alt turns snapping off, and a typed number is the
 /// factor or the angle.
 class TransformHandles {
   public:
@@ -69,8 +69,9 @@ class TransformHandles {
     CanvasEvent last_; ///< of the pointer
     Pixel pressPixel_{};
     Vec2 pressPlace_;
-    Snapped target_;    ///< of the dragged side or corner
-    bool away_ = false; ///< the pointer has left the place of the press
+    Snapped target_;                ///< of the dragged side or corner
+    double angleStep_ = kSnapAngle; ///< with Shift
+    bool away_ = false;             ///< the pointer has left the place of the press
 
     mutable Box2 box_; ///< of boxSelection_ in the document boxRevision_
     mutable Selection boxSelection_;

@@ -16,7 +16,6 @@
 namespace forefront {
 
 struct Workspace;
-class CanvasPainter;
 
 namespace ui {
 class Flow;
@@ -97,8 +96,5 @@ struct EditState {
     std::uint64_t revision_ = 0;
     std::uint64_t strokes_ = 0;
 };
-
-/// Draws the mark of a snapped place; each kind of snap has its own.
-void drawSnapMark(CanvasPainter &painter, const Workspace &context, const Snapped &snapped);
 
 } // namespace forefront

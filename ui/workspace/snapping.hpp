@@ -4,9 +4,10 @@ namespace forefront {
 
 /// The targets that the tools snap to.
 struct Snapping {
-    bool toDrawing = true; ///< nodes and segments
-    bool toGrid = true;    ///< the drawing lattice
-    double reach = 9.0;    ///< design pixels
+    bool toDrawing = true;   ///< nodes and segments
+    bool toGrid = true;      ///< the drawing lattice
+    double reach = 9.0;      ///< design pixels
+    double angleStep = 15.0; ///< of directions with Shift, degrees
     friend bool operator==(const Snapping &, const Snapping &) = default;
 };
 

@@ -1,0 +1,117 @@
+#include "tests/ui/edit_driver.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+namespace forefront::test {
+
+namespace {
+
+using Labels = std::vector<CanvasPainter::Placed>;
+
+/// Draws a plate with named sides, a hole, a line and dimensions, with everything selected, and returns the labels.
+Labels labelsOf(Draughtsman &driver) {
+    Document drawing = driver.document();
+    const auto add = [&](ShapeKind kind, std::vector<Vec2> nodes, std::int32_t tag) {
+        Shape shape;
+        shape.id = drawing.nextId++;
+        shape.kind = kind;
+        shape.nodes = std::move(nodes);
+        shape.tag = tag;
+        drawing.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
+    };
+    add(ShapeKind::Polygon, {{0.4, 0.4}, {9, 1}, {9.6, 7}, {5, 9.6}, {0.5, 8}}, 1);
+    add(ShapeKind::Circle, {{3, 4}, {4, 4}}, 2);
+    add(ShapeKind::Polygon, {{5, 3}, {8, 3}, {6.5, 6}}, 3);
+    drawing.boundaryNames = {{1, "a rather long name of the plate"}, {2, "hole"}, {3, "triangle"}};
+    drawing.regionMarkers.push_back({{2, 7}, 1, 0.0});
+    drawing.regionNames = {{1, "steel"}};
+    driver.context().document.apply(std::move(drawing), "Draw");
+    showLayer(driver.context().layers, "labels", true);
+    showLayer(driver.context().layers, "dimensions", true);
+    driver.key('V');
+    driver.key('A', {Modifiers::kControl});
+    driver.settle();
+    driver.frames(3);
+    return driver.editor().canvas().labels();
+}
+
+bool inside(const PixelRect &rect, const PixelRect &room) {
+    return rect.x >= room.x && rect.y >= room.y && rect.x + rect.width <= room.x + room.width &&
+           rect.y + rect.height <= room.y + room.height;
+}
+
+/// Returns how many places on the outlines of the drawing a rectangle covers.
+int coveredPlaces(Draughtsman &driver, const PixelRect &rect) {
+    int covered = 0;
+    for (const auto &shape : driver.document().shapes) {
+        const Outline outline = outlineOf(*shape);
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            for (int i = 0; i <= 400; ++i) {
+                covered += rect.contains(driver.pixel(outline.curve(k).point(i / 400.0))) ? 1 : 0;
+            }
+        }
+    }
+    return covered;
+}
+
+void checkApart(Draughtsman &driver, const Labels &labels) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        CAPTURE(labels[i].text);
+        CHECK(inside(labels[i].rect, driver.context().view.camera.viewport));
+        for (const char *plate : {"options", "hints", "canvas/plate"}) {
+            const auto &widgets = driver.context().widgets.all();
+            const auto found = widgets.find(plate);
+            CHECK_FALSE((found != widgets.end() && found->second.rect.overlaps(labels[i].rect)));
+        }
+        for (std::size_t k = i + 1; k < labels.size(); ++k) {
+            CAPTURE(labels[k].text);
+            CHECK_FALSE(labels[i].rect.overlaps(labels[k].rect));
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("Labels: names and dimensions cover neither each other, nor plates, edges and the selected outline") {
+    for (const double scale : {1.0, 2.0}) {
+        const auto side = [&](int pixels) { return static_cast<int>(pixels * scale); };
+        Draughtsman driver({}, {side(1280), side(800)});
+        if (scale > 1.0) {
+            driver.context().settings.scale = scale;
+            driver.settle();
+        }
+        for (const double zoom : {1.0, 0.6, 1.7}) {
+            driver.context().view.camera.zoom *= zoom;
+            const Labels labels = labelsOf(driver);
+            CHECK(labels.size() > 6);
+            checkApart(driver, labels);
+            for (const CanvasPainter::Placed &label : labels) {
+                CAPTURE(label.text);
+                CHECK(coveredPlaces(driver, label.rect) == 0);
+            }
+            driver.key('Z', {Modifiers::kControl});
+        }
+    }
+}
+
+TEST_CASE("Labels: words at the pointer move aside at the edge of the canvas, and names make way for them") {
+    Draughtsman driver;
+    labelsOf(driver);
+    const PixelRect canvas = driver.context().view.camera.viewport;
+    driver.key('L');
+    for (const Pixel at : {Pixel(canvas.x + canvas.width - 3.0, canvas.y + 0.5 * canvas.height),
+                           Pixel(canvas.x + 0.4 * canvas.width, canvas.y + 3.0), driver.pixel({9, 1}),
+                           driver.pixel({6.5, 3}), driver.pixel({0.42, 0.41})}) {
+        driver.clickAt({canvas.x + 0.5 * canvas.width, canvas.y + 0.4 * canvas.height});
+        driver.moveTo(at);
+        driver.frames(3);
+        checkApart(driver, driver.editor().canvas().labels());
+        driver.key(key::kEscape);
+    }
+}
+
+} // namespace forefront::test
