@@ -1,10 +1,12 @@
 #include "core/edit/dimensions.hpp"
 
+#include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -37,14 +39,23 @@ void addRoundShape(const Shape &shape, std::vector<Dimension> &found) {
 
 /// Adds the radius of an arc if it is that of a circle.
 void addArcOfCircle(const Shape &shape, const Curve &curve, std::vector<Dimension> &found) {
-    const auto [x, y, ux, uy, vx, vy, start, sweep] = curve.numbers();
-    const Vec2 u{ux, uy}, v{vx, vy};
-    const double radius = length(u);
-    const double tolerance = 1e-9 * radius;
-    if (curve.kind() == CurveKind::Arc && std::fabs(length(v) - radius) <= tolerance &&
-        std::fabs(dot(u, v)) <= tolerance * radius) {
-        found.push_back({DimensionKind::Radius, shape.id, {x, y}, curve.point(0.5), radius, std::fabs(sweep) * radius});
+    if (const std::optional<double> radius = radiusOf(curve)) {
+        const auto numbers = curve.numbers();
+        found.push_back({DimensionKind::Radius,
+                         shape.id,
+                         {numbers[0], numbers[1]},
+                         curve.point(0.5),
+                         *radius,
+                         std::fabs(numbers[7]) * *radius});
     }
+}
+
+/// Adds the length and the radius of a slot, once each.
+void addSlot(const Shape &shape, std::vector<Dimension> &found) {
+    const Outline outline = outlineOf(shape);
+    const double size = distance(shape.nodes[0], shape.nodes[1]);
+    found.push_back({DimensionKind::Length, shape.id, outline.from(0), outline.to(0), size, size});
+    addArcOfCircle(shape, outline.curve(1), found);
 }
 
 void addSegments(const Shape &shape, const Outline &outline, double turn, std::vector<Dimension> &found) {
@@ -99,6 +110,10 @@ std::vector<Dimension> dimensionsOf(const Document &document) {
         }
         if (isRound(*shape)) {
             addRoundShape(*shape, found);
+            continue;
+        }
+        if (shape->kind == ShapeKind::Slot) {
+            addSlot(*shape, found);
             continue;
         }
         const Outline outline = outlineOf(*shape);

@@ -27,14 +27,15 @@ enum class ShapeKind : std::uint8_t {
     Rectangle, ///< two opposite corners
     Circle,    ///< centre, point on the circle
     Point,     ///< one node
-    Ellipse    ///< centre, ends of two conjugate semi-axes; drawn from the first towards the second
+    Ellipse,   ///< centre, ends of two conjugate semi-axes; drawn from the first towards the second
+    Slot       ///< centres of two half circles of the same radius, joined by straight sides
 };
 
 template <>
 struct EnumWords<ShapeKind> {
-    static constexpr auto kLast = ShapeKind::Ellipse;
-    static constexpr std::array<std::string_view, 6> kList = {"polygon", "polyline", "rectangle",
-                                                              "circle",  "point",    "ellipse"};
+    static constexpr auto kLast = ShapeKind::Slot;
+    static constexpr std::array<std::string_view, 7> kList = {"polygon", "polyline", "rectangle", "circle",
+                                                              "point",   "ellipse",  "slot"};
 };
 
 /// The role of a shape in the domain.
@@ -65,10 +66,10 @@ struct Shape {
     /// domain; 1 alone: it is a single chord. Readers keep the chords of the domain that they read, since these are
     /// known not to cross anything. Empty: computed from the tolerance.
     std::vector<std::vector<double>> cuts;
-    double radius = 0.0; ///< of a rectangle's corners; at most half its shorter side counts
+    double radius = 0.0; ///< of a rectangle's corners, where at most half its shorter side counts; of a slot's ends
     bool hidden = false; ///< neither drawn nor picked, but part of the domain
     bool locked = false; ///< drawn, but neither picked nor moved
-    /// Element sizes at nodes, by handle (see handlesOf()); not at the centre of a circle or an ellipse.
+    /// Element sizes at nodes, by handle (see handlesOf()); not at the centre of a circle or an ellipse, nor at a slot.
     std::map<std::uint32_t, PartSize> nodeSizes;
 
     friend bool operator==(const Shape &, const Shape &) = default;

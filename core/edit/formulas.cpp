@@ -2,11 +2,14 @@
 
 #include "core/edit/bring_formulas.hpp"
 #include "core/edit/number_address.hpp"
+#include "core/edit/references.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "core/edit/unchanged_numbers.hpp"
 #include "core/spacing/parts/expression/expression.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -62,9 +65,33 @@ Result<std::vector<Follower>> followersOf(const Document &document, std::string 
     return followers;
 }
 
+/// Sets the coordinates of nodes of paths that differ from their formulas, those of a path at once: curves follow their
+/// ends, and would be lost if these met on the way. Returns true if there were any.
+bool placeNodes(Document &document, std::vector<Follower> &followers) {
+    std::map<std::uint32_t, std::vector<Vec2>> places;
+    for (Follower &follower : followers) {
+        const NumberAddress &number = follower.number;
+        const bool across = number.quantity == "x";
+        const bool coordinate = number.owner == NumberAddress::Owner::Shape && (across || number.quantity == "y");
+        const Shape *const shape = coordinate ? findShape(document, number.id) : nullptr;
+        if (shape != nullptr && isPath(*shape) && !hasValue(document, number, follower.value)) {
+            Vec2 &node = places.try_emplace(number.id, shape->nodes).first->second[number.handle];
+            (across ? node.x : node.y) = follower.value;
+            follower.changed = true;
+        }
+    }
+    for (auto &[id, nodes] : places) {
+        std::shared_ptr<const Shape> &place = document.shapes[positionOf(document, id)];
+        Shape shape = *place;
+        moveNodes(shape, std::move(nodes));
+        place = std::make_shared<const Shape>(std::move(shape));
+    }
+    return !places.empty();
+}
+
 /// Sets the numbers that differ from their formulas. Returns true if there were any.
 Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, std::string &failed) {
-    bool any = false;
+    bool any = placeNodes(document, followers);
     for (Follower &follower : followers) {
         if (!hasValue(document, follower.number, follower.value)) {
             failed = follower.address;
@@ -110,6 +137,11 @@ Result<Document> follow(Document document, std::string &failed) {
         if (!*any) {
             return checkedOwners(std::move(document), *followers, failed);
         }
+    }
+    if (failed.find("/arcRadius/") != std::string::npos) {
+        return error("bad-formula",
+                     "the ends of an arc are too far apart for its radius '" + document.formulas.at(failed) + "'",
+                     "change a parameter, or remove the formula");
     }
     return error("bad-formula", "formulas of the same shape contradict each other", "remove one of them");
 }

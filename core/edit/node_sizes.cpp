@@ -14,7 +14,7 @@
 namespace forefront {
 
 bool canHaveSize(const Shape &shape, std::uint32_t handle) {
-    return handle < handleCount(shape) && !(isRound(shape) && handle == 0);
+    return handle < handleCount(shape) && !isCentre(shape, handle) && shape.kind != ShapeKind::Slot;
 }
 
 namespace {
@@ -33,7 +33,10 @@ Result<Document> changeEach(const Document &document, const std::set<NodeRef> &n
         }
         Shape &shape = shapes.back();
         if (!canHaveSize(shape, node.node)) {
-            return isRound(shape) && node.node == 0
+            return shape.kind == ShapeKind::Slot
+                       ? error("no-such-node", "the handles of " + displayName(shape) + " cannot have an element size",
+                               "convert it to a path, or give its boundary part a size")
+                   : isCentre(shape, node.node)
                        ? error("no-such-node", "the centre of " + displayName(shape) + " cannot have an element size",
                                "select a node on its outline")
                        : error("no-such-node", "node not found");

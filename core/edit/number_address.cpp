@@ -3,10 +3,12 @@
 #include "core/base/number_text.hpp"
 #include "core/edit/element_counts.hpp"
 #include "core/edit/node_sizes.hpp"
+#include "core/edit/path_curve.hpp"
 #include "core/edit/references.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "core/spacing/spec/spec_check.hpp"
 
@@ -29,7 +31,8 @@ constexpr std::array<std::pair<std::string_view, Owner>, 4> kOwners{
 /// Returns true if the address ends in the index of a handle.
 bool hasHandle(const NumberAddress &address) {
     const std::string &what = address.quantity;
-    return address.owner == Owner::Shape && (what == "x" || what == "y" || what == "size" || what == "growth");
+    return address.owner == Owner::Shape &&
+           (what == "x" || what == "y" || what == "size" || what == "growth" || what == "arcRadius");
 }
 
 std::optional<double> copied(const double *place) {
@@ -72,11 +75,18 @@ std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &addre
         const auto part = shape.nodeSizes.find(address.handle);
         return part != shape.nodeSizes.end() ? copied(partNumber(part->second, what)) : std::nullopt;
     }
+    if (what == "arcRadius") {
+        const bool arc = isPath(shape) && address.handle < shape.curves.size();
+        return arc ? radiusOf(shape.curves[address.handle]) : std::nullopt;
+    }
     if (what == "radius" && (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Rectangle)) {
         return shape.kind == ShapeKind::Rectangle ? shape.radius : circleRadius(shape);
     }
     if (shape.kind == ShapeKind::Ellipse && (what == "rx" || what == "ry")) {
         return distance(handles[0], handles[what == "rx" ? 1 : 2]);
+    }
+    if (shape.kind == ShapeKind::Slot && (what == "width" || what == "length")) {
+        return what == "width" ? 2.0 * shape.radius : distance(handles[0], handles[1]);
     }
     if (shape.kind == ShapeKind::Rectangle) {
         const Box2 box = boundsOf(shape);
@@ -114,11 +124,17 @@ Status setShapeNumber(Shape &shape, const NumberAddress &address, double value) 
         return {};
     }
     const bool circle = shape.kind == ShapeKind::Circle;
-    const bool extent = circle || what == "width" || what == "height" || what == "rx" || what == "ry";
+    const bool extent = circle || what == "width" || what == "height" || what == "rx" || what == "ry" ||
+                        what == "length" || what == "arcRadius";
     if (extent && !(value > 0.0)) {
         return error("bad-number", "invalid " + what + " of " + displayName(shape) + "; expected a number above 0");
     }
-    if (what == "rx" || what == "ry" || circle) {
+    if (what == "arcRadius") {
+        Curve &arc = shape.curves[address.handle];
+        arc = withRadius(arc, value);
+    } else if (shape.kind == ShapeKind::Slot) {
+        what == "width" ? void(shape.radius = 0.5 * value) : setSlotLength(shape, value);
+    } else if (what == "rx" || what == "ry" || circle) {
         Vec2 &end = shape.nodes[what == "ry" ? 2 : 1];
         const Vec2 arm = end - shape.nodes[0];
         const Vec2 along =
@@ -335,6 +351,33 @@ Result<Document> checkedOwner(const Document &document, const NumberAddress &add
 std::optional<double> numberAt(const Document &document, std::string_view address) {
     const std::optional<NumberAddress> place = parseAddress(address);
     return place ? readNumber(document, *place) : std::nullopt;
+}
+
+std::string numberName(const Document &document, std::string_view text) {
+    const std::optional<NumberAddress> address = parseAddress(text);
+    if (!address || !readNumber(document, *address)) {
+        return std::string(text);
+    }
+    const std::string what = address->quantity + " of ";
+    switch (address->owner) {
+    case Owner::Shape: {
+        const Shape &shape = *findShape(document, address->id);
+        if (address->quantity == "arcRadius") {
+            return "radius of segment " + std::to_string(address->handle + 1) + " of " + displayName(shape);
+        }
+        const bool node = hasHandle(*address) && (isPath(shape) || shape.kind == ShapeKind::Rectangle);
+        return what + (node ? nodeName(shape, address->handle) : displayName(shape));
+    }
+    case Owner::Source:
+        return what + displayName(document.spacing.sources[address->id], address->id);
+    case Owner::Region:
+        return what + "region marker " + std::to_string(address->id + 1);
+    case Owner::Part:
+        return what + boundaryName(document.boundaryNames, static_cast<std::int32_t>(address->id));
+    case Owner::Spacing:
+        break;
+    }
+    return what + "the spacing";
 }
 
 bool hasValue(const Document &document, const NumberAddress &address, double value) {

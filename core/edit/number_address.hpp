@@ -13,17 +13,18 @@ namespace forefront {
 /// The address of a number of a document.
 ///
 /// "shape/ID/x/K" and "shape/ID/y/K" for handle K (see handlesOf()), "shape/ID/radius" for a circle or rounded corners,
-/// "shape/ID/size/K" and "shape/ID/growth/K" for the size at a node, "shape/ID/rx" and "ry" for an ellipse,
-/// "shape/ID/left", "bottom", "width", "height" for a rectangle; "source/K/x", "y", "x2", "y2", "radius", "size",
-/// "endSize", "growth" for a size source; "region/K/x", "y", "area" for a region marker; "part/TAG/size",
-/// "elements", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn",
-/// "elementsAcross". ID is that of the shape; indices count from 0.
+/// "shape/ID/size/K" and "shape/ID/growth/K" for the size at a node, "shape/ID/arcRadius/K" for segment K of a path, an
+/// arc of a circle, "shape/ID/rx" and "ry" for an ellipse, "shape/ID/left", "bottom", "width", "height" for a
+/// rectangle, "shape/ID/width" and "length" for a slot (the distance between its centres); "source/K/x", "y", "x2",
+/// "y2", "radius", "size", "endSize", "growth" for a size source; "region/K/x", "y", "area" for a region marker;
+/// "part/TAG/size", "elements", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation",
+/// "segmentsPerTurn", "elementsAcross". ID is that of the shape; indices count from 0.
 struct NumberAddress {
     enum class Owner : std::uint8_t { Shape, Source, Region, Part, Spacing };
     Owner owner = Owner::Spacing;
     std::uint32_t id = 0;     ///< of the shape; index of the source or marker; tag of the part
     std::string quantity;     ///< "x", "radius", "size", ...
-    std::uint32_t handle = 0; ///< of "x", "y", "size" and "growth" of a shape
+    std::uint32_t handle = 0; ///< of "x", "y", "size", "growth" and "arcRadius" of a shape
 };
 
 std::optional<NumberAddress> parseAddress(std::string_view address);
@@ -39,6 +40,10 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
 /// Checks the owner of a number after setNumber(): its shape, source, marker, the sizes of the boundary parts, or the
 /// limits of the spacing. Returns the document if the owner is valid. Errors: those of the commands that change it.
 Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
+
+/// Returns what a number is in words, such as "radius of circle 3" or "x of node 2 of polygon 1"; the address itself if
+/// its owner does not exist.
+std::string numberName(const Document &document, std::string_view address);
 
 /// Returns true if a number exists and has a value, up to rounding.
 bool hasValue(const Document &document, const NumberAddress &address, double value);

@@ -273,6 +273,12 @@ Result<std::vector<Shape>> offsetOf(const Shape &shape, double distance, double 
                           ((circleRadius(shape) + distance) / circleRadius(shape)) * (shape.nodes[1] - shape.nodes[0]);
         return std::vector{circle};
     }
+    if (shape.kind == ShapeKind::Slot && shape.radius + distance > 0.0) {
+        Shape slot = shape;
+        slot.radius += distance;
+        slot.cuts.clear();
+        return std::vector{slot};
+    }
     Document sketch;
     sketch.circleTolerance = tolerance;
     Result<Document> drawn = addShapes(sketch, parts(shape, distance));

@@ -224,4 +224,41 @@ Curve arcOfRadius(Vec2 from, Vec2 to, double radius, Vec2 side) {
     return arcThrough(from, centre + std::copysign(sagitta, height) * across, to);
 }
 
+Curve withRadius(const Curve &arc, double radius) {
+    const Vec2 from = arc.point(0.0), to = arc.point(1.0), middle = midpoint(from, to);
+    const Vec2 bulge = arc.point(0.5) - middle;
+    const double chord = distance(from, to), now = radiusOf(arc).value_or(radius);
+    constexpr double kRounding = 1e-9;
+    if (!(chord > kRounding * now)) { // a loop
+        return arc.mapped([&](Vec2 p) { return from + (radius / now) * (p - from); });
+    }
+    const bool large = length(bulge) > (0.5 + kRounding) * chord;
+    // arcOfRadius() takes the large arc for a point that is farther from the chord than half of it.
+    const Vec2 side = length(bulge) > 0.0 ? ((large ? 2.0 : 0.25) * chord / length(bulge)) * bulge : Vec2{};
+    return arcOfRadius(from, to, radius, middle + side);
+}
+
+Curve tangentArc(Vec2 from, Vec2 direction, Vec2 to) {
+    const Vec2 chord = to - from, along = (1.0 / length(direction)) * direction, left = leftNormal(along);
+    const double reach = length(chord), side = dot(chord, left);
+    constexpr double kStraight = 1e-12;
+    if (!(std::fabs(side) > kStraight * reach)) {
+        return Curve::line(from, to);
+    }
+    const double radius = 0.5 * reach * reach / side; // signed: positive to the left
+    const Vec2 centre = from + radius * left, u = from - centre;
+    // The arc turns by twice the angle between the tangent and the chord.
+    const double turn = 2.0 * std::atan2(side, dot(chord, along));
+    return Curve::arc(centre, u, leftNormal(u), 0.0, turn);
+}
+
+std::optional<double> radiusOf(const Curve &curve) {
+    const auto numbers = curve.numbers();
+    const Vec2 u{numbers[2], numbers[3]}, v{numbers[4], numbers[5]};
+    const double radius = length(u), tolerance = 1e-9 * radius;
+    const bool round = curve.kind() == CurveKind::Arc && std::fabs(length(v) - radius) <= tolerance &&
+                       std::fabs(dot(u, v)) <= tolerance * radius;
+    return round ? std::optional(radius) : std::nullopt;
+}
+
 } // namespace forefront

@@ -2,6 +2,8 @@
 
 #include "core/geometry/curve.hpp"
 
+#include <optional>
+
 namespace forefront {
 
 /// Returns the curve moved by a vector, without rounding its axes.
@@ -16,6 +18,9 @@ bool joins(const Curve &curve, Vec2 from, Vec2 to);
 
 /// Returns the curvature at a parameter, positive to the left; 0 where the derivative vanishes.
 double curvatureOf(const Curve &curve, double t);
+
+/// Returns the radius of an arc of a circle; none for other curves.
+std::optional<double> radiusOf(const Curve &curve);
 
 /// Returns the signed area between the curve and the lines from a point to its ends, positive where the curve runs
 /// counter-clockwise around the point.
@@ -34,5 +39,11 @@ Curve arcThrough(Vec2 from, Vec2 middle, Vec2 to);
 /// Returns an arc of a circle with the given radius between two points, on the side of a third point: more than half a
 /// circle if that point is far from their line, exactly half if the radius is too small.
 Curve arcOfRadius(Vec2 from, Vec2 to, double radius, Vec2 side);
+/// Returns an arc with another radius between the ends of an arc, on the same side and, like it, more than half a
+/// circle or not.
+Curve withRadius(const Curve &arc, double radius);
+/// Returns the arc of a circle between two points that leaves the first one in a direction; a line if the second point
+/// is ahead.
+Curve tangentArc(Vec2 from, Vec2 direction, Vec2 to);
 
 } // namespace forefront

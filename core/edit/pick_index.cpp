@@ -69,7 +69,7 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
     centreTree_ = BoxTree(centreBoxes);
 }
 
-/// Adds the centres of a rectangle and of the arcs of a path; those of circles and ellipses are handles.
+/// Adds the centres of a rectangle and of the arcs of a path; those of circles, ellipses and slots are handles.
 void PickIndex::addCentres(std::uint32_t shape, const Outline &outline) {
     const auto add = [&](std::uint32_t part, Vec2 centre) { centres_.push_back({shape, part, centre, centre}); };
     if (document_->shapes[shape]->kind == ShapeKind::Rectangle) {
@@ -77,7 +77,7 @@ void PickIndex::addCentres(std::uint32_t shape, const Outline &outline) {
     }
     for (std::uint32_t s = 0; s < outline.segmentCount(); ++s) {
         if (outline.isCurved(s) && outline.curves[s].kind() == CurveKind::Arc &&
-            document_->shapes[shape]->kind != ShapeKind::Ellipse) {
+            document_->shapes[shape]->kind != ShapeKind::Ellipse && document_->shapes[shape]->kind != ShapeKind::Slot) {
             const std::array<double, 8> numbers = outline.curves[s].numbers();
             add(outline.part(s), {numbers[0], numbers[1]});
         }

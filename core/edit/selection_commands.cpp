@@ -28,7 +28,8 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
                 continue;
             }
             const auto count = static_cast<std::uint32_t>(handleCount(*shape));
-            for (std::uint32_t k = 0; k < (isRound(*shape) ? count : 2); ++k) {
+            const bool whole = isRound(*shape) || shape->kind == ShapeKind::Slot;
+            for (std::uint32_t k = 0; k < (whole ? count : 2); ++k) {
                 handles[segment.shape].insert((segment.segment + k) % count);
             }
         }
@@ -55,7 +56,7 @@ void joinCurves(Shape &shape, std::uint32_t node) {
 /// Removes nodes and joins their neighbours along a curve as near as possible to the old ones; the segment that starts
 /// at a removed node goes with it.
 void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
-    if (isRound(shape)) {
+    if (isRound(shape) || shape.kind == ShapeKind::Slot) {
         shape.nodes.clear();
         return;
     }

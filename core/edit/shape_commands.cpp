@@ -1,8 +1,10 @@
 #include "core/edit/shape_commands.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
 
 #include <algorithm>
 #include <array>
@@ -208,11 +210,14 @@ Diagnostics checkShape(const Shape &shape) {
     case ShapeKind::Ellipse:
         sound = n == 3 && cross(shape.nodes[1] - shape.nodes[0], shape.nodes[2] - shape.nodes[0]) != 0.0;
         break;
+    case ShapeKind::Slot:
+        sound = n == 2 && shape.nodes[0] != shape.nodes[1] && shape.radius > 0.0 && std::isfinite(shape.radius);
+        break;
     }
     if (!sound) {
         return error("bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
-                     "a polygon needs three nodes, a polyline two; the sides of a rectangle, the radius of a circle "
-                     "and the semi-axes of an ellipse must not be 0");
+                     "a polygon needs three nodes, a polyline two; the sides of a rectangle, the radius of a circle, "
+                     "the semi-axes of an ellipse and the length and width of a slot must not be 0");
     }
     if (Diagnostics faults = checkNodeSizes(shape); !faults.empty()) {
         return faults;
@@ -289,6 +294,8 @@ void placeHandle(Shape &shape, std::uint32_t handle, Vec2 to) {
         nodes[0] = to;
     } else if (shape.kind == ShapeKind::Ellipse) {
         placeAxis(shape, handle, to);
+    } else if (shape.kind == ShapeKind::Slot) {
+        placeSlotHandle(shape, handle, to);
     } else if (isPath(shape)) {
         std::vector<Vec2> places = nodes;
         places[handle] = to;
@@ -321,16 +328,38 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
         if (isRound(shape) || segment.segment >= taggedSegments(shape)) {
             return noSuch("segment");
         }
-        if (isPath(shape) && outlineOf(shape).isCurved(segment.segment)) {
+        if (!(shape.kind == ShapeKind::Rectangle) && outlineOf(shape).isCurved(segment.segment)) {
             return error("not-possible", "the length of a curved segment follows from its handles",
                          "move them, or make the segment straight");
         }
-        const auto end = static_cast<std::uint32_t>((segment.segment + 1) % handles.size());
-        const Vec2 from = handles[segment.segment], arm = handles[end] - from;
+        const bool slot = shape.kind == ShapeKind::Slot; // each side is as long as the way between the centres
+        const std::uint32_t begin = slot ? 0 : segment.segment;
+        const auto end = static_cast<std::uint32_t>((begin + 1) % handles.size());
+        const Vec2 from = handles[begin], arm = handles[end] - from;
         if (!(target > 0.0) || !std::isfinite(target) || !(length(arm) > 0.0)) {
             return error("bad-number", "invalid length; expected a number above 0");
         }
         placeHandle(shape, end, from + (target / length(arm)) * arm);
+        return {};
+    });
+}
+
+Result<Document> setArcRadius(const Document &document, SegmentRef segment, double radius) {
+    return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
+        if (segment.segment >= shape.curves.size() || !radiusOf(shape.curves[segment.segment])) {
+            return error("not-possible", "the segment is not an arc of a circle", "select an arc");
+        }
+        Curve &arc = shape.curves[segment.segment];
+        const double half = 0.5 * distance(arc.point(0.0), arc.point(1.0));
+        constexpr double kRounding = 1e-9;
+        if (!(radius >= (1.0 - kRounding) * half) || !(radius > 0.0) || !std::isfinite(radius)) {
+            return error("bad-number",
+                         "invalid radius " + numberText(radius, 6) + "; the ends of the arc are " +
+                             numberText(2.0 * half, 6) + " apart",
+                         "enter at least half of that");
+        }
+        arc = withRadius(arc, radius);
+        shape.cuts.clear();
         return {};
     });
 }
@@ -345,7 +374,7 @@ Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 a
             return noSuch("segment");
         }
         std::uint32_t k = segment.segment;
-        if (shape.kind == ShapeKind::Rectangle) {
+        if (!isPath(shape)) {
             k = nearestSegment(outlineOf(shape), segment.segment, at);
             becomePath(shape);
         }
@@ -363,7 +392,7 @@ Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 a
 Result<Document> convertToPath(const Document &document, std::uint32_t id) {
     return changeShape(document, id, [&](Shape &shape) -> Status {
         if (isPath(shape) || shape.kind == ShapeKind::Point) {
-            return error("not-possible", displayName(shape) + " is not a rectangle, circle or ellipse");
+            return error("not-possible", displayName(shape) + " is not a rectangle, circle, ellipse or slot");
         }
         becomePath(shape);
         return {};

@@ -32,17 +32,18 @@ Document deleteSelection(const Document &document, const Selection &selection);
 Result<Document> duplicateSelection(const Document &document, const Selection &selection, Vec2 by, Selection *copies);
 
 /// Moves a handle to a place. A corner of a rectangle takes the two adjacent corners with it, and the centre of a
-/// circle the whole circle.
+/// circle the whole circle. The side of a slot changes its width.
 Result<Document> setHandle(const Document &document, NodeRef node, Vec2 to);
 Result<Document> setRadius(const Document &document, std::uint32_t circle, double radius);
 /// Moves the second end of a segment so that it gets this length.
 Result<Document> setSegmentLength(const Document &document, SegmentRef segment, double length);
-/// Inserts a node into a segment of a path (a rectangle becomes one); both parts keep tag and curve.
+/// Gives a segment of a path that is an arc of a circle another radius; its ends stay.
+Result<Document> setArcRadius(const Document &document, SegmentRef segment, double radius);
+/// Inserts a node into a segment of a path (a rectangle or slot becomes one); both parts keep tag and curve.
 Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 at);
-/// Converts a rectangle, circle or ellipse to a closed path with the same outline: see becomePath().
+/// Converts a rectangle, circle, ellipse or slot to a closed path with the same outline: see becomePath().
 Result<Document> convertToPath(const Document &document, std::uint32_t shape);
-/// The same for several shapes; those other than rectangles, circles and ellipses are unchanged. Error: not-possible if
-/// there are no others.
+/// The same for several shapes; paths and points are unchanged. Error: not-possible if there are no others.
 Result<Document> convertToPaths(const Document &document, const std::set<std::uint32_t> &shapes);
 /// Opens a polygon at its first node, or closes a polyline of at least three nodes.
 Result<Document> toggleClosed(const Document &document, std::uint32_t shape);

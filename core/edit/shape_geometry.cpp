@@ -19,6 +19,7 @@ constexpr double kFineChords = 1e-4;
 std::size_t taggedSegments(const Shape &shape) {
     switch (shape.kind) {
     case ShapeKind::Rectangle:
+    case ShapeKind::Slot:
         return 4;
     case ShapeKind::Circle:
     case ShapeKind::Ellipse:
@@ -39,6 +40,9 @@ std::int32_t segmentTag(const Shape &shape, std::size_t part) {
 }
 
 std::vector<Vec2> handlesOf(const Shape &shape) {
+    if (shape.kind == ShapeKind::Slot && shape.nodes.size() == 2) {
+        return {shape.nodes[0], shape.nodes[1], slotSide(shape)};
+    }
     if (shape.kind != ShapeKind::Rectangle || shape.nodes.size() != 2) {
         return shape.nodes;
     }
@@ -47,7 +51,14 @@ std::vector<Vec2> handlesOf(const Shape &shape) {
 }
 
 std::size_t handleCount(const Shape &shape) {
-    return shape.kind == ShapeKind::Rectangle && shape.nodes.size() == 2 ? 4 : shape.nodes.size();
+    const bool pair = shape.nodes.size() == 2;
+    return pair && shape.kind == ShapeKind::Rectangle ? 4
+           : pair && shape.kind == ShapeKind::Slot    ? 3
+                                                      : shape.nodes.size();
+}
+
+bool isCentre(const Shape &shape, std::uint32_t handle) {
+    return (isRound(shape) && handle == 0) || (shape.kind == ShapeKind::Slot && handle < 2);
 }
 
 bool isPath(const Shape &shape) {
@@ -59,7 +70,7 @@ bool isRound(const Shape &shape) {
 }
 
 bool isClosed(const Shape &shape) {
-    return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle || isRound(shape);
+    return shape.kind != ShapeKind::Polyline && shape.kind != ShapeKind::Point;
 }
 
 double circleRadius(const Shape &shape) {
@@ -77,7 +88,7 @@ Box2 boundsOf(const Shape &shape) {
     }
     Box2 box;
     for (const Vec2 node : shape.nodes) {
-        box.add(node);
+        box.add(shape.kind == ShapeKind::Slot ? boxAround(node, shape.radius) : Box2{node, node});
     }
     for (const Curve &curve : shape.curves) {
         if (curve.kind() != CurveKind::Line) {
@@ -165,7 +176,7 @@ void scaleShape(Shape &shape, double factor) {
 }
 
 void becomePath(Shape &shape) {
-    if (shape.kind != ShapeKind::Rectangle && !isRound(shape)) {
+    if (isPath(shape) || shape.kind == ShapeKind::Point) {
         return;
     }
     const Shape before = shape;
@@ -183,7 +194,7 @@ void becomePath(Shape &shape) {
             outline.curves.push_back(loop.part(from, static_cast<double>(k + 1) / kParts));
         }
     }
-    if (!shape.segmentTags.empty() && shape.kind == ShapeKind::Rectangle) {
+    if (!shape.segmentTags.empty() && !isRound(shape)) {
         std::vector<std::int32_t> tags;
         for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
             tags.push_back(segmentTag(shape, outline.part(k)));

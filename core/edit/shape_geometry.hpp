@@ -38,7 +38,8 @@ struct Outline {
 };
 
 /// Returns the nodes and segments of a shape. A rectangle starts at its first corner along x; one with rounded corners
-/// has up to eight segments. A circle is one segment that starts at its point, counter-clockwise; so is an ellipse.
+/// has up to eight segments. A circle is one segment that starts at its point, counter-clockwise; so is an ellipse. A
+/// slot is a side and an end in turn, counter-clockwise, from the right of its first centre.
 Outline outlineOf(const Shape &shape);
 
 /// An outline as straight segments: chord k joins nodes k and k+1; in a closed outline the last one closes it.
@@ -61,16 +62,18 @@ Chords chordsOf(const Shape &shape, const Outline &outline, double circleToleran
 /// sagitta within `tolerance`·radius.
 std::size_t circleCorners(double tolerance);
 
-/// Returns the number of parts that can have their own tag: 4 for a rectangle (its sides), 1 for a circle or an
-/// ellipse, else the number of segments of the outline.
+/// Returns the number of parts that can have their own tag: 4 for a rectangle (its sides) or a slot, 1 for a circle or
+/// an ellipse, else the number of segments of the outline.
 std::size_t taggedSegments(const Shape &shape);
 /// Returns the tag of a part; see taggedSegments().
 std::int32_t segmentTag(const Shape &shape, std::size_t part);
 
 /// Returns the points that can be dragged: the nodes, the four corners of a rectangle; centre and point of a circle,
-/// centre and the ends of both semi-axes of an ellipse.
+/// centre and the ends of both semi-axes of an ellipse; both centres of a slot and the middle of its left side.
 std::vector<Vec2> handlesOf(const Shape &shape);
 std::size_t handleCount(const Shape &shape);
+/// Returns true for a handle that is a centre of a circle, an ellipse or a slot.
+bool isCentre(const Shape &shape, std::uint32_t handle);
 
 /// Returns true for polygons and polylines, whose nodes and segments can be edited one by one.
 bool isPath(const Shape &shape);
@@ -93,13 +96,13 @@ double lengthOf(const Shape &shape);
 void moveShape(Shape &shape, Vec2 by);
 /// Scales a shape about the origin; `factor` must not be 0.
 void scaleShape(Shape &shape, double factor);
-/// Turns a rectangle, circle or ellipse into a closed path with the same outline; leaves other shapes unchanged. A
-/// circle and an ellipse get four nodes.
+/// Turns a rectangle, circle, ellipse or slot into a closed path with the same outline; leaves other shapes unchanged.
+/// A circle and an ellipse get four nodes.
 void becomePath(Shape &shape);
 /// Moves nodes of a path to new places, one for each node; curves move with their ends.
 void moveNodes(Shape &shape, std::vector<Vec2> places);
 
-/// Returns the word for the form of a shape: that of its kind, or "slot".
+/// Returns the word for the form of a shape: that of its kind, or "slot" for a path with that form.
 std::string kindName(const Shape &shape);
 /// Returns the name of a shape, or one made of its kind and id such as "polygon 3".
 std::string displayName(const Shape &shape);

@@ -1,5 +1,6 @@
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
 
 #include <algorithm>
 #include <array>
@@ -123,6 +124,11 @@ Outline outlineOf(const Shape &shape) {
             Outline outline = loopOutline(nodes[0], u, v);
             outline.nodes[0] = nodes[1];
             return outline;
+        }
+        break;
+    case ShapeKind::Slot:
+        if (nodes.size() == 2) {
+            return nodes[0] == nodes[1] || !(shape.radius > 0.0) ? pointOutline(nodes[0]) : slotOutline(shape);
         }
         break;
     case ShapeKind::Polygon:

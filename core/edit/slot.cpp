@@ -2,8 +2,18 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace forefront {
+namespace {
+
+/// Returns the direction from the first centre to the second; along x if they coincide, as while formulas are applied.
+Vec2 directionOf(const Shape &slot) {
+    const Vec2 arm = slot.nodes[1] - slot.nodes[0];
+    return length(arm) > 0.0 ? (1.0 / length(arm)) * arm : Vec2{1.0, 0.0};
+}
+
+} // namespace
 
 Shape slotAround(Vec2 a, Vec2 b, double radius) {
     Shape shape;
@@ -12,15 +22,51 @@ Shape slotAround(Vec2 a, Vec2 b, double radius) {
         shape.nodes = {a, a + Vec2{radius, 0.0}};
         return shape;
     }
-    const Vec2 along = (radius / distance(a, b)) * (b - a), left = leftNormal(along);
-    shape.kind = ShapeKind::Polygon;
-    shape.nodes = {a - left, b - left, b + left, a + left};
-    shape.curves = {Curve(), Curve::arc(b, -1.0 * left, along, 0.0, std::numbers::pi), Curve(),
-                    Curve::arc(a, left, -1.0 * along, 0.0, std::numbers::pi)};
+    shape.kind = ShapeKind::Slot;
+    shape.nodes = {a, b};
+    shape.radius = radius;
     return shape;
 }
 
+Outline slotOutline(const Shape &slot) {
+    const Vec2 a = slot.nodes[0], b = slot.nodes[1];
+    const Vec2 along = (slot.radius / distance(a, b)) * (b - a), left = leftNormal(along);
+    return {{a - left, b - left, b + left, a + left},
+            true,
+            {Curve(), Curve::arc(b, -1.0 * left, along, 0.0, std::numbers::pi), Curve(),
+             Curve::arc(a, left, -1.0 * along, 0.0, std::numbers::pi)},
+            {}};
+}
+
+Vec2 slotSide(const Shape &slot) {
+    return midpoint(slot.nodes[0], slot.nodes[1]) + slot.radius * leftNormal(directionOf(slot));
+}
+
+void placeSlotHandle(Shape &slot, std::uint32_t handle, Vec2 to) {
+    if (handle < 2) {
+        slot.nodes[handle] = to;
+    } else {
+        slot.radius = std::fabs(dot(to - slot.nodes[0], leftNormal(directionOf(slot))));
+    }
+}
+
+void setSlotLength(Shape &slot, double length) {
+    slot.nodes[1] = slot.nodes[0] + length * directionOf(slot);
+}
+
+void mapSlot(Shape &slot, const PlaneMap &map) {
+    slot.nodes = {map(slot.nodes[0]), map(slot.nodes[1])};
+    slot.radius *= std::sqrt(std::fabs(map.determinant()));
+    if (map.determinant() < 0.0 && slot.segmentTags.size() == 4) {
+        std::swap(slot.segmentTags[0], slot.segmentTags[2]); // left and right have changed places
+    }
+    slot.cuts.clear();
+}
+
 bool isSlot(const Shape &shape) {
+    if (shape.kind == ShapeKind::Slot) {
+        return true;
+    }
     if (shape.kind != ShapeKind::Polygon || shape.nodes.size() != 4 || shape.curves.size() != 4) {
         return false;
     }

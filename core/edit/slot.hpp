@@ -1,14 +1,31 @@
 #pragma once
 
-#include "core/edit/document.hpp"
+#include "core/edit/plane_map.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <cstdint>
 
 namespace forefront {
 
-/// Returns the closed path around the line from `a` to `b` at a distance, with half circles at its ends; a circle if
-/// both are one point.
+/// Returns the slot around the line from `a` to `b` at a distance; a circle if both are one point.
 Shape slotAround(Vec2 a, Vec2 b, double radius);
 
-/// Returns true for a path with the form of a slot: two parallel sides joined by half circles.
+/// Returns true for a slot, and for a path with the form of one: two parallel sides joined by half circles.
 bool isSlot(const Shape &shape);
+
+/// Returns the outline of a slot whose centres differ.
+Outline slotOutline(const Shape &slot);
+
+/// Returns the middle of the left side of a slot, which is the handle for its width.
+Vec2 slotSide(const Shape &slot);
+
+/// Moves a centre, or the side at the same distance on both sides.
+void placeSlotHandle(Shape &slot, std::uint32_t handle, Vec2 to);
+
+/// Moves the second centre to a distance from the first one, in the same direction.
+void setSlotLength(Shape &slot, double length);
+
+/// Maps a slot by a similarity.
+void mapSlot(Shape &slot, const PlaneMap &map);
 
 } // namespace forefront

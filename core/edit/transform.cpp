@@ -5,6 +5,7 @@
 #include "core/edit/selected_handles.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -198,6 +199,13 @@ void mapShape(Shape &shape, const PlaneMap &map) {
         const bool sameCorners = shape.radius == 0.0 || map.isSimilarity();
         if (map.keepsAxes() && sameCorners) {
             mapRectangle(shape, map);
+            return;
+        }
+        becomePath(shape);
+    }
+    if (shape.kind == ShapeKind::Slot) {
+        if (map.isSimilarity()) {
+            mapSlot(shape, map);
             return;
         }
         becomePath(shape);

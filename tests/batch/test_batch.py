@@ -298,6 +298,13 @@ class Meshing(Case):
             self.call("mesh", "disc.json", "-o", "disc.vtu", "--stats", "disc-stats.json", *setting)
             area = json.loads(self.read("disc-stats.json"))["area"]
             self.assertAlmostEqual(area, math.pi * radius * radius, delta=0.02 * area)
+        self.write("slot.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.3},
+            "shapes": [{"id": 1, "kind": "slot", "nodes": [[0, 0], [3, 4]], "radius": 1}],
+            "parameters": {"w": "2", "L": "5"}, "formulas": {"shape/1/width": "w", "shape/1/length": "L"}}""")
+        for setting, width, length in ([], 2.0, 5.0), (["--set", "w=3", "--set", "L=7"], 3.0, 7.0):
+            self.call("mesh", "slot.json", "-o", "slot.vtu", "--stats", "slot-stats.json", *setting)
+            area = json.loads(self.read("slot-stats.json"))["area"]
+            self.assertAlmostEqual(area, width * length + 0.25 * math.pi * width * width, delta=0.02 * area)
         line = self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "q=1", code=1).stderr
         self.assertIn("unknown parameter 'q'; expected d, r", line)
         self.assertIn("depends on itself", self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r=d", code=1).stderr)

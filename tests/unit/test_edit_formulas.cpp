@@ -1,9 +1,14 @@
+#include "core/edit/equality.hpp"
 #include "core/edit/formulas.hpp"
 #include "core/edit/number_address.hpp"
+#include "core/edit/path_curve.hpp"
+#include "core/edit/place_formulas.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
 #include "core/edit/spacing_commands.hpp"
+#include "core/edit/transform.hpp"
 #include "core/io/project/project.hpp"
 #include "core/spacing/part_list.hpp"
 #include "core/spacing/spacing_field.hpp"
@@ -14,7 +19,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -382,4 +389,110 @@ TEST_CASE("evaluateFormula: dist needs x and y, which parameters and formulas do
     REQUIRE_FALSE(value.ok());
     CHECK(value.faults().front().message == "expression, column 5: dist needs x and y; use hypot(a, b)");
     CHECK(*evaluateFormula({}, "hypot(3, 4)") == 5.0);
+}
+
+namespace {
+
+/// Returns a document with parameters and formulas whose numbers already have the values.
+Document withFormulas(Document document, std::vector<Parameter> parameters,
+                      const std::map<std::string, std::string> &formulas) {
+    document.formulas = formulas;
+    const Result<Document> next = setParameters(document, std::move(parameters));
+    REQUIRE_MESSAGE(next.ok(), codeOf(next));
+    return *next;
+}
+
+} // namespace
+
+TEST_CASE("Formulas: width and length of a slot follow, through moves, turns and a project file") {
+    const Shape slot = slotAround({1, 1}, {5, 1}, 0.5);
+    const Document document =
+        withFormulas(documentOf({slot}), {{"w", "1"}, {"L", "4"}}, {{"shape/1/length", "L"}, {"shape/1/width", "w"}});
+    Document turned = *transformSelection(document, selected({1}), PlaneMap::rotation(90, {1, 1}));
+    carryFormulas(document, turned);
+    CHECK(turned.formulas == document.formulas);
+    const Result<Document> read = parseProject(projectText(turned), "test");
+    REQUIRE(read.ok());
+    CHECK(sameContent(*read, turned));
+    const Result<Document> next = overrideParameters(*read, {{"w", "3"}, {"L", "6"}});
+    REQUIRE(next.ok());
+    CHECK(next->shapes[0]->kind == ShapeKind::Slot);
+    CHECK(next->shapes[0]->radius == 1.5);
+    CHECK(distance(next->shapes[0]->nodes[1], {1, 7}) < 1e-12);
+    CHECK(codeOf(overrideParameters(*read, {{"w", "-1"}})) == "bad-number");
+}
+
+TEST_CASE("Formulas: an arc keeps its radius while its ends move, also where these meet on the way") {
+    // Half a circle about (0, 0), whose ends follow its centre and radius.
+    Shape arc = makeShape(ShapeKind::Polyline, {{1, 0}, {-1, 0}}, ShapeUse::Constraint);
+    arc.curves = {Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, std::numbers::pi)};
+    const Document document =
+        withFormulas(documentOf({arc}), {{"c", "0"}, {"r", "1"}},
+                     {{"shape/1/x/0", "c + r"}, {"shape/1/x/1", "c - r"}, {"shape/1/arcRadius/0", "r"}});
+    const Result<Document> next = overrideParameters(document, {{"c", "-2"}, {"r", "3"}});
+    REQUIRE(next.ok());
+    const Shape &moved = *next->shapes[0];
+    CHECK(moved.nodes == std::vector<Vec2>{{1, 0}, {-5, 0}});
+    CHECK(distance(moved.curves[0].point(0.5), {-2, 3}) < 1e-9);
+    Document apart = document;
+    apart.formulas.erase("shape/1/x/0");
+    apart.formulas.erase("shape/1/x/1");
+    const Result<Document> wider = overrideParameters(apart, {{"r", "2"}});
+    REQUIRE(wider.ok());
+    CHECK(radiusOf(wider->shapes[0]->curves[0]) == doctest::Approx(2.0));
+    const Result<Document> small = overrideParameters(apart, {{"r", "0.5"}});
+    REQUIRE_FALSE(small.ok());
+    CHECK(small.faults().front().message == "the ends of an arc are too far apart for its radius 'r'");
+}
+
+TEST_CASE("followLength: the second end follows the length, and the first end where that has formulas") {
+    const Document plain = documentOf({makeShape(ShapeKind::Polyline, {{1, 1}, {4, 1}, {4, 4}, {7, 8}})});
+    Document document = withFormulas(plain, {{"L", "3"}, {"a", "1"}}, {{"shape/1/x/0", "a"}});
+    document = followLength(document, {1, 0}, "L");
+    document = followLength(document, {1, 1}, "L");
+    document = followLength(document, {1, 2}, "L + 2");
+    CHECK(document.formulas.at("shape/1/x/1") == "a + L");
+    CHECK_FALSE(document.formulas.contains("shape/1/y/1")); // stays
+    CHECK(document.formulas.at("shape/1/x/2") == "a + L");
+    CHECK(document.formulas.at("shape/1/y/2") == "1 + L");
+    pruneFormulas(document);
+    CHECK(document.formulas.size() == 6);
+    const Result<Document> next = overrideParameters(document, {{"L", "8"}, {"a", "0"}});
+    REQUIRE(next.ok());
+    const std::vector<Vec2> &nodes = next->shapes[0]->nodes;
+    CHECK(nodes[1] == Vec2{8, 1});
+    CHECK(nodes[2] == Vec2{8, 9});
+    CHECK(distance(nodes[2], nodes[3]) == doctest::Approx(10.0));
+    CHECK(followLength(plain, {1, 0}, "3").formulas.empty());
+}
+
+TEST_CASE("Place formulas: sums, differences and places at an angle are short") {
+    CHECK(sumFormula("1", "2.5") == "3.5");
+    CHECK(sumFormula("0", "a") == "a");
+    CHECK(sumFormula("a", "-b*2") == "a - b*2");
+    CHECK(sumFormula("1", "b > 2 ? 1 : 3") == "1 + (b > 2 ? 1 : 3)");
+    CHECK(differenceFormula("a", "b - 1") == "a - (b - 1)");
+    CHECK(differenceFormula("a", "-2") == "a + 2");
+    const PlaceFormula up = polarFormula({"a", "2"}, "L - 1", "90");
+    CHECK(up.x == "a");
+    CHECK(up.y == "2 + L - 1");
+    const PlaceFormula back = polarFormula({"a", "2"}, "L - 1", "180");
+    CHECK(back.x == "a - (L - 1)");
+    const PlaceFormula aslant = polarFormula({"0", "2"}, "L", "alpha + 30");
+    CHECK(aslant.x == "L*cos((alpha + 30)*pi/180)");
+    CHECK(aslant.y == "2 + L*sin((alpha + 30)*pi/180)");
+    CHECK_FALSE(usesNames("2*cos(pi/3)"));
+    CHECK(usesNames("2*cos(a)"));
+}
+
+TEST_CASE("numberName: what a number is, in words") {
+    Document document = documentOf({slotAround({0, 0}, {4, 0}, 1), square({0, 0}, 2)});
+    document.boundaryNames[1] = "inlet";
+    document.spacing.partSizes[1] = {0.1, 0.2};
+    document.spacing.size = 1.0;
+    CHECK(numberName(document, "shape/1/width") == "width of slot 1");
+    CHECK(numberName(document, "shape/2/x/1") == "x of node 2 of polygon 2");
+    CHECK(numberName(document, "part/1/size") == "size of inlet");
+    CHECK(numberName(document, "spacing/size") == "size of the spacing");
+    CHECK(numberName(document, "shape/9/width") == "shape/9/width");
 }

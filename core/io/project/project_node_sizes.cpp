@@ -44,8 +44,10 @@ void readNodeSize(const JsonValue &item, Shape &shape, JsonCheck &check) {
     const auto node = static_cast<std::uint32_t>(check.integer(*index, 0, kMaxIndex, "the index of a node"));
     if (!canHaveSize(shape, node)) {
         check.fault(*index, "bad-index",
-                    "invalid node " + std::to_string(node) + "; expected " + (isRound(shape) ? "1 to " : "0 to ") +
-                        std::to_string(handleCount(shape) - 1));
+                    "invalid node " + std::to_string(node) + "; expected " +
+                        (shape.kind == ShapeKind::Slot
+                             ? std::string("none, since a slot has no sizes at nodes")
+                             : (isRound(shape) ? "1 to " : "0 to ") + std::to_string(handleCount(shape) - 1)));
     } else if (!shape.nodeSizes.emplace(node, part).second) {
         check.fault(*index, "bad-index", "node " + std::to_string(node) + " has two sizes; remove one");
     }

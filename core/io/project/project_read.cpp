@@ -73,8 +73,8 @@ class ProjectReader {
     }
 
   private:
-    /// Records the places of the parts of the document's domain in the text. The parts of rectangles, circles and
-    /// ellipses are placed at the list of nodes.
+    /// Records the places of the parts of the document's domain in the text. The parts of rectangles, circles, ellipses
+    /// and slots are placed at the list of nodes.
     void recordOrigins() {
         DomainSources sources;
         toDomain(document_, sources);
@@ -83,7 +83,7 @@ class ProjectReader {
                 const std::vector<std::size_t> &offsets = offsets_[part.shape];
                 const ShapeKind shape = document_.shapes[part.shape]->kind;
                 const bool listed =
-                    shape != ShapeKind::Rectangle && shape != ShapeKind::Circle && shape != ShapeKind::Ellipse;
+                    shape == ShapeKind::Polygon || shape == ShapeKind::Polyline || shape == ShapeKind::Point;
                 const std::size_t k = listed ? part.node + std::size_t{1} : 0;
                 source_.origin->of(kind).push_back({k < offsets.size() ? offsets[k] : PartOrigin::kNowhere, {}});
             }
@@ -169,6 +169,7 @@ class ProjectReader {
         if (const auto radius = item.find("radius")) {
             shape.radius = check_.notNegative(*radius, "the radius of a shape's corners");
         }
+        slotRadius(shape, item);
         readCurves(item, shape, check_);
         readNodeSizes(item, shape, check_);
         if (const auto hidden = item.find("hidden")) {
@@ -189,12 +190,20 @@ class ProjectReader {
         return shape;
     }
 
+    void slotRadius(const Shape &shape, const JsonValue &place) {
+        if (shape.kind == ShapeKind::Slot && !(shape.radius > 0.0)) {
+            check_.fault(place, "bad-number", "a slot has no radius; expected a number above 0",
+                         "add \"radius\", half the width of the slot");
+        }
+    }
+
     void nodeCount(const Shape &shape, const JsonValue &place) {
         const std::size_t count = shape.nodes.size();
         std::size_t expected = 0; // any
         switch (shape.kind) {
         case ShapeKind::Rectangle:
         case ShapeKind::Circle:
+        case ShapeKind::Slot:
             expected = 2;
             break;
         case ShapeKind::Ellipse:
