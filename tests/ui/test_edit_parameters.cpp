@@ -205,7 +205,8 @@ TEST_CASE("Parameters: a negative width is drawn to the left and keeps its expre
     driver.key(key::kTab);
     driver.type("2*r");
     driver.key(key::kEnter);
-    CHECK(driver.document().formulas.size() == 3);
+    CHECK(driver.document().formulas.size() == 4);
+    CHECK(driver.document().formulas.at("shape/1/left") == "7 - r"); // the right side stays
     CHECK(driver.document().formulas.at("shape/3/ry") == "(2*r)/2");
 }
 

@@ -129,12 +129,13 @@ std::string addressOfCount(std::int32_t tag) {
 
 /// Gives the segments a number of elements that was entered, with its expression if there is one.
 void applyCount(Shell &context, const std::set<SegmentRef> &segments, std::optional<std::uint32_t> count) {
-    const EnteredFormula entered = std::exchange(context.entered, {}); // its tag may change
+    const EnteredFormulas entered = std::exchange(context.entered, {}); // its tag may change
+    const std::string text = entered.texts.empty() ? std::string() : entered.texts.begin()->second;
     Result<Document> next = setElementCount(*context.document.current(), segments, count);
     if (next && count) {
         for (const SegmentRef segment : segments) {
             const std::int32_t tag = segmentTag(*findShape(*next, segment.shape), segment.segment);
-            next = setFormula(*std::move(next), addressOfCount(tag), entered.text);
+            next = setFormula(*std::move(next), addressOfCount(tag), text);
         }
     }
     EditState::apply(context, std::move(next), "Set number of elements");

@@ -8,6 +8,7 @@
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/element_count_row.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/panels/geometry_rows.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
@@ -39,8 +40,6 @@ class InspectorPanel final : public Panel {
   private:
     void drawHere(Shell &context) const;
     void drawShape(Shell &context, const Shape &shape) const;
-    void drawGeometry(Shell &context, const Shape &shape) const;
-    void drawEllipse(Shell &context, const Shape &shape) const;
     void drawShapeButtons(Shell &context, const Shape &shape) const;
     void drawNode(Shell &context, NodeRef ref) const;
     void drawNodeKind(Shell &context, const Shape &shape, NodeRef ref) const;
@@ -181,86 +180,6 @@ void InspectorPanel::drawHere(Shell &context) const {
     ImGui::SetCursorPosY(top + room);
 }
 
-/// Returns the address of a number of a shape.
-std::string addressOf(const Shape &shape, const char *quantity) {
-    return "shape/" + std::to_string(shape.id) + '/' + quantity;
-}
-
-form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle) {
-    const std::string number = '/' + std::to_string(handle);
-    return {addressOf(shape, "x") + number, addressOf(shape, "y") + number};
-}
-
-form::PairAddress pairAddress(const Shape &shape, const char *first, const char *second) {
-    return {addressOf(shape, first), addressOf(shape, second)};
-}
-
-void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
-    const Document &document = *context.document.current();
-    const auto put = [&](const Shape &next, const char *label) {
-        EditState::apply(context, replaceShape(document, next), label);
-    };
-    Shape next = shape;
-    if (shape.kind == ShapeKind::Rectangle) {
-        const Box2 box = boundsOf(shape);
-        Vec2 corner = box.min, size = box.size();
-        if (form::pair(context, "inspector/corner", "Corner", corner, pairAddress(shape, "left", "bottom"))) {
-            placeBox(next, corner, corner + size);
-            put(next, "Move rectangle");
-        }
-        if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, "width", "height"))) {
-            placeBox(next, corner, corner + size);
-            put(next, "Resize rectangle");
-        }
-        double radius = shape.radius;
-        if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, "radius"))) {
-            next.radius = radius;
-            put(next, "Round corners");
-        }
-    } else if (shape.kind == ShapeKind::Circle) {
-        Vec2 centre = shape.nodes[0];
-        double radius = circleRadius(shape);
-        if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-            EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
-        }
-        if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, "radius"))) {
-            EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
-        }
-    } else if (shape.kind == ShapeKind::Ellipse) {
-        drawEllipse(context, shape);
-    } else if (shape.kind == ShapeKind::Point) {
-        Vec2 at = shape.nodes[0];
-        if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
-            EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
-            context.view.reveal(boxOf(at, at));
-        }
-        return;
-    } else {
-        ui::field(context, "Nodes", ui::count(shape.nodes.size()), static_cast<float>(form::kLabel));
-    }
-    ui::field(context, "Length", ui::number(lengthOf(shape), 5), static_cast<float>(form::kLabel));
-    if (isClosed(shape)) {
-        ui::field(context, "Area", ui::number(areaOf(shape), 5), static_cast<float>(form::kLabel));
-    }
-}
-
-void InspectorPanel::drawEllipse(Shell &context, const Shape &shape) const {
-    const Document &document = *context.document.current();
-    Vec2 centre = shape.nodes[0];
-    const Vec2 u = shape.nodes[1] - centre, v = shape.nodes[2] - centre;
-    if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-        EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse");
-    }
-    Vec2 radii{length(u), length(v)};
-    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, "rx", "ry")) && radii.x > 0.0 &&
-        radii.y > 0.0) {
-        Shape next = shape;
-        next.nodes[1] = centre + (radii.x / length(u)) * u;
-        next.nodes[2] = centre + (radii.y / length(v)) * v;
-        EditState::apply(context, replaceShape(document, std::move(next)), "Resize ellipse");
-    }
-}
-
 void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
     if (!isPath(shape) && shape.kind != ShapeKind::Point) {
@@ -307,7 +226,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
             EditState::apply(context, setShapeTag(document, {shape.id}, shape.tag), "Change tag");
         }
     }
-    drawGeometry(context, shape);
+    geometryRows(context, shape);
     ImGui::Dummy({0, context.px(2)});
     drawShapeButtons(context, shape);
 }
@@ -349,18 +268,13 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     if (isRound(*shape) || ref.segment >= taggedSegments(*shape)) {
         return;
     }
-    const bool curved = isPath(*shape) && outlineOf(*shape).isCurved(ref.segment);
+    segmentRows(context, *shape, ref);
+    const Outline outline = outlineOf(*shape);
+    const bool curved = isPath(*shape) && outline.isCurved(ref.segment);
     const std::vector<Vec2> handles = handlesOf(*shape);
-    const Vec2 from = handles[ref.segment], to = handles[(ref.segment + 1) % handles.size()];
-    double size = distance(from, to);
-    Vec2 middle = midpoint(from, to);
-    if (curved) {
-        const Curve curve = outlineOf(*shape).curve(ref.segment);
-        middle = curve.point(0.5);
-        ui::field(context, "Length", ui::number(curve.length(), 5), static_cast<float>(form::kLabel));
-    } else if (form::number(context, "inspector/length", "Length", size)) {
-        EditState::apply(context, setSegmentLength(document, ref, size), "Change length");
-    }
+    const Vec2 middle = shape->kind == ShapeKind::Rectangle
+                            ? midpoint(handles[ref.segment], handles[(ref.segment + 1) % handles.size()])
+                            : outline.curve(ref.segment).point(0.5);
     if (ui::button(context, "inspector/split", "Insert node")) {
         EditState::apply(context, insertNode(document, ref, middle), "Insert node");
     }

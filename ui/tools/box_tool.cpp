@@ -1,9 +1,11 @@
 #include "ui/tools/box_tool.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
+#include "ui/widgets/number_text.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -49,6 +51,7 @@ int BoxTool::key() const {
 void BoxTool::forget(Shell &context) {
     DrawingTool::forget(context);
     radius_ = 0.0;
+    radiusFormula_.clear();
 }
 
 Vec2 BoxTool::corner(Vec2 at) const {
@@ -98,6 +101,74 @@ void BoxTool::place(Vec2 at, Shell &context) {
     first_.reset();
 }
 
+std::string BoxTool::typedSize(bool across) const {
+    const std::optional<TypedPair> pair = entry_.pair();
+    const EntryField field = across ? EntryField::Width : EntryField::Height;
+    const std::string text = pair ? (across ? pair->xText : pair->yText) : entry_.expression(field);
+    // Plain numbers need no formula. A negative one was typed to go to the left or down.
+    if (text.empty() || parseNumber(text)) {
+        return {};
+    }
+    const double value = pair ? (across ? pair->value.x : pair->value.y) : entry_.value(field).value_or(0.0);
+    return value < 0.0 ? "-(" + text + ")" : text;
+}
+
+PlaceFormula BoxTool::typedFormula(Vec2 at) const {
+    return first_ && isBox() ? PlaceFormula{} : DrawingTool::typedFormula(at); // see cornerFormula()
+}
+
+PlaceFormula BoxTool::cornerFormula() const {
+    if (const std::optional<TypedPair> pair = entry_.pair()) {
+        const PlaceFormula from = formulaOf(*first_);
+        return {sumFormula(from.x, pair->xText), sumFormula(from.y, pair->yText)};
+    }
+    const auto place = [&](EntryField coordinate, EntryField extent, const std::string &from) {
+        const std::string typed = entry_.expression(coordinate), size = entry_.expression(extent);
+        return typed.empty() && !size.empty() ? sumFormula(from, size) : typed;
+    };
+    const PlaceFormula from = formulaOf(*first_);
+    return {place(EntryField::X, EntryField::Width, from.x), place(EntryField::Y, EntryField::Height, from.y)};
+}
+
+BoxTool::Side BoxTool::sideOf(bool across, Vec2 second) const {
+    const auto part = [across](Vec2 p) { return across ? p.x : p.y; };
+    const auto partOf = [across](const PlaceFormula &place) { return across ? place.x : place.y; };
+    Side side{part(*first_),           part(second),      partOf(formulaOf(*first_)),
+              partOf(cornerFormula()), typedSize(across), false};
+    side.placed = side.size.empty() && usesNames(entry_.expression(across ? EntryField::X : EntryField::Y));
+    if (side.toText.empty()) {
+        side.toText = sumFormula(side.fromText, exactText(side.to - side.from));
+    }
+    return side;
+}
+
+void BoxTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
+    if (!isBox()) {
+        DrawingTool::keepFormulas(drawn, keep);
+        keep("radius", entry_.expression(EntryField::Radius));
+        return;
+    }
+    const Vec2 second = kind_ == ShapeKind::Ellipse ? 2.0 * drawn.nodes[0] - *first_ : drawn.nodes[1];
+    const auto named = [](const std::string &text) { return usesNames(text) ? text : std::string(); };
+    for (const bool across : {true, false}) {
+        const Side side = sideOf(across, second);
+        const bool back = side.to < side.from;
+        const std::string &low = back ? side.toText : side.fromText, &high = back ? side.fromText : side.toText;
+        const std::string size = side.placed ? named(differenceFormula(high, low)) : side.size;
+        if (kind_ == ShapeKind::Rectangle) {
+            keep(across ? "left" : "bottom", named(low));
+            keep(across ? "width" : "height", size);
+            continue;
+        }
+        keep(across ? "rx" : "ry", size.empty() ? size : "(" + size + ")/2");
+        // Without expressions for its corners, an ellipse grows about its centre.
+        if (side.placed || usesNames(side.fromText)) {
+            keep(across ? "x/0" : "y/0", "(" + sumFormula(low, high) + ")/2");
+        }
+    }
+    keep("radius", kind_ == ShapeKind::Rectangle ? radiusFormula_ : std::string());
+}
+
 Shape BoxTool::shapeTo(Vec2 second) const {
     Shape shape;
     shape.kind = kind_;
@@ -138,8 +209,8 @@ void BoxTool::drawSketch(CanvasPainter &painter, Shell &context) {
 void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
     drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     if (kind_ == ShapeKind::Rectangle) {
-        drawLengthOption(context, flow, "options/cornerradius", "Corner radius", radius_,
-                         "Radius of the corners of the next rectangle; 0: sharp corners");
+        drawFormulaOption(context, flow, "options/cornerradius", "Corner radius", radius_, radiusFormula_,
+                          "Radius of the corners of the next rectangle; 0: sharp corners", true);
     }
     state_->drawSnapOptions(context, flow);
 }

@@ -2,6 +2,8 @@
 
 #include "ui/tools/drawing_tool.hpp"
 
+#include <string>
+
 namespace forefront {
 
 /// Draws a rectangle or an ellipse from corner to corner, or a circle from its centre, by drag or by two clicks.
@@ -27,18 +29,33 @@ class BoxTool final : public DrawingTool {
     bool shiftIsAngle() const override { return !isBox(); }
     std::span<const EntryField> entryFields() const override;
     Vec2 typedPlace(const TypedPair &pair) const override;
+    PlaceFormula typedFormula(Vec2 at) const override;
+    void keepFormulas(const Shape &drawn, const Keep &keep) const override;
 
   private:
     bool isBox() const { return kind_ != ShapeKind::Circle; }
     /// Returns the corner that a click places, given the typed width and height (negative: to the left, downwards), and
     /// Shift for a square.
     Vec2 corner(Vec2 at) const;
+    /// An extent of the box: from the first corner to the second one, as numbers and as expressions.
+    struct Side {
+        double from, to;
+        std::string fromText, toText;
+        std::string size; ///< expression of the width or height that was typed; empty: none
+        bool placed;      ///< an expression was typed for the place of the second corner
+    };
+    /// Returns the expressions typed for the second corner; empty ones where nothing was.
+    PlaceFormula cornerFormula() const;
+    Side sideOf(bool across, Vec2 second) const;
+    /// Returns the expression typed for the width or height, as a positive one; empty if it is a plain number.
+    std::string typedSize(bool across) const;
     /// Returns the shape between the first click and another.
     Shape shapeTo(Vec2 second) const;
 
     ShapeKind kind_;
     std::optional<Vec2> first_;
     double radius_ = 0.0; ///< of the corners of the next rectangle
+    std::string radiusFormula_;
 };
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "ui/tools/drawing_tool.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/formulas.hpp"
 #include "core/edit/join_segments.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -105,14 +106,9 @@ bool DrawingTool::press(const CanvasEvent &event, Shell &context) {
 
 /// Places a node at the pointer, and remembers the expressions that were typed for it.
 void DrawingTool::placeTyped(Shell &context) {
-    const std::optional<TypedPair> pair = entry_.pair();
-    TypedNode node{pointer_.at, entry_.expression(EntryField::X), entry_.expression(EntryField::Y)};
-    if (pair && !pair->relative) {
-        node.x = pair->xText;
-        node.y = pair->yText;
-    }
-    if (!node.x.empty() || !node.y.empty()) {
-        typedNodes_.push_back(std::move(node));
+    const PlaceFormula formula = typedFormula(pointer_.at);
+    if (!formula.x.empty() || !formula.y.empty()) {
+        typedNodes_.push_back({pointer_.at, formula.x, formula.y});
     }
     const bool typedNumbers = !entry_.label().empty();
     const std::uint64_t revision = context.document.revision();
@@ -135,54 +131,54 @@ void DrawingTool::reveal(Vec2 node, bool completed, Shell &context) const {
     context.view.reveal(shape != nullptr ? boundsOf(*shape) : boxOf(node, node));
 }
 
-/// Lets the numbers of a shape that were typed follow their expressions. What does not fit, such as a width that the
-/// pointer has changed, is removed when the document changes.
-void DrawingTool::keepFormulas(Document &document, std::uint32_t shape) const {
-    const Shape *const drawn = findShape(document, shape);
-    const std::string prefix = "shape/" + std::to_string(shape) + '/';
-    const auto keep = [&](const std::string &quantity, const std::string &text) {
-        if (!text.empty()) {
-            document = setFormula(std::move(document), prefix + quantity, text);
+PlaceFormula DrawingTool::formulaOf(Vec2 node) const {
+    PlaceFormula place = placeFormula(node);
+    for (const TypedNode &typed : typedNodes_) {
+        if (typed.at == node) {
+            place.x = typed.x.empty() ? place.x : typed.x;
+            place.y = typed.y.empty() ? place.y : typed.y;
         }
-    };
-    const bool rectangle = drawn->kind == ShapeKind::Rectangle;
-    const std::vector<Vec2> handles = handlesOf(*drawn);
+    }
+    return place;
+}
+
+PlaceFormula DrawingTool::typedFormula(Vec2 at) const {
+    const std::optional<TypedPair> pair = entry_.pair();
+    const std::optional<Vec2> last = anchor();
+    if (pair && (!pair->relative || !last)) {
+        return {pair->xText, pair->yText};
+    }
+    PlaceFormula place{entry_.expression(EntryField::X), entry_.expression(EntryField::Y)};
+    if (!last) {
+        return place;
+    }
+    const std::string size = entry_.expression(EntryField::Distance), angle = entry_.expression(EntryField::Angle);
+    const bool polar = (!size.empty() || !angle.empty()) && place.x.empty() && place.y.empty();
+    if (!pair && !polar) {
+        return place;
+    }
+    const PlaceFormula from = formulaOf(*last);
+    place = pair ? PlaceFormula{sumFormula(from.x, pair->xText), sumFormula(from.y, pair->yText)}
+                 : polarFormula(from, size.empty() ? exactText(distance(*last, at)) : size,
+                                angle.empty() ? degreesText(at - *last) : angle);
+    return {usesNames(place.x) ? place.x : "", usesNames(place.y) ? place.y : ""};
+}
+
+bool DrawingTool::followsEntry() const {
+    const bool coordinate = entry_.value(EntryField::X) || entry_.value(EntryField::Y);
+    return !anchor() || !coordinate || !(entry_.value(EntryField::Distance) || entry_.value(EntryField::Angle));
+}
+
+void DrawingTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
+    const std::vector<Vec2> handles = handlesOf(drawn);
     for (const TypedNode &node : typedNodes_) {
         // Where an end meets its own path, that has a node too: both move together.
         for (std::size_t k = 0; k < handles.size(); ++k) {
-            if (handles[k] != node.at) {
-                continue;
+            if (handles[k] == node.at) {
+                keep("x/" + std::to_string(k), node.x);
+                keep("y/" + std::to_string(k), node.y);
             }
-            const std::string handle = '/' + std::to_string(k);
-            if (!rectangle) {
-                keep("x" + handle, node.x);
-                keep("y" + handle, node.y);
-                continue;
-            }
-            // A rectangle keeps its left and bottom side when its size changes.
-            const Vec2 corner = boundsOf(*drawn).min;
-            keep("left", node.at.x == corner.x ? node.x : std::string());
-            keep("bottom", node.at.y == corner.y ? node.y : std::string());
         }
-    }
-    const auto half = [](const std::string &text) { return text.empty() ? text : "(" + text + ")/2"; };
-    // Plain numbers need no formula. A negative one was typed to go to the left or down.
-    const auto extent = [&](EntryField field) {
-        const std::string text = entry_.expression(field);
-        if (text.empty() || parseNumber(text)) {
-            return std::string();
-        }
-        return entry_.value(field).value_or(0.0) < 0.0 ? "-(" + text + ")" : text;
-    };
-    const std::string width = extent(EntryField::Width), height = extent(EntryField::Height);
-    if (rectangle) {
-        keep("width", width);
-        keep("height", height);
-    } else if (drawn->kind == ShapeKind::Ellipse) {
-        keep("rx", half(width));
-        keep("ry", half(height));
-    } else if (drawn->kind == ShapeKind::Circle) {
-        keep("radius", entry_.expression(EntryField::Radius));
     }
 }
 
@@ -270,7 +266,13 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
         next = joinToSegments(*next, before->nextId);
     }
     if (next) {
-        keepFormulas(*next, before->nextId);
+        const std::string prefix = "shape/" + std::to_string(before->nextId) + '/';
+        const Shape drawn = *findShape(*next, before->nextId);
+        keepFormulas(drawn, [&](const std::string &quantity, const std::string &formula) {
+            if (!formula.empty()) {
+                next = setFormula(*std::move(next), prefix + quantity, formula);
+            }
+        });
     }
     if (!EditState::apply(context, std::move(next), label)) {
         return false;
@@ -297,6 +299,8 @@ void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std:
     }
     if (entry_.isWrong()) {
         painter.label(at, {16.0, y}, entry_.fault(), context.theme.bad, context.theme.popup, context.fonts.small);
+    } else if (!followsEntry()) {
+        drawUsedOnce(painter, context, entry_, at, y);
     }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/edit/place_formulas.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/tools/numeric_entry.hpp"
 #include "ui/workspace/edit_state.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -60,8 +62,21 @@ class DrawingTool : public Tool {
 
     bool inProgress() const { return anchor().has_value(); }
     /// Adds a shape, selects it and clears the typed numbers. Numbers of the shape that were typed as expressions
-    /// follow them.
+    /// follow them: see keepFormulas().
     bool commitShape(Shell &context, Shape shape, const std::string &label);
+    /// A formula of a number of a new shape or source: "x/2" and "gap + 1".
+    using Keep = std::function<void(const std::string &quantity, const std::string &formula)>;
+    /// Lets numbers of a new shape follow the expressions that were typed while it was drawn. An empty formula is
+    /// ignored. What does not fit, such as a width that the pointer has changed, is removed when the document changes.
+    virtual void keepFormulas(const Shape &drawn, const Keep &keep) const;
+    /// Returns the place of a node of the unfinished shape as expressions: those that lead to it, or its coordinates.
+    PlaceFormula formulaOf(Vec2 node) const;
+    /// Returns the expressions that lead to a place beside the last node, given what was typed; empty ones where
+    /// nothing was. A place typed relative to the last node, or by distance and angle, follows that node.
+    virtual PlaceFormula typedFormula(Vec2 at) const;
+    /// Returns true if the shape will follow the expressions typed now: those of a place, or of a distance and an
+    /// angle, but not of one and the other together.
+    virtual bool followsEntry() const;
     /// Labels the pointer with `text` and with the numbers being typed.
     void drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const;
 
@@ -72,7 +87,7 @@ class DrawingTool : public Tool {
     Vec2 place_;        ///< position under the pointer, without snapping
     Modifiers modifiers_;
 
-    /// A node whose coordinates were typed as expressions; an empty text: not typed.
+    /// A node whose coordinates follow expressions; an empty text: they do not.
     struct TypedNode {
         Vec2 at;
         std::string x, y;
@@ -83,7 +98,6 @@ class DrawingTool : public Tool {
     bool press(const CanvasEvent &event, Shell &context);
     void placeTyped(Shell &context);
     void reveal(Vec2 node, bool completed, Shell &context) const;
-    void keepFormulas(Document &document, std::uint32_t shape) const;
     bool typed(const CanvasEvent &event, Shell &context);
     void follow(const CanvasEvent &event, Shell &context);
 

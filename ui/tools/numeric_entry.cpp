@@ -2,8 +2,11 @@
 
 #include "core/base/number_text.hpp"
 #include "core/base/result.hpp"
+#include "core/edit/place_formulas.hpp"
 #include "core/spacing/parts/expression/expression.hpp"
+#include "ui/canvas/canvas_painter.hpp"
 #include "ui/widgets/number_text.hpp"
+#include "ui/workspace/workspace.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -132,6 +135,10 @@ std::string NumericEntry::expression(EntryField field) const {
         return diameter.empty() ? diameter : "(" + diameter + ")/2";
     }
     return open_ == field && !text_.empty() ? expressionIn(text_) : expressions_[static_cast<std::size_t>(field)];
+}
+
+bool NumericEntry::usesParameters() const {
+    return (open_ && usesNames(text_)) || std::any_of(expressions_.begin(), expressions_.end(), usesNames);
 }
 
 void NumericEntry::forget(EntryField field) {
@@ -388,6 +395,13 @@ std::string NumericEntry::label() const {
         }
     }
     return result;
+}
+
+void drawUsedOnce(CanvasPainter &painter, const Workspace &context, const NumericEntry &entry, Vec2 at, double y) {
+    if (entry.usesParameters() && !entry.isWrong()) {
+        painter.label(at, {16.0, y}, "parameters are used once", context.theme.muted, context.theme.popup,
+                      context.fonts.small);
+    }
 }
 
 } // namespace forefront

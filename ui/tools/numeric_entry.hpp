@@ -15,6 +15,9 @@
 
 namespace forefront {
 
+class CanvasPainter;
+struct Workspace;
+
 /// A pair of numbers typed as "x, y" or "@dx, dy".
 struct TypedPair {
     Vec2 value;
@@ -53,6 +56,8 @@ class NumericEntry {
     std::optional<double> value(EntryField field) const;
     /// Returns the expression typed into a field; empty if there is none.
     std::string expression(EntryField field) const;
+    /// Returns true if a typed expression uses parameters.
+    bool usesParameters() const;
     /// Returns the values that fix coordinates, distance (or radius) and angle.
     SnapLocks locks() const;
     /// Returns the pair being typed, or the one just accepted, until clear().
@@ -94,5 +99,8 @@ class NumericEntry {
     bool byDigit_ = false;    ///< the field was opened by a digit, so a single number may suffice
     bool skipLetter_ = false; ///< the letter that opened a field arrives as text too
 };
+
+/// Says below a typed number that its parameters are used once, if it uses any. `y`: below the place, in design pixels.
+void drawUsedOnce(CanvasPainter &painter, const Workspace &context, const NumericEntry &entry, Vec2 at, double y);
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "ui/tools/point_tool.hpp"
 
+#include "core/edit/formulas.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/region_fill.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -12,6 +13,8 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace forefront {
 
@@ -48,7 +51,15 @@ void RegionTool::activate(Shell &context) {
 
 void RegionTool::place(Vec2 at, Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
-    if (EditState::apply(context, fillRegion(*document, at, tag_), "Fill " + regionName(document->regionNames, tag_))) {
+    Result<Document> next = fillRegion(*document, at, tag_);
+    if (next && !next->regionMarkers.empty()) {
+        const std::string prefix = "region/" + std::to_string(next->regionMarkers.size() - 1) + '/';
+        const PlaceFormula formula = formulaOf(at);
+        for (const auto &[axis, text] : {std::pair('x', formula.x), std::pair('y', formula.y)}) {
+            next = usesNames(text) ? setFormula(*std::move(next), prefix + axis, text) : std::move(next);
+        }
+    }
+    if (EditState::apply(context, std::move(next), "Fill " + regionName(document->regionNames, tag_))) {
         context.selection.clear();
         const auto count = context.document.current()->regionMarkers.size();
         context.selection.markers.insert(static_cast<std::uint32_t>(count - 1));

@@ -1,5 +1,6 @@
 #include "ui/tools/round_tools.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/path_curve.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
@@ -50,6 +51,19 @@ void RegularPolygonTool::place(Vec2 at, Shell &context) {
     shape.nodes = corners(firstCorner(at));
     commitShape(context, std::move(shape), "Draw regular polygon");
     centre_.reset();
+}
+
+void RegularPolygonTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
+    const PlaceFormula centre = formulaOf(*centre_);
+    const Vec2 arm = drawn.nodes.front() - *centre_;
+    std::string radius = entry_.expression(EntryField::Radius), angle = entry_.expression(EntryField::Angle);
+    radius = radius.empty() ? exactText(length(arm)) : radius;
+    angle = angle.empty() ? degreesText(arm) : angle;
+    for (int k = 0; k < sides_; ++k) {
+        const PlaceFormula corner = polarFormula(centre, radius, sumFormula(angle, exactText(360.0 * k / sides_)));
+        keep("x/" + std::to_string(k), usesNames(corner.x) ? corner.x : std::string());
+        keep("y/" + std::to_string(k), usesNames(corner.y) ? corner.y : std::string());
+    }
 }
 
 void RegularPolygonTool::drawSketch(CanvasPainter &painter, Shell &context) {

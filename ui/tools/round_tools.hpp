@@ -26,6 +26,7 @@ class RegularPolygonTool final : public DrawingTool {
     void cancel() override { centre_.reset(); }
     bool dragPlaces() const override { return true; }
     std::span<const EntryField> entryFields() const override;
+    void keepFormulas(const Shape &drawn, const Keep &keep) const override;
 
   private:
     /// Returns the first corner that a click would place, given the typed numbers.

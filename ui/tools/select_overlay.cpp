@@ -152,6 +152,7 @@ void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
             painter.label(snapped_.at, {16.0, 36.0}, typed, entry_.isWrong() ? theme.bad : theme.accent, theme.popup,
                           context.fonts.strong);
         }
+        drawUsedOnce(painter, context, entry_, snapped_.at, 60.0);
     }
 }
 

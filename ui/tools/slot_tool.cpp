@@ -27,6 +27,30 @@ double SlotTool::radiusTo(Vec2 at) const {
     return entry_.value(EntryField::Radius).value_or(reach);
 }
 
+std::string SlotTool::typedLength() const {
+    const std::string size = entry_.expression(EntryField::Distance);
+    if (centres_.empty() || entry_.pair() || !usesNames(size) || usesNames(entry_.expression(EntryField::Angle)) ||
+        entry_.value(EntryField::X) || entry_.value(EntryField::Y)) {
+        return {};
+    }
+    const PlaceFormula from = formulaOf(centres_.front());
+    return usesNames(from.x) || usesNames(from.y) ? std::string() : size;
+}
+
+void SlotTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
+    // The length alone keeps its direction, also when the slot is moved; otherwise both centres follow.
+    DrawingTool::keepFormulas(drawn, [&](const std::string &quantity, const std::string &formula) {
+        if (length_.empty() || quantity.ends_with("/0")) {
+            keep(quantity, formula);
+        }
+    });
+    keep("length", length_);
+    const std::string diameter = entry_.expression(EntryField::Diameter);
+    const std::string radius = entry_.expression(EntryField::Radius);
+    const std::string width = !diameter.empty() ? diameter : "2*(" + radius + ")";
+    keep("width", usesNames(width) ? width : std::string());
+}
+
 bool SlotTool::removeLast() {
     if (centres_.empty()) {
         return false;
@@ -38,6 +62,7 @@ bool SlotTool::removeLast() {
 void SlotTool::place(Vec2 at, Shell &context) {
     if (centres_.size() < 2) {
         if (centres_.empty() || at != centres_.front()) {
+            length_ = typedLength();
             centres_.push_back(at);
         }
         return;

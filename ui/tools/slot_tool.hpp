@@ -2,6 +2,7 @@
 
 #include "ui/tools/drawing_tool.hpp"
 
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -28,12 +29,17 @@ class SlotTool final : public DrawingTool {
     void cancel() override { centres_.clear(); }
     bool removeLast() override;
     std::span<const EntryField> entryFields() const override;
+    void keepFormulas(const Shape &drawn, const Keep &keep) const override;
 
   private:
     /// Returns the typed radius, or the distance of a point from the line between the centres.
     double radiusTo(Vec2 at) const;
 
+    /// Returns the typed distance of the second centre, if that alone uses parameters.
+    std::string typedLength() const;
+
     std::vector<Vec2> centres_;
+    std::string length_; ///< expression of the distance between the centres; empty: none was typed
 };
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "ui/tools/source_tool.hpp"
 
+#include "core/edit/formulas.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
@@ -12,6 +13,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace forefront {
 
@@ -54,11 +57,35 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
                    : source.shape == SourceShape::Line ? "line "
                                                        : "disc ") +
                   std::to_string(number);
-    if (EditState::apply(context, addSource(*context.document.current(), source), "Add size source")) {
+    Result<Document> next = addSource(*context.document.current(), source);
+    if (next) {
+        keepSourceFormulas(*next, source);
+    }
+    if (EditState::apply(context, std::move(next), "Add size source")) {
         context.selection.clear();
         const auto count = context.document.current()->spacing.sources.size();
         context.selection.sources.insert(static_cast<std::uint32_t>(count - 1));
     }
+}
+
+void SourceTool::keepSourceFormulas(Document &document, const SizeSource &source) const {
+    const std::string prefix = "source/" + std::to_string(document.spacing.sources.size() - 1) + '/';
+    const auto keep = [&](const char *quantity, const std::string &formula) {
+        if (usesNames(formula)) {
+            document = setFormula(std::move(document), prefix + quantity, formula);
+        }
+    };
+    const PlaceFormula a = formulaOf(source.a), b = formulaOf(source.b);
+    keep("x", a.x);
+    keep("y", a.y);
+    if (source.shape == SourceShape::Line) {
+        keep("x2", b.x);
+        keep("y2", b.y);
+    } else if (source.shape == SourceShape::Circle) {
+        keep("radius", entry_.expression(EntryField::Radius));
+    }
+    keep("size", state_->sourceSizeFormula);
+    keep("growth", state_->sourceGrowthFormula);
 }
 
 std::span<const EntryField> SourceTool::entryFields() const {
@@ -93,7 +120,9 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
         cancel();
     }
     double shown = size(context, first_.value_or(over_ ? pointer_.at : context.view.camera.centre));
-    if (drawSizeOption(context, flow, "options/source/size", "Size", shown, "Element size at the source")) {
+    if (drawFormulaOption(context, flow, "options/source/size", "Size", shown, state_->sourceSizeFormula,
+                          "Element size at the source", false) ||
+        !state_->sourceSizeFormula.empty()) {
         state_->sourceSize = shown;
     }
     if (shape() == SourceShape::Line) {
@@ -101,8 +130,9 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
                                "Element size at the second end of the line. The size changes linearly along the line. "
                                "Leave empty for the same size everywhere.");
     }
-    drawSizeOption(context, flow, "options/source/growth", "Growth", state_->sourceGrowth,
-                   "Growth of the spacing per unit of distance: 0.1 is gentle, 0.3 is steep");
+    drawFormulaOption(context, flow, "options/source/growth", "Growth", state_->sourceGrowth,
+                      state_->sourceGrowthFormula,
+                      "Growth of the spacing per unit of distance: 0.1 is gentle, 0.3 is steep", false);
     state_->drawSnapOptions(context, flow);
 }
 

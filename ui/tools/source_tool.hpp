@@ -30,6 +30,8 @@ class SourceTool final : public DrawingTool {
     SourceShape shape() const { return state_->sourceShape; }
     double size(const Shell &context, Vec2 at) const;
     void add(Shell &context, Vec2 a, Vec2 b);
+    /// Lets the numbers of a new source follow the expressions that were typed for them.
+    void keepSourceFormulas(Document &document, const SizeSource &source) const;
 
     std::optional<Vec2> first_;
 };

@@ -1,5 +1,6 @@
 #include "ui/tools/tool_options.hpp"
 
+#include "core/edit/formulas.hpp"
 #include "core/edit/name_commands.hpp"
 #include "core/edit/region_commands.hpp"
 #include "ui/widgets/flow.hpp"
@@ -97,6 +98,29 @@ bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;
+    }
+    return changed;
+}
+
+bool drawFormulaOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                       std::string &formula, const char *tooltip, bool zero) {
+    if (const Result<double> now = evaluateFormula(*context.document.current(), formula); now && !formula.empty()) {
+        value = *now;
+    } else {
+        formula.clear(); // its parameters are gone
+    }
+    flow.item(name);
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, label);
+    ImGui::SameLine();
+    double entered = value;
+    std::string text = formula;
+    const bool changed =
+        ui::inputExpression(context, name, entered, text, 76.0F) && ui::checkPositive(context, name, entered, zero);
+    ui::tooltip(context, tooltip);
+    if (changed) {
+        value = entered;
+        formula = text;
     }
     return changed;
 }

@@ -233,6 +233,7 @@ void TransformHandles::draw(CanvasPainter &painter, Shell &context, const std::o
                           entry_.isWrong() || !fault_.empty() ? theme.bad : theme.accent, theme.popup,
                           context.fonts.strong);
         }
+        drawUsedOnce(painter, context, entry_, last_.place, 60.0);
         return;
     }
     const Box2 &around = box(context);

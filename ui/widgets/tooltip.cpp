@@ -90,17 +90,18 @@ void tooltip(WidgetContext &context, std::string_view text) {
     show(context, text, rectOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
 }
 
-void faultNote(WidgetContext &context, std::string_view text) {
+void faultNote(WidgetContext &context, std::string_view text, bool fault) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     const PixelRect place = placeOf(context, text, rectOf(min, max));
     const ImVec2 from{static_cast<float>(place.x), static_cast<float>(place.y)};
     const ImVec2 to{static_cast<float>(place.x + place.width), static_cast<float>(place.y + place.height)};
     ImDrawList &list = *ImGui::GetForegroundDrawList();
-    list.AddRect(min, max, context.theme.bad, context.px(4), 0, context.px(1.5));
+    const Colour edge = fault ? context.theme.bad : context.theme.muted;
+    list.AddRect(min, max, edge, context.px(4), 0, context.px(1.5));
     list.AddRectFilled(from, to, context.theme.panel, context.px(4));
-    list.AddRect(from, to, context.theme.bad, context.px(4));
+    list.AddRect(from, to, edge, context.px(4));
     const std::string lines = wrapped(text, context.px(kWrap));
-    list.AddText({from.x + context.px(kPadX), from.y + context.px(kPadY)}, context.theme.bad, lines.c_str());
+    list.AddText({from.x + context.px(kPadX), from.y + context.px(kPadY)}, edge, lines.c_str());
 }
 
 void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text) {

@@ -77,8 +77,8 @@ void tooltip(WidgetContext &context, std::string_view text);
 void rowTooltip(WidgetContext &context, std::string_view text);
 /// Shows `text` while the pointer is over a rectangle of the current window.
 void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text);
-/// Shows `text` beside the last item in the error colour.
-void faultNote(WidgetContext &context, std::string_view text);
+/// Shows `text` beside the last item, in the error colour or, for a remark, in grey.
+void faultNote(WidgetContext &context, std::string_view text, bool fault = true);
 /// Draws a coloured pill with text, such as "out of date". Returns true when clicked.
 bool badge(WidgetContext &context, std::string_view name, std::string_view text, Colour colour);
 

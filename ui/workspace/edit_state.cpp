@@ -58,6 +58,8 @@ void EditState::forgetNumbers() {
     sourceSize = initial.sourceSize;
     sourceEndSize = initial.sourceEndSize;
     sourceGrowth = initial.sourceGrowth;
+    sourceSizeFormula.clear();
+    sourceGrowthFormula.clear();
 }
 
 std::string EditState::newStroke() {
@@ -69,9 +71,11 @@ bool EditState::apply(Workspace &context, Result<Document> next, const std::stri
         context.log.add(next.faults());
         return false;
     }
-    const EnteredFormula &entered = context.entered;
+    const EnteredFormulas &entered = context.entered;
     if (entered.frame == ImGui::GetFrameCount()) {
-        next = setFormula(*std::move(next), entered.address, entered.text);
+        for (const auto &[address, text] : entered.texts) {
+            next = setFormula(*std::move(next), address, text);
+        }
     }
     context.document.apply(*std::move(next), label, merge);
     return true;

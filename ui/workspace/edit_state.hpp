@@ -69,6 +69,7 @@ struct EditState {
     double sourceSize = 0.0;             ///< 0: derived from ρ under the pointer
     std::optional<double> sourceEndSize; ///< of a line, at its second end; absent: the same
     double sourceGrowth = 0.2;
+    std::string sourceSizeFormula, sourceGrowthFormula; ///< expressions of the two numbers; empty: plain numbers
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);

@@ -1,6 +1,7 @@
 #include "ui/workspace/number_field.hpp"
 
 #include "core/edit/formulas.hpp"
+#include "core/edit/place_formulas.hpp"
 #include "ui/widgets/number_text.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/workspace.hpp"
@@ -50,15 +51,29 @@ std::string formulaAt(const Workspace &context, const std::string &address) {
     return found == formulas.end() ? std::string() : found->second;
 }
 
+/// Says beside a field that cannot follow parameters that it has used them, if the text names any.
+void remarkOnce(Workspace &context, std::string_view name, const std::string &text) {
+    if (usesNames(text)) {
+        context.fieldFault = {std::string(name), "used once: later changes of the parameters do not apply",
+                              context.document.revision(), ImGui::GetFrameCount(), true};
+        context.animate();
+    }
+}
+
 /// Stores a typed formula at once if the number already has its value; else leaves it to the command that changes the
 /// number.
-void keepFormula(Workspace &context, const std::string &address, const std::string &typed, bool changesNumber) {
+void keepFormula(Workspace &context, std::string_view name, const std::string &address, const std::string &typed,
+                 bool changesNumber) {
+    const std::string text(trimmed(typed));
     if (address.empty()) {
+        remarkOnce(context, name, text);
         return;
     }
-    const std::string text(trimmed(typed));
     if (changesNumber) {
-        context.entered = {address, text, ImGui::GetFrameCount()};
+        if (context.entered.frame != ImGui::GetFrameCount()) {
+            context.entered = {{}, ImGui::GetFrameCount()};
+        }
+        context.entered.texts[address] = text;
     } else {
         context.document.apply(setFormula(*context.document.current(), address, text), "Change formula");
     }
@@ -74,12 +89,12 @@ void drawFault(Workspace &context, std::string_view name) {
     const std::optional<FieldFocus::Entry> &typing = context.widgets.fields.entry;
     const bool answered = ImGui::GetFrameCount() > fault.frame + 1 &&
                           (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || (typing && typing->text != typing->initial));
-    if (answered || fault.revision != context.document.revision()) {
+    if (answered || (!fault.note && fault.revision != context.document.revision())) {
         fault = {};
         return;
     }
-    faultNote(context, fault.text);
-    mark(context, std::string(name) + "/fault");
+    faultNote(context, fault.text, !fault.note);
+    mark(context, std::string(name) + (fault.note ? "/note" : "/fault"));
 }
 
 /// Draws the field. Returns the new text when one was committed.
@@ -103,7 +118,7 @@ bool take(Workspace &context, std::string_view name, const std::string &typed, d
         return false;
     }
     const bool changed = *entered != value;
-    keepFormula(context, address, typed, changed);
+    keepFormula(context, name, address, typed, changed);
     value = *entered;
     return changed;
 }
@@ -123,20 +138,15 @@ bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float 
     std::optional<std::string> y = drawEntry(context, name + "/y", number(value.y, 6), "", width, addressY);
     const std::string both = x ? *x : y.value_or("");
     if (const std::size_t comma = separatingComma(both); comma != std::string::npos) {
-        // A pair is numbers: only one formula can be stored with a change.
         const std::string field = name + (x ? "/x" : "/y");
-        const std::optional<double> left = parseNumber(trimmed(std::string_view(both).substr(0, comma)));
-        const std::optional<double> right = parseNumber(trimmed(std::string_view(both).substr(comma + 1)));
-        if (!left || !right) {
-            refuseEntry(context, field,
-                        error("bad-number", "expected two numbers, got '" + both + "'",
-                              "enter numbers such as 3, 4, or each expression in its own field"),
-                        "expected two numbers; enter each expression in its own field");
-            return false;
-        }
-        const bool changed = value != Vec2{*left, *right};
-        value = {*left, *right};
-        return changed;
+        Vec2 pair = value;
+        const std::string left(trimmed(std::string_view(both).substr(0, comma)));
+        const std::string right(trimmed(std::string_view(both).substr(comma + 1)));
+        const bool valid = typedNumber(context, field, left) && typedNumber(context, field, right);
+        const bool changedX = valid && take(context, field, left, pair.x, addressX);
+        const bool changedY = valid && take(context, field, right, pair.y, addressY);
+        value = pair;
+        return changedX || changedY;
     }
     const bool changedX = x && take(context, name + "/x", *x, value.x, addressX);
     const bool changedY = y && take(context, name + "/y", *y, value.y, addressY);
@@ -171,8 +181,27 @@ bool inputOptional(Workspace &context, std::string_view name, std::optional<doub
         return false;
     }
     const bool changed = value != entered;
-    keepFormula(context, address, *typed, changed);
+    keepFormula(context, name, address, *typed, changed);
     value = entered;
+    return changed;
+}
+
+bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula, float width) {
+    const std::string plain = number(value, 6);
+    std::string typed = formula.empty() ? plain : formula;
+    const bool committed = entry(context, name, typed, "", width, true);
+    if (!formula.empty()) {
+        tooltip(context, formula + " = " + plain);
+    }
+    drawFault(context, name);
+    const std::optional<double> entered = committed ? typedNumber(context, name, typed) : std::nullopt;
+    if (!entered) {
+        return false;
+    }
+    const std::string text = usesNames(typed) ? std::string(trimmed(typed)) : std::string();
+    const bool changed = *entered != value || text != formula;
+    value = *entered;
+    formula = text;
     return changed;
 }
 

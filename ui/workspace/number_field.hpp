@@ -16,7 +16,7 @@ namespace ui {
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
 /// the field and in the log, and the old value is kept. A field with an address (see core/edit/number_address.hpp)
 /// shows the formula that its number follows; a formula typed there is stored by the next EditState::apply() in this
-/// frame.
+/// frame. A field without one says that the parameters in a typed expression are used only once.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const std::string &address = {});
 /// Reports an entry that cannot be used beside its field, as `reason`, and in the log.
@@ -27,6 +27,11 @@ bool checkPositive(Workspace &context, std::string_view name, double value, bool
 /// The same as inputNumber() for an optional number; without one, the field is empty and shows the hint.
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width = -1.0F, const std::string &address = {});
+
+/// The same as inputNumber() for a number whose expression the caller keeps in `formula`, which is shown instead of the
+/// number; empty for a plain number. Returns true if either changed.
+bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula,
+                     float width = -1.0F);
 
 /// Draws the fields "NAME/x" and "NAME/y" of a point side by side, each `width` design pixels wide. "x, y" typed into
 /// one of them sets both.

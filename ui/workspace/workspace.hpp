@@ -13,24 +13,25 @@
 #include "ui/workspace/view.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 
 namespace forefront {
 
-/// A formula typed into a field, kept until a command sets its number.
-struct EnteredFormula {
-    std::string address; ///< see core/edit/number_address.hpp
-    std::string text;
-    int frame = -1; ///< in which it was entered
+/// Formulas typed into fields, kept until a command sets their numbers.
+struct EnteredFormulas {
+    std::map<std::string, std::string> texts; ///< by address: see core/edit/number_address.hpp
+    int frame = -1;                           ///< in which they were entered
 };
 
-/// The fault of the text last typed into a field.
+/// The fault of the text last typed into a field, or a remark on it.
 struct FieldFault {
     std::string field; ///< name of the widget; empty: none
     std::string text;
     std::uint64_t revision = 0; ///< of the document
     int frame = 0;              ///< in which it was typed
+    bool note = false;          ///< the text is no fault, but a remark
 };
 
 /// The open document with its view and selection, and everything computed from it.
@@ -47,7 +48,7 @@ struct Workspace : WidgetContext {
     View view;
     Selection selection;
     Snapping snapping;
-    EnteredFormula entered;
+    EnteredFormulas entered;
     FieldFault fieldFault;
 
     explicit Workspace(Platform &owner)

@@ -1,0 +1,255 @@
+#include "core/edit/formulas.hpp"
+#include "core/io/project/project.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace forefront;
+using namespace forefront::test;
+
+namespace {
+
+/// Draws with expressions of the parameters L = 4, w = 2 and r = 1.
+class Parametric : public Draughtsman {
+  public:
+    Parametric() {
+        context().document.apply(*setParameters(document(), {{"L", "4"}, {"w", "2"}, {"r", "1"}}), "Set parameters");
+        frames(2);
+    }
+    /// Types expressions into the fields at the pointer, with Tab between them.
+    void enter(const std::vector<std::string> &texts) {
+        for (const std::string &text : texts) {
+            if (&text != &texts.front()) {
+                key(key::kTab);
+            }
+            type(text);
+        }
+        key(key::kEnter);
+        frames(2);
+    }
+    /// Types a text into a field of a dialog, which stays open.
+    void fillDialog(std::string_view field, std::string_view text) {
+        click(field);
+        key('A', kControl);
+        type(text);
+        key(key::kTab);
+        settle();
+    }
+    void set(const std::string &name, const std::string &expression) {
+        context().document.apply(*overrideParameters(document(), {{name, expression}}), "Change parameter");
+        frames(2);
+    }
+    const Shape &shape(std::size_t k = 0) { return *document().shapes[k]; }
+    std::string formula(const std::string &address) {
+        const auto found = document().formulas.find(address);
+        return found != document().formulas.end() ? found->second : std::string();
+    }
+};
+
+} // namespace
+
+TEST_CASE("Typed formulas: the nodes of a pen path follow distances and angles; undo and a project file keep them") {
+    Parametric driver;
+    driver.key('P');
+    driver.clickPlace({2, 2});
+    driver.moveToPlace({4, 4});
+    driver.enter({"=L", "0"});
+    driver.enter({"=w", "90"});
+    driver.enter({"=L/2", "180 - 30*r"});
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.formula("shape/1/x/1") == "2 + L");
+    CHECK(driver.formula("shape/1/y/1").empty());
+    CHECK(driver.formula("shape/1/x/2") == "2 + L");
+    CHECK(driver.formula("shape/1/y/2") == "2 + w");
+    CHECK(driver.formula("shape/1/x/3") == "2 + L + L/2*cos((180 - 30*r)*pi/180)");
+    driver.set("L", "6");
+    driver.set("w", "3");
+    CHECK(driver.shape().nodes[1] == Vec2{8, 2});
+    CHECK(driver.shape().nodes[2] == Vec2{8, 5});
+    CHECK(distance(driver.shape().nodes[2], driver.shape().nodes[3]) == doctest::Approx(3.0));
+    const Result<Document> read = parseProject(projectText(driver.document()), "test");
+    REQUIRE(read.ok());
+    CHECK(read->formulas == driver.document().formulas);
+    CHECK(overrideParameters(*read, {{"L", "1"}})->shapes[0]->nodes[1] == Vec2{3, 2});
+    driver.key('Z', kControl);
+    CHECK(driver.shape().nodes[2] == Vec2{8, 4});
+    driver.key('Z', kControl);
+    CHECK(driver.shape().nodes[1] == Vec2{6, 2});
+    CHECK(driver.formula("shape/1/x/1") == "2 + L");
+}
+
+TEST_CASE("Typed formulas: a place relative to the last node follows; a mixture with a coordinate says so") {
+    Parametric driver;
+    driver.key('L');
+    driver.moveToPlace({5, 5});
+    driver.enter({"1*r, 2"});
+    driver.enter({"@L, w/2"});
+    driver.moveToPlace({8, 8});
+    driver.clickPlace({7, 7});
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.formula("shape/1/x/0") == "1*r");
+    CHECK(driver.formula("shape/1/x/1") == "1*r + L");
+    CHECK(driver.formula("shape/1/y/1") == "2 + w/2");
+    CHECK(driver.formula("shape/1/x/2").empty());
+    driver.set("r", "2");
+    CHECK(driver.shape().nodes[1] == Vec2{6, 3});
+}
+
+TEST_CASE("Typed formulas: corners of rectangles and ellipses, and the corner radius, follow") {
+    Parametric driver;
+    driver.key('R');
+    driver.fill("options/cornerradius", "r/4");
+    driver.moveToPlace({5, 5});
+    driver.enter({"1*r, 2"});
+    driver.moveToPlace({7, 7});
+    driver.enter({"=L, w + 1"}); // width, height
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().formulas ==
+          std::map<std::string, std::string>{
+              {"shape/1/left", "1*r"}, {"shape/1/width", "L"}, {"shape/1/height", "w + 1"}, {"shape/1/radius", "r/4"}});
+    driver.key('K');
+    driver.clickPlace({1, 6});
+    driver.moveToPlace({3, 8});
+    driver.key('X');
+    driver.type("1 + L,8");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.formula("shape/2/rx") == "(1 + L - 1)/2");
+    driver.set("L", "6");
+    CHECK(boundsOf(driver.shape(0)) == Box2{{1, 2}, {7, 5}});
+    CHECK(boundsOf(driver.shape(1)).max.x == doctest::Approx(7.0));
+    CHECK(boundsOf(driver.shape(1)).min.x == doctest::Approx(1.0));
+    driver.set("r", "2");
+    CHECK(driver.shape(0).radius == 0.5);
+    CHECK(boundsOf(driver.shape(0)).min.x == 2.0);
+}
+
+TEST_CASE("Typed formulas: regular polygons and size sources follow") {
+    Parametric driver;
+    driver.key('H');
+    driver.clickPlace({3, 3});
+    driver.moveToPlace({4, 4});
+    driver.enter({"=2*r", "30*r"});
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.formula("shape/1/x/0") == "3 + 2*r*cos(30*r*pi/180)");
+    driver.set("r", "1.5");
+    for (const Vec2 corner : driver.shape(0).nodes) {
+        CHECK(distance(corner, {3, 3}) == doctest::Approx(3.0));
+    }
+    driver.key('S');
+    driver.click("options/source/shape/Circle"); // a disc
+    driver.fill("options/source/size", "r/10");
+    driver.clickPlace({7, 7});
+    driver.moveToPlace({8, 8});
+    driver.enter({"=r"});
+    REQUIRE(driver.document().spacing.sources.size() == 1);
+    CHECK(driver.formula("source/0/radius") == "r");
+    CHECK(driver.formula("source/0/size") == "r/10");
+}
+
+TEST_CASE("Typed formulas: a slot keeps width and length, by numbers, formulas and handles") {
+    Parametric driver;
+    driver.key('U');
+    driver.clickPlace({2, 5});
+    driver.moveToPlace({5, 5});
+    driver.enter({"=L", "0"});
+    driver.key('D');
+    driver.type("dw");
+    driver.key(key::kEnter);
+    driver.frames(2);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.shape().kind == ShapeKind::Slot);
+    CHECK(driver.document().formulas ==
+          std::map<std::string, std::string>{{"shape/1/length", "L"}, {"shape/1/width", "w"}});
+    driver.set("w", "1");
+    CHECK(driver.shape().radius == 0.5);
+    driver.key('V');
+    driver.fill("inspector/slotwidth", "w/2 + 1");
+    CHECK(driver.shape().radius == 0.75);
+    CHECK(driver.formula("shape/1/width") == "w/2 + 1");
+    driver.fill("inspector/slotlength", "3");
+    CHECK(driver.shape().nodes[1] == Vec2{5, 5});
+    driver.fill("inspector/centre2/x", "L + 3");
+    CHECK(driver.shape().nodes[1] == Vec2{7, 5});
+    driver.dragPlaces({4.5, 5.75}, {4.5, 7}); // the side
+    CHECK(driver.shape().radius == doctest::Approx(2.0));
+    CHECK(driver.formula("shape/1/width").empty());
+    driver.key('Z', kControl);
+    CHECK(driver.shape().radius == 0.75);
+    driver.dragPlaces({2, 5}, {2, 3});
+    CHECK(driver.shape().nodes[0] == Vec2{2, 3});
+    CHECK(driver.shape().radius == 0.75);
+}
+
+TEST_CASE("Typed formulas: the length of a segment moves its end, which follows; the inspector says so") {
+    Parametric driver;
+    driver.polygon({{1, 1}, {4, 1}, {4, 3}});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.clickPlace({2.5, 1});
+    driver.context().selection.clear();
+    driver.context().selection.segments.insert({1, 0});
+    driver.frames(3);
+    driver.fill("inspector/length", "L + 1");
+    CHECK(driver.shape().nodes[1] == Vec2{6, 1});
+    CHECK(driver.formula("shape/1/x/1") == "1 + L + 1");
+    CHECK(driver.has("inspector/follows"));
+    driver.set("L", "2");
+    CHECK(driver.shape().nodes[1] == Vec2{4, 1});
+    driver.key('Z', kControl);
+    driver.key('Z', kControl);
+    CHECK(driver.document().formulas.empty());
+    driver.rectangle({1, 5}, {4, 7});
+    driver.key('V');
+    driver.context().selection.clear();
+    driver.context().selection.segments.insert({2, 1});
+    driver.frames(3);
+    driver.fill("inspector/length", "w/2");
+    CHECK(driver.formula("shape/2/height") == "w/2");
+}
+
+TEST_CASE("Typed formulas: fields that cannot follow say that parameters are used once") {
+    Parametric driver;
+    driver.key('S');
+    driver.click("options/source/shape/Line"); // a line
+    driver.fill("options/source/endsize", "r/5");
+    CHECK(driver.has("options/source/endsize/note"));
+    driver.key('R');
+    driver.dragPlaces({1, 1}, {5, 5});
+    driver.key('V');
+    driver.fill("inspector/size/x", "L + 1");
+    CHECK_FALSE(driver.has("inspector/size/x/note"));
+    driver.context().actions.run("shape.offset", driver.context());
+    driver.frames(2);
+    driver.fillDialog("dialog/offset/size", "0.5");
+    CHECK_FALSE(driver.has("dialog/offset/once"));
+    driver.fillDialog("dialog/offset/size", "r/2");
+    CHECK(driver.has("dialog/offset/once"));
+    driver.click("dialog/offset/cancel");
+}
+
+TEST_CASE("Typed formulas: a rectangle rounded by the fillet dialog keeps its formulas and gets one for the radius") {
+    Parametric driver;
+    driver.rectangle({1, 1}, {5, 3});
+    driver.key('V');
+    driver.fill("inspector/size/x", "L + 1");
+    driver.context().actions.run("shape.fillet", driver.context());
+    driver.frames(2);
+    driver.fillDialog("dialog/fillet/size", "r/4");
+    CHECK_FALSE(driver.has("dialog/fillet/once"));
+    driver.click("dialog/fillet/ok");
+    driver.frames(2);
+    CHECK(driver.shape().kind == ShapeKind::Rectangle);
+    CHECK(driver.formula("shape/1/width") == "L + 1");
+    CHECK(driver.formula("shape/1/radius") == "r/4");
+    driver.set("r", "2");
+    CHECK(driver.shape().radius == 0.5);
+}

@@ -1,0 +1,183 @@
+#include "ui/panels/geometry_rows.hpp"
+
+#include "core/edit/node_sizes.hpp"
+#include "core/edit/path_curve.hpp"
+#include "core/edit/place_formulas.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+/// Returns the address of a number of a shape.
+std::string addressOf(const Shape &shape, const std::string &quantity) {
+    return "shape/" + std::to_string(shape.id) + '/' + quantity;
+}
+
+form::PairAddress pairAddress(const Shape &shape, const char *first, const char *second) {
+    return {addressOf(shape, first), addressOf(shape, second)};
+}
+
+void drawEllipse(Shell &context, const Shape &shape) {
+    const Document &document = *context.document.current();
+    Vec2 centre = shape.nodes[0];
+    const Vec2 u = shape.nodes[1] - centre, v = shape.nodes[2] - centre;
+    if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
+        EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse");
+    }
+    Vec2 radii{length(u), length(v)};
+    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, "rx", "ry")) && radii.x > 0.0 &&
+        radii.y > 0.0) {
+        Shape next = shape;
+        next.nodes[1] = centre + (radii.x / length(u)) * u;
+        next.nodes[2] = centre + (radii.y / length(v)) * v;
+        EditState::apply(context, replaceShape(document, std::move(next)), "Resize ellipse");
+    }
+}
+
+void drawSlot(Shell &context, const Shape &shape) {
+    const Document &document = *context.document.current();
+    for (const std::uint32_t k : {0U, 1U}) {
+        Vec2 centre = shape.nodes[k];
+        if (form::pair(context, k == 0 ? "inspector/centre" : "inspector/centre2", k == 0 ? "Centre 1" : "Centre 2",
+                       centre, handleAddress(shape, k))) {
+            EditState::apply(context, setHandle(document, {shape.id, k}, centre), "Move end of slot");
+        }
+    }
+    double size = distance(shape.nodes[0], shape.nodes[1]), width = 2.0 * shape.radius;
+    if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, "length")) &&
+        ui::checkPositive(context, "inspector/slotlength", size)) {
+        EditState::apply(context, setSegmentLength(document, {shape.id, 0}, size), "Change length of slot");
+    }
+    ui::rowTooltip(context, "Distance between the centres of the two ends");
+    if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(shape, "width")) &&
+        ui::checkPositive(context, "inspector/slotwidth", width)) {
+        Shape next = shape;
+        next.radius = 0.5 * width;
+        next.cuts.clear();
+        EditState::apply(context, replaceShape(document, std::move(next)), "Change width of slot");
+    }
+}
+
+/// Shows the formulas that an end of a segment follows, as when its length was typed as an expression.
+void drawFollowing(Shell &context, const Shape &shape, std::uint32_t node) {
+    const form::PairAddress address = handleAddress(shape, node);
+    std::string text;
+    for (const auto &[name, place] : {std::pair("x", address.x), std::pair("y", address.y)}) {
+        const auto &formulas = context.document.current()->formulas;
+        if (const auto found = formulas.find(place); found != formulas.end()) {
+            text += (text.empty() ? "" : ", ") + std::string(name) + " = " + found->second;
+        }
+    }
+    if (!text.empty()) {
+        ui::small(context, "Node " + std::to_string(node + 1) + " follows " + text, true);
+        ui::mark(context, "inspector/follows");
+    }
+}
+
+} // namespace
+
+form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle) {
+    const std::string number = '/' + std::to_string(handle);
+    return {addressOf(shape, "x") + number, addressOf(shape, "y") + number};
+}
+
+void geometryRows(Shell &context, const Shape &shape) {
+    const Document &document = *context.document.current();
+    const auto put = [&](const Shape &next, const char *label) {
+        EditState::apply(context, replaceShape(document, next), label);
+    };
+    Shape next = shape;
+    if (shape.kind == ShapeKind::Rectangle) {
+        const Box2 box = boundsOf(shape);
+        Vec2 corner = box.min, size = box.size();
+        if (form::pair(context, "inspector/corner", "Corner", corner, pairAddress(shape, "left", "bottom"))) {
+            placeBox(next, corner, corner + size);
+            put(next, "Move rectangle");
+        }
+        if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, "width", "height"))) {
+            placeBox(next, corner, corner + size);
+            put(next, "Resize rectangle");
+        }
+        double radius = shape.radius;
+        if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, "radius"))) {
+            next.radius = radius;
+            put(next, "Round corners");
+        }
+    } else if (shape.kind == ShapeKind::Circle) {
+        Vec2 centre = shape.nodes[0];
+        double radius = circleRadius(shape);
+        if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
+            EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
+        }
+        if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, "radius"))) {
+            EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
+        }
+    } else if (shape.kind == ShapeKind::Ellipse) {
+        drawEllipse(context, shape);
+    } else if (shape.kind == ShapeKind::Slot) {
+        drawSlot(context, shape);
+    } else if (shape.kind == ShapeKind::Point) {
+        Vec2 at = shape.nodes[0];
+        if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
+            EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
+            context.view.reveal(boxOf(at, at));
+        }
+        return;
+    } else {
+        ui::field(context, "Nodes", ui::count(shape.nodes.size()), static_cast<float>(form::kLabel));
+    }
+    ui::field(context, "Length", ui::number(lengthOf(shape), 5), static_cast<float>(form::kLabel));
+    if (isClosed(shape)) {
+        ui::field(context, "Area", ui::number(areaOf(shape), 5), static_cast<float>(form::kLabel));
+    }
+}
+
+void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
+    const Document &document = *context.document.current();
+    const Outline outline = outlineOf(shape);
+    const bool rectangle = shape.kind == ShapeKind::Rectangle;
+    if (!rectangle && outline.isCurved(ref.segment)) {
+        const Curve curve = outline.curve(ref.segment);
+        const std::optional<double> bend = isPath(shape) ? radiusOf(curve) : std::nullopt;
+        double radius = bend.value_or(0.0);
+        if (bend && form::number(context, "inspector/arcradius", "Radius", radius,
+                                 addressOf(shape, "arcRadius/" + std::to_string(ref.segment)))) {
+            EditState::apply(context, setArcRadius(document, ref, radius), "Change radius");
+        }
+        ui::field(context, "Length", ui::number(curve.length(), 5), static_cast<float>(form::kLabel));
+        return;
+    }
+    const std::vector<Vec2> handles = handlesOf(shape);
+    double size = rectangle ? distance(handles[ref.segment], handles[(ref.segment + 1) % handles.size()])
+                            : outline.curve(ref.segment).length();
+    if (!isPath(shape)) {
+        const char *const number = !rectangle ? "length" : ref.segment % 2 == 0 ? "width" : "height";
+        if (form::number(context, "inspector/length", "Length", size, addressOf(shape, number))) {
+            EditState::apply(context, setSegmentLength(document, ref, size), "Change length");
+        }
+        return;
+    }
+    form::label(context, "Length");
+    std::string formula;
+    if (ui::inputExpression(context, "inspector/length", size, formula)) {
+        Result<Document> next = setSegmentLength(document, ref, size);
+        if (next) {
+            next = followLength(*std::move(next), ref, formula);
+        }
+        EditState::apply(context, std::move(next), "Change length");
+        return;
+    }
+    drawFollowing(context, shape, static_cast<std::uint32_t>((ref.segment + 1) % handles.size()));
+}
+
+} // namespace forefront

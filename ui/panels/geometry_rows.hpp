@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/edit/references.hpp"
+#include "ui/panels/form.hpp"
+
+#include <cstdint>
+
+namespace forefront {
+
+struct Shell;
+
+/// Returns the addresses of the coordinates of a handle of a shape.
+form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle);
+
+/// Draws the rows of the inspector for the numbers of a shape, with its length and area.
+void geometryRows(Shell &context, const Shape &shape);
+
+/// Draws the rows of the inspector for the length and radius of a segment.
+void segmentRows(Shell &context, const Shape &shape, SegmentRef ref);
+
+} // namespace forefront
