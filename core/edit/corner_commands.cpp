@@ -28,6 +28,9 @@ struct Cut {
     Curve joint;
 };
 
+using Corners = std::set<std::uint32_t>;
+using ChangeCorners = std::function<Status(Shape &, const Corners &chosen)>;
+
 using CutCorner = std::function<std::optional<Cut>(const Curve &before, const Curve &after)>;
 
 /// Returns the angle by which a path turns from one curve to the next, positive to the left.
@@ -116,6 +119,10 @@ std::optional<Cut> chamfer(const Curve &before, const Curve &after, double reach
     return Cut{s, t, Curve()};
 }
 
+Diagnostics noRoom(const std::string &where) {
+    return error("not-possible", where + " has no room for a cut of this size", "enter a smaller number");
+}
+
 /// A node of a path with the segment that starts there.
 struct Element {
     Vec2 node;
@@ -202,9 +209,7 @@ class CornerPass {
         }
         const std::optional<Cut> found = cutCorner(first, second);
         if (!found) {
-            return error("not-possible",
-                         "the corner at " + placeText(element.node) + " has no room for a cut of this size",
-                         "enter a smaller number");
+            return noRoom("the corner at " + placeText(element.node));
         }
         const bool noBefore = found->s <= kCornerRounding, noAfter = found->t >= 1.0 - kCornerRounding;
         const Element joint{noBefore ? first.point(0.0) : first.point(found->s), found->joint, before.tag,
@@ -258,6 +263,21 @@ Status openShape(Shape &shape) {
     return {};
 }
 
+/// Rounds the corners of a rectangle, which keeps its kind and its formulas.
+Status roundRectangle(Shape &shape, double radius) {
+    if (shape.radius != 0.0) {
+        return openShape(shape); // says why not
+    }
+    const Vec2 size = boundsOf(shape).size();
+    const double limit = 0.5 * std::min(size.x, size.y);
+    if (radius > (1.0 + kCornerRounding) * limit) {
+        return noRoom("a corner of " + displayName(shape));
+    }
+    shape.radius = std::min(radius, limit);
+    shape.cuts.clear();
+    return {};
+}
+
 /// Cuts the given corners of a shape; an empty set means all of them.
 Status changeShape(Shape &shape, const std::set<std::uint32_t> &chosen, const CutCorner &cutCorner) {
     if (Status status = openShape(shape); !status.empty()) {
@@ -280,7 +300,7 @@ Status changeShape(Shape &shape, const std::set<std::uint32_t> &chosen, const Cu
 }
 
 Result<Document> changeCorners(const Document &document, const Selection &selection, double size,
-                               const CutCorner &cutCorner) {
+                               const ChangeCorners &change) {
     if (!(size > 0.0) || !std::isfinite(size)) {
         return error("bad-number", "invalid corner size " + numberText(size, 6) + "; expected a finite number above 0",
                      "enter a number such as 0.5");
@@ -297,7 +317,7 @@ Result<Document> changeCorners(const Document &document, const Selection &select
         const auto chosen = nodes.find(pointer->id);
         if (chosen != nodes.end()) {
             changed.push_back(*pointer);
-            if (Status status = changeShape(changed.back(), chosen->second, cutCorner); !status.empty()) {
+            if (Status status = change(changed.back(), chosen->second); !status.empty()) {
                 return status;
             }
         }
@@ -311,14 +331,21 @@ Result<Document> changeCorners(const Document &document, const Selection &select
 } // namespace
 
 Result<Document> filletCorners(const Document &document, const Selection &selection, double radius) {
-    return changeCorners(document, selection, radius,
-                         [radius](const Curve &before, const Curve &after) { return fillet(before, after, radius); });
+    const CutCorner cutCorner = [radius](const Curve &before, const Curve &after) {
+        return fillet(before, after, radius);
+    };
+    return changeCorners(document, selection, radius, [&](Shape &shape, const Corners &chosen) {
+        const bool all = shape.kind == ShapeKind::Rectangle && (chosen.empty() || chosen == Corners{0, 1, 2, 3});
+        return all ? roundRectangle(shape, radius) : changeShape(shape, chosen, cutCorner);
+    });
 }
 
 Result<Document> chamferCorners(const Document &document, const Selection &selection, double distance) {
-    return changeCorners(document, selection, distance, [distance](const Curve &before, const Curve &after) {
+    const CutCorner cutCorner = [distance](const Curve &before, const Curve &after) {
         return chamfer(before, after, distance);
-    });
+    };
+    return changeCorners(document, selection, distance,
+                         [&](Shape &shape, const Corners &chosen) { return changeShape(shape, chosen, cutCorner); });
 }
 
 bool hasCorners(const Document &document, const Selection &selection) {

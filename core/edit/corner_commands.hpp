@@ -10,7 +10,7 @@ namespace forefront {
 // narrow for the number).
 
 /// Rounds corners by arcs of circles that are tangent to both sides, which may be curves. The ends of an arc get the
-/// element size of its corner.
+/// element size of its corner. A rectangle all of whose corners are rounded stays a rectangle.
 Result<Document> filletCorners(const Document &document, const Selection &selection, double radius);
 
 /// Cuts corners by straight segments between the points at a distance from the node along both sides, which get the

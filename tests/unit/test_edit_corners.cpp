@@ -1,5 +1,6 @@
 #include "core/domain/validate.hpp"
 #include "core/edit/corner_commands.hpp"
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/offset_shapes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -233,13 +234,18 @@ TEST_CASE("offsetShapes: a waist that closes divides a shape; an open path becom
 }
 
 TEST_CASE("slotAround: two half circles and two lines around a line") {
-    const Shape slot = slotAround({1, 1}, {4, 5}, 0.5);
+    Shape slot = slotAround({1, 1}, {4, 5}, 0.5);
+    CHECK(slot.kind == ShapeKind::Slot);
+    CHECK(isSlot(slot));
     CHECK(checkShape(slot).empty());
     CHECK(areaOf(slot) == doctest::Approx(5.0 + 0.25 * kPi));
     CHECK(lengthOf(slot) == doctest::Approx(10.0 + kPi));
     CHECK(slotAround({1, 1}, {1, 1}, 0.5).kind == ShapeKind::Circle);
     CHECK(isSlot(slot));
     CHECK_FALSE(isSlot(slotAround({1, 1}, {1, 1}, 0.5)));
+    becomePath(slot);
+    CHECK(slot.kind == ShapeKind::Polygon);
+    CHECK(areaOf(slot) == doctest::Approx(5.0 + 0.25 * kPi));
     Shape turned = slot; // another node is the first one
     std::rotate(turned.nodes.begin(), turned.nodes.begin() + 1, turned.nodes.end());
     std::rotate(turned.curves.begin(), turned.curves.begin() + 1, turned.curves.end());
@@ -251,4 +257,59 @@ TEST_CASE("slotAround: two half circles and two lines around a line") {
         transformSelection(documentOf({slot}), {.shapes = {1}}, PlaneMap::scaling({2, 1}, {}));
     REQUIRE(wide.ok());
     CHECK_FALSE(isSlot(*wide->shapes[0])); // its ends are elliptical
+}
+
+TEST_CASE("filletCorners: a rectangle rounded at all corners stays a rectangle; a single corner makes it a path") {
+    Shape plate = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
+    plate.segmentTags = {1, 2, 3, 4};
+    const Document document = documentOf({plate});
+    Selection corners;
+    corners.nodes = {{1, 0}, {1, 1}, {1, 2}, {1, 3}};
+    for (const Selection &selection : {selected({1}), corners}) {
+        const Result<Document> result = filletCorners(document, selection, 1.0);
+        REQUIRE(result.ok());
+        const Shape &shape = *result->shapes[0];
+        CHECK(shape.kind == ShapeKind::Rectangle);
+        CHECK(shape.radius == 1.0);
+        CHECK(shape.segmentTags == plate.segmentTags);
+        CHECK(areaOf(shape) == doctest::Approx(24.0 - 4.0 + kPi));
+    }
+    CHECK(filletCorners(document, selected({1}), 2.0)->shapes[0]->radius == 2.0);
+    CHECK(codeOf(filletCorners(document, selected({1}), 2.1)) == "not-possible");
+    corners.nodes.erase({1, 2});
+    CHECK(filletCorners(document, corners, 1.0)->shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(chamferCorners(document, selected({1}), 1.0)->shapes[0]->kind == ShapeKind::Polygon);
+}
+
+TEST_CASE("Slot: handles change the ends and the width; commands that need nodes make it a path") {
+    Shape slot = slotAround({0, 0}, {4, 0}, 1.0);
+    slot.segmentTags = {1, 2, 3, 4};
+    const Document document = documentOf({slot});
+    CHECK(handlesOf(slot) == std::vector<Vec2>{{0, 0}, {4, 0}, {2, 1}});
+    CHECK(setHandle(document, {1, 2}, {7, -3})->shapes[0]->radius == 3.0);
+    CHECK(setHandle(document, {1, 1}, {0, 5})->shapes[0]->nodes[1] == Vec2{0, 5});
+    CHECK(codeOf(setHandle(document, {1, 1}, {0, 0})) == "bad-shape");
+    CHECK(setSegmentLength(document, {1, 2}, 6.0)->shapes[0]->nodes[1] == Vec2{6, 0});
+    CHECK(codeOf(setSegmentLength(document, {1, 1}, 6.0)) == "not-possible");
+    const Shape split = *insertNode(document, {1, 2}, {3, 1})->shapes[0];
+    CHECK(split.kind == ShapeKind::Polygon);
+    CHECK(split.nodes.size() == 5);
+    CHECK(split.segmentTags == std::vector<std::int32_t>{1, 2, 3, 3, 4});
+    const Shape mirrored = *transformSelection(document, selected({1}), PlaneMap::reflection(0.0, {0, 0}))->shapes[0];
+    CHECK(mirrored.kind == ShapeKind::Slot);
+    CHECK(mirrored.segmentTags == std::vector<std::int32_t>{3, 2, 1, 4}); // the lower side is now the upper one
+    CHECK(transformSelection(document, selected({1}), PlaneMap::scaling({2, 1}, {}))->shapes[0]->kind ==
+          ShapeKind::Polygon);
+    CHECK(offsetShapes(document, {1}, 0.5)->shapes[1]->radius == 1.5);
+    CHECK(offsetShapes(document, {1}, -0.5)->shapes[1]->radius == 0.5);
+    CHECK(codeOf(offsetShapes(document, {1}, -1.5)) == "not-possible");
+    CHECK(codeOf(setNodeSize(document, {{1, 0}}, PartSize{0.1, 0.2})) == "no-such-node");
+    CHECK(contains(slot, {4.9, 0}));
+    CHECK_FALSE(contains(slot, {4.9, 0.9}));
+    CHECK(boundsOf(slot) == Box2{{-1, -1}, {5, 1}});
+    const Domain domain = toDomain(document);
+    CHECK(validate(domain).empty());
+    Shape path = slot;
+    becomePath(path);
+    CHECK(placedNodes(domain) == placedNodes(toDomain(documentOf({path})))); // as slots were before
 }

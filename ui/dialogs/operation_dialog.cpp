@@ -21,6 +21,7 @@ OperationDialog::OperationDialog(Operation operation, Shell &context)
     for (const OperationField &field : operation_.fields) {
         values_.push_back(field.value);
     }
+    formulas_.resize(values_.size());
     const auto number = std::find_if(operation_.fields.begin(), operation_.fields.end(),
                                      [](const OperationField &f) { return f.kind == OperationField::Kind::Number; });
     if (number != operation_.fields.end()) {
@@ -41,6 +42,7 @@ void OperationDialog::show(Shell &context) {
     fault_.clear();
     Result<Document> next = operation_.run(*start_, selection_, values_, &made_);
     if (next) {
+        followed_ = operation_.follow && operation_.follow(*next, selection_, formulas_);
         context.document.apply(*std::move(next), operation_.title, stroke_);
     } else {
         const Diagnostic &fault = next.faults().front();
@@ -71,7 +73,7 @@ bool OperationDialog::drawField(Shell &context, std::size_t index) {
     bool changed = false;
     switch (field.kind) {
     case OperationField::Kind::Number:
-        changed = ui::inputNumber(context, name, value);
+        changed = ui::inputExpression(context, name, value, formulas_[index]);
         break;
     case OperationField::Kind::Choice: {
         int choice = static_cast<int>(value);
@@ -106,6 +108,11 @@ bool OperationDialog::draw(Shell &context) {
         ui::small(context, fault_, true);
         ImGui::PopStyleColor();
         ui::mark(context, name + "/fault");
+    }
+    const bool typed = std::any_of(formulas_.begin(), formulas_.end(), [](const auto &text) { return !text.empty(); });
+    if (typed && !followed_) {
+        ui::small(context, "Parameters are evaluated once here");
+        ui::mark(context, name + "/once");
     }
     ImGui::Dummy({0, context.px(6)});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(218));

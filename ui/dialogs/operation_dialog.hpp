@@ -33,6 +33,9 @@ struct Operation {
     /// new selection.
     std::function<Result<Document>(const Document &, const Selection &, const std::vector<double> &, Selection *made)>
         run;
+    /// Lets numbers of the result follow the expressions typed into the fields, in order; those of plain numbers are
+    /// empty. Returns true if all of them do. None: no number can.
+    std::function<bool(Document &, const Selection &, const std::vector<std::string> &)> follow{};
 };
 
 /// Asks for the numbers of an operation while the canvas previews its result. Cancel leaves the document and its
@@ -55,6 +58,8 @@ class OperationDialog final : public PreviewDialog {
 
     Operation operation_;
     std::vector<double> values_;
+    std::vector<std::string> formulas_; ///< expressions of the values; empty: plain numbers
+    bool followed_ = false;             ///< the result follows them
     std::shared_ptr<const Document> start_;
     Selection selection_;
     Selection made_;

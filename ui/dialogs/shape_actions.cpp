@@ -2,6 +2,7 @@
 
 #include "core/edit/combine_shapes.hpp"
 #include "core/edit/corner_commands.hpp"
+#include "core/edit/formulas.hpp"
 #include "core/edit/offset_shapes.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -115,6 +118,24 @@ Operation lengthOperation(const Shell &context, const char *id, const char *titl
     return operation;
 }
 
+/// Lets the corners of the rectangles among the rounded shapes follow an expression. Returns true if there are no
+/// others.
+bool followCornerRadius(Document &document, const Selection &selection, const std::vector<std::string> &formulas) {
+    std::set<std::uint32_t> rounded = selection.shapes;
+    for (const NodeRef node : selection.nodes) {
+        rounded.insert(node.shape);
+    }
+    bool all = true;
+    for (const std::uint32_t id : rounded) {
+        const bool rectangle = findShape(document, id)->kind == ShapeKind::Rectangle;
+        all = all && rectangle;
+        if (rectangle) {
+            document = setFormula(std::move(document), "shape/" + std::to_string(id) + "/radius", formulas.front());
+        }
+    }
+    return all;
+}
+
 /// Selected nodes stand for single corners; their shapes need not be selected.
 Operation filletOperation(const Shell &context) {
     Operation operation = lengthOperation(context, "fillet", "Fillet", "Radius",
@@ -124,6 +145,7 @@ Operation filletOperation(const Shell &context) {
         made->shapes = selection.shapes;
         return filletCorners(document, selection, values[0]);
     };
+    operation.follow = followCornerRadius;
     return operation;
 }
 
