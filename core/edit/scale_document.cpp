@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/edit/formulas.hpp"
+#include "core/edit/number_address.hpp"
 #include "core/edit/transform.hpp"
 
 #include <cmath>
@@ -69,7 +70,7 @@ Selection everythingIn(const Document &document) {
 
 } // namespace
 
-Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor) {
+Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor, std::vector<std::string> *dropped) {
     if (!(factor > 0.0) || !std::isfinite(factor)) {
         return error("bad-number", "invalid factor " + numberText(factor, 6) + "; expected a positive number");
     }
@@ -97,6 +98,11 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
         next.picture = scaledAbout(*next.picture, fixed, factor);
     }
     pruneFormulas(next);
+    for (const auto &[address, text] : document.formulas) {
+        if (dropped != nullptr && !next.formulas.contains(address)) {
+            dropped->push_back(numberName(document, address));
+        }
+    }
     return next;
 }
 

@@ -1,4 +1,5 @@
 #include "core/edit/equality.hpp"
+#include "core/edit/formulas.hpp"
 #include "core/io/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 
@@ -187,6 +188,30 @@ TEST_CASE("Picture: a calibration scales what was traced, too, in one step, unle
     CHECK(boundsOf(*driver.document().shapes[0]) == drawn);
     CHECK(pictureOf(driver).size.x == doctest::Approx(100.0).epsilon(0.01));
     CHECK(driver.undoLabel() == "Calibrate background picture");
+}
+
+TEST_CASE("Picture: a calibration names the numbers whose formulas it removes, and undo brings them back") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    beginCalibration(driver, place);
+    driver.key('R');
+    driver.dragPlaces({150.0, 60.0}, {250.0, 120.0});
+    Document document = driver.document();
+    const double width = boundsOf(document).size().x;
+    document.formulas["shape/1/width"] = "w";
+    driver.context().document.apply(*setParameters(document, {{"w", std::to_string(width)}}), "Set parameters");
+    REQUIRE(driver.document().formulas.size() == 1);
+    driver.key('Z');
+    driver.click("options/picture/mode/Calibrate");
+    driver.clickPlace(kFirst);
+    driver.clickPlace(kSecond);
+    driver.settle();
+    driver.fill("options/picture/distance", "50");
+    CHECK(driver.document().formulas.empty());
+    const std::string news = driver.context().log.entries().back().diagnostic.message;
+    CHECK(news == "Removed 1 formula that does not fit the new scale: width of rectangle 1");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().formulas.size() == 1);
 }
 
 TEST_CASE("Picture: undo and redo of a scale keep it in place on the screen") {

@@ -1,8 +1,13 @@
+#include "core/edit/formulas.hpp"
 #include "core/edit/scale_document.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <doctest/doctest.h>
+
+#include <map>
+#include <string>
+#include <vector>
 
 using namespace forefront;
 
@@ -51,4 +56,18 @@ TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; g
     CHECK(scaled->picture->corner == Vec2{5, 5});
     CHECK(scaled->picture->size == Vec2{20, 10});
     CHECK_FALSE(scaleDocument(document, {}, 0.0).ok());
+}
+
+TEST_CASE("scaleDocument: names the numbers whose formulas no longer fit") {
+    Shape circle;
+    circle.kind = ShapeKind::Circle;
+    circle.nodes = {{10, 10}, {14, 10}};
+    Document document = *addShape({}, circle);
+    document.formulas = {{"shape/1/radius", "r"}, {"shape/1/x/0", "2*r + 2"}};
+    document = *setParameters(document, {{"r", "4"}});
+    std::vector<std::string> dropped;
+    const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5, &dropped);
+    REQUIRE(scaled.ok());
+    CHECK(scaled->formulas == std::map<std::string, std::string>{{"shape/1/x/0", "2*r + 2"}}); // the fixed point
+    CHECK(dropped == std::vector<std::string>{"radius of circle 1"});
 }
