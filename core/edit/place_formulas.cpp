@@ -58,6 +58,10 @@ std::string component(const std::string &length, const std::string &degrees, boo
         if (part == 0.0 || std::fabs(part) == 1.0) {
             return part == 0.0 ? "0" : part > 0.0 ? length : '-' + factor(length);
         }
+        constexpr double kPlaces = 1e4, kPartRounding = 1e-15; // 0.6 and 0.8 rather than an angle of 53.13...
+        if (const double few = std::round(part * kPlaces) / kPlaces; std::fabs(few - part) <= kPartRounding) {
+            return (few < 0.0 ? "-" : "") + factor(length) + '*' + exactText(std::fabs(few));
+        }
     }
     return factor(length) + (across ? "*cos(" : "*sin(") + factor(degrees) + "*pi/180)";
 }

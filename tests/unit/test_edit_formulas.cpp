@@ -455,6 +455,7 @@ TEST_CASE("followLength: the second end follows the length, and the first end wh
     CHECK_FALSE(document.formulas.contains("shape/1/y/1")); // stays
     CHECK(document.formulas.at("shape/1/x/2") == "a + L");
     CHECK(document.formulas.at("shape/1/y/2") == "1 + L");
+    CHECK(document.formulas.at("shape/1/x/3") == "a + L + (L + 2)*0.6");
     pruneFormulas(document);
     CHECK(document.formulas.size() == 6);
     const Result<Document> next = overrideParameters(document, {{"L", "8"}, {"a", "0"}});
