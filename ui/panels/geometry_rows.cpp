@@ -53,19 +53,13 @@ void drawSlot(Shell &context, const Shape &shape) {
             EditState::apply(context, setHandle(document, {shape.id, k}, centre), "Move end of slot");
         }
     }
-    double size = distance(shape.nodes[0], shape.nodes[1]), width = 2.0 * shape.radius;
+    double size = distance(shape.nodes[0], shape.nodes[1]);
     if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, "length")) &&
         ui::checkPositive(context, "inspector/slotlength", size)) {
         EditState::apply(context, setSegmentLength(document, {shape.id, 0}, size), "Change length of slot");
     }
     ui::rowTooltip(context, "Distance between the centres of the two ends");
-    if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(shape, "width")) &&
-        ui::checkPositive(context, "inspector/slotwidth", width)) {
-        Shape next = shape;
-        next.radius = 0.5 * width;
-        next.cuts.clear();
-        EditState::apply(context, replaceShape(document, std::move(next)), "Change width of slot");
-    }
+    slotWidthRow(context, shape);
 }
 
 /// Shows the formulas that an end of a segment follows, as when its length was typed as an expression.
@@ -89,6 +83,17 @@ void drawFollowing(Shell &context, const Shape &shape, std::uint32_t node) {
 form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle) {
     const std::string number = '/' + std::to_string(handle);
     return {addressOf(shape, "x") + number, addressOf(shape, "y") + number};
+}
+
+void slotWidthRow(Shell &context, const Shape &slot) {
+    double width = 2.0 * slot.radius;
+    if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(slot, "width")) &&
+        ui::checkPositive(context, "inspector/slotwidth", width)) {
+        Shape next = slot;
+        next.radius = 0.5 * width;
+        next.cuts.clear();
+        EditState::apply(context, replaceShape(*context.document.current(), std::move(next)), "Change width of slot");
+    }
 }
 
 void geometryRows(Shell &context, const Shape &shape) {

@@ -15,6 +15,9 @@ form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle);
 /// Draws the rows of the inspector for the numbers of a shape, with its length and area.
 void geometryRows(Shell &context, const Shape &shape);
 
+/// Draws the row of the inspector for the width of a slot.
+void slotWidthRow(Shell &context, const Shape &slot);
+
 /// Draws the rows of the inspector for the length and radius of a segment.
 void segmentRows(Shell &context, const Shape &shape, SegmentRef ref);
 

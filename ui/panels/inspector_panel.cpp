@@ -237,7 +237,9 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     const std::vector<Vec2> handles = handlesOf(*shape);
     Vec2 at = handles[ref.node];
     heading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
-    if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
+    if (shape->kind == ShapeKind::Slot && !isCentre(*shape, ref.node)) {
+        slotWidthRow(context, *shape); // the place of its side follows
+    } else if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
         EditState::apply(context, setHandle(document, ref, at), "Move node");
         context.view.reveal(boxOf(at, at));
     }
