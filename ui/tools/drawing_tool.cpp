@@ -40,11 +40,14 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     }
     query.locks = entry_.locks();
     if (const std::optional<TypedPair> pair = entry_.pair()) {
-        pointer_ = lockedAt(typedPlace(*pair));
+        pointer_ = lockedAt(fitted(typedPlace(*pair)));
         return;
     }
     const std::optional<Vec2> own = query.locks.any() || query.off ? std::nullopt : ownSnap(place_, context);
     pointer_ = own ? Snapped{*own, SnapKind::Node} : snap(*state_->index(context), query);
+    if (const Vec2 fit = fitted(pointer_.at); fit != pointer_.at) {
+        pointer_ = Snapped{fit, SnapKind::None};
+    }
 }
 
 bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
@@ -217,7 +220,7 @@ bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
     case key::kBackspace:
         return inProgress() && removeLast();
     default:
-        return false;
+        return inProgress() && ownKey(event.key, context);
     }
 }
 

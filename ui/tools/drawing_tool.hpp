@@ -52,6 +52,11 @@ class DrawingTool : public Tool {
     virtual void pull(Vec2) {}
     /// Returns a snap target of the tool, such as the first node of a path, that takes precedence over all others.
     virtual std::optional<Vec2> ownSnap(Vec2, const Shell &) const { return std::nullopt; }
+    /// Returns the place that a click would take instead of one under the pointer or typed, such as one on an arc.
+    /// Called for each event.
+    virtual Vec2 fitted(Vec2 at) { return at; }
+    /// Handles a key that has a meaning of its own while a shape is unfinished. Returns false for other keys.
+    virtual bool ownKey(int, Shell &) { return false; }
     /// Returns true if Shift constrains the angle; false if Shift has another meaning in this tool.
     virtual bool shiftIsAngle() const { return true; }
     /// Returns the quantities that can be typed now, in Tab order: coordinates before the first node, then distance and

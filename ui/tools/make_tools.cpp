@@ -1,5 +1,6 @@
 #include "ui/tools/make_tools.hpp"
 
+#include "ui/tools/arc_tool.hpp"
 #include "ui/tools/box_tool.hpp"
 #include "ui/tools/brush_tool.hpp"
 #include "ui/tools/guess_tool.hpp"

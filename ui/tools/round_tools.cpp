@@ -1,7 +1,6 @@
 #include "ui/tools/round_tools.hpp"
 
 #include "core/base/number_text.hpp"
-#include "core/edit/path_curve.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
@@ -93,83 +92,6 @@ void RegularPolygonTool::drawOptions(Shell &context, ui::Flow &flow) {
 std::string RegularPolygonTool::statusText(const Shell &) const {
     return centre_ ? "Click a corner, or type the radius, Tab, angle. Shift: steps of 15\xc2\xb0"
                    : "Drag from the centre to a corner. Inside another shape it becomes a hole";
-}
-
-const char *ArcTool::icon() const {
-    return icon::kArc;
-}
-
-std::span<const EntryField> ArcTool::entryFields() const {
-    static constexpr std::array kRadius{EntryField::Radius};
-    return ends_.size() == 2 ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
-}
-
-Curve ArcTool::through(Vec2 middle) const {
-    const std::optional<double> radius = entry_.value(EntryField::Radius);
-    return radius ? arcOfRadius(ends_[0], ends_[1], *radius, middle) : arcThrough(ends_[0], middle, ends_[1]);
-}
-
-bool ArcTool::removeLast() {
-    if (ends_.empty()) {
-        return false;
-    }
-    ends_.pop_back();
-    return true;
-}
-
-void ArcTool::place(Vec2 at, Shell &context) {
-    if (ends_.size() < 2) {
-        if (ends_.empty() || at != ends_.front()) {
-            ends_.push_back(at);
-        }
-        return;
-    }
-    const Curve curve = through(at);
-    Shape shape;
-    shape.kind = ShapeKind::Polyline;
-    shape.use = ShapeUse::Constraint;
-    shape.nodes = ends_;
-    if (curve.kind() != CurveKind::Line) {
-        shape.curves = {curve};
-    }
-    if (commitShape(context, std::move(shape), "Draw arc")) {
-        ends_.clear();
-    }
-}
-
-void ArcTool::drawSketch(CanvasPainter &painter, Shell &context) {
-    const Theme &theme = context.theme;
-    std::string measure;
-    if (ends_.size() == 1) {
-        painter.dashed(ends_[0], pointer_.at, fade(theme.selection, 0.6), 1.5);
-        measure = ui::number(distance(ends_[0], pointer_.at));
-    } else if (ends_.size() == 2) {
-        const Curve curve = through(pointer_.at);
-        painter.curve(curve, theme.selection, 2.0);
-        const auto numbers = curve.numbers();
-        measure = curve.kind() == CurveKind::Arc ? "r = " + ui::number(length({numbers[2], numbers[3]}))
-                                                 : std::string("straight");
-    }
-    for (const Vec2 end : ends_) {
-        painter.handle(end, 3.0, theme.canvas, theme.selection);
-    }
-    drawMeasure(painter, context, measure);
-}
-
-void ArcTool::drawOptions(Shell &context, ui::Flow &flow) {
-    drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next constraint");
-    state_->drawSnapOptions(context, flow);
-}
-
-std::string ArcTool::statusText(const Shell &) const {
-    switch (ends_.size()) {
-    case 0:
-        return "Click where the arc begins, or type x, Tab, y";
-    case 1:
-        return "Click where the arc ends, or type distance, Tab, angle, or its place as 4,3";
-    default:
-        return "Click a point on the arc, or point to its side and type the radius. Backspace: remove the last end";
-    }
 }
 
 } // namespace forefront

@@ -37,32 +37,4 @@ class RegularPolygonTool final : public DrawingTool {
     std::optional<Vec2> centre_;
 };
 
-/// Draws an arc of a circle by its ends and a point between them.
-class ArcTool final : public DrawingTool {
-  public:
-    using DrawingTool::DrawingTool;
-
-    const char *id() const override { return "arc"; }
-    const char *name() const override { return "Constraint arc"; }
-    const char *icon() const override;
-    int key() const override { return 'A'; }
-    void drawOptions(Shell &context, ui::Flow &flow) override;
-    bool hasOptions(const Shell &) const override { return true; }
-    std::string statusText(const Shell &context) const override;
-
-  protected:
-    void place(Vec2 at, Shell &context) override;
-    void drawSketch(CanvasPainter &painter, Shell &context) override;
-    std::optional<Vec2> anchor() const override { return ends_.empty() ? std::nullopt : std::optional(ends_.back()); }
-    void cancel() override { ends_.clear(); }
-    bool removeLast() override;
-    std::span<const EntryField> entryFields() const override;
-
-  private:
-    /// Returns the arc from the first end through a point to the second one.
-    Curve through(Vec2 middle) const;
-
-    std::vector<Vec2> ends_;
-};
-
 } // namespace forefront

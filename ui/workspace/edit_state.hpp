@@ -30,6 +30,15 @@ struct EnumWords<PenMode> {
     static constexpr std::array<std::string_view, 3> kList = {"corners", "spline", "freehand"};
 };
 
+/// How the arc tool draws.
+enum class ArcMode : std::uint8_t { Points, Centre };
+
+template <>
+struct EnumWords<ArcMode> {
+    static constexpr auto kLast = ArcMode::Centre;
+    static constexpr std::array<std::string_view, 2> kList = {"three points", "centre"};
+};
+
 /// What a stroke drawn freehand becomes.
 enum class FreehandPath : std::uint8_t {
     Smooth, ///< curves, with corners where the hand turned sharply
@@ -58,6 +67,7 @@ struct EditState {
     std::optional<std::int32_t> boundaryTag, constraintTag;
     double brushRadius = 0.0; ///< domain units; 0: derived from the view on first use
     PenMode penMode = PenMode::Corners;
+    ArcMode arcMode = ArcMode::Points;
     FreehandPath freehandPath = FreehandPath::Smooth;
     double freehandTolerance = 0.0; ///< maximum distance from the stroke, domain units; 0: two pixels
     SelectionFilter picks;
