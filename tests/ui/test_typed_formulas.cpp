@@ -1,4 +1,5 @@
 #include "core/edit/formulas.hpp"
+#include "core/edit/path_curve.hpp"
 #include "core/io/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
@@ -252,4 +253,29 @@ TEST_CASE("Typed formulas: a rectangle rounded by the fillet dialog keeps its fo
     CHECK(driver.formula("shape/1/radius") == "r/4");
     driver.set("r", "2");
     CHECK(driver.shape().radius == 0.5);
+}
+
+TEST_CASE("Typed formulas: arcs by three points and by their centre follow their radius, not an angle") {
+    Parametric driver;
+    driver.key('A');
+    driver.clickPlace({1, 7});
+    driver.clickPlace({3, 7});
+    driver.moveToPlace({2, 7.5});
+    driver.enter({"=2*r"});
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.formula("shape/1/arcRadius/0") == "2*r");
+    driver.click("options/arc/Centre");
+    driver.clickPlace({5, 3});
+    driver.moveToPlace({6, 3});
+    driver.enter({"=2*r", "0"});
+    driver.moveToPlace({6, 4});
+    driver.enter({"90"});
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.formula("shape/2/x/0") == "5 + 2*r");
+    CHECK(driver.formula("shape/2/y/1") == "3 + 2*r");
+    driver.set("r", "1.5");
+    CHECK(radiusOf(driver.shape(0).curves[0]) == doctest::Approx(3.0));
+    CHECK(driver.shape(1).nodes == std::vector<Vec2>{{8, 3}, {5, 6}});
+    CHECK(radiusOf(driver.shape(1).curves[0]) == doctest::Approx(3.0));
+    CHECK(lengthOf(driver.shape(1)) == doctest::Approx(1.5 * std::numbers::pi));
 }

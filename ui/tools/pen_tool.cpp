@@ -1,6 +1,7 @@
 #include "ui/tools/pen_tool.hpp"
 
 #include "core/edit/drawn_paths.hpp"
+#include "core/edit/path_curve.hpp"
 #include "core/geometry/stroke_fit.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
@@ -37,12 +38,15 @@ std::optional<Vec2> PenTool::anchor() const {
 }
 
 Curve PenTool::segment(const Node &from, const Node &to) {
+    if (to.arc) {
+        return *to.arc;
+    }
     return curved(from, to) ? Curve::cubic(from.at, from.at + from.arm, to.at - to.arm, to.at)
                             : Curve::line(from.at, to.at);
 }
 
 bool PenTool::anyCurved() const {
-    return std::any_of(path_.begin(), path_.end(), [](const Node &node) { return node.arm != Vec2{}; });
+    return std::any_of(path_.begin(), path_.end(), [](const Node &node) { return node.arc || node.arm != Vec2{}; });
 }
 
 std::optional<Vec2> PenTool::ownSnap(Vec2 at, const Shell &context) const {
@@ -140,12 +144,30 @@ void PenTool::place(Vec2 at, Shell &context) {
         hand_ = {at};
         return;
     }
+    if (wantsMiddle() && !path_.empty()) {
+        middle_ = at != path_.back().at ? std::optional(at) : std::nullopt;
+        return;
+    }
+    Node node{at, {}};
+    if (drawsArc() && !path_.empty() && at != path_.back().at) {
+        node.arc = arcTo(at);
+        node.radius = isTangent() ? entry_.expression(EntryField::Radius) : std::string();
+        middle_.reset();
+        if (node.arc->kind() == CurveKind::Line) {
+            node.arc.reset();
+        }
+    }
     if (closes(at)) {
+        path_.front().arc = node.arc;
+        path_.front().radius = node.radius;
         commit(context, true);
+        if (!path_.empty()) {
+            path_.front().arc.reset(); // refused
+        }
         return;
     }
     if (path_.empty() || at != path_.back().at) {
-        path_.push_back({at, {}});
+        path_.push_back(std::move(node));
         undone_.clear();
         discarded_.clear();
     }
@@ -158,7 +180,7 @@ void PenTool::pull(Vec2 to) {
         }
         return;
     }
-    if (state_->penMode == PenMode::Spline) {
+    if (state_->penMode == PenMode::Spline || drawsArc()) {
         return; // the curve follows from its points alone
     }
     path_.back().arm = to - path_.back().at;
@@ -213,11 +235,17 @@ void PenTool::cancel() {
     hand_.clear();
     path_.clear();
     undone_.clear();
+    middle_.reset();
+    segment_ = PenSegment::Line;
 }
 
 bool PenTool::removeLast() {
     if (path_.empty()) {
         return false;
+    }
+    if (middle_) {
+        middle_.reset();
+        return true;
     }
     if (!hand_.empty()) {
         cancel(); // a freehand path has no nodes to remove yet
@@ -303,7 +331,12 @@ void PenTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Node &last = path_.back();
     const bool closing = closes(pointer_.at), pulling = last.arm != Vec2{} && pointer_.at == last.at + last.arm;
     if ((over_ || entry_.locks().any()) && !pulling) {
-        painter.curve(segment(last, closing ? path_.front() : Node{pointer_.at, {}}), theme.selection, 1.5);
+        const bool arc = drawsArc() && !wantsMiddle();
+        painter.curve(arc ? arcTo(pointer_.at) : segment(last, Node{pointer_.at, closing ? path_.front().arm : Vec2{}}),
+                      theme.selection, 1.5);
+        if (middle_) {
+            painter.dot(*middle_, 3.0, theme.selection);
+        }
         if (kind_ == ShapeKind::Polygon && path_.size() >= 2 && !closing) {
             painter.dashed(pointer_.at, path_.front().at, fade(theme.selection, 0.5), 1.0);
         }
@@ -312,20 +345,33 @@ void PenTool::drawSketch(CanvasPainter &painter, Shell &context) {
         painter.ring(path_.front().at, closing ? 9.0 : 6.5, theme.selection, closing ? 2.0 : 1.0);
     }
     const Vec2 arm = pointer_.at - last.at;
-    const std::string measure = closing ? std::string("close")
-                                        : ui::number(length(arm)) + "  \xe2\x88\xa0 " +
-                                              ui::number(std::atan2(arm.y, arm.x) * 180.0 / std::numbers::pi, 3) +
-                                              "\xc2\xb0";
+    const std::optional<double> radius = drawsArc() && !wantsMiddle() ? radiusOf(arcTo(pointer_.at)) : std::nullopt;
+    const std::string measure = closing  ? std::string("close")
+                                : radius ? "r = " + ui::number(*radius)
+                                         : ui::number(length(arm)) + "  \xe2\x88\xa0 " +
+                                               ui::number(std::atan2(arm.y, arm.x) * 180.0 / std::numbers::pi, 3) +
+                                               "\xc2\xb0";
     drawMeasure(painter, context, over_ ? measure : std::string());
 }
 
 void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("pen");
-    if (ui::segmented(context, "options/pen", state_->penMode, std::min(220.0F, flow.room() / context.scale))) {
-        cancel();
+    const float width = std::min(220.0F, flow.room() / context.scale);
+    if (state_->penMode == PenMode::Corners && !path_.empty()) { // another way of drawing would drop the path
+        if (ui::segmented(context, "options/segment", segment_, width)) {
+            middle_.reset();
+        }
+        ui::tooltip(context,
+                    "The next segment, by keys: L for a line, A for an arc that is tangent to the segment before "
+                    "it, A again for an arc through a point");
+    } else {
+        if (ui::segmented(context, "options/pen", state_->penMode, width)) {
+            cancel();
+        }
+        ui::tooltip(context,
+                    "Corners: click for corners, drag for curves; A while drawing: arcs. Spline: a smooth curve "
+                    "through the points that you click. Freehand: draw by dragging.");
     }
-    ui::tooltip(context, "Corners: click for corners, drag for curves. Spline: a smooth curve through the points that "
-                         "you click. Freehand: draw by dragging.");
     if (state_->penMode == PenMode::Freehand) {
         flow.item("freehand");
         ui::segmented(context, "options/freehand", state_->freehandPath, std::min(150.0F, flow.room() / context.scale));
@@ -359,10 +405,17 @@ std::string PenTool::statusText(const Shell &) const {
                    ? "Click for corners, drag for curves, or type x, Tab, y. A polygon inside another becomes a hole"
                    : "Click for corners, drag for curves, or type x, Tab, y. The mesh follows the line";
     }
+    if (drawsArc()) {
+        return wantsMiddle() ? "Click a point on the arc. A: tangent arc, L: line, Backspace: remove the last node"
+               : isTangent()
+                   ? "Click where the arc ends, or point there and type the radius, Tab, the angle that it turns. "
+                     "A: arc through a point, L: line"
+                   : "Click where the arc ends, or type distance, Tab, angle. Backspace: remove the point";
+    }
     return kind_ == ShapeKind::Polygon && canClose()
-               ? "Click the first node or press Enter to close, Backspace to remove the last node, Esc to cancel"
-               : "Click the next corner, drag for a curve, or type distance, Tab, angle, or a place as 4,3. Enter: "
-                 "finish, Backspace: remove the last node";
+               ? "Click the first node or press Enter to close. A: arc, Backspace: remove the last node, Esc: cancel"
+               : "Click the next corner, drag for a curve, or type distance, Tab, angle, or a place as 4,3. A: arc, "
+                 "Enter: finish, Backspace: remove the last node";
 }
 
 } // namespace forefront

@@ -3,11 +3,29 @@
 #include "core/geometry/curve.hpp"
 #include "ui/tools/drawing_tool.hpp"
 
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace forefront {
 
+/// What the next segment of a path becomes.
+enum class PenSegment : std::uint8_t { Line, Tangent, Through };
+
+template <>
+struct EnumWords<PenSegment> {
+    static constexpr auto kLast = PenSegment::Through;
+    static constexpr std::array<std::string_view, 3> kList = {"line", "tangent", "through"};
+};
+
 /// Draws a polygon (boundary) or a polyline (constraint) node by node, like Inkscape's pen: a click places a corner, a
-/// drag a smooth node and its two control points. As a spline, clicks place the points of a smooth curve; freehand, a
-/// drag draws a path that becomes smooth curves or straight segments on release.
+/// drag a smooth node and its two control points; A makes the next segments arcs of circles, tangent to the one before
+/// or through a point, and L lines again. As a spline, clicks place the points of a smooth curve; freehand, a drag
+/// draws a path that becomes smooth curves or straight segments on release.
 class PenTool final : public DrawingTool {
   public:
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
@@ -37,6 +55,12 @@ class PenTool final : public DrawingTool {
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
     void pull(Vec2 to) override;
     void release(Vec2 at, bool away, Shell &context) override;
+    Vec2 fitted(Vec2 at) override;
+    bool ownKey(int key, Shell &context) override;
+    std::span<const EntryField> entryFields() const override;
+    PlaceFormula typedFormula(Vec2 at) const override;
+    void keepFormulas(const Shape &drawn, const Keep &keep) const override;
+    bool followsEntry() const override;
 
   private:
     /// A node of the unfinished path. It is smooth if it has an arm: the vector to the control point after it; the
@@ -44,11 +68,22 @@ class PenTool final : public DrawingTool {
     struct Node {
         Vec2 at;
         Vec2 arm;
+        std::optional<Curve> arc{}; ///< the segment that leads to it; of the first node: the one that closes the path
+        std::string radius{};       ///< expression of its radius; empty: none was typed
     };
-    static bool curved(const Node &from, const Node &to) { return from.arm != Vec2{} || to.arm != Vec2{}; }
+    static bool curved(const Node &from, const Node &to) { return to.arc || from.arm != Vec2{} || to.arm != Vec2{}; }
     /// Returns the segment between two nodes.
     static Curve segment(const Node &from, const Node &to);
     bool anyCurved() const;
+    bool drawsArc() const { return state_->penMode == PenMode::Corners && segment_ != PenSegment::Line; }
+    /// Returns the direction in which the path ends; none before its first segment.
+    std::optional<Vec2> heading() const;
+    /// Returns true if the next click places a point on the next arc, not its end.
+    bool wantsMiddle() const;
+    /// Returns true if the next arc is tangent to the segment before it.
+    bool isTangent() const { return drawsArc() && segment_ == PenSegment::Tangent && heading(); }
+    /// Returns the arc from the last node to a point.
+    Curve arcTo(Vec2 at) const;
     bool canFinish() const { return kind_ == ShapeKind::Polygon ? canClose() : path_.size() >= 2; }
     bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
     bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
@@ -68,6 +103,8 @@ class PenTool final : public DrawingTool {
     void drawPath(CanvasPainter &painter, const Shell &context) const;
 
     ShapeKind kind_;
+    PenSegment segment_ = PenSegment::Line; ///< the next one
+    std::optional<Vec2> middle_;            ///< a point on the next arc
     std::vector<Node> path_;
     std::vector<Vec2> hand_;      ///< pointer positions while drawing freehand
     std::vector<Node> undone_;    ///< nodes removed by undo, newest last
