@@ -105,3 +105,20 @@ TEST_CASE("Site tree: many sites that grow differently give nearly their minimum
     CHECK(accuracy.low > 0.97);
     CHECK(accuracy.high < 1.05);
 }
+
+TEST_CASE("Site tree: sites far longer than the box take no longer than others") {
+    std::mt19937 random(10);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<SizeSite> sites;
+    for (std::size_t i = 0; i < 2 * kManySites; ++i) {
+        const Vec2 at{20.0 * share(random) - 10.0, 12.0 * share(random) - 6.0};
+        sites.push_back(SizeSite::point(at, 0.01 + 0.3 * share(random), 0.25));
+    }
+    sites.push_back(SizeSite::segment({-1e14, 3.0}, {1e14, 3.0}, 1e-3, 0.25));
+    sites.push_back(SizeSite::segment({-1e12, -1e12}, {1e12, 1e12}, 1e-3, 0.25));
+    sites.push_back(SizeSite::segment({12.0, -1e15}, {12.0, 1e15}, 1e-3, 0.25)); // beside the box
+    const Accuracy accuracy = accuracyOf(sites, 5);
+    CHECK(accuracy.low > 0.97);
+    CHECK(accuracy.high < 1.3);
+    CHECK(accuracy.shareOver5 < 0.01);
+}

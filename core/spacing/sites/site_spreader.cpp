@@ -95,17 +95,53 @@ class SiteSpreader : SiteTreeWriter {
     }
 
     int levelOf(const SizeSite &s, int coarser) const {
-        const double units = std::max(1.0, s.size * tree_.toUnits_ / cellsPerSize_);
+        constexpr double kLongest = 1U << SiteTree::kBits;
+        const double units = std::clamp(s.size * tree_.toUnits_ / cellsPerSize_, 1.0, kLongest);
         return std::min(std::ilogb(units) + coarser, SiteTree::kBits);
     }
-    double stepsAlong(const SizeSite &s, double cell) const { return std::ceil(length(s.ab) * tree_.toUnits_ / cell); }
+
+    /// A line of equally distant places, one more than there are steps.
+    struct Places {
+        Vec2 from, ab;
+        double steps = 0.0;
+    };
+    Places placesAlong(Vec2 from, Vec2 ab, double cell) const {
+        return {from, ab, std::ceil(length(ab) * tree_.toUnits_ / cell)};
+    }
+    /// Returns the places along a site, a cell apart; only those near the box if the site is much longer than the box,
+    /// since there could be any number of them.
+    Places placesOf(const SizeSite &s, double cell) const {
+        constexpr double kMuchLonger = 64.0;
+        const double side = tree_.unit_ * static_cast<double>(1U << kTopLevel), margin = tree_.unit_ * cell;
+        if (length(s.ab) <= kMuchLonger * side) {
+            return placesAlong(s.a, s.ab, cell);
+        }
+        const Vec2 low = tree_.corner_ - Vec2{margin, margin};
+        const Vec2 high = tree_.corner_ + tree_.unit_ * Vec2{tree_.spanX_, tree_.spanY_} + Vec2{margin, margin};
+        double first = 0.0, last = 1.0;
+        const auto clip = [&](double at, double along, double from, double to) {
+            const double enters = (from - at) / along, leaves = (to - at) / along;
+            if (along != 0.0) {
+                first = std::max(first, std::min(enters, leaves));
+                last = std::min(last, std::max(enters, leaves));
+            } else if (at < from || at > to) {
+                last = -1.0;
+            }
+        };
+        clip(s.a.x, s.ab.x, low.x, high.x);
+        clip(s.a.y, s.ab.y, low.y, high.y);
+        return first <= last ? placesAlong(s.a + first * s.ab, (last - first) * s.ab, cell)
+                             : Places{s.nearest(midpoint(low, high)), {}, 0.0};
+    }
 
     /// Calls visit(x, y) for the places, in units, whose cells a site belongs to: along it, around it in squares.
     template <class Visit>
     void alongSite(const SizeSite &s, int level, const Visit &visit) const {
-        const double cell = static_cast<double>(1U << level), steps = stepsAlong(s, cell);
-        for (double k = 0.0; k <= steps; k += 1.0) {
-            const Vec2 p = tree_.toUnits_ * (s.a + (steps > 0.0 ? k / steps : 0.0) * s.ab - tree_.corner_);
+        const double cell = static_cast<double>(1U << level);
+        const Places places = placesOf(s, cell);
+        for (double k = 0.0; k <= places.steps; k += 1.0) {
+            const double part = places.steps > 0.0 ? k / places.steps : 0.0;
+            const Vec2 p = tree_.toUnits_ * (places.from + part * places.ab - tree_.corner_);
             for (unsigned corner = 0; corner < 4; ++corner) {
                 const double x = p.x + ((corner & 1U) != 0 ? 0.5 : -0.5) * cell;
                 const double y = p.y + ((corner & 2U) != 0 ? 0.5 : -0.5) * cell;
@@ -125,7 +161,7 @@ class SiteSpreader : SiteTreeWriter {
         for (const SizeSite &s : tree_.sites_) {
             const int level = levelOf(s, coarser);
             levels_.push_back(static_cast<std::uint8_t>(level));
-            places += 1.0 + stepsAlong(s, static_cast<double>(1U << level));
+            places += 1.0 + placesOf(s, static_cast<double>(1U << level)).steps;
             if ((tree_.cells_.size() > maxCells_ || places > static_cast<double>(maxCells_)) &&
                 coarser < SiteTree::kBits) {
                 return false;
