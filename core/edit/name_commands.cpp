@@ -75,6 +75,25 @@ Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &
     return next && !known ? setBoundaryName(*next, tag, name) : next;
 }
 
+Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, const std::string &name) {
+    const std::optional<std::int32_t> known = name.empty() ? std::nullopt : tagOf(document.boundaryNames, name);
+    if (!known || *known == tag) {
+        return setBoundaryName(document, tag, name);
+    }
+    BoundaryPart all;
+    for (const auto &shape : document.shapes) {
+        if (shape->segmentTags.empty() && shape->tag == tag) {
+            all.shapes.insert(shape->id);
+        }
+        for (std::uint32_t k = 0; k < shape->segmentTags.size(); ++k) {
+            if (segmentTag(*shape, k) == tag) {
+                all.segments.insert({shape->id, k});
+            }
+        }
+    }
+    return nameBoundaryPart(document, all, name);
+}
+
 Result<Document> nameRegionOf(const Document &document, std::size_t marker, const std::string &name) {
     if (marker >= document.regionMarkers.size()) {
         return error("no-such-marker", "region marker not found");

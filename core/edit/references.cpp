@@ -106,6 +106,25 @@ Selection selectAll(const Document &document) {
     return all;
 }
 
+Selection selectTag(const Document &document, std::int32_t tag) {
+    Selection selection;
+    for (const auto &shape : document.shapes) {
+        if (shape->hidden || shape->locked) {
+            continue;
+        }
+        const std::size_t segments = shape->segmentTags.empty() || isRound(*shape) ? 0 : taggedSegments(*shape);
+        if (segments == 0 && shape->tag == tag) {
+            selection.shapes.insert(shape->id);
+        }
+        for (std::uint32_t k = 0; k < segments; ++k) {
+            if (segmentTag(*shape, k) == tag) {
+                selection.segments.insert({shape->id, k});
+            }
+        }
+    }
+    return selection;
+}
+
 Box2 boundsOf(const Document &document, const Selection &selection) {
     Box2 box;
     for (const auto &shape : document.shapes) {

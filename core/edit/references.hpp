@@ -60,6 +60,9 @@ std::size_t positionOf(const Document &document, std::uint32_t id);
 const Shape *findShape(const Document &document, std::uint32_t id);
 /// Selects all visible and unlocked shapes, all sources and all region markers.
 Selection selectAll(const Document &document);
+/// Selects the visible and unlocked shapes whose segments all have a boundary tag, and the segments of other such
+/// shapes that have it.
+Selection selectTag(const Document &document, std::int32_t tag);
 /// Returns the box of the selected items; empty if there are none.
 Box2 boundsOf(const Document &document, const Selection &selection);
 

@@ -100,6 +100,7 @@ std::vector<Scene> scenes() {
             {"checks", panel("checks")},
             {"log", panel("log")},
             {"names", panel("names")},
+            {"shapes", panel("shapes")},
             {"history", panel("history")},
             {"gallery", action("file.samples")},
             {"export", action("file.export")},

@@ -105,25 +105,6 @@ TEST_CASE("Selection: no command, undo or step through the history leaves a lock
     CHECK(context.selection.size() == 1);
 }
 
-TEST_CASE("Shapes panel: lists shapes by boundary part; selects, hides and locks them") {
-    Draughtsman driver;
-    driver.rectangle({1, 1}, {9, 8});
-    driver.rectangle({3, 3}, {5, 5});
-    driver.click("panel/shapes");
-    driver.settle();
-    driver.click("shapes/1");
-    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
-    driver.click("shapes/1/eye");
-    CHECK(driver.document().shapes[0]->hidden);
-    driver.settle();
-    driver.click("shapes/1/eye");
-    CHECK_FALSE(driver.document().shapes[0]->hidden);
-    driver.settle();
-    driver.click("shapes/2/lock");
-    CHECK(driver.document().shapes[1]->locked);
-    CHECK(driver.undoLabel() == "Lock shape");
-}
-
 TEST_CASE("Context menu: a right click selects the item under the pointer and offers its actions") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});
@@ -278,26 +259,6 @@ TEST_CASE("Brush: coarser on unpainted ground changes nothing, says so and adds 
     const MessageLog::Entry &last = driver.context().log.entries().back();
     CHECK(last.announced);
     CHECK(last.diagnostic.message == "Nothing changed: coarser and smooth change only painted spacing");
-}
-
-TEST_CASE("Shapes panel: lists 500 shapes, says how many are left out, and still lists the regions") {
-    Draughtsman driver;
-    Document many;
-    for (int k = 0; k < 503; ++k) {
-        Shape square;
-        square.kind = ShapeKind::Rectangle;
-        square.nodes = {{2.0 * k, 0}, {2.0 * k + 1.0, 1}};
-        many = *addShape(many, square);
-    }
-    many = *addRegionMarker(many, {{0.5, 0.5}, 1, 0.0});
-    driver.context().document.apply(std::move(many), "Draw squares");
-    driver.click("panel/shapes");
-    driver.settle();
-    CHECK(driver.has("shapes/500"));
-    CHECK_FALSE(driver.has("shapes/501"));
-    CHECK(driver.has("shapes/missing"));
-    CHECK(driver.has("shapes/region/0"));
-    CHECK_FALSE(driver.has("shapes/region/missing"));
 }
 
 TEST_CASE("Polygon: as a spline through clicked points, or freehand with its corners") {

@@ -76,7 +76,7 @@ TEST_CASE("Glossary: links lead from one term to another, and from panels and le
     driver.settle();
     CHECK(driver.has("dialog/glossary/term/counters"));
     Driver learner({}, {1400, 900});
-    learner.key(key::kF1 + 1);
+    learner.key(key::kF1 + 3);
     learner.settle();
     learner.click("lessons/1-front");
     learner.settle();

@@ -15,7 +15,7 @@ namespace {
 class Reader : public Driver {
   public:
     Reader() : Driver({}, {1400, 900}) {
-        key(key::kF1 + 1);
+        key(key::kF1 + 3);
         settle();
     }
     /// Opens a lesson by its number in the list, at a page; both count from 1.

@@ -23,7 +23,7 @@ namespace {
 class Learner : public Driver {
   public:
     explicit Learner(EditorSetup setup = {}, PixelSize size = {1400, 900}) : Driver(std::move(setup), size) {
-        key(key::kF1 + 1);
+        key(key::kF1 + 3);
         settle();
     }
 

@@ -30,7 +30,7 @@ TEST_CASE("Rest: with a mesh, no panel, layer or lesson asks for frames while no
     }
     driver.context().view.runPlot = true;
     check("plots of the run");
-    driver.key(key::kF1 + 1);
+    driver.key(key::kF1 + 3);
     check("lessons");
 }
 

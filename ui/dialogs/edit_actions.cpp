@@ -6,6 +6,7 @@
 #include "ui/dialogs/clipboard_actions.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/gallery_dialog.hpp"
+#include "ui/dialogs/naming_actions.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/dialogs/repair.hpp"
@@ -332,6 +333,7 @@ void addEditActions(ActionRegistry &actions) {
     addFileActions(actions);
     addHistoryActions(actions);
     addSelectionActions(actions);
+    addNamingActions(actions);
     addShapeActions(actions);
     actions.add({.id = "edit.preferences",
                  .menu = "Edit",

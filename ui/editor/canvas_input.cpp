@@ -104,6 +104,7 @@ void CanvasInput::button(const InputEvent &event, Shell &context) {
     if (!canvasFree(context) || !context.view.camera.viewport.contains(pixel_) || held_ || panning_) {
         return;
     }
+    context.naming.row.reset(); // from now on, F2 renames what is selected on the canvas
     if (which == MouseButton::Middle || (spaceDown_ && which == MouseButton::Left)) {
         panning_ = true;
         return;

@@ -33,7 +33,8 @@ class NamesPanel final : public Panel {
             ImGui::SameLine(0, context.px(6));
             if (ui::iconButton(context, "names/boundary/" + std::to_string(tag) + "/select", icon::kSelect,
                                "Select all visible and unlocked items with this tag", false, true, 24.0F)) {
-                selectTag(context, *document, tag);
+                context.selection = selectTag(*document, tag);
+                context.tools.choose("select", context);
             }
         }
         ImGui::Dummy({0, context.px(4)});
@@ -61,27 +62,6 @@ class NamesPanel final : public Panel {
         if (ui::entry(context, prefix + std::to_string(tag), typed, "name", width, true)) {
             rename(std::move(typed));
         }
-    }
-
-    static void selectTag(Shell &context, const Document &document, std::int32_t tag) {
-        context.selection.clear();
-        for (const auto &shape : document.shapes) {
-            if (shape->hidden || shape->locked) {
-                continue;
-            }
-            if (shape->segmentTags.empty()) {
-                if (shape->tag == tag) {
-                    context.selection.shapes.insert(shape->id);
-                }
-                continue;
-            }
-            for (std::uint32_t k = 0; k < shape->segmentTags.size(); ++k) {
-                if (shape->segmentTags[k] == tag) {
-                    context.selection.segments.insert({shape->id, k});
-                }
-            }
-        }
-        context.tools.choose("select", context);
     }
 
     std::vector<std::int32_t> boundaries_, regions_; ///< tags of the document of revision_

@@ -74,6 +74,11 @@ void readMaps(const Json &json, Settings &settings) {
             settings.layers[layer] = visible.get<bool>();
         }
     });
+    forMembers(json, "tabHeights", [&](const std::string &panel, const Json &height) {
+        if (height.is_number()) {
+            settings.tabHeights[panel] = std::clamp(height.get<double>(), kMinTabs, kMaxTabs);
+        }
+    });
     forMembers(json, "folded", [&](const std::string &panel, const Json &folded) {
         if (folded.is_boolean()) {
             settings.folded[panel] = folded.get<bool>();
@@ -121,7 +126,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.theme = theme != json.end() && *theme == "light" ? ThemeKind::Light : ThemeKind::Dark;
     settings.scale = numberIn(json, "scale", settings.scale, 0.75, 3.0);
     settings.panelWidth = numberIn(json, "panelWidth", settings.panelWidth, 240.0, 640.0);
-    settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, 90.0, 900.0);
+    settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, kMinTabs, kMaxTabs);
     settings.hints = boolIn(json, "hints", settings.hints);
     settings.rulers = boolIn(json, "rulers", settings.rulers);
     settings.live = boolIn(json, "live", settings.live);
@@ -152,6 +157,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"scale", settings.scale},
               {"panelWidth", settings.panelWidth},
               {"tabsHeight", settings.tabsHeight},
+              {"tabHeights", settings.tabHeights},
               {"hints", settings.hints},
               {"rulers", settings.rulers},
               {"live", settings.live},

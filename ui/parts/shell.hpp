@@ -1,8 +1,10 @@
 #pragma once
 
 #include "ui/parts/action.hpp"
+#include "ui/parts/context_menu.hpp"
 #include "ui/parts/dialog.hpp"
 #include "ui/parts/layer.hpp"
+#include "ui/parts/naming.hpp"
 #include "ui/parts/panel.hpp"
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
@@ -49,7 +51,9 @@ struct Shell : Workspace {
     /// Id of the layer that coloured the canvas before showMeshColours(), or empty for none; absent: it is not in
     /// force.
     std::optional<std::string> coloursBefore;
-    bool contextMenu = false;    ///< a tool asks for the menu of the selection at the pointer
+    bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
+    ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
+    Naming naming;
     SideBySide sides;            ///< runs with other grids or the other method
     bool quit = false;           ///< end the program after this frame
     bool closeRequested = false; ///< the user closed the window; "file.quit" decides

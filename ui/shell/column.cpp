@@ -140,19 +140,47 @@ void drawStacked(Shell &context, float height) {
     ImGui::EndChild();
 }
 
-void drawTabs(Shell &context) {
+std::vector<Panel *> tabsOf(const Shell &context) {
     std::vector<Panel *> tabs;
     for (const auto &panel : context.panels) {
         if (panel->place() == PanelPlace::Tabbed) {
             tabs.push_back(panel.get());
         }
     }
+    return tabs;
+}
+
+/// Returns the index of the panel shown in the tabs.
+std::size_t chosenTab(const Shell &context, const std::vector<Panel *> &tabs) {
+    const auto last =
+        std::find_if(tabs.begin(), tabs.end(), [&](const Panel *tab) { return tab->id() == context.settings.tab; });
+    return last == tabs.end() ? 0 : static_cast<std::size_t>(last - tabs.begin());
+}
+
+/// Returns the height of the tabs in design pixels, after the user has dragged their edge up by `change`. A panel with
+/// a height of its own does not change that of the others.
+double tabsHeight(Shell &context, double change = 0.0) {
+    const std::vector<Panel *> tabs = tabsOf(context);
+    const Panel *const shown = tabs.empty() ? nullptr : tabs[chosenTab(context, tabs)];
+    const bool own = shown != nullptr && shown->tabHeight() > 0.0;
+    auto &heights = context.settings.tabHeights;
+    const auto known = own ? heights.find(shown->id()) : heights.end();
+    const double before = known != heights.end() ? known->second
+                          : own                  ? shown->tabHeight()
+                                                 : context.settings.tabsHeight;
+    const double after = std::clamp(before + change, kMinTabs, kMaxTabs);
+    if (change != 0.0) {
+        (own ? heights[shown->id()] : context.settings.tabsHeight) = after;
+    }
+    return after;
+}
+
+void drawTabs(Shell &context) {
+    const std::vector<Panel *> tabs = tabsOf(context);
     if (tabs.empty()) {
         return;
     }
-    const auto last =
-        std::find_if(tabs.begin(), tabs.end(), [&](const Panel *tab) { return tab->id() == context.settings.tab; });
-    std::size_t chosen = last == tabs.end() ? 0 : static_cast<std::size_t>(last - tabs.begin());
+    std::size_t chosen = chosenTab(context, tabs);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.heading);
     constexpr double kLowTabs = 150.0; // design pixels; the rows of headings leave room to the tab
@@ -211,7 +239,7 @@ void drawColumn(Shell &context, const PixelRect &rect) {
     const double scale = static_cast<double>(context.scale);
     // In a low window the panels above the tabs keep more than half of the column.
     const double limit = std::min(rect.height - 80.0 * scale, std::max(0.4 * rect.height, rect.height - 240.0 * scale));
-    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, limit));
+    const double tabs = std::clamp(tabsHeight(context) * scale, 60.0, std::max(60.0, limit));
     const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
     drawStacked(context, stacked);
     const double splitY = rect.y + rect.height - tabs - 5.0 * scale;
@@ -220,8 +248,7 @@ void drawColumn(Shell &context, const PixelRect &rect) {
                                         context.theme.line);
     const float dragged =
         splitter(context, "splitter/tabs", {rect.x + 6 * scale, splitY, rect.width - 6 * scale, 6.0 * scale}, false);
-    context.settings.tabsHeight =
-        std::clamp(context.settings.tabsHeight - static_cast<double>(dragged) / scale, 90.0, 900.0);
+    tabsHeight(context, -static_cast<double>(dragged) / scale);
     ImGui::SetCursorScreenPos({edge + context.px(12), line + context.px(3)});
     ImGui::BeginChild("tabs", {static_cast<float>(rect.width) - context.px(24), 0}, false, ImGuiWindowFlags_NoNav);
     drawTabs(context);

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include <array>
+#include <string>
 #include <utility>
 
 namespace forefront::shell {
@@ -11,27 +11,39 @@ namespace {
 
 constexpr const char *kPrefix = "contextmenu/"; ///< of the names of widgets
 
-/// The actions of the menu in groups. Those that cannot run now are left out.
-constexpr std::array<std::array<const char *, 7>, 5> kGroups{
-    {{"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete"},
-     {"path.corner", "path.smooth", "path.symmetric", "path.line", "path.curve", "path.split", "path.join"},
-     {"shape.transform", "shape.mirrorX", "shape.mirrorY", "shape.arrange", "shape.linearArray", "shape.polarArray"},
-     {"shape.fillet", "shape.chamfer", "shape.offset", "edit.union", "edit.difference", "edit.toPath"},
-     {"shape.hide", "shape.isolate", "shape.lock", "shape.showAll", "shape.unlockAll", "edit.selectAll", "view.fit"}}};
+void ownItem(Shell &context, const ContextItem &item) {
+    const std::string name = kPrefix + item.own.id;
+    ImGui::PushID(name.c_str());
+    ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted);
+    const bool chosen = ImGui::MenuItem(item.own.title.c_str(), item.own.detail.c_str(), item.checked);
+    ImGui::PopStyleColor();
+    ui::mark(context, name);
+    ImGui::PopID();
+    if (chosen) {
+        item.own.run(context);
+        context.animate();
+    }
+}
 
+/// Draws the groups. Actions that cannot run now are left out.
 void drawItems(Shell &context) {
     bool first = true;
-    for (const auto &group : kGroups) {
+    for (const ContextGroup &group : context.menu.shown) {
         bool begun = false;
-        for (const char *id : group) {
-            const Action *const action = id == nullptr ? nullptr : context.actions.find(id);
-            if (action == nullptr || (action->enabled && !action->enabled(context))) {
+        for (const ContextItem &item : group) {
+            const Action *const action = item.action.empty() ? nullptr : context.actions.find(item.action);
+            const bool missing = action == nullptr || (action->enabled && !action->enabled(context));
+            if (missing && !item.action.empty()) {
                 continue;
             }
             if (!std::exchange(begun, true) && !std::exchange(first, false)) {
                 ImGui::Separator();
             }
-            action->entries ? submenu(context, *action, kPrefix) : actionItem(context, *action, kPrefix);
+            if (action == nullptr) {
+                ownItem(context, item);
+            } else {
+                action->entries ? submenu(context, *action, kPrefix) : actionItem(context, *action, kPrefix);
+            }
         }
     }
 }
@@ -40,7 +52,13 @@ void drawItems(Shell &context) {
 
 void drawContextMenu(Shell &context) {
     constexpr const char *kPopup = "##contextmenu";
+    ContextMenu &menu = context.menu;
     if (std::exchange(context.contextMenu, false)) {
+        menu.open(selectionMenu());
+    }
+    if (std::exchange(menu.opens, false)) {
+        menu.shown = std::exchange(menu.wanted, {});
+        menu.at = {ImGui::GetMousePos().x, ImGui::GetMousePos().y};
         ImGui::OpenPopup(kPopup);
         context.animate();
     }
@@ -48,7 +66,9 @@ void drawContextMenu(Shell &context) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(10), context.px(7)));
     if (ImGui::BeginPopup(kPopup)) {
         ui::markWindow(context, "contextmenu");
+        menu.running = true;
         drawItems(context);
+        menu.running = false;
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar(2);

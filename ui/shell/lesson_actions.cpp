@@ -110,7 +110,7 @@ void addLessonActions(ActionRegistry &actions) {
     actions.add({.id = "help.lessons",
                  .menu = "Help",
                  .title = "Lessons",
-                 .shortcuts = {{key::kF1 + 1, kNoModifiers}},
+                 .shortcuts = {{key::kF1 + 3, kNoModifiers}},
                  .run =
                      [](Shell &c) {
                          c.lessons.visible = !c.lessons.visible;

@@ -1,0 +1,222 @@
+#include "core/edit/region_commands.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+namespace forefront::test {
+
+namespace {
+
+/// Two squares, of which the second has a bottom of its own, and a region.
+Document twoSquares() {
+    Document document;
+    for (int k = 0; k < 2; ++k) {
+        Shape square;
+        square.kind = ShapeKind::Rectangle;
+        square.nodes = {{1.0 + 4.0 * k, 1}, {4.0 + 4.0 * k, 4}};
+        document = *addShape(document, square);
+    }
+    document = *setSegmentTag(document, {{2, 0}}, 3);
+    document = *setBoundaryName(document, 3, "inlet");
+    return *addRegionMarker(document, {{2.5, 2.5}, 2, 0.0});
+}
+
+/// A driver with the Shapes panel open.
+struct Tree : Draughtsman {
+    explicit Tree(Document document = twoSquares()) {
+        context().document.apply(std::move(document), "Draw");
+        key('V');
+        click("panel/shapes");
+        settle();
+    }
+    void rightClick(std::string_view widget) {
+        const auto *found = context().widgets.find(widget);
+        REQUIRE(found != nullptr);
+        const Pixel at = found->rect.centre();
+        press(at, MouseButton::Right);
+        release(at, MouseButton::Right);
+        settle();
+    }
+    void doubleClick(std::string_view widget) {
+        click(widget);
+        click(widget);
+        settle();
+    }
+    const Selection &selection() { return context().selection; }
+};
+
+} // namespace
+
+TEST_CASE("Shapes panel: shapes, boundary parts and regions are groups that fold") {
+    Tree tree;
+    for (const char *row : {"shapes/group/shapes", "shapes/1", "shapes/2", "shapes/group/parts", "shapes/part/1",
+                            "shapes/part/3", "shapes/group/regions", "shapes/region/0"}) {
+        CHECK_MESSAGE(tree.has(row), row);
+    }
+    CHECK_FALSE(tree.has("shapes/1/fold")); // it has one boundary part
+    CHECK_FALSE(tree.has("shapes/2/part/3"));
+    tree.click("shapes/2/fold");
+    tree.settle();
+    CHECK(tree.has("shapes/2/part/3"));
+    tree.click("shapes/group/shapes");
+    tree.settle();
+    CHECK_FALSE(tree.has("shapes/2"));
+    CHECK(tree.has("shapes/part/3"));
+    tree.rightClick("shapes/group/shapes");
+    tree.click("contextmenu/fold");
+    tree.settle();
+    CHECK_FALSE(tree.has("shapes/part/3"));
+    CHECK(tree.has("shapes/group/regions"));
+}
+
+TEST_CASE(
+    "Shapes panel: a click selects the shape, the boundary part or the region; Ctrl adds, Shift selects a range") {
+    Tree tree;
+    tree.click("shapes/1");
+    CHECK(tree.selection().shapes == std::set<std::uint32_t>{1});
+    tree.key(key::kEscape);
+    tree.click("shapes/2/fold");
+    tree.settle();
+    tree.click("shapes/2/part/3");
+    CHECK(tree.selection().segments == std::set<SegmentRef>{{2, 0}});
+    CHECK(tree.selection().size() == 1);
+    tree.click("shapes/part/1");
+    CHECK(tree.selection().shapes == std::set<std::uint32_t>{1});
+    CHECK(tree.selection().segments == std::set<SegmentRef>{{2, 1}, {2, 2}, {2, 3}});
+    tree.click("shapes/region/0");
+    CHECK(tree.selection().markers == std::set<std::uint32_t>{0});
+    CHECK(tree.selection().size() == 1);
+}
+
+TEST_CASE("Shapes panel: hides and locks shapes, and its menu shows and unlocks them again") {
+    Tree tree;
+    tree.click("shapes/1");
+    tree.click("shapes/1/eye");
+    tree.settle();
+    CHECK(tree.document().shapes[0]->hidden);
+    CHECK(tree.selection().empty());
+    tree.rightClick("shapes/1");
+    tree.click("contextmenu/show");
+    tree.settle();
+    CHECK_FALSE(tree.document().shapes[0]->hidden);
+    tree.click("shapes/2/lock");
+    tree.settle();
+    CHECK(tree.document().shapes[1]->locked);
+    CHECK(tree.undoLabel() == "Lock shape");
+    tree.rightClick("shapes/2");
+    tree.click("contextmenu/unlock");
+    tree.settle();
+    CHECK_FALSE(tree.document().shapes[1]->locked);
+    tree.rightClick("shapes/2");
+    tree.click("contextmenu/shape.isolate");
+    tree.settle();
+    CHECK(tree.document().shapes[0]->hidden);
+}
+
+TEST_CASE("Shapes panel: F2 and a double-click rename a row in place; Esc keeps the name") {
+    Tree tree;
+    tree.doubleClick("shapes/1");
+    REQUIRE(tree.has("shapes/rename"));
+    tree.type("plate");
+    tree.key(key::kEnter);
+    tree.settle();
+    CHECK_FALSE(tree.has("shapes/rename"));
+    CHECK(tree.document().shapes[0]->name == "plate");
+    CHECK(tree.undoLabel() == "Name shape");
+    tree.click("shapes/part/3");
+    tree.key(key::kF1 + 1);
+    tree.settle();
+    REQUIRE(tree.has("shapes/rename"));
+    tree.type("outlet");
+    tree.key(key::kEscape);
+    tree.settle();
+    CHECK_FALSE(tree.has("shapes/rename"));
+    CHECK(tree.document().boundaryNames.at(3) == "inlet");
+    tree.key(key::kF1 + 1);
+    tree.settle();
+    tree.type("outlet");
+    tree.key(key::kEnter);
+    tree.settle();
+    CHECK(tree.document().boundaryNames.at(3) == "outlet");
+    tree.rightClick("shapes/region/0");
+    tree.click("contextmenu/edit.rename");
+    tree.settle();
+    tree.type("steel");
+    tree.key(key::kEnter);
+    tree.settle();
+    CHECK(tree.document().regionNames.at(2) == "steel");
+    CHECK_FALSE(tree.has("naming")); // not on the canvas
+}
+
+TEST_CASE("Shapes panel: a tag that gets the name of another one becomes that one") {
+    Tree tree;
+    tree.doubleClick("shapes/part/1");
+    tree.type("inlet");
+    tree.key(key::kEnter);
+    tree.settle();
+    CHECK(tree.document().shapes[0]->tag == 3);
+    CHECK_FALSE(tree.has("shapes/part/1"));
+}
+
+TEST_CASE(
+    "Shapes panel: a selection on the canvas reveals its row in a long list, of which only what is seen is drawn") {
+    Document many;
+    std::vector<Shape> squares;
+    for (int k = 0; k < 10'000; ++k) {
+        Shape square;
+        square.kind = ShapeKind::Rectangle;
+        const double x = 2.0 * (k % 100), y = 2.0 * (k / 100);
+        square.nodes = {{x, y}, {x + 1.0, y + 1.0}};
+        squares.push_back(square);
+    }
+    Tree tree(*addShapes(many, std::move(squares)));
+    std::size_t rows = 0;
+    for (const auto &[name, widget] : tree.context().widgets.all()) {
+        rows += name.starts_with("shapes/") ? 1 : 0;
+    }
+    CHECK(rows < 100);
+    CHECK(tree.has("shapes/1"));
+    tree.context().selection.shapes = {7000};
+    tree.frames(3);
+    CHECK(tree.has("shapes/7000"));
+    CHECK_FALSE(tree.has("shapes/1"));
+    tree.context().selection = {.segments = {{1, 2}}};
+    tree.frames(3);
+    CHECK(tree.has("shapes/1"));
+}
+
+TEST_CASE("Shapes panel: at 1280x800 at least eight rows are in sight, and dragging the edge of the tabs is kept") {
+    Document eight;
+    for (int k = 0; k < 9; ++k) {
+        Shape square;
+        square.kind = ShapeKind::Rectangle;
+        square.nodes = {{2.0 * k, 0}, {2.0 * k + 1.0, 1}};
+        eight = *addShape(eight, square);
+    }
+    Tree tree(eight);
+    const auto visible = [&] {
+        int rows = 0;
+        for (int k = 1; k <= 9; ++k) {
+            const auto *row = tree.context().widgets.find("shapes/" + std::to_string(k));
+            rows += row != nullptr && row->clip && row->rect.y >= row->clip->y &&
+                            row->rect.y + row->rect.height <= row->clip->y + row->clip->height + 1.0
+                        ? 1
+                        : 0;
+        }
+        return rows;
+    };
+    CHECK(visible() >= 8);
+    const double others = tree.context().settings.tabsHeight;
+    const Pixel edge = tree.context().widgets.find("splitter/tabs")->rect.centre();
+    tree.drag(edge, {edge.x, edge.y + 180.0});
+    tree.settle();
+    CHECK(tree.context().widgets.find("splitter/tabs")->rect.y > edge.y + 5.0);
+    CHECK(tree.context().settings.tabsHeight == others);
+    CHECK(tree.context().settings.tabHeights.contains("shapes"));
+}
+
+} // namespace forefront::test

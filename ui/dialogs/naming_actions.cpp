@@ -1,0 +1,118 @@
+#include "ui/dialogs/naming_actions.hpp"
+
+#include "core/edit/shape_geometry.hpp"
+#include "ui/dialogs/shape_actions.hpp"
+#include "ui/parts/shell.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace forefront {
+namespace {
+
+/// Returns the row of the Shapes panel that F2 renames: the last one clicked, while the panel is shown.
+const std::optional<NamedThing> &rowToName(const Shell &context) {
+    static const std::optional<NamedThing> kNone;
+    return context.naming.rowFrame >= ImGui::GetFrameCount() - 1 ? context.naming.row : kNone;
+}
+
+/// Opens the field where the context menu was opened on the canvas, otherwise at what is selected.
+void nameOnCanvas(Shell &context, NamedThing thing) {
+    const Document &document = *context.document.current();
+    const Camera &camera = context.view.camera;
+    Pixel at = camera.toPixel(boundsOf(document, context.selection).centre());
+    if (context.menu.running && camera.viewport.contains(context.menu.at)) {
+        at = context.menu.at;
+    }
+    context.naming.openOnCanvas(std::move(thing), at, document);
+    context.animate();
+}
+
+void rename(Shell &context) {
+    if (const std::optional<NamedThing> &row = rowToName(context)) {
+        context.naming.openInPanel(*row);
+        context.animate();
+    } else if (std::optional<NamedThing> thing = namedThing(*context.document.current(), context.selection)) {
+        nameOnCanvas(context, *std::move(thing));
+    }
+}
+
+void setTag(Shell &context) {
+    if (std::optional<NamedThing> part = boundaryPartOf(*context.document.current(), context.selection)) {
+        nameOnCanvas(context, *std::move(part));
+    }
+}
+
+/// Returns the field of the inspector with the element size of the selection; empty if it has none.
+std::string sizeField(const Shell &context) {
+    const Selection &selection = context.selection;
+    const Document &document = *context.document.current();
+    if (!selection.nodes.empty() && selection.nodes.size() == selection.size()) {
+        return "inspector/nodesize";
+    }
+    if (selection.size() != 1) {
+        return {};
+    }
+    if (!selection.shapes.empty()) {
+        const Shape *const shape = findShape(document, *selection.shapes.begin());
+        return shape != nullptr && shape->segmentTags.empty() ? "inspector/partsize" : "";
+    }
+    return !selection.segments.empty()  ? "inspector/partsize"
+           : !selection.sources.empty() ? "inspector/size"
+                                        : "inspector/maxarea";
+}
+
+void enterSize(Shell &context) {
+    context.view.panels = true;
+    context.settings.folded["inspector"] = false;
+    context.widgets.fields.request(sizeField(context));
+    context.animate();
+}
+
+/// Shows the selection and some of what is around it.
+void zoomToSelection(Shell &context) {
+    const Document &document = *context.document.current();
+    Box2 box = boundsOf(document, context.selection);
+    const double least = 0.01 * boundsOf(document).diagonal();
+    box = box.grown(std::max(0.15 * box.diagonal(), least > 0.0 ? least : 1.0));
+    context.view.fit(box);
+    context.view.fitted.reset(); // resizing the window keeps the place, not the selection
+    context.animate();
+}
+
+} // namespace
+
+void addNamingActions(ActionRegistry &actions) {
+    actions.add(
+        {.id = "edit.rename",
+         .menu = "Edit",
+         .title = "Rename\xe2\x80\xa6",
+         .shortcuts = {{key::kF1 + 1, kNoModifiers}},
+         .run = rename,
+         .enabled =
+             [](const Shell &c) { return rowToName(c) || namedThing(*c.document.current(), c.selection).has_value(); },
+         .separatorBefore = true});
+    actions.add(
+        {.id = "edit.setTag",
+         .menu = "Edit",
+         .title = "Set boundary tag\xe2\x80\xa6",
+         .shortcuts = {{'T', kShift}},
+         .run = setTag,
+         .enabled = [](const Shell &c) { return !c.selection.shapes.empty() || !c.selection.segments.empty(); }});
+    actions.add({.id = "edit.setSize",
+                 .menu = "Edit",
+                 .title = "Element size\xe2\x80\xa6",
+                 .run = enterSize,
+                 .enabled = [](const Shell &c) { return !sizeField(c).empty(); }});
+    actions.add({.id = "view.zoomSelection",
+                 .menu = "View",
+                 .title = "Zoom to selection",
+                 .shortcuts = {{'F', kShift}},
+                 .run = zoomToSelection,
+                 .enabled = hasSelection});
+}
+
+} // namespace forefront

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace forefront {
+
+class ActionRegistry;
+
+/// Registers the commands that name what is selected, enter its element size, and zoom to it.
+void addNamingActions(ActionRegistry &actions);
+
+} // namespace forefront

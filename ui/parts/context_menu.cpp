@@ -1,0 +1,18 @@
+#include "ui/parts/context_menu.hpp"
+
+namespace forefront {
+
+std::vector<ContextGroup> selectionMenu() {
+    return {
+        actionsOf({"edit.rename", "edit.setTag", "edit.setSize", "view.zoomSelection"}),
+        actionsOf({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete"}),
+        actionsOf(
+            {"path.corner", "path.smooth", "path.symmetric", "path.line", "path.curve", "path.split", "path.join"}),
+        actionsOf({"shape.transform", "shape.mirrorX", "shape.mirrorY", "shape.arrange", "shape.linearArray",
+                   "shape.polarArray"}),
+        actionsOf({"shape.fillet", "shape.chamfer", "shape.offset", "edit.union", "edit.difference", "edit.toPath"}),
+        actionsOf({"shape.hide", "shape.isolate", "shape.lock", "shape.showAll", "shape.unlockAll", "edit.selectAll",
+                   "view.fit"})};
+}
+
+} // namespace forefront

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/edit/name_commands.hpp"
+#include "ui/input/pixels.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+struct Shell;
+
+/// Something that can be given a name.
+struct NamedThing {
+    enum class Kind : std::uint8_t {
+        Shape, ///< `shape`
+        Tag,   ///< boundary tag `tag`, wherever it is used
+        Part,  ///< `part` of the boundary; other parts keep their tags
+        Region ///< of region marker `marker`
+    };
+    Kind kind = Kind::Shape;
+    std::uint32_t shape = 0; ///< Shape::id
+    std::int32_t tag = 0;    ///< of Kind::Part: the tag of its first segment
+    std::uint32_t marker = 0;
+    BoundaryPart part{};
+
+    /// Returns true for the same thing, whatever it is called now.
+    bool same(const NamedThing &other) const {
+        return kind == other.kind && shape == other.shape && tag == other.tag && marker == other.marker;
+    }
+    /// Returns the name that is edited; for a shape without a name, an empty text.
+    std::string name(const Document &document) const;
+    /// Returns what is named, such as "Boundary tag of 3 segments".
+    std::string title(const Document &document) const;
+    /// Returns the names that others of its kind have, without repetitions.
+    std::vector<std::string> choices(const Document &document) const;
+    /// Returns the document in which it has another name.
+    Result<Document> renamed(const Document &document, const std::string &name) const;
+};
+
+/// The field in which something is named: in a row of the Shapes panel, or on the canvas.
+struct Naming {
+    std::optional<NamedThing> thing; ///< while its field is open
+    bool inPanel = false;
+    Pixel at{};              ///< of the field on the canvas
+    int frames = 0;          ///< that the field was drawn
+    std::string text;        ///< typed on the canvas
+    int choice = -1;         ///< index of the name chosen with the arrow keys; -1: the text
+    bool edited = false;     ///< the text was changed
+    bool everywhere = false; ///< also other parts with the tag get the name
+
+    /// The row of the panel that was clicked last, until the canvas is clicked; F2 renames it.
+    std::optional<NamedThing> row;
+    int rowFrame = -1; ///< in which the panel was drawn last
+
+    void openInPanel(NamedThing what);
+    /// `label`: its label on the canvas was clicked, which means all parts with the name.
+    void openOnCanvas(NamedThing what, Pixel place, const Document &document, bool label = false);
+    void close() { thing.reset(); }
+};
+
+/// Gives the thing a name, as one step of the history.
+void applyName(Shell &context, const NamedThing &thing, const std::string &name);
+/// Returns what F2 renames in a selection: a shape, the boundary part of several shapes or segments, or a region.
+std::optional<NamedThing> namedThing(const Document &document, const Selection &selection);
+/// Returns what the label of a boundary part or region at a pixel of the canvas names.
+std::optional<NamedThing> labelAt(const Shell &context, Pixel pixel);
+/// Returns the selection of what is named, as far as it can be selected.
+Selection selectionOf(const Document &document, const NamedThing &thing);
+/// Returns the boundary part of a selection; nothing if no segments are selected.
+std::optional<NamedThing> boundaryPartOf(const Document &document, const Selection &selection);
+
+} // namespace forefront
