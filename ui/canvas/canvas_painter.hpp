@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 struct ImDrawList;
@@ -71,7 +72,10 @@ class CanvasPainter {
         PixelRect rect;
         std::string text;
         bool free = false; ///< drawn by freeLabel()
+        std::string name{}; ///< of its widget; empty: it cannot be clicked
     };
+    /// Names the widget of the label drawn last, so that it can be clicked.
+    void nameLabel(std::string name) { placed_.back().name = std::move(name); }
     const std::vector<Placed> &labels() const { return placed_; }
 
     const Camera &camera() const { return camera_; }

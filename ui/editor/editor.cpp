@@ -380,6 +380,7 @@ void Editor::Parts::buildInterface() {
     shell::drawToolOptions(context, layout.canvas);
     shell::drawCanvasNotes(context, layout.canvas);
     shell::drawContextMenu(context);
+    shell::drawNameField(context, layout.canvas);
     context.dialogs.draw(context);
 }
 

@@ -1,4 +1,4 @@
-#include "core/edit/shape_geometry.hpp"
+#include "core/edit/tag_runs.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/workspace/moment.hpp"
@@ -29,8 +29,10 @@ class LabelsLayer final : public Layer {
         }
         drawNodeNumbers(painter, frame);
         for (const RunsOfShape &runs : runs_) {
-            for (const Run &run : runs.runs) {
-                drawName(painter, frame, run);
+            for (std::size_t k = 0; k < runs.runs.size(); ++k) {
+                if (drawName(painter, frame, runs.runs[k])) {
+                    painter.nameLabel("label/boundary/" + std::to_string(runs.shape->id) + '/' + std::to_string(k));
+                }
             }
         }
     }
@@ -71,41 +73,32 @@ class LabelsLayer final : public Layer {
         for (std::size_t i = 0; i < segments; ++i) {
             lengths.push_back(outline.curve(i).length());
         }
-        const auto tagOf = [&](std::size_t i) { return segmentTag(shape, outline.part(i)); };
-        std::size_t begin = 0; // a run of a closed outline may go on over its first node
-        while (outline.closed && begin < segments && tagOf(begin) == tagOf((begin + segments - 1) % segments)) {
-            ++begin;
-        }
         std::vector<Run> runs;
-        for (std::size_t seen = 0; seen < segments;) {
-            const std::size_t first = (begin + seen) % segments;
-            std::size_t count = 0;
+        for (const TagRun &run : tagRuns(shape, outline)) {
             double whole = 0.0;
-            while (seen < segments && tagOf((first + count) % segments) == tagOf(first)) {
-                whole += lengths[(first + count) % segments];
-                ++count;
-                ++seen;
+            for (std::size_t k = 0; k < run.count; ++k) {
+                whole += lengths[run.segment(k, segments)];
             }
             double way = 0.3 * whole;
-            std::size_t at = first;
-            for (std::size_t k = 0; k + 1 < count && way > lengths[at]; ++k) {
+            std::size_t at = run.first;
+            for (std::size_t k = 0; k + 1 < run.count && way > lengths[at]; ++k) {
                 way -= lengths[at];
-                at = (at + 1) % segments;
+                at = at + 1 < segments ? at + 1 : 0;
             }
             const Curve curve = outline.curve(at);
             // On a cubic, this is a point near that place.
             const double t = lengths[at] > 0.0 ? std::min(1.0, way / lengths[at]) : 0.0;
-            runs.push_back({tagOf(first), curve.point(t), curve.tangent(t), whole});
+            runs.push_back({run.tag, curve.point(t), curve.tangent(t), whole});
         }
         return runs;
     }
 
-    /// Writes a name on its run, or beside it where the run is selected.
-    static void drawName(CanvasPainter &painter, const LayerFrame &frame, const Run &run) {
+    /// Writes a name on its run, or beside it where the run is selected. Returns false if there is no room.
+    static bool drawName(CanvasPainter &painter, const LayerFrame &frame, const Run &run) {
         const auto named = frame.document.boundaryNames.find(run.tag);
         if (named == frame.document.boundaryNames.end() || frame.camera.zoom * run.extent < 40.0 * frame.scale ||
             !frame.camera.visible().contains(run.at)) {
-            return;
+            return false;
         }
         const std::string &name = named->second;
         const ImFont &font = *frame.fonts.small;
@@ -118,7 +111,8 @@ class LabelsLayer final : public Layer {
         for (const double away : {0.0, reach, -reach, reach + 2.0 * half.y, -reach - 2.0 * half.y}) {
             offsets.push_back(away * side - half);
         }
-        painter.freeLabel(run.at, offsets, name, frame.theme.muted, fade(frame.theme.popup, 0.82), frame.fonts.small);
+        return painter.freeLabel(run.at, offsets, name, frame.theme.muted, fade(frame.theme.popup, 0.82),
+                                 frame.fonts.small);
     }
 
     static void drawNodeNumbers(CanvasPainter &painter, const LayerFrame &frame) {

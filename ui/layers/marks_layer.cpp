@@ -39,9 +39,10 @@ class MarksLayer final : public Layer {
             }
         }
         drawn = 0;
-        for (const RegionMarker &marker : frame.document.regionMarkers) {
+        for (std::size_t k = 0; k < frame.document.regionMarkers.size(); ++k) {
+            const RegionMarker &marker = frame.document.regionMarkers[k];
             if (visible.contains(marker.at) && drawn < kMaxSpacingMarks) {
-                drawMarker(painter, frame, marker, drawn++ < kMaxSpacingLabels);
+                drawMarker(painter, frame, marker, k, drawn++ < kMaxSpacingLabels);
             }
         }
     }
@@ -86,12 +87,13 @@ class MarksLayer final : public Layer {
         }
     }
 
-    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker, bool labelled) {
+    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker,
+                           std::size_t index, bool labelled) {
         painter.dot(marker.at, 3.5, frame.theme.accent);
         painter.ring(marker.at, 6.0, fade(frame.theme.accent, 0.6), 1.25);
-        if (labelled) {
-            painter.freeLabel(marker.at, {10.0, -8.0}, regionName(frame.document.regionNames, marker.tag),
-                              frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
+        if (labelled && painter.freeLabel(marker.at, {10.0, -8.0}, regionName(frame.document.regionNames, marker.tag),
+                                          frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small)) {
+            painter.nameLabel("label/region/" + std::to_string(index));
         }
     }
 };

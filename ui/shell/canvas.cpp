@@ -350,6 +350,11 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
     }
     list.ChannelsMerge();
     labels = painter.labels();
+    for (const CanvasPainter::Placed &label : labels) {
+        if (!label.name.empty()) {
+            ui::markRect(context, label.name, label.rect);
+        }
+    }
     constexpr double kFlagSeconds = 2.5;
     const double age = context.platform.now() - context.view.flagTime;
     if (context.view.flag && age < kFlagSeconds) {

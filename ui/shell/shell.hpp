@@ -41,6 +41,8 @@ PixelRect freeRoom(const Shell &context, const PixelRect &canvas);
 void drawMenuBar(Shell &context, const PixelRect &rect);
 /// Draws the menu of the selection at the pointer, if a tool asked for it.
 void drawContextMenu(Shell &context);
+/// Draws the field on the canvas in which something is named.
+void drawNameField(Shell &context, const PixelRect &canvas);
 /// Draws an entry of a menu that runs an action. Its widget is PREFIX and the id of the action.
 void actionItem(Shell &context, const Action &action, std::string_view prefix = "menu/");
 /// Draws an entry of a menu that opens the submenu of an action.

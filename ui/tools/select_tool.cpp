@@ -132,6 +132,10 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     pressPixel_ = event.pixel;
     pressPlace_ = boxPlace_ = event.place;
     adds_ = event.modifiers.shift();
+    if (pressLabel(event, context)) {
+        mode_ = Mode::Idle;
+        return;
+    }
     if (event.clicks == 2 && grabbed_.kind == Hit::Kind::Segment) {
         insertAt(grabbed_, context);
         return;
@@ -153,15 +157,48 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     mode_ = Mode::Grabbed;
 }
 
+/// Handles a click on the label of a boundary part or region: the first selects what it names, unless something else is
+/// right under the pointer, the second renames it.
+bool SelectTool::pressLabel(const CanvasEvent &event, Shell &context) {
+    std::optional<NamedThing> thing = labelAt(context, event.pixel);
+    if (event.clicks == 2 && !thing) {
+        thing = pressedLabel_; // the label has made way for what the first click selected
+    }
+    pressedLabel_ = thing;
+    const bool free = grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside;
+    if (!thing || (!free && event.clicks < 2) || adds_) {
+        return false;
+    }
+    context.selection = selectionOf(*start_, *thing);
+    if (event.clicks == 2) {
+        context.naming.openOnCanvas(*thing, event.pixel, *start_, true);
+        context.animate();
+    }
+    return true;
+}
+
 /// Selects the item under the pointer, unless it already is selected, and requests the menu of the selection.
 void SelectTool::openMenu(const CanvasEvent &event, Shell &context) {
     start_ = context.document.current();
     const Hit hit = hitAt(event.place, context);
-    if (!isSelected(hit, context.selection)) {
+    const bool free = hit.kind == Hit::Kind::Nothing || hit.kind == Hit::Kind::Inside;
+    if (const std::optional<NamedThing> label = labelAt(context, event.pixel); label && free) {
+        context.selection = selectionOf(*start_, *label);
+    } else if (!isSelected(hit, context.selection)) {
         select(hit, false, context.selection);
     }
+    const Shape *const shape = hit.kind == Hit::Kind::Segment ? findShape(*start_, hit.shape) : nullptr;
     start_.reset();
-    context.contextMenu = true;
+    std::vector<ContextGroup> groups = selectionMenu();
+    if (shape != nullptr && context.selection.shapes.contains(hit.shape) && taggedSegments(*shape) > 1) {
+        const auto name = [segment = hit.segment->ref](Shell &c) {
+            c.selection.clear();
+            c.selection.segments.insert(segment);
+            c.actions.run("edit.setTag", c);
+        };
+        groups.front().push_back(commandOf("segmentTag", "Set tag of this segment\xe2\x80\xa6", name));
+    }
+    context.menu.open(std::move(groups));
 }
 
 void SelectTool::insertAt(const Hit &hit, Shell &context) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/edit/path_commands.hpp"
+#include "ui/parts/naming.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/tools/numeric_entry.hpp"
 #include "ui/tools/transform_handles.hpp"
@@ -13,7 +14,7 @@
 namespace forefront {
 
 /// Selects by click and box; drags nodes, control points, segments, shapes, sources and markers; inserts a node by a
-/// double-click on a segment; scales and rotates the selection with its handles.
+/// double-click on a segment, renames by one on a label; scales and rotates the selection with its handles.
 class SelectTool final : public Tool {
   public:
     explicit SelectTool(std::shared_ptr<EditState> state) : state_(state), transform_(std::move(state)) {}
@@ -64,6 +65,7 @@ class SelectTool final : public Tool {
     bool isSelected(const Hit &hit, const Selection &selection) const;
     void select(const Hit &hit, bool adds, Selection &selection) const;
     void press(const CanvasEvent &event, Shell &context);
+    bool pressLabel(const CanvasEvent &event, Shell &context);
     void openMenu(const CanvasEvent &event, Shell &context);
     void drag(const CanvasEvent &event, Shell &context);
     void beginMove(Shell &context);
@@ -85,6 +87,7 @@ class SelectTool final : public Tool {
     void drawSourceHandles(CanvasPainter &painter, Shell &context) const;
 
     std::shared_ptr<EditState> state_;
+    std::optional<NamedThing> pressedLabel_; ///< under the last press
     Mode mode_ = Mode::Idle;
     Hit hover_, grabbed_;
     bool over_ = false;

@@ -88,9 +88,10 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
 } // namespace
 
 bool inputText(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
-               bool onEnter, bool focus) {
-    const ImGuiInputTextFlags flags = onEnter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None;
-    return drawField(context, name, value, hint, width, flags, focus).returned;
+               bool onEnter, bool focus, bool selectAll) {
+    const int enter = onEnter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None;
+    const int all = selectAll ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
+    return drawField(context, name, value, hint, width, enter | all, focus).returned;
 }
 
 bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,

@@ -45,9 +45,10 @@ bool slider(WidgetContext &context, std::string_view name, double &value, double
 /// Draws a thin slider with `shown` to its right; `t` in [0, 1]. Widths in design pixels.
 bool thinSlider(WidgetContext &context, std::string_view name, double &t, std::string_view shown, float width,
                 float textWidth);
-/// Draws a one-line text field. Returns true when the text changed, or with `onEnter` when Enter was pressed.
+/// Draws a one-line text field. Returns true when the text changed, or with `onEnter` when Enter was pressed. With
+/// `selectAll`, entering the field selects its text.
 bool inputText(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint = {},
-               float width = -1.0F, bool onEnter = false, bool focus = false);
+               float width = -1.0F, bool onEnter = false, bool focus = false, bool selectAll = false);
 /// Draws a text field that is committed by Enter, Tab or a click elsewhere; Esc restores the old text. Returns true in
 /// the frame in which a changed text is committed to `value`. With `selectAll`, entering the field selects its text.
 bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint = {},
