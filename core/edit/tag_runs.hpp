@@ -15,7 +15,9 @@ struct TagRun {
     std::size_t count = 0; ///< in a closed outline, a run may go on over the first node
 
     /// Returns the index of a segment of the run in an outline with `segments` segments.
-    std::size_t segment(std::size_t k, std::size_t segments) const { return (first + k) % segments; }
+    std::size_t segment(std::size_t k, std::size_t segments) const {
+        return first + k < segments ? first + k : first + k - segments;
+    }
 };
 
 /// Returns the runs of a shape in the order of its segments; one for a circle or an ellipse, none for a point.

@@ -1,6 +1,7 @@
 #include "ui/editor/canvas_input.hpp"
 
 #include "ui/parts/shell.hpp"
+#include "ui/shell/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -109,13 +110,22 @@ void CanvasInput::button(const InputEvent &event, Shell &context) {
         panning_ = true;
         return;
     }
+    if (which == MouseButton::Right && shell::openLegendMenu(context, pixel_)) {
+        return;
+    }
     if (ui::typing().active) {
         context.widgets.fields.leave(); // it commits its text before anything else is selected
         waitingPress_ = event;
         return;
     }
     held_ = which;
-    offer({.kind = CanvasEvent::Kind::Press, .button = which, .clicks = countClicks(event, context)}, context);
+    const bool used =
+        offer({.kind = CanvasEvent::Kind::Press, .button = which, .clicks = countClicks(event, context)}, context);
+    // A tool without a use for the right button has a menu nevertheless.
+    if (!used && which == MouseButton::Right) {
+        context.selection.clear(); // it is not drawn in this tool, so the menu must not act on it
+        context.contextMenu = true;
+    }
 }
 
 void CanvasInput::scroll(const InputEvent &event, Shell &context) {

@@ -30,6 +30,10 @@ class ChecksPanel final : public Panel {
         drawLimits(context);
     }
 
+    std::vector<ContextGroup> menu(Shell &) override {
+        return {actionsOf({"edit.repair", "view.firstFault", "run.mesh"})};
+    }
+
   private:
     static void drawDrawing(Shell &context) {
         const Diagnostics &faults = context.preview->faults;
@@ -55,10 +59,12 @@ class ChecksPanel final : public Panel {
         drawList(context, faults);
     }
 
-    static void drawList(Workspace &context, const Diagnostics &faults) {
+    static void drawList(Shell &context, const Diagnostics &faults) {
         ImGui::PushFont(context.fonts.small);
         for (std::size_t k = 0; k < faults.size(); ++k) {
             const Diagnostic &fault = faults[k];
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            const float width = ImGui::GetContentRegionAvail().x;
             const bool error = fault.severity == Severity::Error;
             ImGui::PushStyleColor(ImGuiCol_Text, error ? context.theme.bad : context.theme.warn);
             ImGui::TextUnformatted(error ? icon::kError : icon::kWarning);
@@ -76,8 +82,23 @@ class ChecksPanel final : public Panel {
                     context.view.goTo(*fault.at, context.platform.now());
                 }
             }
+            const ImVec2 end{at.x + width, ImGui::GetCursorScreenPos().y};
+            if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end) &&
+                ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+                openMenu(context, fault);
+            }
         }
         ImGui::PopFont();
+    }
+
+    static void openMenu(Shell &context, const Diagnostic &fault) {
+        ContextGroup group;
+        if (fault.at) {
+            group.push_back(
+                commandOf("goTo", "Go there", [at = *fault.at](Shell &c) { c.view.goTo(at, c.platform.now()); }));
+        }
+        group.push_back(copyCommand("copyMessage", "Copy message", toString(fault)));
+        context.menu.open({std::move(group), actionsOf({"edit.repair"})});
     }
 };
 

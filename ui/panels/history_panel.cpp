@@ -26,6 +26,10 @@ class HistoryPanel final : public Panel {
             if (drawEntry(context, history, entry)) {
                 chosen = entry;
             }
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+                context.menu.open({{commandOf("goTo", "Go to this state", [entry](Shell &c) { travel(c, entry); })},
+                                   actionsOf({"edit.undo", "edit.redo"})});
+            }
             if (moved && entry == history.position()) {
                 ImGui::SetScrollHereY();
             }
@@ -34,6 +38,11 @@ class HistoryPanel final : public Panel {
         if (chosen) {
             travel(context, *chosen);
         }
+    }
+
+    std::vector<ContextGroup> menu(Shell &) override {
+        return {{commandOf("first", "Go to the first state", [](Shell &c) { travel(c, 0); })},
+                actionsOf({"edit.undo", "edit.redo"})};
     }
 
   private:

@@ -102,6 +102,7 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
     const std::set<std::int32_t> tags = tagsOf(document, part);
     if (tags.size() == 1) {
         boundaryTagRow(context, *tags.begin(), part);
+        partSizeRow(context, *tags.begin());
         return;
     }
     form::label(context, "Boundary tag");

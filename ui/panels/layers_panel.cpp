@@ -5,6 +5,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace forefront {
 
@@ -41,9 +44,37 @@ class LayersPanel final : public Panel {
                 }
                 context.animate();
             }
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+                openMenu(context, slot);
+            }
         }
         ImGui::PopStyleVar();
         ImGui::PopFont();
+    }
+
+    std::vector<ContextGroup> menu(Shell &) override {
+        return {{commandOf("defaults", "Default layers", [](Shell &c) {
+            for (const LayerSlot &slot : c.layers) {
+                showLayer(c.layers, slot.layer->id(), slot.layer->visibleAtStart());
+            }
+            c.coloursBefore.reset();
+        })}};
+    }
+
+  private:
+    void openMenu(Shell &context, const LayerSlot &slot) {
+        const std::string id = slot.layer->id(), name = slot.layer->name();
+        std::vector<ContextGroup> groups = menu(context);
+        groups.insert(groups.begin(), {switchOf("show", "Show " + name, slot.visible,
+                                                [id, on = !slot.visible](Shell &c) { showLayer(c.layers, id, on); }),
+                                       commandOf("only", "Show only this layer and the boundary", [id](Shell &c) {
+                                           for (const LayerSlot &other : c.layers) {
+                                               const std::string_view each = other.layer->id();
+                                               showLayer(c.layers, each, each == id || each == "boundary");
+                                           }
+                                           c.coloursBefore.reset();
+                                       })});
+        context.menu.open(std::move(groups));
     }
 };
 

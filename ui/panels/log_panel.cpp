@@ -31,9 +31,14 @@ class LogPanel final : public Panel {
         }
     }
 
+    std::vector<ContextGroup> menu(Shell &context) override {
+        return {context.log.entries().empty() ? ContextGroup() : ContextGroup{copyAllCommand(context)},
+                actionsOf({"view.firstFault"})};
+    }
+
   private:
     /// Draws an entry. One with a location is highlighted under the pointer, and a click anywhere on it goes there.
-    void drawEntry(Workspace &context, const MessageLog::Entry &entry) {
+    void drawEntry(Shell &context, const MessageLog::Entry &entry) {
         const Diagnostic &d = entry.diagnostic;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
@@ -61,6 +66,28 @@ class LogPanel final : public Panel {
             ImGui::SetCursorScreenPos(next);
         }
         list.ChannelsMerge();
+        const bool inside = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, {at.x + width, next.y});
+        if (inside && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+            openMenu(context, d);
+        }
+    }
+
+    static void openMenu(Shell &context, const Diagnostic &d) {
+        ContextGroup group;
+        if (d.at) {
+            group.push_back(
+                commandOf("goTo", "Go there", [at = *d.at](Shell &c) { c.view.goTo(at, c.platform.now()); }));
+        }
+        group.push_back(copyCommand("copyMessage", "Copy message", toString(d)));
+        context.menu.open({std::move(group), {copyAllCommand(context)}});
+    }
+
+    static ContextItem copyAllCommand(const Shell &context) {
+        std::string text;
+        for (const MessageLog::Entry &entry : context.log.entries()) {
+            text += toString(entry.diagnostic) + '\n';
+        }
+        return copyCommand("copyAll", "Copy all messages", std::move(text));
     }
 
     static void drawWords(Workspace &context, const MessageLog::Entry &entry) {

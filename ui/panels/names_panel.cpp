@@ -52,8 +52,14 @@ class NamesPanel final : public Panel {
 
   private:
     template <class Rename>
-    static void row(WidgetContext &context, const std::string &prefix, std::int32_t tag, const std::string &name,
+    static void row(Shell &context, const std::string &prefix, std::int32_t tag, const std::string &name,
                     Rename rename) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const ImVec2 end{at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetFrameHeight()};
+        if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end) &&
+            ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+            openMenu(context, prefix + std::to_string(tag), tag, prefix == "names/boundary/");
+        }
         ImGui::AlignTextToFramePadding();
         ui::muted(context, std::to_string(tag));
         ImGui::SameLine(context.px(36));
@@ -62,6 +68,31 @@ class NamesPanel final : public Panel {
         if (ui::entry(context, prefix + std::to_string(tag), typed, "name", width, true)) {
             rename(std::move(typed));
         }
+    }
+
+    static void openMenu(Shell &context, const std::string &field, std::int32_t tag, bool boundary) {
+        ContextGroup group{commandOf("rename", "Rename", [field](Shell &c) { c.widgets.fields.request(field); })};
+        const auto select = [tag, boundary](Shell &c) {
+            const Document &document = *c.document.current();
+            c.selection = boundary ? selectTag(document, tag) : Selection();
+            for (std::uint32_t k = 0; k < document.regionMarkers.size() && !boundary; ++k) {
+                if (document.regionMarkers[k].tag == tag) {
+                    c.selection.markers.insert(k);
+                }
+            }
+            c.tools.choose("select", c);
+        };
+        group.push_back(commandOf("select", "Select all with this tag", select));
+        group.push_back(commandOf("zoom", "Zoom to them", [select](Shell &c) {
+            select(c);
+            c.actions.run("view.zoomSelection", c);
+        }));
+        group.push_back(commandOf("unname", "Remove name", [tag, boundary](Shell &c) {
+            const Document &document = *c.document.current();
+            EditState::apply(c, boundary ? setBoundaryName(document, tag, {}) : setRegionName(document, tag, {}),
+                             boundary ? "Rename boundary" : "Rename region");
+        }));
+        context.menu.open({std::move(group)});
     }
 
     std::vector<std::int32_t> boundaries_, regions_; ///< tags of the document of revision_

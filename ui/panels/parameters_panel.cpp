@@ -40,18 +40,25 @@ class ParametersPanel final : public Panel {
             }
         }
         if (ui::button(context, "parameters/add", "Add parameter")) {
-            std::vector<Parameter> more = context.document.current()->parameters;
-            more.push_back({freeParameterName("p", 1, namesOf(more)), "1"});
-            const std::string row = "parameters/" + std::to_string(more.size() - 1);
-            if (EditState::apply(context, setParameters(*context.document.current(), std::move(more)),
-                                 "Add parameter")) {
-                context.widgets.fields.request(row + "/name");
-                context.animate();
-            }
+            add(context);
         }
     }
 
+    std::vector<ContextGroup> menu(Shell &) override {
+        return {{commandOf("add", "Add parameter", [](Shell &c) { add(c); })}};
+    }
+
   private:
+    static void add(Shell &context) {
+        std::vector<Parameter> more = context.document.current()->parameters;
+        more.push_back({freeParameterName("p", 1, namesOf(more)), "1"});
+        const std::string row = "parameters/" + std::to_string(more.size() - 1);
+        if (EditState::apply(context, setParameters(*context.document.current(), std::move(more)), "Add parameter")) {
+            context.widgets.fields.request(row + "/name");
+            context.animate();
+        }
+    }
+
     struct Row {
         Parameter shown; ///< the row may show an invalid expression that the document does not have
         std::optional<double> value;
@@ -72,6 +79,12 @@ class ParametersPanel final : public Panel {
     void drawRow(Shell &context, std::size_t index) {
         Row &row = rows_[index];
         const std::string name = "parameters/" + std::to_string(index);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const ImVec2 end{at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetFrameHeight()};
+        if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end) &&
+            ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+            openMenu(context, index);
+        }
         const float rest = ImGui::GetContentRegionAvail().x / context.scale - kName - kValue - kRemove - 3.0F * kGap;
         if (std::string typed = row.shown.name; ui::entry(context, name + "/name", typed, "name", kName, true)) {
             rename(context, index, typed);
@@ -93,6 +106,28 @@ class ParametersPanel final : public Panel {
             ImGui::PopStyleColor();
             ui::mark(context, name + "/fault");
         }
+    }
+
+    void openMenu(Shell &context, std::size_t index) {
+        const std::string name = "parameters/" + std::to_string(index);
+        const auto edit = [](std::string field) {
+            return [field = std::move(field)](Shell &c) { c.widgets.fields.request(field); };
+        };
+        const Parameter &parameter = rows_[index].shown;
+        ContextGroup group{commandOf("rename", "Rename", edit(name + "/name")),
+                           commandOf("change", "Change expression", edit(name + "/expression")),
+                           copyCommand("copy", "Copy", parameter.name + " = " + parameter.expression)};
+        if (rows_[index].value) {
+            group.push_back(copyCommand("copyValue", "Copy value", ui::number(*rows_[index].value, 12)));
+        }
+        const auto isShown = [this, revision = revision_](const Shell &c) {
+            return revision == c.document.revision() && revision == revision_;
+        };
+        context.menu.open({std::move(group), {commandOf("remove", "Remove", [this, index, isShown](Shell &c) {
+                               if (isShown(c)) {
+                                   remove(c, index);
+                               }
+                           })}});
     }
 
     static void drawValue(Shell &context, const Row &row) {

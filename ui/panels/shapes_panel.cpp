@@ -303,9 +303,8 @@ void ShapesPanel::drawField(Shell &context, const Document &document, const Name
     const auto &entry = context.widgets.fields.entry;
     const bool open = (entry && entry->name == kRenameField) || context.widgets.fields.travelling();
     if (changed) {
-        const NamedThing named = thing; // which closing forgets
         naming.close();
-        applyName(context, named, text);
+        applyName(context, thing, text);
     } else if (!open && naming.frames > 1) {
         naming.close();
         context.animate();
@@ -383,7 +382,7 @@ void ShapesPanel::openMenu(Shell &context, const Document &document, std::size_t
     }
     const Shape *const shape = row.kind == RowKind::Shape ? document.shapes[row.index].get() : nullptr;
     if (shape == nullptr || (!shape->hidden && !shape->locked)) {
-        context.contextMenu = true;
+        context.menu.open(selectionMenu());
         return;
     }
     openHiddenMenu(context, *shape);

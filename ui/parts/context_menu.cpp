@@ -1,6 +1,17 @@
 #include "ui/parts/context_menu.hpp"
 
+#include "ui/parts/shell.hpp"
+
 namespace forefront {
+
+ContextItem copyCommand(std::string id, std::string title, std::string text, std::string detail) {
+    const auto run = [text = std::move(text)](Shell &context) {
+        context.platform.setClipboard(text);
+        const bool single = text.find('\n') == std::string::npos;
+        context.log.announce(single ? "Copied " + text : "Copied to the clipboard");
+    };
+    return commandOf(std::move(id), std::move(title), run, std::move(detail));
+}
 
 std::vector<ContextGroup> selectionMenu() {
     return {

@@ -55,6 +55,9 @@ inline ContextItem commandOf(std::string id, std::string title, std::function<vo
     return {.own = {std::move(id), std::move(title), std::move(detail), std::move(run)}};
 }
 
+/// Returns the item of a command that copies a text to the clipboard.
+ContextItem copyCommand(std::string id, std::string title, std::string text, std::string detail = {});
+
 /// Returns the item of a switch.
 inline ContextItem switchOf(std::string id, std::string title, bool on, std::function<void(Shell &)> run) {
     return {.own = {std::move(id), std::move(title), {}, std::move(run)}, .checked = on};

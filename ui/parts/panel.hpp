@@ -1,6 +1,9 @@
 #pragma once
 
+#include "ui/parts/context_menu.hpp"
+
 #include <cstdint>
+#include <vector>
 
 namespace forefront {
 
@@ -29,6 +32,8 @@ class Panel {
     virtual bool foldsInLowWindow() const { return false; }
     /// Draws the content with Dear ImGui and ui/widgets/widgets.hpp; the width is ImGui::GetContentRegionAvail().x.
     virtual void draw(Shell &context) = 0;
+    /// Returns the commands of the panel for a right click that no row of it has handled.
+    virtual std::vector<ContextGroup> menu(Shell &) { return {}; }
 };
 
 } // namespace forefront

@@ -2,10 +2,12 @@
 
 #include "core/base/vec2.hpp"
 #include "ui/input/keys.hpp"
+#include "ui/parts/context_menu.hpp"
 #include "ui/platform/platform.hpp"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -71,6 +73,13 @@ class Tool {
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
     /// Returns a line for the status bar that says what a click does now.
     virtual std::string statusText(const Shell &) const { return {}; }
+    /// Returns the tool's own commands for a right click at a place; those on the selection and the view follow.
+    virtual std::vector<ContextGroup> menu(Shell &, Vec2 place) {
+        static_cast<void>(place);
+        return {};
+    }
+    /// Returns the text that Ctrl+C copies instead of the selection; empty: none.
+    virtual std::string copyText(const Shell &) const { return {}; }
     /// Undoes or redoes within unfinished input (the path being drawn). Returns true if there was something to undo or
     /// redo.
     virtual bool undo(Shell &) { return false; }

@@ -71,6 +71,26 @@ bool panelHeading(Shell &context, const Panel &panel) {
     return !folded;
 }
 
+/// Opens the menu of a panel for a right click between `top` and `bottom`, unless a row of it has opened its own.
+void panelMenu(Shell &context, Panel &panel, float top, float bottom) {
+    const float y = ImGui::GetMousePos().y;
+    const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Right) && y >= top && y < bottom &&
+                         ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+    if (!clicked || context.menu.opens) {
+        return;
+    }
+    std::vector<ContextGroup> groups = panel.menu(context);
+    ContextGroup own;
+    if (panel.place() == PanelPlace::Stacked) {
+        const bool folded = isFolded(context, panel);
+        own.push_back(commandOf("fold", folded ? "Unfold" : "Fold",
+                                [id = std::string(panel.id()), folded](Shell &c) { c.settings.folded[id] = !folded; }));
+    }
+    own.push_back(actionOf("view.panels"));
+    groups.push_back(std::move(own));
+    context.menu.open(std::move(groups));
+}
+
 /// Returns a number that nearly always differs between selections.
 int keyOf(const Selection &selection) {
     std::size_t key = selection.size();
@@ -126,6 +146,7 @@ void drawStacked(Shell &context, float height) {
         if (std::string_view(panel->id()) == "inspector") {
             showSelection(context, height);
         }
+        const float top = ImGui::GetCursorScreenPos().y;
         if (panelHeading(context, *panel)) {
             if (panel->height() > 0.0) {
                 ImGui::BeginChild("content", {0, context.px(panel->height())}, false, ImGuiWindowFlags_NoNav);
@@ -135,6 +156,7 @@ void drawStacked(Shell &context, float height) {
                 panel->draw(context);
             }
         }
+        panelMenu(context, *panel, top, ImGui::GetCursorScreenPos().y);
         ImGui::PopID();
     }
     ImGui::EndChild();
@@ -157,11 +179,15 @@ std::size_t chosenTab(const Shell &context, const std::vector<Panel *> &tabs) {
     return last == tabs.end() ? 0 : static_cast<std::size_t>(last - tabs.begin());
 }
 
+const Panel *shownTab(const Shell &context) {
+    const std::vector<Panel *> tabs = tabsOf(context);
+    return tabs.empty() ? nullptr : tabs[chosenTab(context, tabs)];
+}
+
 /// Returns the height of the tabs in design pixels, after the user has dragged their edge up by `change`. A panel with
 /// a height of its own does not change that of the others.
 double tabsHeight(Shell &context, double change = 0.0) {
-    const std::vector<Panel *> tabs = tabsOf(context);
-    const Panel *const shown = tabs.empty() ? nullptr : tabs[chosenTab(context, tabs)];
+    const Panel *const shown = shownTab(context);
     const bool own = shown != nullptr && shown->tabHeight() > 0.0;
     auto &heights = context.settings.tabHeights;
     const auto known = own ? heights.find(shown->id()) : heights.end();
@@ -223,6 +249,8 @@ void drawTabs(Shell &context) {
     ImGui::PopFont();
     ImGui::BeginChild("tabcontent", {0, 0}, false, ImGuiWindowFlags_NoNav);
     tabs[chosen]->draw(context);
+    const float top = ImGui::GetWindowPos().y;
+    panelMenu(context, *tabs[chosen], top, top + ImGui::GetWindowHeight());
     ImGui::EndChild();
 }
 
@@ -237,8 +265,10 @@ void drawColumn(Shell &context, const PixelRect &rect) {
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
                                         {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     const double scale = static_cast<double>(context.scale);
-    // In a low window the panels above the tabs keep more than half of the column.
-    const double limit = std::min(rect.height - 80.0 * scale, std::max(0.4 * rect.height, rect.height - 240.0 * scale));
+    // In a low window the panels above the tabs keep more than half of the column, unless the tabs show a long list.
+    const double share = shownTab(context) != nullptr && shownTab(context)->tabHeight() > 0.0 ? 0.66 : 0.4;
+    const double limit =
+        std::min(rect.height - 80.0 * scale, std::max(share * rect.height, rect.height - 240.0 * scale));
     const double tabs = std::clamp(tabsHeight(context) * scale, 60.0, std::max(60.0, limit));
     const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
     drawStacked(context, stacked);

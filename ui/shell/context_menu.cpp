@@ -54,7 +54,12 @@ void drawContextMenu(Shell &context) {
     constexpr const char *kPopup = "##contextmenu";
     ContextMenu &menu = context.menu;
     if (std::exchange(context.contextMenu, false)) {
-        menu.open(selectionMenu());
+        const Vec2 place = context.view.pointer.value_or(context.view.camera.centre);
+        std::vector<ContextGroup> groups = context.tools.current().menu(context, place);
+        for (ContextGroup &group : selectionMenu()) {
+            groups.push_back(std::move(group));
+        }
+        menu.open(std::move(groups));
     }
     if (std::exchange(menu.opens, false)) {
         menu.shown = std::exchange(menu.wanted, {});

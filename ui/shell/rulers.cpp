@@ -111,6 +111,20 @@ class Ruler {
     ImDrawList &list_;
 };
 
+/// Opens the menu of a ruler at the coordinate under the pointer.
+void openRulerMenu(Shell &context, bool upright) {
+    const Vec2 place = context.view.camera.toPlane({ImGui::GetMousePos().x, ImGui::GetMousePos().y});
+    const std::string value = ui::number(upright ? place.y : place.x, 6);
+    const Snapping &snapping = context.snapping;
+    context.menu.open(
+        {{copyCommand("copyCoordinate", std::string("Copy ") + (upright ? "y = " : "x = ") + value, value)},
+         {switchOf("snapGrid", "Snap to grid", snapping.toGrid,
+                   [](Shell &c) { c.snapping.toGrid = !c.snapping.toGrid; }),
+          switchOf("snapDrawing", "Snap to drawing", snapping.toDrawing,
+                   [](Shell &c) { c.snapping.toDrawing = !c.snapping.toDrawing; })},
+         actionsOf({"view.fit", "view.zoomSelection", "view.rulers"})});
+}
+
 void drawRuler(Shell &context, const char *name, const PixelRect &rect, bool upright) {
     beginRegion(name, rect, context.theme.panel, 0, 0);
     ImGui::PushFont(context.fonts.small);
@@ -123,6 +137,9 @@ void drawRuler(Shell &context, const char *name, const PixelRect &rect, bool upr
                                                 : ImVec2{static_cast<float>(rect.x), corner.y},
                                         corner, context.theme.line, context.px(1));
     ui::markRect(context, upright ? "canvas/ruler/y" : "canvas/ruler/x", rect);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        openRulerMenu(context, upright);
+    }
     ImGui::End();
 }
 

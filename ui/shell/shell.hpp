@@ -47,6 +47,8 @@ void drawNameField(Shell &context, const PixelRect &canvas);
 void actionItem(Shell &context, const Action &action, std::string_view prefix = "menu/");
 /// Draws an entry of a menu that opens the submenu of an action.
 void submenu(Shell &context, const Action &action, std::string_view prefix = "menu/");
+/// Opens the menu of the legend at a pixel. Returns false if there is none.
+bool openLegendMenu(Shell &context, Pixel pixel);
 void drawToolStrip(Shell &context, const PixelRect &rect);
 void drawToolOptions(Shell &context, const PixelRect &canvas);
 void drawColumn(Shell &context, const PixelRect &rect);

@@ -65,9 +65,36 @@ std::string startLowered(std::string text) {
     return text;
 }
 
+/// Returns the switches of the kinds of marks on the timeline, and that of the plots above it.
+ContextGroup markSwitches(const Shell &context) {
+    ContextGroup group;
+    for (std::size_t k = 0; k < kMarkKinds; ++k) {
+        group.push_back(switchOf("mark/" + std::to_string(k),
+                                 std::string("Mark: ") + markName(static_cast<MarkKind>(k)), context.view.marks[k],
+                                 [k](Shell &c) { c.view.marks[k] = !c.view.marks[k]; }));
+    }
+    group.push_back(switchOf("plots", "Plots of the run", context.view.runPlot,
+                             [](Shell &c) { c.view.runPlot = !c.view.runPlot; }));
+    return group;
+}
+
+/// Opens the menu of the timeline; on its bar, for the advance under the pointer.
+void openTimelineMenu(Shell &context, std::optional<std::uint64_t> advance) {
+    ContextGroup go;
+    if (advance) {
+        go.push_back(
+            commandOf("goTo", "Go to advance " + ui::count(*advance), [advance](Shell &c) { c.run.seek(*advance); }));
+    }
+    for (ContextItem &item : actionsOf({"run.start", "run.end", "run.nextStop", "run.previousStop"})) {
+        go.push_back(std::move(item));
+    }
+    context.menu.open({std::move(go), actionsOf({"run.play", "run.forward", "run.back", "run.mesh", "run.cancel"}),
+                       markSwitches(context)});
+}
+
 /// Draws the bar of the timeline with its marks, seeks while it is dragged, and goes to marks that are clicked.
 /// Returns its scale.
-TimeAxis drawScrubber(Workspace &context, float width, float height) {
+TimeAxis drawScrubber(Shell &context, float width, float height) {
     const SessionSnapshot &run = context.run.now();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##scrubber", {width, height});
@@ -92,6 +119,9 @@ TimeAxis drawScrubber(Workspace &context, float width, float height) {
     }
     const std::optional<TimelineMark> mark = markUnderPointer(context, axis, middle);
     const std::uint64_t advance = mark ? mark->advance : axis.advanceAt(ImGui::GetIO().MousePos.x);
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        openTimelineMenu(context, context.run.showsFile() ? std::nullopt : std::optional(advance));
+    }
     if (active && advance != run.advance) {
         context.run.seek(advance);
     } else if (!active) {
@@ -138,8 +168,7 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
     if (context.run.cancelling()) {
         return "Cancelling\xe2\x80\xa6";
     }
-    const bool emptied = context.document.current()->shapes.empty() && context.run.outOfDate();
-    switch (emptied ? RunState::Empty : run.state) {
+    switch (run.state) {
     case RunState::Empty:
         return invitation(context);
     case RunState::Cancelled:
@@ -245,6 +274,9 @@ void drawTimeline(Shell &context, const PixelRect &rect) {
     drawCaptionRow(context, rect, y + row + context.px(50));
     if (context.view.runPlot) {
         drawRunPlot(context, axis, y);
+    }
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && !context.menu.opens) {
+        openTimelineMenu(context, std::nullopt);
     }
     ImGui::End();
 }

@@ -123,6 +123,15 @@ void GuessTool::drawOptions(Shell &context, ui::Flow &flow) {
     }
 }
 
+std::vector<ContextGroup> GuessTool::menu(Shell &context, Vec2) {
+    ContextGroup group;
+    if (context.run.hasRun() && !context.run.showsFile() && !context.run.busy()) {
+        group.push_back(commandOf("nextBase", "Next base", [](Shell &c) { nextBase(c); }));
+    }
+    group.push_back(commandOf("guessAgain", "Start again", [this](Shell &) { startAgain(); }));
+    return {group, actionsOf({"run.forward", "run.back", "run.start", "run.mesh"})};
+}
+
 std::string GuessTool::statusText(const Shell &context) const {
     if (!context.run.hasRun() || context.run.showsFile()) {
         return "Mesh the drawing first; then guess where the next node goes";

@@ -23,6 +23,7 @@ class GuessTool final : public Tool {
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }
     void drawOptions(Shell &context, ui::Flow &flow) override;
+    std::vector<ContextGroup> menu(Shell &context, Vec2 place) override;
     std::string statusText(const Shell &context) const override;
 
   private:

@@ -58,6 +58,26 @@ bool ProbeTool::handle(const CanvasEvent &event, Shell &context) {
     }
 }
 
+std::vector<ContextGroup> ProbeTool::menu(Shell &context, Vec2) {
+    const Probe &probe = context.probe;
+    const std::optional<MeshPick> pick = probe.chosen ? probe.chosen : probe.hovered;
+    ContextGroup group;
+    if (pick && context.judgement->of.mesh) {
+        std::string text;
+        for (const auto &[label, value] : describePart(context, *pick)) {
+            text += label + '\t' + value + '\n';
+        }
+        group.push_back(copyCommand("copyValues", "Copy values", text));
+    }
+    if (probe.chosen) {
+        group.push_back(commandOf(
+            "follow", "Follow the pointer", [](Shell &c) { c.probe.chosen.reset(); }, "Esc"));
+    }
+    group.push_back(actionOf("run.worst"));
+    group.push_back(commandOf("histogram", "Show the histogram", [](Shell &c) { c.settings.tab = "histogram"; }));
+    return {group};
+}
+
 std::string ProbeTool::statusText(const Shell &context) const {
     if (!context.judgement->of.mesh) {
         return "There is no mesh to probe";

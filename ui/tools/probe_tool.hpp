@@ -17,6 +17,7 @@ class ProbeTool final : public Tool {
     void activate(Shell &context) override;
     void deactivate(Shell &context) override;
     bool handle(const CanvasEvent &event, Shell &context) override;
+    std::vector<ContextGroup> menu(Shell &context, Vec2 place) override;
     std::string statusText(const Shell &context) const override;
 };
 

@@ -5,6 +5,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace forefront {
 
@@ -79,6 +80,32 @@ void TraceTool::drawOptions(Shell &context, ui::Flow &flow) {
         context.view.traceMode = static_cast<TraceMode>(mode);
         activate(context);
     }
+}
+
+std::vector<ContextGroup> TraceTool::menu(Shell &context, Vec2 place) {
+    const auto clickAs = [place](TraceMode mode) {
+        return [place, mode](Shell &c) {
+            const TraceMode before = std::exchange(c.view.traceMode, mode);
+            click(place, c);
+            c.view.traceMode = before;
+        };
+    };
+    ContextGroup group;
+    if (context.run.hasRun() && !context.run.showsFile()) {
+        group.push_back(commandOf("birth", "Go to what made this", clickAs(TraceMode::Birth)));
+        group.push_back(commandOf("stopPlace", "Stop when an element covers this point", clickAs(TraceMode::Place)));
+    }
+    if (cellAt(context.run.now(), place)) {
+        group.push_back(commandOf("stopCell", "Stop at the next visit of this cell", clickAs(TraceMode::Cell)));
+    }
+    if (context.run.breakpoints().any()) {
+        group.push_back(commandOf("noStops", "Remove all breakpoints", [](Shell &c) {
+            Breakpoints none = c.run.breakpoints();
+            none.enabled = {};
+            c.run.setBreakpoints(none);
+        }));
+    }
+    return {group, actionsOf({"run.nextStop", "run.previousStop", "run.start", "run.end"})};
 }
 
 std::string TraceTool::statusText(const Shell &context) const {

@@ -17,6 +17,7 @@ class TraceTool final : public Tool {
     bool hasOptions(const Shell &) const override { return true; }
     void drawOptions(Shell &context, ui::Flow &flow) override;
     CursorShape cursor() const override { return CursorShape::Crosshair; }
+    std::vector<ContextGroup> menu(Shell &context, Vec2 place) override;
     std::string statusText(const Shell &context) const override;
 
   private:
