@@ -369,13 +369,13 @@ TEST_CASE("Measure: two clicks read distance and angle and leave the document al
     driver.clickPlace({1, 1});
     driver.clickPlace({4, 5});
     const auto &tool = dynamic_cast<const MeasureTool &>(driver.context().tools.current());
-    CHECK(tool.reading() == "5   \xce\x94x 3   \xce\x94y 4   \xe2\x88\xa0 53.13\xc2\xb0");
+    CHECK(tool.reading(driver.context()) == "5   \xce\x94x 3   \xce\x94y 4   \xe2\x88\xa0 53.13\xc2\xb0");
     CHECK(driver.context().document.revision() == before);
     driver.clickPlace({1, 1}); // begins anew
     driver.moveToPlace({1, 5});
-    CHECK(tool.reading().starts_with("4 "));
+    CHECK(tool.reading(driver.context()).starts_with("4 "));
     driver.key(key::kEscape);
-    CHECK(tool.reading().empty());
+    CHECK(tool.reading(driver.context()).empty());
 }
 
 TEST_CASE("Handles: a corner scales the selection, Shift keeps proportions, Ctrl keeps the centre; one undo step") {

@@ -44,6 +44,16 @@ void paste(Shell &context) {
     }
 }
 
+/// Copies what the tool shows, such as a measured length, otherwise the selection.
+void copyAny(Shell &context) {
+    if (const std::string text = context.tools.current().copyText(context); !text.empty()) {
+        context.platform.setClipboard(text);
+        context.log.announce("Copied " + text);
+    } else {
+        copy(context);
+    }
+}
+
 } // namespace
 
 bool canCopy(const Shell &context) {
@@ -70,8 +80,12 @@ void addClipboardActions(ActionRegistry &actions) {
                  .menu = "Edit",
                  .title = "Copy",
                  .shortcuts = {{'C', kControl}},
-                 .run = copy,
-                 .enabled = canCopy});
+                 .run = copyAny,
+                 .enabled = [](const Shell &c) { return canCopy(c) || !c.tools.current().copyText(c).empty(); },
+                 .dynamic =
+                     [](const Shell &c) {
+                         return std::string(c.tools.current().copyText(c).empty() ? "Copy" : "Copy values");
+                     }});
     actions.add({.id = "edit.paste", .menu = "Edit", .title = "Paste", .shortcuts = {{'V', kControl}}, .run = paste});
 }
 

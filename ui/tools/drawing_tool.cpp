@@ -309,7 +309,7 @@ void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std:
 
 void DrawingTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     drawSketch(painter, context);
-    if (over_) {
+    if (over_ && snaps()) {
         drawSnapMark(painter, context, pointer_);
     }
 }

@@ -59,6 +59,8 @@ class DrawingTool : public Tool {
     virtual bool ownKey(int, Shell &) { return false; }
     /// Returns true if Shift constrains the angle; false if Shift has another meaning in this tool.
     virtual bool shiftIsAngle() const { return true; }
+    /// Returns false if places do not snap now, so that no snap mark is drawn.
+    virtual bool snaps() const { return true; }
     /// Returns the quantities that can be typed now, in Tab order: coordinates before the first node, then distance and
     /// angle.
     virtual std::span<const EntryField> entryFields() const;
