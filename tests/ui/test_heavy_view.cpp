@@ -133,7 +133,7 @@ TEST_CASE("Canvas: while the mesh of another document is drawn, the one before i
     const int outside = driver.redAt(driver.picture(), {0.5, 4}), inside = driver.redAt(driver.picture(), {2, 4});
     REQUIRE(std::abs(inside - outside) > 2);
     const Camera here = driver.context().view.camera;
-    driver.context().document.load({}, {});
+    driver.context().document.load(Document(driver.document()), {});
     driver.context().view.camera = here;
     driver.showPart(34'000, 2.0);
     driver.frames(2);

@@ -297,13 +297,18 @@ bool RunControl::playing() const {
     return snapshot_->state == RunState::Running;
 }
 
+/// Returns true if nothing of the drawing is left, so that the mesh is one of what is gone.
+bool RunControl::emptied() const {
+    return document_.current()->shapes.empty();
+}
+
 bool RunControl::hasRun() const {
-    return started_ && snapshot_->state != RunState::Failed;
+    return started_ && snapshot_->state != RunState::Failed && !emptied();
 }
 
 bool RunControl::outOfDate() const {
     const bool catchesUp = live && (hasToFollow() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
-    return started_ && (shown_.revision != meshRevision() || preview()) && !catchesUp;
+    return started_ && !emptied() && (shown_.revision != meshRevision() || preview()) && !catchesUp;
 }
 
 Method RunControl::method() const {

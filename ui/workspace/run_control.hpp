@@ -61,7 +61,10 @@ class RunControl {
     bool hasNews() const { return session_.latest() != snapshot_; }
     /// Returns the snapshot of this frame; it does not change within a frame.
     const SessionSnapshot &now() const { return *snapshot(); }
-    const std::shared_ptr<const SessionSnapshot> &snapshot() const { return opened_ ? opened_ : snapshot_; }
+    /// Returns that of an empty session for an empty drawing; undoing its deletion brings the mesh back.
+    const std::shared_ptr<const SessionSnapshot> &snapshot() const {
+        return opened_ ? opened_ : emptied() ? empty_ : snapshot_;
+    }
     /// Shows a mesh that was read from a file, with its values, until a run starts.
     void showFile(FileMesh read);
     void showFile(MeshFields read) { showFile(fileMeshOf(std::move(read))); }
@@ -123,6 +126,7 @@ class RunControl {
     /// The extent of a run for live meshing: a preview, or the full mesh that the document asks for.
     enum class Extent : std::uint8_t { Preview, Full };
 
+    bool emptied() const;
     void start(StartMode mode, Extent extent = Extent::Full);
     void followNewest();
     bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
@@ -137,6 +141,7 @@ class RunControl {
     std::optional<SnapshotLayers> wanted_; ///< snapshot layers last requested from the session
     Breakpoints breakpoints_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
+    const std::shared_ptr<const SessionSnapshot> empty_ = std::make_shared<const SessionSnapshot>();
     std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file; null: the run's mesh is shown
     std::shared_ptr<const FileFields> fields_;      ///< values of that mesh; null: none
     std::uint64_t openedCount_ = 0;
