@@ -309,4 +309,28 @@ TEST_CASE("Recovery: a drawing that was never saved is offered with its title") 
     CHECK(driver.context().document.dirty());
 }
 
+TEST_CASE("Names of documents: each new drawing has its own, also beside those to be recovered") {
+    Draughtsman driver;
+    CHECK(driver.context().document.title() == "Untitled");
+    driver.key('N', kControl); // nothing was drawn, so the name is still free
+    driver.settle();
+    CHECK(driver.context().document.title() == "Untitled");
+    driver.rectangle({1, 1}, {5, 5});
+    driver.settle();
+    driver.key('N', kControl);
+    driver.settle();
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    CHECK(driver.context().document.title() == "Untitled 2");
+    CHECK(driver.platform().title().find("Untitled 2") != std::string::npos);
+    DocumentStore store;
+    store.reserveTitle("Untitled 2");
+    store.reserveTitle("Untitled");
+    CHECK(store.title() == "Untitled 3");
+    DocumentStore titled;
+    titled.load({}, {}, false, "Plate with a hole"); // as at the start of the program
+    titled.load({}, {});
+    CHECK(titled.title() == "Untitled");
+}
+
 } // namespace forefront::test

@@ -71,7 +71,7 @@ class CanvasPainter {
     struct Placed {
         PixelRect rect;
         std::string text;
-        bool free = false; ///< drawn by freeLabel()
+        bool free = false;  ///< drawn by freeLabel()
         std::string name{}; ///< of its widget; empty: it cannot be clicked
     };
     /// Names the widget of the label drawn last, so that it can be clicked.

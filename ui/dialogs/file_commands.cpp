@@ -222,8 +222,7 @@ void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
         then(context);
         return;
     }
-    const std::filesystem::path &path = context.document.path();
-    const std::string name = path.empty() ? "this drawing" : path.filename().string();
+    const std::string name = context.document.title();
     std::vector<QuestionDialog::Answer> answers{{"cancel", "Cancel", false, {}},
                                                 {"discard", "Don't save", false, then},
                                                 {"save", "Save", true, [then](Shell &c) { saveDocument(c, then); }}};

@@ -11,6 +11,9 @@ Recovery::Recovery(const std::filesystem::path &folder)
 
 void Recovery::offer(Shell &context) {
     std::vector<OrphanedJournal> orphans = findOrphanedJournals(folder_);
+    for (const OrphanedJournal &orphan : orphans) {
+        context.document.reserveTitle(orphan.title());
+    }
     if (!orphans.empty()) {
         context.dialogs.open(std::make_unique<RecoveryDialog>(*this, std::move(orphans)));
     }

@@ -1,5 +1,6 @@
 #include "ui/dialogs/recovery_dialog.hpp"
 
+#include "core/io/files.hpp"
 #include "ui/dialogs/recovery.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <iterator>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -26,10 +29,30 @@ std::string nameOf(const OrphanedJournal &orphan) {
     if (!orphan.savedAt().empty()) {
         return orphan.savedAt().filename().string();
     }
-    return (orphan.title().empty() ? std::string("untitled") : orphan.title()) + " (never saved)";
+    return (orphan.title().empty() ? std::string("Untitled") : orphan.title()) + " (never saved)";
+}
+
+/// Returns the number of shapes in a journal, such as "3 shapes, "; nothing if it cannot be read.
+std::string shapesText(const OrphanedJournal &orphan) {
+    constexpr std::size_t kLongText = 16'000'000; // takes more than a moment to read
+    if (orphan.text().size() > kLongText) {
+        return {};
+    }
+    const Result<Document> document = parseProject(orphan.text(), orphan.file().string());
+    if (!document) {
+        return {};
+    }
+    const std::size_t count = document->shapes.size();
+    return ui::count(count) + (count == 1 ? " shape, " : " shapes, ");
 }
 
 } // namespace
+
+RecoveryDialog::RecoveryDialog(Recovery &recovery, std::vector<OrphanedJournal> orphans)
+    : recovery_(recovery), orphans_(std::move(orphans)) {
+    std::transform(orphans_.begin(), orphans_.end(), std::back_inserter(details_),
+                   [](const OrphanedJournal &orphan) { return shapesText(orphan) + timeText(orphan.written()); });
+}
 
 bool RecoveryDialog::draw(Shell &context) {
     ImGui::PushTextWrapPos(0.0F);
@@ -41,8 +64,7 @@ bool RecoveryDialog::draw(Shell &context) {
     for (std::size_t k = 0; k < orphans_.size(); ++k) {
         const OrphanedJournal &orphan = orphans_[k];
         const std::string name = nameOf(orphan);
-        if (ui::selectable(context, "dialog/recovery/item/" + std::to_string(k), name, k == chosen_,
-                           timeText(orphan.written()))) {
+        if (ui::selectable(context, "dialog/recovery/item/" + std::to_string(k), name, k == chosen_, details_[k])) {
             chosen_ = k;
         }
         ui::tooltip(context, orphan.savedAt().string());
@@ -66,6 +88,7 @@ bool RecoveryDialog::draw(Shell &context) {
     if (discarded) {
         orphans_[chosen_].discard();
         orphans_.erase(orphans_.begin() + static_cast<std::ptrdiff_t>(chosen_));
+        details_.erase(details_.begin() + static_cast<std::ptrdiff_t>(chosen_));
         chosen_ = 0;
     }
     return !later && !orphans_.empty();

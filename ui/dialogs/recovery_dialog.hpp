@@ -3,6 +3,7 @@
 #include "core/edit/recovery_journal.hpp"
 #include "ui/parts/dialog.hpp"
 
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -12,8 +13,7 @@ class Recovery;
 /// Offers to recover drawings that were unsaved when the program crashed.
 class RecoveryDialog final : public Dialog {
   public:
-    RecoveryDialog(Recovery &recovery, std::vector<OrphanedJournal> orphans)
-        : recovery_(recovery), orphans_(std::move(orphans)) {}
+    RecoveryDialog(Recovery &recovery, std::vector<OrphanedJournal> orphans);
 
     const char *id() const override { return "recovery"; }
     std::string title() const override { return "Recover unsaved work?"; }
@@ -23,6 +23,7 @@ class RecoveryDialog final : public Dialog {
   private:
     Recovery &recovery_;
     std::vector<OrphanedJournal> orphans_;
+    std::vector<std::string> details_; ///< of each: number of shapes, time of the last change
     std::size_t chosen_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include "core/edit/history.hpp"
 #include "core/spacing/shared_spacing.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -52,19 +53,34 @@ class DocumentStore {
     const History &history() const { return history_; }
 
     /// Opens another document with a new history. `path` is empty if the document has no file yet. `dirty` marks it
-    /// unsaved although it was not edited (recovered, imported). `title` names it while it has no file.
+    /// unsaved although it was not edited (recovered, imported). `title` names it while it has no file; empty:
+    /// "Untitled 2" or the like.
     void load(Document document, std::filesystem::path path, bool dirty = false, std::string title = {}) {
+        const bool fresh = path.empty() && title.empty();
+        const bool unused = untitled() && history_.size() == 1 && !history_.dirty(); // leaves its name to the next one
+        if (fresh && !unused) {
+            title = untitledName(++untitled_);
+        } else if (!fresh && unused && title_ == untitledName(untitled_)) {
+            --untitled_; // nobody has used that name
+        }
         history_ = History(std::move(document), "Open");
         dirty ? history_.markUnsaved() : history_.markSaved();
         path_ = std::move(path);
-        title_ = std::move(title);
+        title_ = fresh && unused ? title_ : std::move(title);
         ++loads_;
         tell(true);
     }
     const std::filesystem::path &path() const { return path_; }
     /// Returns the name of the file, or the title of a document without one.
-    std::string title() const {
-        return !path_.empty() ? path_.filename().string() : title_.empty() ? "untitled" : title_;
+    std::string title() const { return path_.empty() ? title_ : path_.filename().string(); }
+    /// Keeps a title such as "Untitled 2", that of a document to be recovered, from being given to another one.
+    void reserveTitle(std::string_view title) {
+        for (int number = 1; number <= kMaxReserved; ++number) {
+            untitled_ = title == untitledName(number) ? std::max(untitled_, number) : untitled_;
+        }
+        if (untitled() && title_ == title) {
+            title_ = untitledName(++untitled_);
+        }
     }
     /// Returns a number that changes when another document is opened.
     std::uint64_t loads() const { return loads_; }
@@ -81,6 +97,12 @@ class DocumentStore {
     void observe(std::function<void(const Document &)> observer) { observer_ = std::move(observer); }
 
   private:
+    static constexpr int kMaxReserved = 1000;
+
+    static std::string untitledName(int number) {
+        return number == 1 ? "Untitled" : "Untitled " + std::to_string(number);
+    }
+    bool untitled() const { return path_.empty() && title_.starts_with("Untitled"); }
     bool tell(bool changed) {
         if (changed) {
             spacing_ = std::make_shared<SharedSpacing>();
@@ -93,7 +115,8 @@ class DocumentStore {
 
     History history_;
     std::filesystem::path path_;
-    std::string title_;
+    int untitled_ = 1; ///< documents that got a name of their own, counting the first
+    std::string title_ = untitledName(1);
     std::uint64_t loads_ = 1;
     std::function<void(const Document &)> observer_;
     std::shared_ptr<SharedSpacing> spacing_ = std::make_shared<SharedSpacing>();
