@@ -155,7 +155,7 @@ MeasureTool::Values MeasureTool::values(const Shell &context) const {
 std::string MeasureTool::reading(const Shell &context) const {
     std::string text;
     for (const auto &[name, value] : values(context)) {
-        text += (text.empty() ? "" : "   ") + name + (name.empty() ? "" : " ") + value;
+        text.append(text.empty() ? "" : "   ").append(name).append(name.empty() ? "" : " ").append(value);
     }
     return text;
 }

@@ -65,7 +65,7 @@ std::vector<ContextGroup> ProbeTool::menu(Shell &context, Vec2) {
     if (pick && context.judgement->of.mesh) {
         std::string text;
         for (const auto &[label, value] : describePart(context, *pick)) {
-            text += label + '\t' + value + '\n';
+            text.append(label).append("\t").append(value).append("\n");
         }
         group.push_back(copyCommand("copyValues", "Copy values", text));
     }
