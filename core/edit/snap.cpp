@@ -180,4 +180,13 @@ double gridPitch(double unitsPerPixel, double minPixels) {
     return 10.0 * decade;
 }
 
+double steppedPitch(double step, double unitsPerPixel) {
+    constexpr double kLeastPixels = 6.0;
+    if (!(step > 0.0) || !std::isfinite(step)) {
+        return gridPitch(unitsPerPixel);
+    }
+    const double coarser = gridPitch(unitsPerPixel / step, kLeastPixels);
+    return coarser > 1.0 ? step * coarser : step;
+}
+
 } // namespace forefront

@@ -76,4 +76,8 @@ Snapped snap(const PickIndex &index, const SnapQuery &query);
 /// `unitsPerPixel` is not a positive number.
 double gridPitch(double unitsPerPixel, double minPixels = 18.0);
 
+/// Returns the pitch of a drawing grid with a chosen step; while the lines of that would be less than 6 pixels apart,
+/// the step times 2, 5, 10, 20 and so on. 0: see gridPitch().
+double steppedPitch(double step, double unitsPerPixel);
+
 } // namespace forefront

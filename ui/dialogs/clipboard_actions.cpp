@@ -25,7 +25,7 @@ void paste(Shell &context) {
     }
     const Document &document = *context.document.current();
     Insertion insertion;
-    const double step = 2.0 * gridPitch(EditState::reach(context, 1.0));
+    const double step = 2.0 * EditState::gridStep(context);
     Result<Document> next = insertCopied(document, *drawing, {step, -step}, &insertion);
     const bool first = document.shapes.empty();
     if (EditState::apply(context, std::move(next), "Paste")) {

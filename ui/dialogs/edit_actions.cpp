@@ -285,7 +285,7 @@ void addSelectionActions(ActionRegistry &actions) {
          .run =
              [](Shell &c) {
                  Selection copies;
-                 const double step = 2.0 * gridPitch(EditState::reach(c, 1.0));
+                 const double step = 2.0 * EditState::gridStep(c);
                  if (EditState::apply(c, duplicateSelection(*c.document.current(), c.selection, {step, -step}, &copies),
                                       "Duplicate")) {
                      c.selection = std::move(copies);

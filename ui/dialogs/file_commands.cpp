@@ -236,6 +236,10 @@ void newDocument(Shell &context) {
         Document fresh;
         fresh.options.method = c.settings.newMethod;
         fresh.options.improve = c.settings.newImprove;
+        fresh.spacing.size = c.settings.newSize;
+        fresh.spacing.gradation = c.settings.newGradation;
+        fresh.spacing.segmentsPerTurn = c.settings.newPerTurn;
+        fresh.spacing.elementsAcross = c.settings.newAcross;
         c.document.load(std::move(fresh), {});
         c.selection.clear();
         c.run.clear();

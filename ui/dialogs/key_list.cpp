@@ -94,16 +94,22 @@ void KeyList::drawRow(Shell &context, const Action &action) {
     }
     ui::tooltip(context, "Click, then press a key. Backspace: no key. Esc: cancel.");
     ImGui::SameLine(0, context.px(8));
-    if (const std::vector<const Action *> others = context.actions.conflicts(action); !others.empty()) {
+    const std::vector<const Action *> others = context.actions.conflicts(action);
+    const bool changed = context.settings.keys.contains(action.id);
+    if (changed && ui::button(context, "dialog/preferences/reset/" + action.id, "Reset", ui::ButtonKind::Quiet)) {
+        reset(context, action.id);
+    }
+    if (!others.empty()) {
+        if (changed) {
+            ImGui::SameLine(0, context.px(8));
+        }
+        std::string also = "also " + others.front()->title;
+        also += others.size() > 1 ? " and " + std::to_string(others.size() - 1) + " more" : "";
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
-        ImGui::TextUnformatted(("also " + others.front()->title).c_str());
+        ImGui::TextUnformatted(also.c_str());
         ImGui::PopStyleColor();
         ui::mark(context, "dialog/preferences/conflict/" + action.id);
-    } else if (context.settings.keys.contains(action.id)) {
-        if (ui::button(context, "dialog/preferences/reset/" + action.id, "Reset", ui::ButtonKind::Quiet)) {
-            reset(context, action.id);
-        }
-    } else {
+    } else if (!changed) {
         ImGui::NewLine();
     }
 }
@@ -120,6 +126,10 @@ void KeyList::draw(Shell &context) {
             reset(context, std::string(context.settings.keys.begin()->first));
         }
     }
+    ui::small(context,
+              "Fixed: arrows move the selection, Enter finishes, Esc cancels, Backspace removes the last node, Tab "
+              "goes to the next number, and X, Y, D, Q open a number while you draw.",
+              true);
     ImGui::Dummy({0, context.px(4)});
     ImGui::BeginChild("keys", {0, 0}, false, ImGuiWindowFlags_NoNav);
     for (const Action &action : context.actions.all()) {

@@ -3,10 +3,12 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace forefront {
@@ -18,6 +20,18 @@ void note(WidgetContext &context, const char *text) {
     ImGui::SetCursorPosX(context.px(kLabel));
     ui::small(context, text, true);
     ImGui::Dummy({0, context.px(6)});
+}
+
+/// Draws a field for a number above 0 that may be empty; `zero`: 0 is allowed. Returns true if it changed.
+bool optionalNumber(Shell &context, const char *name, std::optional<double> &value, const char *hint,
+                    bool zero = false) {
+    std::optional<double> entered = value;
+    if (!ui::inputOptional(context, name, entered, hint, 120.0F) ||
+        (entered && !ui::checkPositive(context, name, *entered, zero))) {
+        return false;
+    }
+    value = entered;
+    return true;
 }
 
 void drawMeshing(Shell &context) {
@@ -45,7 +59,21 @@ void drawSnapping(Shell &context) {
     ui::rowLabel(context, "Distance", kLabel);
     ui::slider(context, "dialog/preferences/snap/reach", context.snapping.reach, kMinSnapReach, kMaxSnapReach,
                "%.0f pixels");
-    note(context, "Hold Ctrl to turn snapping off, Shift for steps of 15\xc2\xb0.");
+    note(context, "How near the pointer must be. Hold Ctrl to turn snapping off.");
+    ui::rowLabel(context, "Angle step", kLabel);
+    if (ui::slider(context, "dialog/preferences/snap/angle", context.snapping.angleStep, kMinAngleStep, kMaxAngleStep,
+                   "%.0f\xc2\xb0")) {
+        context.snapping.angleStep = std::round(context.snapping.angleStep);
+    }
+    note(context, "Of directions and rotations while Shift is held.");
+    ui::rowLabel(context, "Grid step", kLabel);
+    std::optional<double> step =
+        context.snapping.gridStep > 0.0 ? std::optional(context.snapping.gridStep) : std::nullopt;
+    if (optionalNumber(context, "dialog/preferences/snap/step", step, "auto")) {
+        context.snapping.gridStep = step.value_or(0.0);
+        context.animate();
+    }
+    note(context, "Distance of the grid lines in units of the drawing; auto: it follows the zoom.");
 }
 
 void drawNewDrawings(Shell &context) {
@@ -55,7 +83,16 @@ void drawNewDrawings(Shell &context) {
     ImGui::Dummy({0, context.px(2)});
     ui::rowLabel(context, "Improve", kLabel);
     ui::segmented(context, "dialog/preferences/new/improve", settings.newImprove);
-    note(context, "Used by File \xe2\x80\xba New. The open drawing keeps its own options; see the Meshing panel.");
+    ImGui::Dummy({0, context.px(2)});
+    ui::rowLabel(context, "Element size", kLabel);
+    optionalNumber(context, "dialog/preferences/new/size", settings.newSize, "auto");
+    ui::rowLabel(context, "Gradation", kLabel);
+    optionalNumber(context, "dialog/preferences/new/gradation", settings.newGradation, "auto");
+    ui::rowLabel(context, "Elements per turn", kLabel);
+    optionalNumber(context, "dialog/preferences/new/perturn", settings.newPerTurn, "auto", true);
+    ui::rowLabel(context, "Elements per gap", kLabel);
+    optionalNumber(context, "dialog/preferences/new/across", settings.newAcross, "auto", true);
+    note(context, "Used by File \xe2\x80\xba New. The open drawing keeps its own; see the Spacing and Meshing panels.");
 }
 
 } // namespace

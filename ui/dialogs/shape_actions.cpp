@@ -31,7 +31,7 @@ Vec2 stepBeside(const Shell &context) {
         return {EditState::twoDigits(1.25 * size.x), 0.0};
     }
     return size.y > 0.0 ? Vec2{0.0, EditState::twoDigits(1.25 * size.y)}
-                        : Vec2{2.0 * gridPitch(EditState::reach(context, 1.0)), 0.0};
+                        : Vec2{2.0 * EditState::gridStep(context), 0.0};
 }
 
 Operation transformOperation() {

@@ -1,3 +1,4 @@
+#include "core/base/hash.hpp"
 #include "core/edit/snap.hpp"
 #include "ui/canvas/ruler_scale.hpp"
 #include "ui/gl/gl_kit.hpp"
@@ -15,10 +16,14 @@ class LatticeLayer final : public Layer {
     const char *id() const override { return "lattice"; }
     const char *name() const override { return "Grid"; }
 
-    std::uint64_t stillVersion(const LayerFrame &) const override { return 1; }
+    std::uint64_t stillVersion(const LayerFrame &frame) const override {
+        Hash64 hash;
+        hash.add(frame.gridStep);
+        return hash.value();
+    }
 
     void drawStill(const LayerFrame &frame) override {
-        const double pitch = gridPitch(frame.camera.length(frame.scale));
+        const double pitch = steppedPitch(frame.gridStep, frame.camera.length(frame.scale));
         const Box2 visible = frame.camera.visible();
         lines_.clear();
         const auto colour = [&](double i) {

@@ -31,7 +31,8 @@ struct LayerFrame {
     const Camera &camera;
     const Theme &theme;
     const Fonts &fonts;
-    double scale; ///< pixels per design pixel
+    double scale;    ///< pixels per design pixel
+    double gridStep; ///< see Snapping
     const SessionSnapshot &snapshot;
     const Breakpoints &breakpoints;
     const Document &document;

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <utility>
 
 namespace forefront {
 
@@ -44,6 +46,14 @@ bool boolIn(const Json &json, const char *name, bool fallback) {
 std::string textIn(const Json &json, const char *name) {
     const auto found = json.find(name);
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// Returns a number if it is given and above 0, or 0 where that is allowed.
+std::optional<double> sizeIn(const Json &json, const char *name, bool zero = false) {
+    const auto found = json.find(name);
+    const bool number = found != json.end() && found->is_number();
+    const double value = number ? found->get<double>() : -1.0;
+    return std::isfinite(value) && (value > 0.0 || (zero && value == 0.0)) ? std::optional(value) : std::nullopt;
 }
 
 template <class Enum>
@@ -138,7 +148,13 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.newImprove = choiceIn(json, "newImprove", settings.newImprove);
     settings.snapping = {.toDrawing = boolIn(json, "snapToDrawing", true),
                          .toGrid = boolIn(json, "snapToGrid", true),
-                         .reach = numberIn(json, "snapReach", Snapping().reach, kMinSnapReach, kMaxSnapReach)};
+                         .gridStep = sizeIn(json, "gridStep").value_or(0.0),
+                         .reach = numberIn(json, "snapReach", Snapping().reach, kMinSnapReach, kMaxSnapReach),
+                         .angleStep = numberIn(json, "angleStep", Snapping().angleStep, kMinAngleStep, kMaxAngleStep)};
+    settings.newSize = sizeIn(json, "newSize");
+    settings.newGradation = sizeIn(json, "newGradation");
+    settings.newPerTurn = sizeIn(json, "newPerTurn", true);
+    settings.newAcross = sizeIn(json, "newAcross", true);
     readMaps(json, settings);
     settings.window = placeIn(json);
     const auto recent = json.find("recentFiles");
@@ -170,11 +186,20 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"snapToDrawing", settings.snapping.toDrawing},
               {"snapToGrid", settings.snapping.toGrid},
               {"snapReach", settings.snapping.reach},
+              {"gridStep", settings.snapping.gridStep},
+              {"angleStep", settings.snapping.angleStep},
               {"keys", settings.keys},
               {"layers", settings.layers},
               {"folded", settings.folded},
               {"views", Json::object()},
               {"recentFiles", settings.recentFiles}};
+    for (const auto &[name, number] :
+         {std::pair("newSize", settings.newSize), std::pair("newGradation", settings.newGradation),
+          std::pair("newPerTurn", settings.newPerTurn), std::pair("newAcross", settings.newAcross)}) {
+        if (number) {
+            json[name] = *number;
+        }
+    }
     for (const auto &[name, view] : settings.views) {
         json["views"][name] = {view.centre.x, view.centre.y, view.zoom};
     }

@@ -52,7 +52,9 @@ struct Settings {
     Snapping snapping;
     Method newMethod = Method::Fast; ///< of new documents, like the next
     ImproveLevel newImprove = ImproveLevel::Default;
-    std::string exportFormat; ///< id of the format to which a mesh was exported last; empty: none
+    std::optional<double> newSize, newGradation; ///< see SpacingSpec
+    std::optional<double> newPerTurn, newAcross; ///< elements along a full turn and across gaps
+    std::string exportFormat;                    ///< id of the format to which a mesh was exported last; empty: none
     /// Shortcuts that the user changed, by id of the action; an empty text means none.
     std::map<std::string, std::string> keys;
     std::map<std::string, LessonProgress> lessons; ///< by id of the lesson
@@ -65,6 +67,8 @@ inline constexpr double kMinTabs = 90.0, kMaxTabs = 900.0;
 inline constexpr double kMinLiveBudget = 1e3, kMaxLiveBudget = 1e6;
 /// Range of Snapping::reach.
 inline constexpr double kMinSnapReach = 3.0, kMaxSnapReach = 30.0;
+/// Range of Snapping::angleStep.
+inline constexpr double kMinAngleStep = 1.0, kMaxAngleStep = 90.0;
 
 /// Loads the settings, or the defaults if the file is missing or damaged (with a warning in `faults`, if not null).
 /// Numbers are clamped to their ranges.

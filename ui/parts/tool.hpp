@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forefront {
@@ -70,6 +71,8 @@ class Tool {
     virtual bool hasOptions(const Shell &) const { return false; }
     /// Draws the widgets of the options strip, each an item of `flow`.
     virtual void drawOptions(Shell &, ui::Flow &) {}
+    /// Handles a command of the tool that has a shortcut, such as "larger" for the brush. Returns true if it was used.
+    virtual bool command(std::string_view, Shell &) { return false; }
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
     /// Returns a line for the status bar that says what a click does now.
     virtual std::string statusText(const Shell &) const { return {}; }

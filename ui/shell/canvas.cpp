@@ -167,6 +167,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .theme = context.theme,
             .fonts = context.fonts,
             .scale = static_cast<double>(context.scale),
+            .gridStep = context.snapping.gridStep,
             .snapshot = context.run.now(),
             .breakpoints = context.run.breakpoints(),
             .document = *context.document.current(),

@@ -80,7 +80,7 @@ class ShortcutSheet final : public Dialog {
         {"0\xe2\x80\xa6"
          "9",
          "Enter a number"},
-        {"Shift / Ctrl", "Snap to 15\xc2\xb0 / no snapping"},
+        {"Shift / Ctrl", "Directions in steps / no snapping"},
         {"[ ]", "Brush radius"},
         {"Shift + [ ]", "Brush spacing"},
     }};

@@ -4,7 +4,7 @@
 #include "ui/platform/assets.hpp"
 #include "ui/shell/help_dialogs.hpp"
 #include "ui/shell/shell.hpp"
-#include "ui/tools/make_tools.hpp"
+#include "ui/shell/tool_actions.hpp"
 
 #include <algorithm>
 
@@ -266,21 +266,10 @@ void addHelpActions(ActionRegistry &actions) {
     }
 }
 
-/// Adds the tools to the command palette, with the keys that they propose.
-void addToolActions(ActionRegistry &actions) {
-    for (const auto &tool : makeTools()) {
-        actions.add({.id = std::string("tool.") + tool->id(),
-                     .menu = "",
-                     .title = std::string("Tool: ") + tool->name(),
-                     .shortcuts = {{tool->key(), kNoModifiers}},
-                     .run = [id = std::string(tool->id())](Shell &c) { c.tools.choose(id, c); }});
-    }
-}
-
 } // namespace
 
 void shell::addShellActions(ActionRegistry &actions) {
-    addToolActions(actions);
+    shell::addToolActions(actions);
     addCameraActions(actions);
     addInterfaceActions(actions);
     addRunActions(actions);

@@ -11,7 +11,7 @@ namespace forefront::shell {
 
 namespace {
 
-constexpr double kGap = 3.0, kPadX = 6.0, kPadY = 8.0, kButton = 34.0, kMinButton = 28.0; // design pixels
+constexpr double kGap = 3.0, kPadX = 6.0, kPadY = 8.0, kButton = 34.0, kMinButton = 27.0; // design pixels
 
 } // namespace
 

@@ -113,10 +113,6 @@ bool BrushTool::key(const CanvasEvent &event, Shell &context) {
     if (event.modifiers.control() || event.modifiers.alt()) {
         return false;
     }
-    if (event.key == key::kLeftBracket || event.key == key::kRightBracket) {
-        scale(event.key == key::kRightBracket ? kStep : 1.0 / kStep, event.modifiers.shift(), context);
-        return true;
-    }
     if (event.key == key::kEscape && !stroke_.empty()) {
         context.document.abandonStroke(std::exchange(stroke_, {}));
         return true;
@@ -146,6 +142,22 @@ void BrushTool::stroke(Vec2 to, Shell &context) {
         painted = paint(painted, dabAt(at));
     }
     last_ = to;
+bool BrushTool::command(std::string_view word, Shell &context) {
+    if (word == "larger" || word == "smaller") {
+        scale(word == "larger" ? kStep : 1.0 / kStep, false, context);
+        return true;
+    }
+    if (word == "sizeUp" || word == "sizeDown") {
+        scale(word == "sizeUp" ? kStep : 1.0 / kStep, true, context);
+        return true;
+    }
+    const std::optional<DabMode> mode = fromWord<DabMode>(word);
+    if (mode && !erases_) {
+        state_->brushMode = *mode;
+    }
+    return mode.has_value();
+}
+
     if (painted.tiles == document->spacing.paint.tiles) {
         return;
     }

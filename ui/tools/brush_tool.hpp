@@ -25,6 +25,8 @@ class BrushTool final : public Tool {
     bool handle(const CanvasEvent &event, Shell &context) override;
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }
+    /// "larger", "smaller": the radius; "sizeUp", "sizeDown": the painted spacing; or the word of a mode.
+    bool command(std::string_view word, Shell &context) override;
     void drawOptions(Shell &context, ui::Flow &flow) override;
     std::string statusText(const Shell &context) const override;
 

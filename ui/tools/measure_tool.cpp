@@ -279,7 +279,7 @@ std::string MeasureTool::statusText(const Shell &context) const {
                : points_.size() == 1 ? "Click the corner of the angle"
                                      : "Click a point on the other leg";
     }
-    return points_.size() == 1 ? "Click the second point. Shift: steps of 15\xc2\xb0"
+    return points_.size() == 1 ? "Click the second point. Shift: angle steps"
                                : "Click or drag from point to point to measure";
 }
 

@@ -90,7 +90,7 @@ void RegularPolygonTool::drawOptions(Shell &context, ui::Flow &flow) {
 }
 
 std::string RegularPolygonTool::statusText(const Shell &) const {
-    return centre_ ? "Click a corner, or type the radius, Tab, angle. Shift: steps of 15\xc2\xb0"
+    return centre_ ? "Click a corner, or type the radius, Tab, angle. Shift: angle steps"
                    : "Drag from the centre to a corner. Inside another shape it becomes a hole";
 }
 

@@ -197,7 +197,7 @@ void SelectTool::drawFilter(Shell &context) {
 std::string SelectTool::statusText(const Shell &context) const {
     switch (mode_) {
     case Mode::Moving:
-        return "Drag, or type distance, Tab, angle, or a place such as 4,3. Shift: steps of 15\xc2\xb0, Ctrl: no "
+        return "Drag, or type distance, Tab, angle, or a place such as 4,3. Shift: angle steps, Ctrl: no "
                "snapping, Esc: cancel";
     case Mode::Transforming:
         return TransformHandles::statusText(grabbed_.transform);
@@ -208,7 +208,7 @@ std::string SelectTool::statusText(const Shell &context) const {
         break;
     }
     if (over_ && hover_.kind == Hit::Kind::Control) {
-        return "Drag the control point. Alt: without the opposite one, Shift: steps of 15\xc2\xb0";
+        return "Drag the control point. Alt: without the opposite one, Shift: angle steps";
     }
     if (over_ && hover_.kind == Hit::Kind::Transform) {
         return TransformHandles::statusText(hover_.transform);

@@ -302,7 +302,7 @@ void SelectTool::nudge(Vec2 direction, bool far, bool repeated, Shell &context) 
         nudgeStroke_ = state_->newStroke();
     }
     // A tenth of the drawing grid; with Shift a whole step.
-    const double step = gridPitch(EditState::reach(context, 1.0)) * (far ? 1.0 : 0.1);
+    const double step = EditState::gridStep(context) * (far ? 1.0 : 0.1);
     EditState::apply(context, moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
                      nudgeStroke_);
 }

@@ -259,7 +259,7 @@ void TransformHandles::draw(CanvasPainter &painter, Shell &context, const std::o
 
 std::string TransformHandles::statusText(const Handle &handle) {
     return handle.rotates
-               ? "Drag to rotate, or type the angle. Shift: steps of 15\xc2\xb0, Esc: cancel"
+               ? "Drag to rotate, or type the angle. Shift: angle steps, Esc: cancel"
                : "Drag to scale, or type the factor. Shift: keep proportions, Ctrl: about the centre, Alt: no snapping";
 }
 

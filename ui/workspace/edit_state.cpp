@@ -89,7 +89,7 @@ SnapQuery EditState::query(const Workspace &context, Vec2 place, bool angle, boo
     SnapQuery query;
     query.at = place;
     query.tolerance = reach(context, context.snapping.reach);
-    query.gridPitch = context.snapping.toGrid ? gridPitch(reach(context, 1.0)) : 0.0;
+    query.gridPitch = context.snapping.toGrid ? gridStep(context) : 0.0;
     query.angle = angle;
     query.angleStep = context.snapping.angleStep;
     query.off = off;
@@ -101,6 +101,10 @@ SnapQuery EditState::query(const Workspace &context, Vec2 place, bool angle, boo
 
 void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
     flow.item("snap");
+double EditState::gridStep(const Workspace &context) {
+    return steppedPitch(context.snapping.gridStep, reach(context, 1.0));
+}
+
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", context.snapping.toDrawing);
     ui::tooltip(context, "Snap to nodes, midpoints, centres, crossings, perpendiculars, tangents and segments. Hold "
                          "Ctrl to turn snapping off, Shift for directions in steps.");
