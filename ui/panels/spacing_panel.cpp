@@ -1,6 +1,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/panels/gradation_row.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -23,7 +24,9 @@ class SpacingPanel final : public Panel {
     static void drawExpression(Shell &context);
     static void drawSources(Shell &context);
     static void drawElementCounts(Shell &context);
-    static void drawLimits(Shell &context);
+    void drawLimits(Shell &context);
+
+    GradationRow gradation_;
 };
 
 /// Returns the fault of the expression if the preview found one, else null.
@@ -163,12 +166,7 @@ void SpacingPanel::drawLimits(Shell &context) {
     if (low || high) {
         EditState::apply(context, setLimits(*document, minimum, maximum), "Limit spacing");
     }
-    std::optional<double> gradation = document->spacing.gradation;
-    form::label(context, "Gradation");
-    if (form::optionalField(context, "spacing/gradation", gradation, "auto", -1.0F, "spacing/gradation")) {
-        EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
-    }
-    ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
+    gradation_.draw(context);
     drawElementCounts(context);
     form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;

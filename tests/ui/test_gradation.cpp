@@ -1,0 +1,79 @@
+#include "core/edit/shape_commands.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+namespace forefront::test {
+
+namespace {
+
+Pixel knobAt(Draughtsman &driver, double t) {
+    const PixelRect rect = driver.context().widgets.find("spacing/gradation/slider")->rect;
+    return {rect.x + 6.0 + t * (rect.width - 12.0), rect.y + 0.5 * rect.height};
+}
+
+} // namespace
+
+TEST_CASE(
+    "Gradation: spacing, prediction and mesh follow the slider; a drag is one undo step and one line in the log") {
+    Draughtsman driver;
+    Shape channel; // between two rooms
+    channel.nodes = {{1, 1}, {4, 1}, {4, 4.9}, {6, 4.9}, {6, 1}, {9, 1},
+                     {9, 9}, {6, 9}, {6, 5.1}, {4, 5.1}, {4, 9}, {1, 9}};
+    driver.context().document.apply(*addShape(driver.document(), channel), "Draw polygon");
+    driver.unfold("spacing");
+    driver.context().settings.live = true;
+    driver.settle();
+    const auto rho = [&] { return driver.context().preview->spacing->at({3.5, 5}); };
+    const double before = rho();
+    const std::size_t lines = driver.context().log.entries().size();
+    driver.press(knobAt(driver, 0.6));
+    driver.moveTo(knobAt(driver, 0.3));
+    driver.settle();
+    const double gentle = rho();
+    const double predicted = driver.context().preview->estimatedElements;
+    CHECK(gentle < before);
+    REQUIRE(driver.run().mesh != nullptr);
+    const std::size_t elements = driver.run().mesh->mesh.elements.size();
+    driver.moveTo(knobAt(driver, 0.9));
+    driver.settle();
+    CHECK(rho() > gentle);
+    CHECK(driver.context().preview->estimatedElements < predicted);
+    CHECK(driver.run().mesh->mesh.elements.size() < elements);
+    driver.release(knobAt(driver, 0.9));
+    driver.settle();
+    CHECK(driver.context().log.entries().size() <= lines + 1);
+    CHECK(driver.undoLabel() == "Change gradation");
+    driver.press(knobAt(driver, 0.9)); // another gesture
+    driver.moveTo(knobAt(driver, 0.5));
+    driver.release(knobAt(driver, 0.5));
+    driver.settle();
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK(*driver.document().spacing.gradation > 0.4);
+    driver.key('Z', {Modifiers::kControl});
+    CHECK_FALSE(driver.document().spacing.gradation.has_value());
+    CHECK(driver.undoLabel() == "Draw polygon");
+}
+
+TEST_CASE("Gradation: Esc takes back a drag of the slider") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 9});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.unfold("spacing");
+    driver.settle();
+    driver.press(knobAt(driver, 0.6));
+    driver.moveTo(knobAt(driver, 0.2));
+    driver.frames(3);
+    CHECK(driver.document().spacing.gradation.has_value());
+    driver.key(key::kEscape);
+    driver.moveTo(knobAt(driver, 0.4));
+    driver.frames(3);
+    driver.release(knobAt(driver, 0.4));
+    driver.frames(3);
+    CHECK_FALSE(driver.document().spacing.gradation.has_value());
+    CHECK(driver.undoLabel() == "Draw rectangle");
+}
+
+} // namespace forefront::test

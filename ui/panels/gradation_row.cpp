@@ -1,0 +1,77 @@
+#include "ui/panels/gradation_row.hpp"
+
+#include "core/edit/spacing_commands.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace forefront {
+namespace {
+
+constexpr double kGentlest = 0.02, kSteepest = 1.0; ///< ends of the slider, which is logarithmic
+constexpr double kUsual = 0.25;                     ///< shown by the knob where none is given
+constexpr const char *kStroke = "gradation slider";
+
+double knobOf(double gradation) {
+    return std::clamp(std::log(gradation / kGentlest) / std::log(kSteepest / kGentlest), 0.0, 1.0);
+}
+
+/// Returns the number of elements that the estimate predicts, as in the status bar; empty while it is unknown.
+std::string prediction(const Shell &context) {
+    const double predicted = context.preview->estimatedElements;
+    if (!(predicted >= 1.0)) {
+        return {};
+    }
+    return ui::count(static_cast<std::size_t>(EditState::twoDigits(predicted))) + " \xe2\x96\xb3";
+}
+
+} // namespace
+
+void GradationRow::draw(Shell &context) {
+    std::optional<double> gradation = context.document.current()->spacing.gradation;
+    form::label(context, "Gradation");
+    constexpr float kField = 58.0F;
+    if (form::optionalField(context, "spacing/gradation", gradation, "auto", kField, "spacing/gradation")) {
+        EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
+    }
+    ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
+    ImGui::SameLine(0, context.px(6));
+    drawSlider(context);
+}
+
+void GradationRow::drawSlider(Shell &context) {
+    const std::optional<double> given = context.document.current()->spacing.gradation;
+    double knob = knobOf(given.value_or(kUsual));
+    constexpr float kPrediction = 62.0F;
+    const float width = ImGui::GetContentRegionAvail().x / context.scale - kPrediction;
+    const bool moved = ui::thinSlider(context, "spacing/gradation/slider", knob, prediction(context),
+                                      std::max(24.0F, width), kPrediction);
+    ui::tooltip(context, "Predicted number of elements. Drag the slider: the node spacing and the live mesh follow.");
+    const bool released = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (dragged_ && !released && ImGui::IsKeyPressed(key::kEscape, false)) {
+        context.document.abandonStroke(kStroke);
+        cancelled_ = true;
+    } else if (moved && !cancelled_) {
+        const double gradation = EditState::twoDigits(kGentlest * std::pow(kSteepest / kGentlest, knob));
+        if (given != gradation) {
+            dragged_ = true;
+            EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation",
+                             kStroke);
+        }
+    }
+    if (released) {
+        if (dragged_) {
+            context.document.endStroke();
+        }
+        dragged_ = cancelled_ = false;
+    }
+}
+
+} // namespace forefront
