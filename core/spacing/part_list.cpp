@@ -41,7 +41,7 @@ Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
 }
 
 bool samePaint(const SpacingSpec &a, const SpacingSpec &b) {
-    return a.paint.origin == b.paint.origin && a.paint.pitch == b.paint.pitch &&
+    return a.paint.origin == b.paint.origin && a.paint.pitch == b.paint.pitch && a.paint.replaces == b.paint.replaces &&
            std::equal(
                a.paint.tiles.begin(), a.paint.tiles.end(), b.paint.tiles.begin(), b.paint.tiles.end(),
                [](const auto &s, const auto &t) { return s.first == t.first && samePointed(s.second, t.second); });

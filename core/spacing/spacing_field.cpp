@@ -6,6 +6,7 @@
 #include "core/spacing/parts/automatic/automatic.hpp"
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/spacing/parts/curvature/curvature_sites.hpp"
+#include "core/spacing/replaced_field.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -165,6 +166,9 @@ class FieldBuilder {
 
 Result<std::shared_ptr<const SpacingField>> SpacingField::build(const SpacingSpec &spec, const Domain &domain,
                                                                 const Progress &progress) {
+    if (spec.paint.replaces && !spec.paint.tiles.empty()) {
+        return ReplacedField::build(spec, domain, progress);
+    }
     return FieldBuilder(spec, domain, progress).run();
 }
 

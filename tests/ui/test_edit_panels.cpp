@@ -246,19 +246,37 @@ TEST_CASE("Brush: smooth and erase are modes of the brush; strength and falloff 
     CHECK(driver.context().preview->spacing->sample({5, 5}).origin != SpacingOrigin::Paint);
 }
 
-TEST_CASE("Brush: coarser on unpainted ground changes nothing, says so and adds no undo step") {
+TEST_CASE("Brush: coarser enlarges automatic sizes, smooth evens them out, and one undo takes each back") {
     Draughtsman driver;
-    driver.rectangle({1, 1}, {9, 8});
+    Shape channel; // between two rooms
+    channel.nodes = {{1, 1}, {4, 1}, {4, 4.9}, {6, 4.9}, {6, 1}, {9, 1},
+                     {9, 9}, {6, 9}, {6, 5.1}, {4, 5.1}, {4, 9}, {1, 9}};
+    driver.context().document.apply(*addShape(driver.document(), channel), "Draw");
     driver.settle();
-    const std::string before = driver.undoLabel();
+    const auto rho = [&](Vec2 at) { return driver.context().preview->spacing->at(at); };
+    const Vec2 coarse{7.5, 7.5}, narrow{5, 5};
+    const double before = rho(coarse), tight = rho(narrow);
     driver.key('B');
+    driver.fill("options/brush/radius", "1.2");
     chooseMode(driver, "Coarser");
-    driver.dragPlaces({4, 5}, {6, 5});
+    for (int k = 0; k < 3; ++k) {
+        driver.dragPlaces({7, 7.5}, {8, 7.5});
+        driver.settle();
+    }
+    CHECK(driver.undoLabel() == "Make spacing coarser");
+    CHECK(rho(coarse) > 1.2 * before);
+    CHECK(driver.context().preview->spacing->sample(coarse).origin != SpacingOrigin::Automatic);
+    chooseMode(driver, "Smooth");
+    driver.dragPlaces({4.8, 5}, {5.2, 5});
     driver.settle();
-    CHECK(driver.undoLabel() == before);
-    const MessageLog::Entry &last = driver.context().log.entries().back();
-    CHECK(last.announced);
-    CHECK(last.diagnostic.message == "Nothing changed: coarser and smooth change only painted spacing");
+    CHECK(driver.undoLabel() == "Smooth spacing");
+    CHECK(rho(narrow) > 1.1 * tight);
+    driver.key('Z', kControl);
+    driver.settle();
+    CHECK(rho(narrow) == doctest::Approx(tight));
+    driver.key('2');
+    driver.settle();
+    CHECK(driver.run().state == RunState::Finished);
 }
 
 TEST_CASE("Polygon: as a spline through clicked points, or freehand with its corners") {

@@ -1,5 +1,6 @@
 #include "ui/tools/brush_tool.hpp"
 
+#include "core/base/hash.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "core/spacing/parts/paint/paint.hpp"
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -23,6 +26,27 @@ constexpr int kMaxDabs = 200; ///< per pointer movement
 
 double spacingAt(const Shell &context, Vec2 place) {
     return context.preview->spacing ? context.preview->spacing->at(place) : 0.0;
+}
+
+struct PlaceHash {
+    std::size_t operator()(Vec2 place) const {
+        Hash64 hash;
+        hash.add(place.x);
+        hash.add(place.y);
+        return static_cast<std::size_t>(hash.value());
+    }
+};
+
+/// Returns a function that remembers the values of a field, since the dabs of a stroke overlap.
+std::function<double(Vec2)> remembered(std::shared_ptr<const SpacingField> field) {
+    auto known = std::make_shared<std::unordered_map<Vec2, double, PlaceHash>>();
+    return [field = std::move(field), known](Vec2 place) {
+        const auto [entry, isNew] = known->try_emplace(place, 0.0);
+        if (isNew) {
+            entry->second = field->at(place);
+        }
+        return entry->second;
+    };
 }
 
 } // namespace
@@ -80,8 +104,7 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
             settle(context);
             stroke_ = state_->newStroke();
             last_.reset();
-            before_ = context.preview->spacing;
-            ambient_ = spacingAt(context, event.place);
+            around_ = context.preview->spacing ? remembered(context.preview->spacing) : std::function<double(Vec2)>();
             changed_ = false;
             stroke(event.place, context);
         } else if (event.button == MouseButton::Right) {
@@ -95,9 +118,8 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
         }
         return true;
     case Kind::Release:
-        if (!stroke_.empty() && !changed_ && !erases() &&
-            (state_->brushMode == DabMode::Coarser || state_->brushMode == DabMode::Smooth)) {
-            context.log.announce("Nothing changed: coarser and smooth change only painted spacing");
+        if (!stroke_.empty() && !changed_ && !erases() && !sets()) {
+            context.log.announce("Nothing changed: the drawing has no element sizes yet");
         }
         stroke_.clear();
         return true;
@@ -120,28 +142,6 @@ bool BrushTool::key(const CanvasEvent &event, Shell &context) {
     return false;
 }
 
-void BrushTool::stroke(Vec2 to, Shell &context) {
-    const std::shared_ptr<const Document> document = context.document.current();
-    PaintedSpacing painted = document->spacing.paint;
-    if (painted.tiles.empty() && !erases()) {
-        Box2 box = boundsOf(*document);
-        if (box.empty()) {
-            box = context.view.camera.visible();
-        }
-        painted = emptyPaint(box);
-    }
-    const double radius = state_->brushRadius;
-    const Vec2 from = last_.value_or(to);
-    const double pace = kPace * radius;
-    const int dabs = last_ ? std::clamp(static_cast<int>(distance(from, to) / pace), 0, kMaxDabs) : 1;
-    if (dabs == 0) {
-        return; // too short; the next movement continues from the same place
-    }
-    for (int k = 1; k <= dabs; ++k) {
-        const Vec2 at = lerp(from, to, static_cast<double>(k) / dabs);
-        painted = paint(painted, dabAt(at));
-    }
-    last_ = to;
 bool BrushTool::command(std::string_view word, Shell &context) {
     if (word == "larger" || word == "smaller") {
         scale(word == "larger" ? kStep : 1.0 / kStep, false, context);
@@ -158,6 +158,32 @@ bool BrushTool::command(std::string_view word, Shell &context) {
     return mode.has_value();
 }
 
+void BrushTool::stroke(Vec2 to, Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
+    PaintedSpacing painted = document->spacing.paint;
+    if (painted.tiles.empty() && !erases()) {
+        Box2 box = boundsOf(*document);
+        if (box.empty()) {
+            box = context.view.camera.visible();
+        }
+        painted = emptyPaint(box);
+        painted.replaces = true;
+    }
+    if (!painted.replaces && !erases() && around_) {
+        painted = replacing(painted, around_); // of an older version; from now on the brush can enlarge sizes, too
+    }
+    const double radius = state_->brushRadius;
+    const Vec2 from = last_.value_or(to);
+    const double pace = kPace * radius;
+    const int dabs = last_ ? std::clamp(static_cast<int>(distance(from, to) / pace), 0, kMaxDabs) : 1;
+    if (dabs == 0) {
+        return; // too short; the next movement continues from the same place
+    }
+    for (int k = 1; k <= dabs; ++k) {
+        const Vec2 at = lerp(from, to, static_cast<double>(k) / dabs);
+        painted = paint(painted, dabAt(at));
+    }
+    last_ = to;
     if (painted.tiles == document->spacing.paint.tiles) {
         return;
     }
@@ -170,11 +196,7 @@ Dab BrushTool::dabAt(Vec2 place) const {
     dab.mode = erases() ? DabMode::Erase : state_->brushMode;
     dab.hardness = 1.0 - state_->brushFalloff;
     dab.strength = state_->brushStrength;
-    if (dab.mode == DabMode::Set) {
-        dab.ambient = ambient_ > dab.spacing ? ambient_ : 0.0;
-    } else if (before_) {
-        dab.ambient = before_->at(place);
-    }
+    dab.around = around_;
     return dab;
 }
 
@@ -225,8 +247,8 @@ void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
     ui::combo(context, "options/brush/mode", ui::enumLabels<DabMode>(), mode, 92.0F);
     state_->brushMode = static_cast<DabMode>(mode);
     ui::tooltip(context,
-                "Set: paint a spacing. Finer: reduce the current spacing. Coarser, smooth: enlarge or even out "
-                "painted spacing only. Erase: remove paint.");
+                "Set: paint a spacing. Finer, coarser: reduce or enlarge the current spacing. Smooth: even it out. "
+                "Erase: remove paint. Paint replaces other sizes, but not those of boundary parts, nodes and regions.");
     if (erases()) {
         return;
     }

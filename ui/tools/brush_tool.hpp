@@ -4,6 +4,7 @@
 #include "ui/parts/tool.hpp"
 #include "ui/workspace/edit_state.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -24,9 +25,9 @@ class BrushTool final : public Tool {
     void forget(Shell &context) override;
     bool handle(const CanvasEvent &event, Shell &context) override;
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
-    bool hasOptions(const Shell &) const override { return true; }
     /// "larger", "smaller": the radius; "sizeUp", "sizeDown": the painted spacing; or the word of a mode.
     bool command(std::string_view word, Shell &context) override;
+    bool hasOptions(const Shell &) const override { return true; }
     void drawOptions(Shell &context, ui::Flow &flow) override;
     std::string statusText(const Shell &context) const override;
 
@@ -48,10 +49,9 @@ class BrushTool final : public Tool {
     std::shared_ptr<EditState> state_;
     bool erases_;
     std::optional<Vec2> pointer_, last_;
-    std::string stroke_;                         ///< key of the stroke in progress; empty: none
-    std::shared_ptr<const SpacingField> before_; ///< spacing when the stroke began; null: none
-    double ambient_ = 0.0;
-    bool changed_ = false; ///< the stroke has changed the paint
+    std::string stroke_;                   ///< key of the stroke in progress; empty: none
+    std::function<double(Vec2)> around_{}; ///< spacing when the stroke began; empty: none
+    bool changed_ = false;                 ///< the stroke has changed the paint
 };
 
 } // namespace forefront

@@ -143,6 +143,9 @@ void readTile(const JsonValue &item, JsonCheck &check, PaintedSpacing &paint) {
     if (!item.is(JsonKind::Array) || item.count() != 3) {
         check.fault(item, "bad-tile", "expected [column, row, \"values\"] for a painted tile");
         return;
+    if (paint.replaces) {
+        out << ",\n      \"replaces\": true";
+    }
     }
     auto field = item.begin();
     const std::int64_t column = check.integer(*field, -kMaxInt, kMaxInt, "the column of a painted tile");
@@ -173,7 +176,10 @@ PaintedSpacing readPaint(const JsonValue &object, JsonCheck &check) {
     if (const auto pitch = check.member(object, "pitch", "the paint")) {
         paint.pitch = check.positive(*pitch, "the pitch of the paint");
     }
-    check.noteUnknown(object, {"origin", "pitch", "tiles"});
+    if (const auto replaces = object.find("replaces")) {
+        paint.replaces = check.flag(*replaces, "\"replaces\" of the paint");
+    }
+    check.noteUnknown(object, {"origin", "pitch", "replaces", "tiles"});
     const auto tiles = check.member(object, "tiles", "the paint");
     if (!tiles || !check.expect(*tiles, JsonKind::Array, "\"tiles\"")) {
         return paint;

@@ -65,6 +65,9 @@ struct PaintedSpacing {
 
 /// Nodal spacing on a triangle mesh; undefined outside the mesh.
 struct BackgroundMesh {
+    /// True: where it is painted, the paint replaces the sizes of other rules, larger or smaller, except those of the
+    /// boundary and of regions; see SpacingSpec. False, as in projects of older versions: it only refines.
+    bool replaces = false;
     std::vector<Vec2> nodes;
     std::vector<std::array<std::uint32_t, 3>> elements;
     std::vector<double> values; ///< one per node, > 0
@@ -75,10 +78,11 @@ struct BackgroundMesh {
 /// The node spacing function ρ(x, y) as data, part of the document.
 ///
 /// The given parts, and the maximum areas of the domain's region markers, are combined by minimum, clamped to [minimum,
-/// maximum], then limited so that |∇ρ| <= gradation. Where nothing covers the whole domain (no size, expression, source
-/// or boundary lengths), automatic spacing applies: from boundary lengths, bends, narrow places and domain size,
-/// graded. It is combined by minimum with paint, sizes of parts, region areas and, with `keepAutomatic`, sources, and
-/// fills in outside a background mesh.
+/// maximum], then limited so that |∇ρ| <= gradation. Paint that replaces other rules stands in place of all of them but
+/// sizes of boundary parts and nodes, lengths of boundary segments and region areas. Where nothing covers the whole
+/// domain (no size, expression, gradient, source or boundary lengths), automatic spacing applies: from boundary
+/// lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint, sizes of parts, region
+/// areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
 struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"

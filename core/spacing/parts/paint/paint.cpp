@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -97,14 +100,28 @@ void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, 
     }
 }
 
-/// Returns the geometric mean of a node and its painted neighbours.
-double meanAround(const PaintedSpacing &paint, std::int32_t i, std::int32_t j) {
+Vec2 placeOf(const PaintedSpacing &paint, std::int32_t i, std::int32_t j) {
+    return paint.origin + paint.pitch * Vec2{static_cast<double>(i), static_cast<double>(j)};
+}
+
+/// Returns the spacing from which a dab starts at a node: its paint, else that around the stroke; 0 if there is none.
+double startingValue(float painted, const PaintedSpacing &paint, const Dab &dab, std::int32_t i, std::int32_t j) {
+    if (painted > 0.0F || !dab.around) {
+        return painted > 0.0F ? static_cast<double>(painted) : 0.0;
+    }
+    const double value = dab.around(placeOf(paint, i, j));
+    return value > 0.0 && std::isfinite(value) ? value : 0.0;
+}
+
+/// Returns the geometric mean of a node and eight others around it, `reach` nodes away; unpainted ones count only if
+/// their spacing is known.
+double meanAround(const PaintedSpacing &paint, const Dab &dab, std::int32_t i, std::int32_t j, std::int32_t reach) {
     double sum = 0.0, count = 0.0;
-    for (std::int32_t dj = -1; dj <= 1; ++dj) {
-        for (std::int32_t di = -1; di <= 1; ++di) {
-            const float value = paintedNode(paint, i + di, j + dj);
-            sum += value > 0.0F ? std::log(static_cast<double>(value)) : 0.0;
-            count += value > 0.0F ? 1.0 : 0.0;
+    for (std::int32_t dj = -reach; dj <= reach; dj += reach) {
+        for (std::int32_t di = -reach; di <= reach; di += reach) {
+            const double value = startingValue(paintedNode(paint, i + di, j + dj), paint, dab, i + di, j + dj);
+            sum += value > 0.0 ? std::log(value) : 0.0;
+            count += value > 0.0 ? 1.0 : 0.0;
         }
     }
     return std::exp(sum / count);
@@ -129,13 +146,17 @@ PaintedSpacing adjusted(const PaintedSpacing &before, const Dab &dab) {
     const bool extends = dab.mode == DabMode::Finer; // also changes unpainted nodes
     const double ambient = extends && dab.ambient > 0.0 && std::isfinite(dab.ambient) ? dab.ambient : 0.0;
     const double octaves = (dab.mode == DabMode::Finer ? -strength : strength) / kDabsPerOctave;
-    changeDisc(after, *disc, ambient > 0.0, [&](float &value, double d, std::int32_t i, std::int32_t j) {
-        const double old = value > 0.0F ? static_cast<double>(value) : ambient;
+    constexpr double kReach = 1.0 / 3.0; // of a mean, as a fraction of the radius
+    const std::int32_t reach = std::max(1, static_cast<std::int32_t>(dab.around ? kReach * disc->radius : 1.0));
+    const bool mayCreate = ambient > 0.0 || dab.around;
+    changeDisc(after, *disc, mayCreate, [&](float &value, double d, std::int32_t i, std::int32_t j) {
+        const double start = startingValue(value, before, dab, i, j);
+        const double old = start > 0.0 ? start : ambient;
         if (!(old > 0.0)) {
             return false;
         }
         const double weight = weightAt(d, core, disc->radius);
-        const double wanted = smooths ? old * std::pow(meanAround(before, i, j) / old, strength * weight)
+        const double wanted = smooths ? old * std::pow(meanAround(before, dab, i, j, reach) / old, strength * weight)
                                       : old * std::exp2(octaves * weight);
         const auto next = static_cast<float>(wanted);
         const bool changed = value != next && next > 0.0F && std::isfinite(next);
@@ -182,8 +203,9 @@ PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
     const double rim = disc->radius - core;
     const auto ambient = dab.ambient > 0.0 && std::isfinite(dab.ambient) ? static_cast<float>(dab.ambient) : 0.0F;
     const double strength = std::min(dab.strength, 1.0);
-    changeDisc(after, *disc, true, [&](float &value, double d, std::int32_t, std::int32_t) {
-        const float old = value > 0.0F ? value : ambient;
+    changeDisc(after, *disc, true, [&](float &value, double d, std::int32_t i, std::int32_t j) {
+        const auto start = static_cast<float>(startingValue(value, before, dab, i, j));
+        const float old = start > 0.0F ? start : ambient;
         float blended = target;
         if (d > core) {
             const double s = (d - core) / rim;
@@ -201,6 +223,63 @@ PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
         value = blended;
         return changed;
     });
+    return after;
+}
+
+PaintedSpacing replacing(const PaintedSpacing &paint, const std::function<double(Vec2)> &spacing) {
+    PaintedSpacing after = paint;
+    if (paint.replaces) {
+        return after;
+    }
+    after.replaces = true;
+    for (auto &[key, tile] : after.tiles) {
+        if (!tile) {
+            continue;
+        }
+        auto limited = std::make_shared<PaintedSpacing::Tile>(*tile);
+        for (std::int32_t k = 0; k < kSpan * kSpan; ++k) {
+            float &value = (*limited)[static_cast<std::size_t>(k)];
+            if (value > 0.0F) {
+                const Vec2 place = placeOf(paint, key.first * kSpan + k % kSpan, key.second * kSpan + k / kSpan);
+                value = std::min(value, static_cast<float>(spacing(place)));
+            }
+        }
+        tile = std::move(limited);
+    }
+    return after;
+}
+
+PaintedSpacing fill(const PaintedSpacing &before, const Box2 &box, const std::function<double(Vec2)> &size) {
+    constexpr double kMostNodes = 4e6;
+    PaintedSpacing after = before;
+    const Vec2 low = (1.0 / before.pitch) * (box.min - before.origin);
+    const Vec2 high = (1.0 / before.pitch) * (box.max - before.origin);
+    const bool usable =
+        std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x), std::fabs(high.y)}) < kFarthest &&
+        (high.x - low.x + 1.0) * (high.y - low.y + 1.0) <= kMostNodes;
+    if (!usable) {
+        return after;
+    }
+    std::map<std::pair<std::int32_t, std::int32_t>, std::shared_ptr<PaintedSpacing::Tile>> changed;
+    for (auto j = static_cast<std::int32_t>(std::ceil(low.y)); j <= std::floor(high.y); ++j) {
+        for (auto i = static_cast<std::int32_t>(std::ceil(low.x)); i <= std::floor(high.x); ++i) {
+            const auto value = static_cast<float>(size(placeOf(before, i, j)));
+            if (!(value > 0.0F) || !std::isfinite(value)) {
+                continue;
+            }
+            const std::pair key(tileOf(i), tileOf(j));
+            auto &tile = changed[key];
+            if (!tile) {
+                const auto found = before.tiles.find(key);
+                const bool known = found != before.tiles.end() && found->second;
+                tile = std::make_shared<PaintedSpacing::Tile>(known ? *found->second : PaintedSpacing::Tile{});
+            }
+            (*tile)[placeIn(i, j)] = value;
+        }
+    }
+    for (auto &[key, tile] : changed) {
+        after.tiles[key] = std::move(tile);
+    }
     return after;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 
 namespace forefront {
@@ -14,8 +15,8 @@ namespace forefront {
 enum class DabMode : std::uint8_t {
     Set,     ///< towards a target
     Finer,   ///< smaller than it is
-    Coarser, ///< larger than it is; unpainted nodes stay unpainted
-    Smooth,  ///< towards the mean of the neighbouring nodes; unpainted ones stay unpainted
+    Coarser, ///< larger than it is
+    Smooth,  ///< towards the mean of the surroundings
     Erase    ///< removes the paint
 };
 
@@ -38,8 +39,12 @@ struct Dab {
     DabMode mode = DabMode::Set;
     /// Effect of a dab, 0..1: the fraction of the way to the target or the mean; for Finer and Coarser, 1 halves or
     /// doubles the spacing in eight dabs, about as many as overlap within a stroke. It starts from the paint, or from
-    /// `ambient` where nothing is painted; without either, Set paints its target. 0 changes nothing.
+    /// `ambient` where nothing is painted; without either, Set paints its target, and Coarser and Smooth leave the node
+    /// unpainted. 0 changes nothing.
     double strength = 1.0;
+    /// Spacing at unpainted nodes before the stroke, in place of `ambient`. With it, every mode starts from the spacing
+    /// at the node itself and fades into it, so the paint can replace it without a step.
+    std::function<double(Vec2)> around{};
 };
 
 /// Maximum diameter of a dab in pitches, which limits its tiles to 4 MB; wider dabs are reduced to it.
@@ -53,6 +58,14 @@ PaintedSpacing emptyPaint(const Box2 &domain);
 /// even if the radius is smaller than the pitch. Blending is geometric: spacings 1 and 0.01 meet at 0.1. A dab with
 /// invalid numbers (not finite, sizes <= 0) changes nothing. Deterministic.
 PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab);
+
+/// Returns paint that replaces the other rules without changing the spacing: values above that of `spacing`, which had
+/// no effect, are reduced to it. Paint that already replaces them is returned unchanged.
+PaintedSpacing replacing(const PaintedSpacing &paint, const std::function<double(Vec2)> &spacing);
+
+/// Returns the paint with the nodes in a box painted; those for which `size` returns 0 keep their value. At most 4
+/// million nodes of the box are visited.
+PaintedSpacing fill(const PaintedSpacing &before, const Box2 &box, const std::function<double(Vec2)> &size);
 
 /// Returns the paint without the nodes within `radius` of `centre`; empty tiles are removed.
 PaintedSpacing erase(const PaintedSpacing &before, Vec2 centre, double radius);

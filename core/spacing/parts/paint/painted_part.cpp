@@ -258,4 +258,27 @@ void PaintedPart::addSites(const PaintedSpacing &paint, double minimum, double g
     }
 }
 
+std::vector<PaintedPart::Border> PaintedPart::borderOf(const PaintedSpacing &paint) {
+    std::vector<Border> border;
+    for (const Key &key : tilesTouched(paint)) {
+        const Surroundings nodes(paint, key, 0.0);
+        const Vec2 corner = tileCorner(paint, key);
+        for (std::int32_t k = 0; nodes.painted() && k < kTileSpan * kTileSpan; ++k) {
+            const std::int32_t i = k % kTileSpan, j = k / kTileSpan;
+            if (nodes.at(i, j) > 0.0F) {
+                continue;
+            }
+            float beside = 0.0F;
+            for (std::int32_t n = 0; n < 9; ++n) {
+                beside = std::max(beside, nodes.at(i + n % 3 - 1, j + n / 3 - 1));
+            }
+            if (beside > 0.0F) {
+                border.push_back({corner + paint.pitch * Vec2{static_cast<double>(i), static_cast<double>(j)},
+                                  static_cast<double>(beside)});
+            }
+        }
+    }
+    return border;
+}
+
 } // namespace forefront

@@ -46,6 +46,14 @@ class PaintedPart {
     /// paint is steeper.
     static void addSites(const PaintedSpacing &paint, double minimum, double gradation, SiteSet &sites);
 
+    /// A place just beyond the paint, and the largest painted value next to it.
+    struct Border {
+        Vec2 at;
+        double beside = 0.0;
+    };
+    /// Returns the unpainted nodes next to painted ones.
+    static std::vector<Border> borderOf(const PaintedSpacing &paint);
+
   private:
     static constexpr std::uint32_t kSpan = PaintedSpacing::kTileSpan;
     static constexpr std::uint32_t kWidth = kSpan + 1;
