@@ -288,7 +288,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
 
 TEST_CASE("Editor: windows of any size are drawn and settle") {
     Driver driver;
-    const PixelSize sizes[] = {{1, 1}, {640, 60}, {640, 130}, {640, 140}, {90, 600}, {3000, 100}, {1280, 800}};
+    const PixelSize sizes[] = {{1, 1}, {640, 60}, {640, 130}, {720, 140}, {90, 600}, {3000, 100}, {1280, 800}};
     for (const PixelSize &size : sizes) {
         CAPTURE(size.width);
         CAPTURE(size.height);

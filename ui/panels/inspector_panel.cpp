@@ -10,6 +10,7 @@
 #include "ui/panels/form.hpp"
 #include "ui/panels/geometry_rows.hpp"
 #include "ui/panels/size_rows.hpp"
+#include "ui/panels/source_growth.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -313,7 +314,7 @@ void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
         ui::rowTooltip(context, "Element size at the second end (To). The size changes linearly along the line. Leave "
                                 "empty for the same size everywhere.");
     }
-    changed = form::number(context, "inspector/growth", "Growth", source.growth, address("growth")) || changed;
+    changed = drawSourceGrowth(context, source, address("growth")) || changed;
     if (changed) {
         EditState::apply(context, replaceSource(document, index, source), "Change source");
     }

@@ -91,7 +91,7 @@ std::string sizeText(const SizeSource &source) {
 void drawKeepAutomatic(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     const SpacingSpec &spacing = document->spacing;
-    if (spacing.size || spacing.expression || spacing.fromBoundary) {
+    if (spacing.size || spacing.expression || spacing.fromBoundary || spacing.hasGradient()) {
         return;
     }
     form::label(context, "");

@@ -14,6 +14,7 @@ inline constexpr const char *kArc = "\xef\x80\x9e";        // repeat
 inline constexpr const char *kPoint = "\xef\x86\x92";      // dot-circle-o
 inline constexpr const char *kBrush = "\xef\x87\xbc";      // paint-brush
 inline constexpr const char *kSource = "\xef\x81\x9b";     // crosshairs
+inline constexpr const char *kGradient = "\xef\x81\x82";   // adjust
 inline constexpr const char *kEraser = "\xef\x84\xad";     // eraser
 inline constexpr const char *kPlay = "\xef\x81\x8b";       // play
 inline constexpr const char *kPause = "\xef\x81\x8c";      // pause

@@ -3,6 +3,7 @@
 #include "ui/tools/arc_tool.hpp"
 #include "ui/tools/box_tool.hpp"
 #include "ui/tools/brush_tool.hpp"
+#include "ui/tools/gradient_tool.hpp"
 #include "ui/tools/guess_tool.hpp"
 #include "ui/tools/measure_tool.hpp"
 #include "ui/tools/pen_tool.hpp"
@@ -36,6 +37,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<BrushTool>(state, false));
     tools.push_back(std::make_unique<BrushTool>(state, true));
     tools.push_back(std::make_unique<SourceTool>(state));
+    tools.push_back(std::make_unique<GradientTool>(state));
     tools.push_back(std::make_unique<MeasureTool>(state));
     tools.push_back(std::make_unique<PictureTool>(state));
     tools.push_back(std::make_unique<TraceTool>());

@@ -60,6 +60,8 @@ void EditState::forgetNumbers() {
     sourceGrowth = initial.sourceGrowth;
     sourceSizeFormula.clear();
     sourceGrowthFormula.clear();
+    gradientSize = initial.gradientSize;
+    gradientEndSize = initial.gradientEndSize;
 }
 
 std::string EditState::newStroke() {
@@ -99,12 +101,12 @@ SnapQuery EditState::query(const Workspace &context, Vec2 place, bool angle, boo
     return query;
 }
 
-void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
-    flow.item("snap");
 double EditState::gridStep(const Workspace &context) {
     return steppedPitch(context.snapping.gridStep, reach(context, 1.0));
 }
 
+void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
+    flow.item("snap");
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", context.snapping.toDrawing);
     ui::tooltip(context, "Snap to nodes, midpoints, centres, crossings, perpendiculars, tangents and segments. Hold "
                          "Ctrl to turn snapping off, Shift for directions in steps.");

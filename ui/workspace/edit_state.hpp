@@ -80,6 +80,9 @@ struct EditState {
     std::optional<double> sourceEndSize; ///< of a line, at its second end; absent: the same
     double sourceGrowth = 0.2;
     std::string sourceSizeFormula, sourceGrowthFormula; ///< expressions of the two numbers; empty: plain numbers
+    double gradientSize = 0.0, gradientEndSize = 0.0;   ///< 0: derived from ρ under the pointer
+    bool gradientGeometric = false;
+    bool gradientInSelection = false; ///< paint the selected shapes rather than cover the plane
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
@@ -95,11 +98,11 @@ struct EditState {
                       const std::string &merge = {});
     /// Converts a distance around the pointer from design pixels to domain units.
     static double reach(const Workspace &context, double designPixels);
+    /// Returns the step of the drawing grid as it is shown.
+    static double gridStep(const Workspace &context);
     /// Returns a snap query with the current options; `angle` and `off` come from the modifiers of the event.
     SnapQuery query(const Workspace &context, Vec2 place, bool angle, bool off) const;
     /// Rounds a suggested number to two significant digits.
-    /// Returns the step of the drawing grid as it is shown.
-    static double gridStep(const Workspace &context);
     static double twoDigits(double value);
     /// Draws the snapping switches in the options strip.
     void drawSnapOptions(Workspace &context, ui::Flow &flow);

@@ -30,6 +30,12 @@ void writeSources(const std::vector<SizeSource> &sources, JsonText &out) {
             out << ", \"endSize\": ";
             out.number(*source.endSize);
         }
+        if (source.plane) {
+            out << ", \"plane\": true";
+        }
+        if (source.geometric) {
+            out << ", \"geometric\": true";
+        }
         out << ", \"growth\": ";
         out.number(source.growth);
         out << ", \"name\": " << jsonString(source.name) << '}';
@@ -63,7 +69,13 @@ SizeSource readSource(const JsonValue &item, JsonCheck &check) {
     if (const auto name = item.find("name")) {
         source.name = check.string(*name, "the name of a source");
     }
-    check.noteUnknown(item, {"shape", "a", "b", "radius", "size", "endSize", "growth", "name"});
+    if (const auto plane = item.find("plane")) {
+        source.plane = check.flag(*plane, "\"plane\" of a source");
+    }
+    if (const auto geometric = item.find("geometric")) {
+        source.geometric = check.flag(*geometric, "\"geometric\" of a source");
+    }
+    check.noteUnknown(item, {"shape", "a", "b", "radius", "size", "endSize", "plane", "geometric", "growth", "name"});
     return source;
 }
 
@@ -131,6 +143,9 @@ void writePaint(const PaintedSpacing &paint, JsonText &out) {
     out.point(paint.origin);
     out << ",\n      \"pitch\": ";
     out.number(paint.pitch);
+    if (paint.replaces) {
+        out << ",\n      \"replaces\": true";
+    }
     out << ",\n      \"tiles\": [\n        ";
     out.list(paint.tiles, ",\n        ", [&](const auto &entry) {
         out << '[' << entry.first.first << ", " << entry.first.second << ", \"" << encodeTile(*entry.second) << "\"]";
@@ -143,9 +158,6 @@ void readTile(const JsonValue &item, JsonCheck &check, PaintedSpacing &paint) {
     if (!item.is(JsonKind::Array) || item.count() != 3) {
         check.fault(item, "bad-tile", "expected [column, row, \"values\"] for a painted tile");
         return;
-    if (paint.replaces) {
-        out << ",\n      \"replaces\": true";
-    }
     }
     auto field = item.begin();
     const std::int64_t column = check.integer(*field, -kMaxInt, kMaxInt, "the column of a painted tile");

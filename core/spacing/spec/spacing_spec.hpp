@@ -4,6 +4,7 @@
 #include "core/base/enum_words.hpp"
 #include "core/base/vec2.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -38,6 +39,10 @@ struct SizeSource {
     /// Size at b (Line only), > 0. Along the line, the size changes linearly from `size` at a; beside it, the nearest
     /// point of the line counts. Absent: `size` along the whole line.
     std::optional<double> endSize{};
+    /// True: a gradient over the whole plane (Line only). The size depends on the position along the line alone: it
+    /// changes between the ends, and beyond each it is that of the end. There is no growth.
+    bool plane{};
+    bool geometric{}; ///< a gradient changes by equal factors, not by equal steps
 
     friend bool operator==(const SizeSource &, const SizeSource &) = default;
 };
@@ -60,14 +65,14 @@ struct PaintedSpacing {
 
     Vec2 origin;
     double pitch = 1.0; ///< distance between nodes
+    /// True: where it is painted, the paint replaces the sizes of other rules, larger or smaller, except those of the
+    /// boundary and of regions; see SpacingSpec. False, as in projects of older versions: it only refines.
+    bool replaces = false;
     std::map<std::pair<std::int32_t, std::int32_t>, std::shared_ptr<const Tile>> tiles;
 };
 
 /// Nodal spacing on a triangle mesh; undefined outside the mesh.
 struct BackgroundMesh {
-    /// True: where it is painted, the paint replaces the sizes of other rules, larger or smaller, except those of the
-    /// boundary and of regions; see SpacingSpec. False, as in projects of older versions: it only refines.
-    bool replaces = false;
     std::vector<Vec2> nodes;
     std::vector<std::array<std::uint32_t, 3>> elements;
     std::vector<double> values; ///< one per node, > 0
@@ -114,7 +119,12 @@ struct SpacingSpec {
     bool automatic() const { return usesAutomatic() && sources.empty() && paint.tiles.empty() && !background; }
     /// Returns true if no part covers the whole domain, so that automatic spacing applies together with the others.
     bool usesAutomatic() const {
-        return !size && !expression && (sources.empty() || keepAutomatic.value_or(false)) && !fromBoundary;
+        return !size && !expression && !fromBoundary && !hasGradient() &&
+               (sources.empty() || keepAutomatic.value_or(false));
+    }
+    /// Returns true if a source is a gradient over the whole plane.
+    bool hasGradient() const {
+        return std::any_of(sources.begin(), sources.end(), [](const SizeSource &source) { return source.plane; });
     }
 };
 

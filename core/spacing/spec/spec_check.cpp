@@ -87,6 +87,9 @@ void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &fau
     } else if (source.endSize && !isSize(*source.endSize)) {
         fault("the size " + text(*source.endSize) + " at its second end", "a number above 0");
     }
+    if (source.plane && source.shape != SourceShape::Line) {
+        fault("a gradient over the plane", "a line, or no gradient");
+    }
     if (!isNotNegative(source.growth)) {
         fault("the growth " + text(source.growth), "a number of at least 0");
     }

@@ -12,7 +12,7 @@
 
 namespace forefront {
 
-/// Returns true for a line source with different sizes at its ends; other sources are sites.
+/// Returns true for a line source with different sizes at its ends and for gradients; other sources are sites.
 bool isGraded(const SizeSource &source);
 
 /// The line sources with different sizes at their ends.
@@ -21,6 +21,10 @@ bool isGraded(const SizeSource &source);
 /// along the line and away from it, so beside the line it may be steeper than the gradation. There, the largest
 /// function with that gradation below it takes over. It is exact unless a minimum spacing is above the sizes: the
 /// minimum then cuts off the limited function, which may be smaller beside the line than necessary.
+///
+/// A gradient over the plane depends on the position along its line alone. Where it is steeper than the gradation, it
+/// is limited exactly, too: it is convex from its finer end on, so beyond the place where it gets too steep it grows by
+/// the gradation.
 class GradedSources {
   public:
     /// Takes the graded sources; std::nullopt if there are none. `gradation` may be infinite; the bounds are over
@@ -44,10 +48,14 @@ class GradedSources {
         double growth = 0.0; ///< at most the gradation
         double gradation = 0.0;
         bool steep = false; ///< slope and growth together exceed the gradation
+        bool plane = false;
+        double octaves = 0.0;   ///< of a geometric gradient: its logarithm at the other end over that at `from`
+        double steepFrom = 0.0; ///< of a gradient: where along the line it gets as steep as the gradation
         std::uint32_t source = 0;
 
         double at(Vec2 p) const;
         double limitedAt(double x, double side) const;
+        double alongPlane(double x) const;
         double lowerBound(const Box2 &box) const;
         double upperBound(const Box2 &box) const;
     };

@@ -1,0 +1,28 @@
+#include "ui/panels/source_growth.hpp"
+
+#include "core/spacing/spec/spacing_spec.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace forefront {
+
+bool drawSourceGrowth(Shell &context, SizeSource &source, const std::string &address) {
+    bool changed = false;
+    if (source.shape == SourceShape::Line) {
+        form::label(context, "");
+        changed = ui::checkbox(context, "inspector/plane", "Over the whole plane", source.plane);
+        ui::rowTooltip(context,
+                       "A gradient: the size changes from end to end, everywhere beside the line, too, and stays "
+                       "the same beyond each end.");
+    }
+    if (!source.plane) {
+        return form::number(context, "inspector/growth", "Growth", source.growth, address) || changed;
+    }
+    form::label(context, "");
+    changed = ui::checkbox(context, "inspector/geometric", "By equal factors", source.geometric) || changed;
+    ui::rowTooltip(context, "The size doubles in equal distances. Otherwise it changes by equal steps.");
+    return changed;
+}
+
+} // namespace forefront
