@@ -42,6 +42,10 @@ struct RegionMarker {
     std::int32_t tag = 1; ///< >= 1
     /// Maximum area of an element in the face, in domain units squared; 0: no limit. Becomes part of the spacing.
     double maxArea = 0.0;
+    /// Size of the elements in the face, in domain units, which grows by `growth` per unit of distance outside it; 0:
+    /// none is given. Becomes part of the spacing.
+    double size{};
+    double growth{0.2}; ///< >= 0
 
     friend bool operator==(const RegionMarker &, const RegionMarker &) = default;
 };

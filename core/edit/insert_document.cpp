@@ -89,7 +89,8 @@ Document inserted(const Document &document, const Document &other, double scale,
         const auto index = static_cast<std::uint32_t>(next.regionMarkers.size());
         fresh.markers.insert(index);
         items.markers[static_cast<std::uint32_t>(items.markers.size())] = index;
-        next.regionMarkers.push_back({scale * marker.at, marker.tag, scale * scale * marker.maxArea});
+        next.regionMarkers.push_back(
+            {scale * marker.at, marker.tag, scale * scale * marker.maxArea, scale * marker.size, marker.growth});
     }
     next.spacing.keepAutomatic = sources.empty() ? next.spacing.keepAutomatic : keepAutomaticWith(document.spacing);
     for (const SizeSource &source : sources) {

@@ -173,9 +173,31 @@ auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.s
 template <class Marker>
 auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.maxArea) {
     return what == "x" ? &marker.at.x : what == "y" ? &marker.at.y : what == "area" ? &marker.maxArea : nullptr;
+    if (what == "size" || what == "growth") {
+        return marker.size != 0.0 ? partNumber(marker, what) : nullptr; // without a size there is no growth either
+    }
 }
 
 /// Returns a number of a boundary part, which has a size or a number of elements.
+Status setMarkerNumber(RegionMarker &marker, const std::string &what, double value) {
+    if (what == "size" && !(value > 0.0)) { // 0 would mean that there is none
+        return error("bad-number", "invalid size " + numberText(value, 6) + " of a region; expected a number above 0");
+    }
+    *markerNumber(marker, what) = value;
+    return {};
+}
+
+Result<Document> checkedRegion(const Document &document, std::uint32_t index) {
+    const RegionMarker &marker = document.regionMarkers[index];
+    if (marker.size != 0.0) {
+        const Result<Document> sized = setRegionSize(document, index, PartSize{marker.size, marker.growth});
+        if (!sized) {
+            return sized;
+        }
+    }
+    return setRegionArea(document, index, marker.maxArea);
+}
+
 std::optional<double> boundaryNumber(const Document &document, const NumberAddress &address) {
     const std::string &what = address.quantity;
     const auto tag = static_cast<std::int32_t>(address.id);
@@ -313,8 +335,7 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
         *sourceNumber(document.spacing.sources[address.id], address.quantity) = value;
         break;
     case Owner::Region:
-        *markerNumber(document.regionMarkers[address.id], address.quantity) = value;
-        break;
+        return setMarkerNumber(document.regionMarkers[address.id], address.quantity, value);
     case Owner::Part:
         return setBoundaryNumber(document, address, value);
     case Owner::Spacing:
@@ -330,7 +351,7 @@ Result<Document> checkedOwner(const Document &document, const NumberAddress &add
     case Owner::Source:
         return replaceSource(document, address.id, document.spacing.sources[address.id]);
     case Owner::Region:
-        return setRegionArea(document, address.id, document.regionMarkers[address.id].maxArea);
+        return checkedRegion(document, address.id);
     case Owner::Part: {
         const auto tag = static_cast<std::int32_t>(address.id);
         const auto counted = document.elementCounts.find(tag);

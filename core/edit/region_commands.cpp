@@ -1,5 +1,7 @@
 #include "core/edit/region_commands.hpp"
 
+#include "core/spacing/spec/spec_check.hpp"
+
 #include <cmath>
 #include <set>
 
@@ -33,6 +35,11 @@ Result<Document> addRegionMarker(const Document &document, RegionMarker marker) 
     }
     if (!(marker.maxArea >= 0.0) || !std::isfinite(marker.maxArea)) {
         return error("bad-number", "invalid maximum area; expected a number of at least 0");
+    }
+    Diagnostics faults;
+    checkRegions({&marker, 1}, faults);
+    if (!faults.empty()) {
+        return faults;
     }
     Document next = document;
     next.regionMarkers.push_back(marker);
@@ -72,6 +79,20 @@ Result<Document> setRegionArea(const Document &document, std::size_t index, doub
     }
     Document next = document;
     next.regionMarkers[index].maxArea = maxArea;
+    return next;
+}
+
+Result<Document> setRegionSize(const Document &document, std::size_t index, std::optional<PartSize> size) {
+    if (index >= document.regionMarkers.size()) {
+        return noSuchMarker();
+    }
+    const std::string owner = "region '" + regionName(document.regionNames, document.regionMarkers[index].tag) + "'";
+    if (auto fault = partSizeFault(size.value_or(PartSize()), owner, "bad-source")) {
+        return Diagnostics{*std::move(fault)};
+    }
+    Document next = document;
+    next.regionMarkers[index].size = size ? size->size : 0.0;
+    next.regionMarkers[index].growth = size.value_or(PartSize()).growth;
     return next;
 }
 

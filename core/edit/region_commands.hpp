@@ -3,18 +3,22 @@
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace forefront {
 
-// Commands on regions, names and options. Errors: bad-tag, bad-number, no-such-marker, bad-tolerance.
+// Commands on regions, names and options. Errors: bad-tag, bad-number, bad-source, no-such-marker,
+// bad-tolerance.
 
 Result<Document> addRegionMarker(const Document &document, RegionMarker marker);
 Result<Document> moveRegionMarker(const Document &document, std::size_t index, Vec2 to);
 Result<Document> setRegionTag(const Document &document, std::size_t index, std::int32_t tag);
 /// Sets the maximum area of elements in a region; 0: no limit.
 Result<Document> setRegionArea(const Document &document, std::size_t index, double maxArea);
+/// Sets the size and growth of elements in a region; nullopt removes them. Error: bad-source.
+Result<Document> setRegionSize(const Document &document, std::size_t index, std::optional<PartSize> size);
 Result<Document> removeRegionMarker(const Document &document, std::size_t index);
 
 /// Names a boundary tag; an empty name restores the default.

@@ -7,6 +7,21 @@
 
 namespace forefront {
 
+namespace {
+
+/// Gives a marker the sizes of another one that it has not.
+void keepSizes(RegionMarker &marker, const RegionMarker &from) {
+    if (marker.maxArea == 0.0) {
+        marker.maxArea = from.maxArea;
+    }
+    if (marker.size == 0.0) {
+        marker.size = from.size;
+        marker.growth = from.growth;
+    }
+}
+
+} // namespace
+
 Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag) {
     Result<Repaired> repaired = repair(toDomain(document)); // where segments cross, the faces are those after a repair
     if (!repaired) {
@@ -34,8 +49,8 @@ Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag)
         const RegionMarker &marker = document.regionMarkers[k];
         if (faceOf(k) != face) {
             next.regionMarkers.push_back(marker);
-        } else if (filled.maxArea == 0.0) {
-            filled.maxArea = marker.maxArea; // a new tag keeps the face's element size
+        } else {
+            keepSizes(filled, marker); // a new tag keeps the face's element size
         }
     }
     return addRegionMarker(next, filled);

@@ -91,6 +91,7 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
     }
     for (RegionMarker &marker : next.regionMarkers) {
         marker.maxArea *= factor * factor;
+        marker.size *= factor;
     }
     next.curveTolerance *= factor;
     scaleSpacing(next.spacing, map, factor);

@@ -44,7 +44,11 @@ SiteLabel partRule(const SpacingSample &sample) {
 /// since the neighbour of a segment demands nearly the same.
 bool sameRule(const SiteLabel &a, const SiteLabel &b) {
     const bool each = a.reason <= SiteReason::NodeSize; // not made from the whole boundary
-    return a.origin == b.origin && a.reason == b.reason && (a.index == b.index || !each);
+    // The size and the maximum area of a region are one rule.
+    const auto reason = [](const SiteLabel &label) {
+        return label.reason == SiteReason::RegionSize ? SiteReason::RegionEdge : label.reason;
+    };
+    return a.origin == b.origin && reason(a) == reason(b) && (a.index == b.index || !each);
 }
 
 /// Returns the maximum of a site over a box, which is at a corner.

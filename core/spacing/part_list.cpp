@@ -124,7 +124,7 @@ Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     }
     auto regions = RegionPart::build(input.domain, input.minimum);
     if (regions) {
-        regions->addSites(input.gradation, parts.few);
+        regions->addSites(input.gradation, input.givenGradation(), parts.few);
         parts.point<RegionPart>() = std::move(*regions);
     }
     return {};
@@ -174,12 +174,10 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
     {"",
      [](const SpacingSpec &, const Domain &domain) {
          return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),
-                            [](const RegionMarker &marker) { return marker.maxArea > 0.0; });
-     },
-     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) {
-         checkRegionAreas(domain.regionMarkers, faults);
+                            [](const RegionMarker &marker) { return marker.maxArea > 0.0 || marker.size > 0.0; });
      },
      [](const SpacingSpec &, const SpacingSpec &) { return true; }, addRegions},
+     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) { checkRegions(domain.regionMarkers, faults); },
 });
 
 } // namespace

@@ -311,6 +311,21 @@ class Meshing(Case):
         self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r", code=2)
         self.call("mesh", "plate.poly", "-o", "plate.vtu", "--set", "r=1", code=2)
 
+    def test_sizes_of_regions_can_be_set(self):
+        self.write("halves.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.2},
+            "shapes": [{"id": 1, "kind": "polygon", "nodes": [[0, 0], [1, 0], [2, 0], [2, 1], [1, 1], [0, 1]]},
+                       {"id": 2, "kind": "polyline", "use": "constraint", "tag": 2, "nodes": [[1, 0], [1, 1]]}],
+            "regionMarkers": [{"at": [0.5, 0.5], "tag": 2, "size": 0.1, "growth": 0.5}],
+            "parameters": {"h": "0.1"}, "formulas": {"region/0/size": "h"}}""")
+        counts = []
+        for setting in [], ["--set", "h=0.05"], ["--set", "h=0.02"]:
+            self.call("mesh", "halves.json", "-o", "halves.vtu", "--stats", "halves-stats.json", *setting)
+            counts.append(json.loads(self.read("halves-stats.json"))["elements"])
+        self.assertGreater(counts[1], 2 * counts[0])
+        self.assertGreater(counts[2], 4 * counts[1])
+        refused = self.call("mesh", "halves.json", "-o", "halves.vtu", "--set", "h=0", code=1).stderr
+        self.assertIn("invalid size 0 of a region; expected a number above 0", refused)
+
     def test_the_number_of_elements_stays_when_a_parameter_changes_the_length(self):
         self.write("hole.json", """{"format": "forefront", "version": 2, "spacing": {"size": 20, "segmentsPerTurn": 0},
             "shapes": [{"id": 1, "kind": "rectangle", "nodes": [[-99, -99], [99, 99]]},

@@ -58,7 +58,7 @@ Document smallDocument() {
     box.nodes = {{15, 1}, {17, 1}, {15, 2}};
     box.radius = 0.0;
     document.shapes.push_back(std::make_shared<const Shape>(box));
-    document.regionMarkers = {{{1, 1}, 2}};
+    document.regionMarkers = {{{1, 1}, 2, 0.5, 0.25, 0.1}};
     document.boundaryNames = {{2, "b"}};
     document.spacing.size = 0.1;
     document.spacing.expression = "0.1+x*x";

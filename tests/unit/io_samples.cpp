@@ -64,7 +64,7 @@ Document fullDocument() {
           shape(11, ShapeKind::Ellipse, ShapeUse::Boundary, {{2, 2}, {2.2, 2}, {2, 2.1}}, "")}) {
         document.shapes.push_back(std::make_shared<const Shape>(item));
     }
-    document.regionMarkers = {{{0.5, 0.5}, 3}, {{-1e-300, 1e300}, 1}};
+    document.regionMarkers = {{{0.5, 0.5}, 3, 0.0, 0.1, 0.3}, {{-1e-300, 1e300}, 1}};
     document.boundaryNames = {{1, "wall"}, {7, "inlet"}};
     document.regionNames = {{3, "water"}};
     document.spacing.segmentsPerTurn = 24.0;

@@ -108,7 +108,7 @@ TEST_CASE("setNumber: every kind of number can be set and is read back") {
     Document document = plate();
     document = *addShape(document, makeShape(ShapeKind::Ellipse, {{5, 5}, {7, 5}, {5, 6}}));
     document = *addShape(document, makeShape(ShapeKind::Polygon, {{8, 0}, {9, 0}, {9, 1}}));
-    document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.0});
+    document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.0, 0.5, 0.1});
     document.spacing.size = document.spacing.gradation = document.spacing.segmentsPerTurn = 1.0;
     document.spacing.elementsAcross = 1.0;
     document.spacing.partSizes[3] = {0.5, 0.1};

@@ -30,7 +30,7 @@ TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; g
     auto tile = std::make_shared<PaintedSpacing::Tile>();
     tile->fill(6.0F);
     document.spacing.paint.tiles[{0, 0}] = tile;
-    document.regionMarkers = {{{12, 10}, 1, 9.0}};
+    document.regionMarkers = {{{12, 10}, 1, 9.0, 0.5, 0.3}};
     document.elementCounts[1] = {7, 0.2};
     document.picture = BackgroundPicture{.file = "/lake.png", .corner = {0, 0}, .size = {40, 20}};
     const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5);
@@ -52,6 +52,8 @@ TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; g
     CHECK((*spacing.paint.tiles.at({0, 0}))[5] == 3.0F);
     CHECK(scaled->regionMarkers[0].at == Vec2{11, 10});
     CHECK(scaled->regionMarkers[0].maxArea == 2.25);
+    CHECK(scaled->regionMarkers[0].size == 0.25);
+    CHECK(scaled->regionMarkers[0].growth == 0.3);
     CHECK(scaled->elementCounts == document.elementCounts);
     CHECK(scaled->picture->corner == Vec2{5, 5});
     CHECK(scaled->picture->size == Vec2{20, 10});

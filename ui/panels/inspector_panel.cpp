@@ -346,6 +346,7 @@ void InspectorPanel::drawMarker(Shell &context, std::uint32_t index) const {
         EditState::apply(context, setRegionArea(document, index, area.value_or(0.0)), "Limit area of region");
     }
     ui::rowTooltip(context, "Maximum area of an element in this region");
+    regionSizeRow(context, index);
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);
     }

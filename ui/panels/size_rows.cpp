@@ -2,6 +2,7 @@
 
 #include "core/edit/element_counts.hpp"
 #include "core/edit/node_sizes.hpp"
+#include "core/edit/region_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "ui/panels/form.hpp"
@@ -56,6 +57,28 @@ void partSizeRow(Shell &context, std::int32_t tag) {
         EditState::apply(context,
                          setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
                          "Change size of boundary part");
+    }
+}
+
+void regionSizeRow(Shell &context, std::uint32_t marker) {
+    const Document &document = *context.document.current();
+    const RegionMarker &region = document.regionMarkers[marker];
+    std::optional<double> size = region.size > 0.0 ? std::optional(region.size) : std::nullopt;
+    double growth = region.growth;
+    const std::string address = "region/" + std::to_string(marker) + '/';
+    form::label(context, "Size, growth");
+    bool changed =
+        form::optionalField(context, "inspector/regionsize", size, "auto", form::halfWidth(context), address + "size");
+    ui::rowTooltip(context, "Largest element size in this region, and its growth per unit of distance outside the "
+                            "region. Leave it empty to use the general size.");
+    ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(!size); // growth has no meaning without a size
+    changed = ui::inputNumber(context, "inspector/regiongrowth", growth, -1.0F, address + "growth") || changed;
+    ImGui::EndDisabled();
+    if (changed) {
+        EditState::apply(context,
+                         setRegionSize(document, marker, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+                         "Change size of region");
     }
 }
 

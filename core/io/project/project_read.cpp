@@ -253,7 +253,13 @@ class ProjectReader {
             if (const auto area = item.find("maxArea")) {
                 marker.maxArea = check_.notNegative(*area, "the maximum area of a region marker");
             }
-            check_.noteUnknown(item, {"at", "tag", "maxArea"});
+            if (const auto size = item.find("size")) {
+                marker.size = check_.positive(*size, "the size of a region marker");
+            }
+            if (const auto growth = item.find("growth")) {
+                marker.growth = check_.notNegative(*growth, "the growth of a region marker");
+            }
+            check_.noteUnknown(item, {"at", "tag", "maxArea", "size", "growth"});
             document_.regionMarkers.push_back(marker);
             markerOffsets_.push_back(item.offset());
         }

@@ -81,6 +81,12 @@ class ProjectWriter {
                 out_ << ", \"maxArea\": ";
                 out_.number(marker.maxArea);
             }
+            if (marker.size != 0.0) {
+                out_ << ", \"size\": ";
+                out_.number(marker.size);
+                out_ << ", \"growth\": ";
+                out_.number(marker.growth);
+            }
             out_ << '}';
         });
         out_ << ']';

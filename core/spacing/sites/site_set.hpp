@@ -16,6 +16,7 @@ enum class SiteReason : std::uint8_t {
     BackgroundEdge, ///< reach of a background mesh
     ExpressionEdge, ///< reach of an expression steeper than the gradation
     RegionEdge,     ///< reach of a region with a maximum area; index: of the region marker
+    RegionSize,     ///< size of a region; index: of the region marker
     PartSize,       ///< size of a boundary part; index: its tag
     NodeSize,       ///< size of a node; index into Domain::nodeSizes
     SegmentLength,  ///< index: of the domain segment

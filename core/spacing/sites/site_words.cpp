@@ -26,6 +26,8 @@ std::string describe(const SiteLabel &label, const SiteWords &words) {
     switch (label.reason) {
     case SiteReason::Source:
         return sourceWords(words, label.index);
+    case SiteReason::RegionSize:
+        return "size of region '" + words.regions[label.index] + "'";
     case SiteReason::PartSize:
         return "size of '" + words.parts.at(label.index) + "'";
     case SiteReason::NodeSize:

@@ -82,12 +82,12 @@ struct BackgroundMesh {
 
 /// The node spacing function ρ(x, y) as data, part of the document.
 ///
-/// The given parts, and the maximum areas of the domain's region markers, are combined by minimum, clamped to [minimum,
-/// maximum], then limited so that |∇ρ| <= gradation. Paint that replaces other rules stands in place of all of them but
-/// sizes of boundary parts and nodes, lengths of boundary segments and region areas. Where nothing covers the whole
-/// domain (no size, expression, gradient, source or boundary lengths), automatic spacing applies: from boundary
-/// lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint, sizes of parts, region
-/// areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
+/// The given parts, and the sizes and maximum areas of the domain's region markers, are combined by minimum, clamped to
+/// [minimum, maximum], then limited so that |∇ρ| <= gradation. Paint that replaces other rules stands in place of all of
+/// them but sizes of boundary parts, nodes and regions, lengths of boundary segments and region areas. Where nothing
+/// covers the whole domain (no size, expression, gradient, source or boundary lengths), automatic spacing applies: from
+/// boundary lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint, sizes of parts
+/// and regions, region areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
 struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"

@@ -124,18 +124,25 @@ void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults) {
     }
 }
 
-void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults) {
+void checkRegions(std::span<const RegionMarker> markers, Diagnostics &faults) {
     for (std::uint32_t i = 0; i < markers.size(); ++i) {
-        if (!isNotNegative(markers[i].maxArea)) {
-            Diagnostics fault =
-                error("bad-region-area",
-                      "invalid maximum area " + text(markers[i].maxArea) + " of a region; expected a number above 0",
-                      "set it to 0 for no limit");
-            fault.front().parts = {{DomainPartKind::RegionMarker, i}};
+        const auto add = [&](Diagnostic fault) {
+            fault.parts = {{DomainPartKind::RegionMarker, i}};
             if (isFinite(markers[i].at)) {
-                fault.front().at = markers[i].at;
+                fault.at = markers[i].at;
             }
-            faults.push_back(std::move(fault.front()));
+            faults.push_back(std::move(fault));
+        };
+        if (!isNotNegative(markers[i].maxArea)) {
+            add(error("bad-region-area",
+                      "invalid maximum area " + text(markers[i].maxArea) + " of a region; expected a number above 0",
+                      "set it to 0 for no limit")
+                    .front());
+        }
+        const std::string owner = "region " + std::to_string(markers[i].tag);
+        const bool none = markers[i].size == 0.0;
+        if (auto fault = partSizeFault({none ? 1.0 : markers[i].size, markers[i].growth}, owner, "bad-source")) {
+            add(*std::move(fault));
         }
     }
 }

@@ -31,8 +31,8 @@ void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &
 /// Checks the sizes of nodes. Faults: bad-source, with the place if it is finite.
 void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults);
 
-/// Checks the maximum areas of region markers. Faults: bad-region-area, with the marker as part.
-void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults);
+/// Checks the sizes and maximum areas of region markers. Faults: bad-source, bad-region-area, with the marker as part.
+void checkRegions(std::span<const RegionMarker> markers, Diagnostics &faults);
 
 /// Checks that the number of segments per turn is absent, or finite and >= 0. Fault: bad-size.
 void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults);

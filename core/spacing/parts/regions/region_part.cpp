@@ -17,21 +17,19 @@ double heightAt(Vec2 a, Vec2 b, double x) {
     return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
 }
 
-/// Returns the marker with the smallest maximum area in each face, or kNoIndex.
-std::vector<std::uint32_t> tightestMarkers(const Domain &domain, const DomainGraph &graph, const Faces &faces) {
-    std::vector<std::uint32_t> markers(faces.count, kNoIndex);
-    for (std::uint32_t m = 0; m < graph.regionMarker.size(); ++m) {
+/// Returns the face of each region marker of a domain, or kNoIndex outside all bounded faces.
+std::vector<std::uint32_t> facesOfMarkers(const DomainGraph &graph, const Faces &faces) {
+    std::vector<std::uint32_t> list(graph.regionMarker.size(), kNoIndex);
+    for (std::size_t m = 0; m < list.size(); ++m) {
         const std::uint32_t point = graph.regionMarker[m];
         const std::uint32_t face = point != kNoIndex ? faces.ofPoint[point] : kNoIndex;
-        if (face == kNoIndex || face == 0 || !(domain.regionMarkers[m].maxArea > 0.0)) {
-            continue;
-        }
-        const std::uint32_t known = markers[face];
-        if (known == kNoIndex || domain.regionMarkers[m].maxArea < domain.regionMarkers[known].maxArea) {
-            markers[face] = m;
-        }
+        list[m] = face == 0 ? kNoIndex : face;
     }
-    return markers;
+    return list;
+}
+
+bool limitsSpacing(const RegionMarker &marker) {
+    return marker.maxArea > 0.0 || marker.size > 0.0;
 }
 
 } // namespace
@@ -40,10 +38,38 @@ double spacingForArea(double maxArea) {
     return std::sqrt(kAreaShare * maxArea * 4.0 / std::sqrt(3.0));
 }
 
+/// Collects the limits of the faces from the markers in them. Returns the limit of each face, or kNoIndex.
+std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionMarker> markers,
+                                                  std::span<const std::uint32_t> faceOfMarker, std::size_t faces) {
+    std::vector<Limit> limitOfFace(faces);
+    for (std::uint32_t m = 0; m < markers.size(); ++m) {
+        const RegionMarker &marker = markers[m];
+        if (faceOfMarker[m] == kNoIndex) {
+            continue;
+        }
+        Limit &limit = limitOfFace[faceOfMarker[m]];
+        if (marker.maxArea > 0.0 && spacingForArea(marker.maxArea) < limit.area.size) {
+            limit.area = {spacingForArea(marker.maxArea), marker.maxArea, limit.area.growth, m};
+        }
+        if (marker.size > 0.0 && marker.size < limit.size.size) {
+            limit.size = {marker.size, marker.size, marker.growth, m};
+        }
+    }
+    std::vector<std::uint32_t> limitOf(faces, kNoIndex);
+    for (std::uint32_t face = 0; face < faces; ++face) {
+        Limit &limit = limitOfFace[face];
+        limit.least = std::max(std::min(limit.size.size, limit.area.size), raised_);
+        if (limit.least < std::numeric_limits<double>::infinity()) {
+            limitOf[face] = static_cast<std::uint32_t>(limits_.size());
+            limits_.push_back(limit);
+            minimum_ = std::min(minimum_, limit.least);
+        }
+    }
+    return limitOf;
+}
+
 std::optional<RegionPart> RegionPart::build(const Domain &domain, double minimum) {
-    const bool limited = std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),
-                                     [](const RegionMarker &marker) { return marker.maxArea > 0.0; });
-    if (!limited) {
+    if (!std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(), limitsSpacing)) {
         return std::nullopt;
     }
     const DomainGraph graph = graphOf(domain);
@@ -52,17 +78,10 @@ std::optional<RegionPart> RegionPart::build(const Domain &domain, double minimum
         return std::nullopt;
     }
     const Faces faces = findFaces(graph.points, graph.edges, sweep);
-    const std::vector<std::uint32_t> markers = tightestMarkers(domain, graph, faces);
     RegionPart part;
-    std::vector<std::uint32_t> limitOf(faces.count, kNoIndex);
-    for (std::uint32_t face = 0; face < faces.count; ++face) {
-        if (markers[face] != kNoIndex) {
-            limitOf[face] = static_cast<std::uint32_t>(part.limits_.size());
-            const double area = domain.regionMarkers[markers[face]].maxArea;
-            part.limits_.push_back({std::max(spacingForArea(area), minimum), area, markers[face]});
-            part.minimum_ = std::min(part.minimum_, part.limits_.back().size);
-        }
-    }
+    part.raised_ = minimum;
+    const std::vector<std::uint32_t> limitOf =
+        part.takeLimits(domain.regionMarkers, facesOfMarkers(graph, faces), faces.count);
     std::vector<Box2> boxes;
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
         Wall wall{graph.points[graph.edges[e].a], graph.points[graph.edges[e].b], limitOf[faces.left[e]],
@@ -109,19 +128,55 @@ std::uint32_t RegionPart::faceAt(Vec2 p) const {
     return first != nullptr ? first->below : kNoIndex;
 }
 
-SpacingSample RegionPart::sample(Vec2 p, const SiteWords &words) const {
-    const Limit &limit = limits_[faceAt(p)];
-    return {limit.size, SpacingOrigin::Region, limit.marker,
-            "maximum area " + numberText(limit.area, 4) + " of region '" + words.regions[limit.marker] + "'"};
+SpacingRunnerUp RegionPart::described(const Rule &rule, bool size, const SiteWords &words) const {
+    const std::string of = " of region '" + words.regions[rule.marker] + "'";
+    return {std::max(rule.size, raised_), size ? "size" + of : "maximum area " + numberText(rule.given, 4) + of};
 }
 
-void RegionPart::addSites(double gradation, SiteSet &sites) const {
+SpacingSample RegionPart::sample(Vec2 p, const SiteWords &words) const {
+    const Limit &limit = limits_[faceAt(p)];
+    const bool bySize = limit.size.size <= limit.area.size;
+    const Rule &rule = bySize ? limit.size : limit.area, &other = bySize ? limit.area : limit.size;
+    SpacingSample sample{limit.least, SpacingOrigin::Region, rule.marker, described(rule, bySize, words).describe};
+    if (other.marker != kNoIndex) {
+        sample.runnerUp = described(other, !bySize, words);
+    }
+    return sample;
+}
+
+void RegionPart::addSites(double gradation, double givenGradation, SiteSet &sites) const {
+    struct Reach {
+        const Rule *rule;
+        double growth;
+        bool size;
+    };
+    std::vector<Reach> rules;
     for (const Wall &wall : walls_) {
-        const bool fromAbove =
-            wall.below == kNoIndex || (wall.above != kNoIndex && limits_[wall.above].size < limits_[wall.below].size);
-        const Limit &limit = limits_[fromAbove ? wall.above : wall.below];
-        sites.add(SizeSite::segment(wall.a, wall.b, limit.size, gradation),
-                  {SpacingOrigin::Region, SiteReason::RegionEdge, limit.marker});
+        rules.clear();
+        for (const std::uint32_t side : {wall.below, wall.above}) {
+            if (side != kNoIndex) {
+                const Limit &limit = limits_[side];
+                rules.push_back({&limit.area, gradation, false});
+                rules.push_back({&limit.size, std::min(limit.size.growth, givenGradation), true});
+            }
+        }
+        std::stable_sort(rules.begin(), rules.end(),
+                         [](const Reach &a, const Reach &b) { return a.rule->size < b.rule->size; });
+        double gentlest = std::numeric_limits<double>::infinity(); // of finer rules, which hide those that grow more
+        for (const Reach &reach : rules) {
+            const Rule &rule = *reach.rule;
+            if (rule.marker == kNoIndex || !(reach.growth < gentlest)) {
+                continue;
+            }
+            gentlest = reach.growth;
+            if (reach.size) {
+                sites.add(limited(SizeSite::segment(wall.a, wall.b, rule.size, reach.growth), raised_, reach.growth),
+                          {SpacingOrigin::Region, SiteReason::RegionSize, rule.marker});
+            } else {
+                sites.add(SizeSite::segment(wall.a, wall.b, std::max(rule.size, raised_), reach.growth),
+                          {SpacingOrigin::Region, SiteReason::RegionEdge, rule.marker});
+            }
+        }
     }
 }
 

@@ -1,0 +1,230 @@
+#include "core/edit/formulas.hpp"
+#include "core/edit/insert_document.hpp"
+#include "core/edit/number_address.hpp"
+#include "core/edit/region_commands.hpp"
+#include "core/edit/region_fill.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/grid/grid_kind.hpp"
+#include "core/io/files.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "core/spacing/parts/regions/region_part.hpp"
+#include "core/spacing/spacing_field.hpp"
+#include "tests/support/domain_builder.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::edit_test;
+using forefront::testing::DomainBuilder;
+using forefront::testing::RandomSource;
+
+namespace {
+
+/// A rectangle of 2 x 1 that a line divides into region 1, "left", and region 2, "right".
+Domain halves(RegionMarker left, RegionMarker right) {
+    DomainBuilder builder;
+    builder.loop({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, 1);
+    builder.segment(1, 4, 2, SegmentRole::Constraint);
+    left.at = {0.5, 0.5};
+    right.at = {1.5, 0.5};
+    builder.domain.regionMarkers = {left, right};
+    builder.domain.regionNames = {{1, "left"}, {2, "right"}};
+    return builder.domain;
+}
+
+RegionMarker sized(std::int32_t tag, double size, double growth, double maxArea = 0.0) {
+    return {{}, tag, maxArea, size, growth};
+}
+
+std::shared_ptr<const SpacingField> fieldOf(const SpacingSpec &spec, const Domain &domain) {
+    const auto field = SpacingField::build(spec, domain);
+    REQUIRE(field.ok());
+    return *field;
+}
+
+SpacingSpec coarse() {
+    SpacingSpec spec;
+    spec.size = 1.0;
+    return spec;
+}
+
+/// Returns the mean length of the edges of elements whose centre has an x between two bounds.
+double meanEdge(const Mesh &mesh, double from, double to) {
+    double sum = 0.0, count = 0.0;
+    for (const Element &e : mesh.elements) {
+        const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
+        const double x = (a.x + b.x + c.x) / 3.0;
+        if (x >= from && x < to) {
+            sum += distance(a, b) + distance(b, c) + distance(c, a);
+            count += 3.0;
+        }
+    }
+    REQUIRE(count > 0.0);
+    return sum / count;
+}
+
+} // namespace
+
+TEST_CASE("Region size: the size is constant in its region, grows outside by its growth, and is named") {
+    const auto field = fieldOf(coarse(), halves(sized(1, 0.02, 0.5), sized(2, 0.1, 0.2)));
+    for (const Vec2 p : {Vec2{0.5, 0.5}, Vec2{0.01, 0.99}, Vec2{0.99, 0.01}, Vec2{1, 0.5}, Vec2{0, 0.5}}) {
+        CHECK(field->at(p) == doctest::Approx(0.02));
+    }
+    CHECK(field->at({1.04, 0.5}) == doctest::Approx(0.04));
+    CHECK(field->at({1.5, 0.5}) == doctest::Approx(0.1));
+    CHECK(field->sample({0.5, 0.5}).origin == SpacingOrigin::Region);
+    CHECK(field->sample({0.5, 0.5}).describe == "size of region 'left'");
+    CHECK(field->sample({1.04, 0.5}).describe == "size of region 'left'");
+    REQUIRE(field->sample({1.04, 0.5}).runnerUp.has_value());
+    CHECK(field->sample({1.04, 0.5}).runnerUp->describe == "size of region 'right'");
+    CHECK(field->sample({1.5, 0.5}).describe == "size of region 'right'");
+}
+
+TEST_CASE("Region size: two regions are meshed with their sizes, the same with every grid and number of threads") {
+    MeshingJob job{halves(sized(1, 0.02, 0.1), sized(2, 0.1, 0.2)), coarse(), {}};
+    const auto mesh = meshDomain(job);
+    REQUIRE(mesh.ok());
+    CHECK(meanEdge(mesh->mesh, 0.0, 0.95) == doctest::Approx(0.02).epsilon(0.05));
+    // At a distance d from the interface, the size is 0.02 + 0.1 d.
+    for (const double d : {0.1, 0.3, 0.5}) {
+        CHECK(meanEdge(mesh->mesh, 0.95 + d, 1.05 + d) == doctest::Approx(0.02 + 0.1 * d).epsilon(0.1));
+    }
+    job.domain = halves(sized(1, 0.02, 1.0), sized(2, 0.1, 0.2));
+    const auto steep = meshDomain(job);
+    REQUIRE(steep.ok());
+    CHECK(meanEdge(steep->mesh, 1.4, 2.0) == doctest::Approx(0.1).epsilon(0.1));
+    for (const GridKind grid : valuesOf<GridKind>()) {
+        for (const int threads : {1, 2, 3}) {
+            CAPTURE(wordOf(grid));
+            CAPTURE(threads);
+            job.options.grid = grid;
+            job.options.threads = threads;
+            const auto other = meshDomain(job);
+            REQUIRE(other.ok());
+            REQUIRE(other->mesh.nodes == steep->mesh.nodes);
+            REQUIRE(other->mesh.elements == steep->mesh.elements);
+        }
+    }
+}
+
+TEST_CASE("Region size: every point gets the smallest spacing of the regions, their areas and their growths") {
+    RandomSource random(3);
+    for (int round = 0; round < 40; ++round) {
+        const auto any = [&](std::int32_t tag) {
+            return sized(tag, random.integer(0, 3) == 0 ? 0.0 : random.between(0.02, 0.3), random.between(0.0, 1.0),
+                         random.integer(0, 1) == 0 ? 0.0 : random.between(0.001, 0.05));
+        };
+        const RegionMarker left = any(1), right = any(2);
+        SpacingSpec spec;
+        spec.size = 1.0;
+        spec.minimum = random.between(0.01, 0.05);
+        const auto field = fieldOf(spec, halves(left, right));
+        for (int k = 0; k < 50; ++k) {
+            const Vec2 p{random.between(0.0, 2.0), random.between(0.0, 1.0)};
+            double expected = 1.0;
+            for (const auto &[region, d] :
+                 {std::pair{left, std::max(0.0, p.x - 1.0)}, std::pair{right, std::max(0.0, 1.0 - p.x)}}) {
+                if (region.size > 0.0) {
+                    expected = std::min(expected, std::max(*spec.minimum, region.size + region.growth * d));
+                }
+                if (region.maxArea > 0.0) {
+                    const double size = std::max(*spec.minimum, spacingForArea(region.maxArea));
+                    expected = std::min(expected, size + 0.25 * d);
+                }
+            }
+            CAPTURE(round);
+            CAPTURE(p.x);
+            REQUIRE(field->at(p) == doctest::Approx(expected).epsilon(1e-9));
+            const SpacingSample sample = field->sample(p);
+            REQUIRE(sample.rho == doctest::Approx(expected).epsilon(1e-9));
+        }
+    }
+}
+
+TEST_CASE("Region size: beside a maximum area the finer one wins, and the other is the runner-up") {
+    const double areaSize = spacingForArea(0.001);
+    const auto byArea = fieldOf(coarse(), halves(sized(1, 2.0 * areaSize, 0.2, 0.001), sized(2, 0.0, 0.2)));
+    SpacingSample sample = byArea->sample({0.5, 0.5});
+    CHECK(sample.describe == "maximum area 0.001 of region 'left'");
+    REQUIRE(sample.runnerUp.has_value());
+    CHECK(sample.runnerUp->describe == "size of region 'left'");
+    const auto bySize = fieldOf(coarse(), halves(sized(1, 0.5 * areaSize, 0.2, 0.001), sized(2, 0.0, 0.2)));
+    sample = bySize->sample({0.5, 0.5});
+    CHECK(sample.describe == "size of region 'left'");
+    CHECK(sample.runnerUp->describe == "maximum area 0.001 of region 'left'");
+}
+
+TEST_CASE("Region size: a given gradation limits the growth") {
+    SpacingSpec spec;
+    spec.size = 0.5;
+    spec.gradation = 0.1;
+    const auto field = fieldOf(spec, halves(sized(1, 0.02, 0.8), sized(2, 0.0, 0.2)));
+    CHECK(field->at({1.5, 0.5}) == doctest::Approx(0.07));
+}
+
+TEST_CASE("Region size: commands set, check and remove it, and fillRegion keeps it") {
+    Document document = *addShape({}, square({0, 0}, 10));
+    document = *addRegionMarker(document, {{5, 5}, 2});
+    const auto set = setRegionSize(document, 0, PartSize{0.5, 0.1});
+    REQUIRE(set.ok());
+    CHECK(set->regionMarkers[0] == RegionMarker{{5, 5}, 2, 0.0, 0.5, 0.1});
+    CHECK(setRegionSize(*set, 0, std::nullopt)->regionMarkers == document.regionMarkers);
+    const auto refused = setRegionSize(document, 0, PartSize{-1.0, 0.1});
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.faults().front().code == "bad-source");
+    CHECK(refused.faults().front().message == "region 'region_2' has the size -1; expected a number above 0");
+    CHECK_FALSE(setRegionSize(document, 0, PartSize{1.0, -0.5}).ok());
+    CHECK(setRegionSize(document, 1, std::nullopt).faults().front().code == "no-such-marker");
+    CHECK_FALSE(addRegionMarker(document, {{5, 5}, 2, 0.0, -1.0}).ok());
+    const Document filled = *fillRegion(*set, {1, 1}, 7);
+    REQUIRE(filled.regionMarkers.size() == 1);
+    CHECK(filled.regionMarkers[0] == RegionMarker{{1, 1}, 7, 0.0, 0.5, 0.1});
+    const Document inserted = insertDrawing({}, *set, 2.0, nullptr);
+    CHECK(inserted.regionMarkers[0] == RegionMarker{{10, 10}, 2, 0.0, 1.0, 0.1});
+
+    const auto faulty = SpacingField::build({}, halves(sized(1, -0.5, 0.2), sized(2, 0.0, 0.2)));
+    REQUIRE_FALSE(faulty.ok());
+    CHECK(faulty.faults()[0].code == "bad-source");
+    CHECK(faulty.faults()[0].parts[0].index == 0);
+}
+
+TEST_CASE("Region size: project files keep it, and older ones have none") {
+    Document document;
+    document.regionMarkers = {{{1, 2}, 3, 0.125, 0.25, 0.0}, {{4, 5}, 6}};
+    const std::string text = projectText(document);
+    const auto read = parseProject(text, "test");
+    REQUIRE(read.ok());
+    CHECK(read->regionMarkers == document.regionMarkers);
+    CHECK(text.find("\"size\": 0.25, \"growth\": 0}") != std::string::npos);
+    CHECK(text.find("{\"at\": [4, 5], \"tag\": 6}") != std::string::npos);
+    const auto refused = parseProject("{\"format\": \"forefront\", \"version\": 2, \"shapes\": [],\n"
+                                      "\"regionMarkers\": [{\"at\": [0, 0], \"tag\": 1, \"size\": 0}]}",
+                                      "test");
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.faults().front().line == 2);
+}
+
+TEST_CASE("Region size: formulas set it; they must not set it to 0") {
+    Document document = *setParameters({}, {{"h", "0.5"}});
+    document = *addRegionMarker(document, {{5, 5}, 2, 0.0, 0.5, 0.25});
+    document.formulas = {{"region/0/growth", "h/2"}, {"region/0/size", "h"}};
+    pruneFormulas(document);
+    REQUIRE(document.formulas.size() == 2);
+    const auto finer = overrideParameters(document, {{"h", "0.1"}});
+    REQUIRE(finer.ok());
+    CHECK(finer->regionMarkers[0].size == 0.1);
+    CHECK(finer->regionMarkers[0].growth == 0.05);
+    const auto refused = overrideParameters(document, {{"h", "0"}});
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.faults().front().code == "bad-number");
+    Document none = *setRegionSize(document, 0, std::nullopt);
+    CHECK_FALSE(numberAt(none, "region/0/size").has_value());
+    pruneFormulas(none);
+    CHECK(none.formulas.empty());
+}
