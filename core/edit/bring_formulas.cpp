@@ -126,9 +126,9 @@ std::size_t bringFormulas(Document &document, const Document &from, const Receiv
     std::set<std::string> wanted;
     for (const auto &[old, text] : from.formulas) {
         const std::optional<NumberAddress> address = newAddress(old, items);
-        const double factor = address && address->quantity == "area"     ? scale * scale
-                              : address && address->quantity == "growth" ? 1.0
-                                                                         : scale;
+        const double factor = address && address->quantity == "area" ? scale * scale
+                              : address && (address->quantity == "growth" || address->quantity == "angle") ? 1.0
+                                                                                                           : scale;
         const std::string scaled = timesFactor(text, factor);
         const Result<double> value = evaluateFormula(from, scaled);
         if (address && value && hasValue(document, *address, *value)) {

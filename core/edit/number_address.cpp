@@ -155,10 +155,11 @@ auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.s
     if (what == "endSize") {
         return source.endSize ? &*source.endSize : nullptr;
     }
-    const std::array<std::pair<std::string_view, decltype(&source.size)>, 7> numbers{{{"x", &source.a.x},
+    const std::array<std::pair<std::string_view, decltype(&source.size)>, 8> numbers{{{"x", &source.a.x},
                                                                                       {"y", &source.a.y},
                                                                                       {"x2", &source.b.x},
                                                                                       {"y2", &source.b.y},
+                                                                                      {"angle", &source.angle},
                                                                                       {"radius", &source.radius},
                                                                                       {"size", &source.size},
                                                                                       {"growth", &source.growth}}};
@@ -172,13 +173,12 @@ auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.s
 
 template <class Marker>
 auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.maxArea) {
-    return what == "x" ? &marker.at.x : what == "y" ? &marker.at.y : what == "area" ? &marker.maxArea : nullptr;
     if (what == "size" || what == "growth") {
         return marker.size != 0.0 ? partNumber(marker, what) : nullptr; // without a size there is no growth either
     }
+    return what == "x" ? &marker.at.x : what == "y" ? &marker.at.y : what == "area" ? &marker.maxArea : nullptr;
 }
 
-/// Returns a number of a boundary part, which has a size or a number of elements.
 Status setMarkerNumber(RegionMarker &marker, const std::string &what, double value) {
     if (what == "size" && !(value > 0.0)) { // 0 would mean that there is none
         return error("bad-number", "invalid size " + numberText(value, 6) + " of a region; expected a number above 0");
@@ -198,6 +198,7 @@ Result<Document> checkedRegion(const Document &document, std::uint32_t index) {
     return setRegionArea(document, index, marker.maxArea);
 }
 
+/// Returns a number of a boundary part, which has a size or a number of elements.
 std::optional<double> boundaryNumber(const Document &document, const NumberAddress &address) {
     const std::string &what = address.quantity;
     const auto tag = static_cast<std::int32_t>(address.id);

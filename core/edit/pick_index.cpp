@@ -1,6 +1,7 @@
 #include "core/edit/pick_index.hpp"
 
 #include "core/geometry/polygon.hpp"
+#include "core/spacing/spec/source_box.hpp"
 
 #include <algorithm>
 #include <array>
@@ -218,19 +219,34 @@ std::optional<PickIndex::SourceHit> PickIndex::source(Vec2 p, double tolerance) 
         }
     };
     const std::vector<SizeSource> &sources = document_->spacing.sources;
+    using Part = SourceHit::Part;
     for (std::uint32_t k = 0; k < sources.size(); ++k) {
-        take(distance(p, sources[k].a), {k, SourceHit::Part::A});
+        if (sources[k].shape == SourceShape::Box) {
+            const SourceBox box(sources[k]);
+            constexpr std::array kCorners{Part::A, Part::AfterA, Part::B, Part::AfterB};
+            take(distance(p, box.centre()), {k, Part::Whole});
+            for (std::size_t corner = 0; corner < kCorners.size(); ++corner) {
+                take(distance(p, box.corners()[corner]), {k, kCorners[corner]});
+            }
+            continue;
+        }
+        take(distance(p, sources[k].a), {k, Part::A});
         if (sources[k].shape == SourceShape::Line) {
-            take(distance(p, sources[k].b), {k, SourceHit::Part::B});
+            take(distance(p, sources[k].b), {k, Part::B});
         }
     }
     const bool onEnd = best.has_value();
     // Ends and centres win over lines and rims.
     for (std::uint32_t k = 0; k < sources.size() && !onEnd; ++k) {
         if (sources[k].shape == SourceShape::Line) {
-            take(distanceToSegment(sources[k].a, sources[k].b, p), {k, SourceHit::Part::Whole});
+            take(distanceToSegment(sources[k].a, sources[k].b, p), {k, Part::Whole});
         } else if (sources[k].shape == SourceShape::Circle) {
-            take(std::abs(distance(p, sources[k].a) - sources[k].radius), {k, SourceHit::Part::Rim});
+            take(std::abs(distance(p, sources[k].a) - sources[k].radius), {k, Part::Rim});
+        } else if (sources[k].shape == SourceShape::Box) {
+            const std::array<Vec2, 4> corners = SourceBox(sources[k]).corners();
+            for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+                take(distanceToSegment(corners[corner], corners[(corner + 1) % 4], p), {k, Part::Whole});
+            }
         }
     }
     return best;
@@ -270,7 +286,12 @@ Selection PickIndex::inBox(const Box2 &box, bool handles) const {
     });
     for (std::uint32_t k = 0; k < document_->spacing.sources.size(); ++k) {
         const SizeSource &source = document_->spacing.sources[k];
-        if (box.contains(source.a) && (source.shape != SourceShape::Line || box.contains(source.b))) {
+        const std::array<Vec2, 4> corners = SourceBox(source).corners();
+        const bool inside =
+            source.shape == SourceShape::Box
+                ? std::all_of(corners.begin(), corners.end(), [&](Vec2 corner) { return box.contains(corner); })
+                : box.contains(source.a) && (source.shape != SourceShape::Line || box.contains(source.b));
+        if (inside) {
             selection.sources.insert(k);
         }
     }

@@ -79,7 +79,7 @@ class PickIndex {
     /// A size source near a point (by index), and the part of it that was hit.
     struct SourceHit {
         std::uint32_t source = 0;
-        enum class Part : std::uint8_t { A, B, Whole, Rim } part = Part::A;
+        enum class Part : std::uint8_t { A, B, Whole, Rim, AfterA, AfterB } part = Part::A;
     };
     std::optional<SourceHit> source(Vec2 p, double tolerance) const;
     /// Returns the nearest region marker within the tolerance.

@@ -1,6 +1,5 @@
 #include "core/edit/plane_map.hpp"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,16 +12,6 @@ PlaneMap fixing(Vec2 u, Vec2 v, Vec2 point) {
 }
 
 } // namespace
-
-Vec2 unitVector(double degrees) {
-    const double turn = std::fmod(degrees, 360.0), quarters = turn / 90.0;
-    if (quarters == std::floor(quarters)) {
-        constexpr std::array<Vec2, 4> kAxes = {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
-        return kAxes[static_cast<std::size_t>(static_cast<int>(quarters) + 4) % 4];
-    }
-    const double angle = turn * std::numbers::pi / 180.0;
-    return {std::cos(angle), std::sin(angle)};
-}
 
 PlaneMap PlaneMap::rotation(double degrees, Vec2 about) {
     if (!std::isfinite(degrees)) {

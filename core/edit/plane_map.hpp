@@ -1,11 +1,9 @@
 #pragma once
 
 #include "core/base/vec2.hpp"
+#include "core/geometry/unit_vector.hpp"
 
 namespace forefront {
-
-/// Returns the unit vector at an angle in degrees, counter-clockwise from the x axis; exact for multiples of 90.
-Vec2 unitVector(double degrees);
 
 /// An affine map of the plane: p becomes p.x·u + p.y·v + shift.
 struct PlaneMap {

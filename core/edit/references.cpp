@@ -1,6 +1,7 @@
 #include "core/edit/references.hpp"
 
 #include "core/edit/shape_geometry.hpp"
+#include "core/spacing/spec/source_box.hpp"
 
 #include <algorithm>
 #include <unordered_map>
@@ -138,7 +139,11 @@ Box2 boundsOf(const Document &document, const Selection &selection) {
         if (k < document.spacing.sources.size()) {
             const SizeSource &source = document.spacing.sources[k];
             box.add(boxAround(source.a, source.radius));
-            if (source.shape == SourceShape::Line) {
+            if (source.shape == SourceShape::Box) {
+                for (const Vec2 corner : SourceBox(source).corners()) {
+                    box.add(corner);
+                }
+            } else if (source.shape == SourceShape::Line) {
                 box.add(boxAround(source.b, source.radius));
             }
         }

@@ -6,10 +6,12 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/slot.hpp"
+#include "core/spacing/spec/source_box.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -181,9 +183,15 @@ Status checkCount(double count) {
     return {};
 }
 
+/// Maps a source. A box stays one: its corners a and b are mapped, and its first side takes the direction of its image,
+/// which is exact unless the map shears the box.
 SizeSource mapped(SizeSource source, const PlaneMap &map) {
     source.a = map(source.a);
     source.b = map(source.b);
+    if (source.shape == SourceShape::Box && !map.isTranslation()) {
+        const Vec2 side = unitVector(source.angle), image = side.x * map.u + side.y * map.v;
+        source.angle = boxAngle(std::atan2(image.y, image.x) * 180.0 / std::numbers::pi);
+    }
     source.radius *= map.isTranslation() ? 1.0 : std::sqrt(std::fabs(map.determinant()));
     return source;
 }

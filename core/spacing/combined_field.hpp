@@ -4,6 +4,7 @@
 #include "core/spacing/parts/expression/expression_spacing.hpp"
 #include "core/spacing/parts/paint/painted_part.hpp"
 #include "core/spacing/parts/regions/region_part.hpp"
+#include "core/spacing/parts/sources/box_sources.hpp"
 #include "core/spacing/parts/sources/graded_sources.hpp"
 #include "core/spacing/sites/site_set.hpp"
 #include "core/spacing/sites/site_tree.hpp"
@@ -73,8 +74,9 @@ class FilledBackground {
 /// The parts that are evaluated point by point, as opposed to by sites. Each has at(p), infinite where the part does
 /// not apply, minimum() and maximum() over the domain's box, and sample(p, words). A tuple, so that the compiler
 /// inlines all of them into the hot path.
-using PointParts = std::tuple<std::optional<ExpressionSpacing>, std::optional<FilledBackground>,
-                              std::optional<PaintedPart>, std::optional<RegionPart>, std::optional<GradedSources>>;
+using PointParts =
+    std::tuple<std::optional<ExpressionSpacing>, std::optional<FilledBackground>, std::optional<PaintedPart>,
+               std::optional<RegionPart>, std::optional<GradedSources>, std::optional<BoxSources>>;
 
 /// The ingredients of a combined field. Every part is already clamped and limited, so their minimum is, too.
 struct FieldParts {

@@ -74,6 +74,7 @@ Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
 Diagnostics addSources(const PartInput &input, FieldParts &parts) {
     addSourceSites(input.spec.sources, input.minimum, input.givenGradation(), parts.few);
     parts.point<GradedSources>() = GradedSources::build(input.spec.sources, input.givenGradation(), input.box);
+    parts.point<BoxSources>() = BoxSources::build(input.spec.sources, input.minimum, input.givenGradation(), input.box);
     for (const SizeSource &source : input.spec.sources) {
         parts.words.sources.push_back(source.name);
     }
@@ -176,8 +177,8 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
          return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),
                             [](const RegionMarker &marker) { return marker.maxArea > 0.0 || marker.size > 0.0; });
      },
-     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addRegions},
      [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) { checkRegions(domain.regionMarkers, faults); },
+     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addRegions},
 });
 
 } // namespace

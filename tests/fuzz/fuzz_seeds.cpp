@@ -62,7 +62,8 @@ Document smallDocument() {
     document.boundaryNames = {{2, "b"}};
     document.spacing.size = 0.1;
     document.spacing.expression = "0.1+x*x";
-    document.spacing.sources = {{SourceShape::Line, {0, 0}, {1, 1}, 0.0, 0.1, 0.2, "s"}};
+    document.spacing.sources = {{SourceShape::Line, {0, 0}, {1, 1}, 0.0, 0.1, 0.2, "s"},
+                                {SourceShape::Box, {0, 0}, {1, 1}, 0.0, 0.1, 0.2, "", {}, 30.0}};
     PaintedSpacing::Tile tile{};
     tile[3] = 0.5F;
     document.spacing.paint.tiles.emplace(std::pair(0, -1), std::make_shared<const PaintedSpacing::Tile>(tile));

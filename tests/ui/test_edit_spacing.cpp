@@ -124,6 +124,43 @@ TEST_CASE(
     CHECK(driver.context().preview->spacing->at({4, 7}) == doctest::Approx(0.1));
 }
 
+TEST_CASE("Sources: a box is drawn by a drag or with typed sizes, resized by its corners and moved by its sides") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S');
+    driver.click("options/source/shape/Box");
+    driver.fill("options/source/size", "0.1");
+    driver.dragPlaces({2, 3}, {6, 5});
+    REQUIRE(driver.document().spacing.sources.size() == 1);
+    const auto source = [&]() -> const SizeSource & { return driver.document().spacing.sources[0]; };
+    CHECK(source().shape == SourceShape::Box);
+    CHECK(source().name == "box 1");
+    CHECK(boxOf(source().a, source().b) == Box2{{2, 3}, {6, 5}});
+    driver.settle();
+    CHECK(driver.context().preview->spacing->at({4, 4}) == doctest::Approx(0.1));
+    CHECK(driver.context().preview->spacing->sample({4, 4}).describe == "source 'box 1'");
+    driver.key('V');
+    driver.dragPlaces({6, 3}, {7, 2}); // a corner that is neither end of the drag
+    CHECK(boxOf(source().a, source().b) == Box2{{2, 2}, {7, 5}});
+    CHECK(driver.undoLabel() == "Resize source");
+    driver.dragPlaces({4, 2}, {4, 3}); // a side
+    CHECK(boxOf(source().a, source().b) == Box2{{2, 3}, {7, 6}});
+    CHECK(driver.undoLabel() == "Move source");
+    driver.fill("inspector/angle", "30");
+    CHECK(source().angle == 30.0);
+    driver.fill("inspector/b/x", "2*4");
+    CHECK(source().b.x == 8.0);
+    // Width and height can be typed.
+    driver.key('S');
+    driver.clickPlace({3, 7});
+    driver.type("2");
+    driver.key(key::kTab);
+    driver.type("0.5");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().spacing.sources.size() == 2);
+    CHECK(driver.document().spacing.sources[1].b == Vec2{5, 7.5});
+}
+
 TEST_CASE("Sources: a first source refines automatic spacing near it, and the panel can let it replace the spacing") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 8}, {5.05, 8}, {5.05, 2}, {5, 2}, {5, 8}, {1, 8}}); // with a narrow slit

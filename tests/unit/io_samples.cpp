@@ -73,7 +73,8 @@ Document fullDocument() {
     document.spacing.expression = "max(0.1, \"x\"*x)";
     document.spacing.sources = {{SourceShape::Point, {1, 2}, {}, 0.0, 0.05, 0.3, "head"},
                                 {SourceShape::Line, {1, 2}, {3, 4}, 0.5, 0.05, 0.0, "", 1.0 / 3.0},
-                                {SourceShape::Circle, {1, 2}, {}, 0.25, 0.01, 0.2, "disc"}};
+                                {SourceShape::Circle, {1, 2}, {}, 0.25, 0.01, 0.2, "disc"},
+                                {SourceShape::Box, {1, 2}, {3, 5}, 0.0, 0.01, 0.2, "box", {}, 1.0 / 3.0}};
     document.spacing.keepAutomatic = true;
     document.spacing.paint = paintedPatch();
     document.spacing.background = std::make_shared<const BackgroundMesh>(

@@ -120,7 +120,8 @@ TEST_CASE("setNumber: every kind of number can be set and is read back") {
                              "shape/4/y/2",           "source/0/x",        "source/0/y",
                              "source/0/radius",       "source/0/size",     "source/0/endSize",
                              "source/0/growth",       "region/0/x",        "region/0/y",
-                             "region/0/area",         "part/3/size",       "part/3/growth",
+                             "region/0/area",         "region/0/size",     "region/0/growth",
+                             "source/0/angle",        "part/3/size",       "part/3/growth",
                              "spacing/size",          "spacing/gradation", "spacing/segmentsPerTurn",
                              "spacing/elementsAcross"}) {
         CAPTURE(text);

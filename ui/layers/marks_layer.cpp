@@ -1,6 +1,7 @@
 #include "core/edit/document.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
+#include "core/spacing/spec/source_box.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -24,11 +25,7 @@ class MarksLayer final : public Layer {
         int drawn = 0;
         const std::vector<SizeSource> &sources = frame.document.spacing.sources;
         for (std::size_t k = 0; k < sources.size() && drawn < kMaxSpacingMarks; ++k) {
-            Box2 box = boxAround(sources[k].a, sources[k].radius);
-            if (sources[k].shape == SourceShape::Line) {
-                box.add(boxAround(sources[k].b, sources[k].radius));
-            }
-            if (box.overlaps(visible)) {
+            if (boxOfSource(sources[k]).overlaps(visible)) {
                 drawSource(painter, frame, k, drawn++ < kMaxSpacingLabels);
             }
         }
@@ -48,6 +45,18 @@ class MarksLayer final : public Layer {
     }
 
   private:
+    static Box2 boxOfSource(const SizeSource &source) {
+        Box2 box = boxAround(source.a, source.radius);
+        if (source.shape == SourceShape::Line) {
+            box.add(boxAround(source.b, source.radius));
+        } else if (source.shape == SourceShape::Box) {
+            for (const Vec2 corner : SourceBox(source).corners()) {
+                box.add(corner);
+            }
+        }
+        return box;
+    }
+
     static void drawSource(CanvasPainter &painter, const LayerFrame &frame, std::size_t index, bool labelled) {
         const SizeSource &source = frame.document.spacing.sources[index];
         const Colour colour = frame.theme.brush;
@@ -60,14 +69,21 @@ class MarksLayer final : public Layer {
                                   frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
             }
         }
-        if (source.radius > 0.0) {
+        Vec2 at = source.a;
+        if (source.shape == SourceShape::Box) {
+            const SourceBox box(source);
+            at = box.centre();
+            for (std::size_t k = 0; k < box.corners().size(); ++k) {
+                painter.dashed(box.corners()[k], box.corners()[(k + 1) % 4], fade(colour, 0.8), 1.5);
+            }
+        } else if (source.radius > 0.0) {
             painter.dashedCircle(source.a, source.radius, fade(colour, 0.8), 1.5);
         }
-        painter.dot(source.a, 3.0, colour);
-        painter.ring(source.a, 6.5, fade(colour, 0.8), 1.25);
+        painter.dot(at, 3.0, colour);
+        painter.ring(at, 6.5, fade(colour, 0.8), 1.25);
         if (labelled) {
             const std::string text = ui::format("%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
-            painter.freeLabel(source.a, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
+            painter.freeLabel(at, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
                               frame.fonts.small);
         }
     }

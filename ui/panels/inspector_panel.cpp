@@ -1,16 +1,14 @@
 #include "core/edit/name_commands.hpp"
 #include "core/edit/node_sizes.hpp"
 #include "core/edit/path_commands.hpp"
-#include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
-#include "core/edit/spacing_commands.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/element_count_row.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/geometry_rows.hpp"
+#include "ui/panels/inspector_marks.hpp"
 #include "ui/panels/size_rows.hpp"
-#include "ui/panels/source_growth.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -45,17 +43,8 @@ class InspectorPanel final : public Panel {
     void drawNode(Shell &context, NodeRef ref) const;
     void drawNodeKind(Shell &context, const Shape &shape, NodeRef ref) const;
     void drawSegment(Shell &context, SegmentRef ref) const;
-    void drawSource(Shell &context, std::uint32_t index) const;
-    void drawMarker(Shell &context, std::uint32_t index) const;
     void drawMany(Shell &context) const;
 };
-
-void heading(WidgetContext &context, const std::string &text) {
-    ImGui::PushFont(context.fonts.strong);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopFont();
-    ui::mark(context, "inspector/what");
-}
 
 void changeTag(Shell &context, const BoundaryPart &part, std::int32_t tag) {
     Result<Document> next = setShapeTag(*context.document.current(), part.shapes, tag);
@@ -210,7 +199,7 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
 
 void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
-    heading(context, displayName(shape));
+    inspectorHeading(context, displayName(shape));
     std::string name = shape.name;
     if (form::text(context, "inspector/name", "Shape name", name, kindName(shape).c_str()) && name != shape.name) {
         EditState::apply(context, setShapeName(document, shape.id, name), "Name shape");
@@ -238,7 +227,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     const Shape *shape = findShape(document, ref.shape);
     const std::vector<Vec2> handles = handlesOf(*shape);
     Vec2 at = handles[ref.node];
-    heading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
+    inspectorHeading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
     if (shape->kind == ShapeKind::Slot && !isCentre(*shape, ref.node)) {
         slotWidthRow(context, *shape); // the place of its side follows
     } else if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
@@ -265,7 +254,7 @@ void InspectorPanel::drawNodeKind(Shell &context, const Shape &shape, NodeRef re
 void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     const Document &document = *context.document.current();
     const Shape *shape = findShape(document, ref.shape);
-    heading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
+    inspectorHeading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
     boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
     partSizeRow(context, segmentTag(*shape, ref.segment));
     elementCountRow(context, std::set{ref});
@@ -290,68 +279,6 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     }
 }
 
-void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
-    const Document &document = *context.document.current();
-    SizeSource source = document.spacing.sources[index];
-    heading(context, displayName(source, index));
-    const auto address = [&](const char *quantity) { return "source/" + std::to_string(index) + '/' + quantity; };
-    bool changed = form::text(context, "inspector/name", "Source name", source.name, "pier head");
-    if (source.shape == SourceShape::Line) {
-        changed = form::pair(context, "inspector/a", "From", source.a, {address("x"), address("y")}) || changed;
-        changed = form::pair(context, "inspector/b", "To", source.b, {address("x2"), address("y2")}) || changed;
-    } else {
-        changed = form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Position",
-                             source.a, {address("x"), address("y")}) ||
-                  changed;
-    }
-    changed = form::number(context, "inspector/radius", "Radius", source.radius, address("radius")) || changed;
-    changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size, address("size")) || changed;
-    if (source.shape == SourceShape::Line) {
-        form::label(context, "End size");
-        changed =
-            form::optionalField(context, "inspector/endsize", source.endSize, "same", -1.0F, address("endSize")) ||
-            changed;
-        ui::rowTooltip(context, "Element size at the second end (To). The size changes linearly along the line. Leave "
-                                "empty for the same size everywhere.");
-    }
-    changed = drawSourceGrowth(context, source, address("growth")) || changed;
-    if (changed) {
-        EditState::apply(context, replaceSource(document, index, source), "Change source");
-    }
-    if (ui::button(context, "inspector/delete", "Delete")) {
-        context.actions.run("edit.delete", context);
-    }
-}
-
-void InspectorPanel::drawMarker(Shell &context, std::uint32_t index) const {
-    const Document &document = *context.document.current();
-    const RegionMarker marker = document.regionMarkers[index];
-    heading(context, "Region marker");
-    const auto address = [&](const char *quantity) { return "region/" + std::to_string(index) + '/' + quantity; };
-    Vec2 at = marker.at;
-    if (form::pair(context, "inspector/at", "Position", at, {address("x"), address("y")})) {
-        EditState::apply(context, moveRegionMarker(document, index, at), "Move region marker");
-        return;
-    }
-    std::optional<std::string> rename;
-    std::int32_t tag = marker.tag;
-    if (form::tag(context, "inspector/tag", "Region tag", tag, regionName(document.regionNames, tag), rename)) {
-        EditState::apply(context, setRegionTag(document, index, tag), "Change region");
-    } else if (rename) {
-        EditState::apply(context, nameRegionOf(document, index, *rename), "Name region");
-    }
-    std::optional<double> area = marker.maxArea > 0.0 ? std::optional(marker.maxArea) : std::nullopt;
-    form::label(context, "Max. area");
-    if (form::optionalField(context, "inspector/maxarea", area, "no limit", -1.0F, address("area"))) {
-        EditState::apply(context, setRegionArea(document, index, area.value_or(0.0)), "Limit area of region");
-    }
-    ui::rowTooltip(context, "Maximum area of an element in this region");
-    regionSizeRow(context, index);
-    if (ui::button(context, "inspector/delete", "Delete")) {
-        context.actions.run("edit.delete", context);
-    }
-}
-
 void InspectorPanel::drawMany(Shell &context) const {
     const Selection &selection = context.selection;
     std::string what;
@@ -365,7 +292,7 @@ void InspectorPanel::drawMany(Shell &context) const {
     part(selection.segments.size(), "segment", "segments");
     part(selection.sources.size(), "source", "sources");
     part(selection.markers.size(), "region marker", "region markers");
-    heading(context, what);
+    inspectorHeading(context, what);
     const Document &document = *context.document.current();
     if (!selection.shapes.empty()) {
         const Shape *first = findShape(document, *selection.shapes.begin());
@@ -406,9 +333,9 @@ void InspectorPanel::draw(Shell &context) {
     } else if (!selection.segments.empty()) {
         drawSegment(context, *selection.segments.begin());
     } else if (!selection.sources.empty()) {
-        drawSource(context, *selection.sources.begin());
+        inspectSource(context, *selection.sources.begin());
     } else {
-        drawMarker(context, *selection.markers.begin());
+        inspectRegion(context, *selection.markers.begin());
     }
 }
 

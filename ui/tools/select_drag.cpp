@@ -5,6 +5,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/select_tool.hpp"
+#include "ui/tools/source_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -130,8 +131,11 @@ std::string SelectTool::moveLabel() const {
         return "Move control point";
     case Hit::Kind::Node:
         return moving_.size() > 1 ? "Move nodes" : "Move node";
-    case Hit::Kind::Source:
-        return grabbed_.source.part == PickIndex::SourceHit::Part::Rim ? "Resize source" : "Move source";
+    case Hit::Kind::Source: {
+        const SizeSource &source = start_->spacing.sources[grabbed_.source.source];
+        const bool resizes = grabbed_.source.part == SourcePart::Rim || cornerOfPart(source, grabbed_.source.part);
+        return resizes ? "Resize source" : "Move source";
+    }
     case Hit::Kind::Marker:
         return "Move region marker";
     default:
@@ -140,18 +144,9 @@ std::string SelectTool::moveLabel() const {
 }
 
 Result<Document> SelectTool::moved(Vec2 to) const {
-    using Part = PickIndex::SourceHit::Part;
-    if (grabbed_.kind == Hit::Kind::Source && moving_.size() == 1 && grabbed_.source.part != Part::Whole) {
-        SizeSource source = start_->spacing.sources[grabbed_.source.source];
-        const Part part = grabbed_.source.part;
-        if (part == Part::Rim) {
-            source.radius = distance(source.a, to);
-        } else if (source.shape == SourceShape::Line) {
-            (part == Part::A ? source.a : source.b) = to;
-        } else {
-            source.a = to;
-        }
-        return replaceSource(*start_, grabbed_.source.source, source);
+    if (grabbed_.kind == Hit::Kind::Source && moving_.size() == 1 && grabbed_.source.part != SourcePart::Whole) {
+        const SizeSource &source = start_->spacing.sources[grabbed_.source.source];
+        return replaceSource(*start_, grabbed_.source.source, withMovedPart(source, grabbed_.source.part, to));
     }
     if (grabbed_.kind == Hit::Kind::Control) {
         return moveControl(*start_, grabbed_.control, to, alone_);

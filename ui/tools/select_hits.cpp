@@ -1,6 +1,7 @@
 #include "core/edit/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/select_tool.hpp"
+#include "ui/tools/source_parts.hpp"
 
 namespace forefront {
 
@@ -48,8 +49,7 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.kind = Hit::Kind::Source;
         hit.source = *source;
         const SizeSource &what = index.document().spacing.sources[source->source];
-        using Part = PickIndex::SourceHit::Part;
-        hit.at = source->part == Part::A ? what.a : source->part == Part::B ? what.b : place;
+        hit.at = placeOfPart(what, source->part, place, EditState::reach(context, 8.0));
     } else if (const auto marker = index.marker(place, EditState::reach(context, 9.0)); marker && picks.markers) {
         hit.kind = Hit::Kind::Marker;
         hit.marker = *marker;

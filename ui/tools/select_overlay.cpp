@@ -1,4 +1,5 @@
 #include "core/edit/shape_geometry.hpp"
+#include "core/spacing/spec/source_box.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/select_tool.hpp"
@@ -16,6 +17,14 @@ namespace {
 
 /// Maximum number of handles; more are clutter, and slow to draw.
 constexpr std::size_t kMaxHandles = 4000;
+
+void drawBoxHandles(CanvasPainter &painter, const Theme &theme, const SourceBox &box) {
+    painter.polyline(box.corners(), true, theme.selection, 2.0);
+    for (const Vec2 corner : box.corners()) {
+        painter.handle(corner, 3.5, theme.canvas, theme.selection);
+    }
+    painter.ring(box.centre(), 8.0, theme.selection, 2.0);
+}
 
 } // namespace
 
@@ -77,6 +86,10 @@ void SelectTool::drawSourceHandles(CanvasPainter &painter, Shell &context) const
         const bool chosen = context.selection.sources.contains(k);
         const bool under = over_ && hover_.kind == Hit::Kind::Source && hover_.source.source == k;
         if (!chosen && !under) {
+            continue;
+        }
+        if (source.shape == SourceShape::Box) {
+            drawBoxHandles(painter, theme, SourceBox(source));
             continue;
         }
         painter.ring(source.a, 8.0, theme.selection, 2.0);

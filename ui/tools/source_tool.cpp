@@ -11,6 +11,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -35,17 +36,34 @@ void SourceTool::place(Vec2 at, Shell &context) {
         add(context, at, at);
     } else if (!first_) {
         first_ = at;
-    } else if (at != *first_) {
-        add(context, *first_, at);
+    } else if (const Vec2 second = corner(at); second != *first_) {
+        add(context, *first_, second);
         first_.reset();
     }
+}
+
+/// Returns the second corner of a box where a click is at a place: typed numbers count, and Shift makes a square.
+Vec2 SourceTool::corner(Vec2 at) const {
+    if (shape() != SourceShape::Box || !first_) {
+        return at;
+    }
+    const Vec2 arm = at - *first_;
+    const std::optional<double> width = entry_.value(EntryField::Width), height = entry_.value(EntryField::Height);
+    if (width || height) {
+        return *first_ + Vec2{width.value_or(arm.x), height.value_or(arm.y)};
+    }
+    if (!modifiers_.shift()) {
+        return at;
+    }
+    const double side = std::max(std::abs(arm.x), std::abs(arm.y));
+    return *first_ + Vec2{std::copysign(side, arm.x), std::copysign(side, arm.y)};
 }
 
 void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     SizeSource source;
     source.shape = shape();
     source.a = a;
-    source.b = source.shape == SourceShape::Line ? b : a;
+    source.b = source.shape == SourceShape::Line || source.shape == SourceShape::Box ? b : a;
     source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
     source.size = size(context, a);
     state_->sourceSize = source.size; // or the next one nearby would be four times finer
@@ -55,6 +73,7 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     const std::size_t number = context.document.current()->spacing.sources.size() + 1;
     source.name = (source.shape == SourceShape::Point  ? "point "
                    : source.shape == SourceShape::Line ? "line "
+                   : source.shape == SourceShape::Box  ? "box "
                                                        : "disc ") +
                   std::to_string(number);
     Result<Document> next = addSource(*context.document.current(), source);
@@ -90,7 +109,16 @@ void SourceTool::keepSourceFormulas(Document &document, const SizeSource &source
 
 std::span<const EntryField> SourceTool::entryFields() const {
     static constexpr std::array kRadius{EntryField::Radius};
+    static constexpr std::array kSize{EntryField::Width, EntryField::Height};
+    if (first_ && shape() == SourceShape::Box) {
+        return kSize;
+    }
     return first_ && shape() == SourceShape::Circle ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
+}
+
+Vec2 SourceTool::typedPlace(const TypedPair &pair) const {
+    // A pair typed after the first corner is width and height.
+    return first_ && shape() == SourceShape::Box ? *first_ + pair.value : DrawingTool::typedPlace(pair);
 }
 
 void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
@@ -101,14 +129,20 @@ void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const double rho = size(context, first_.value_or(pointer_.at));
     if (first_) {
         painter.dot(*first_, 4.0, theme.brush);
-        if (shape() == SourceShape::Circle) {
+        if (shape() == SourceShape::Box) {
+            painter.fillRectangle(boxOf(*first_, corner(pointer_.at)), fade(theme.brush, 0.12));
+            painter.rectangle(boxOf(*first_, corner(pointer_.at)), theme.brush, 2.0);
+        } else if (shape() == SourceShape::Circle) {
             painter.circle(*first_, distance(*first_, pointer_.at), theme.brush, 2.0);
         } else {
             painter.line(*first_, pointer_.at, theme.brush, 2.0);
         }
     }
     std::string text = "\xcf\x81=" + ui::number(rho, 3);
-    if (first_) {
+    if (first_ && shape() == SourceShape::Box) {
+        const Vec2 size = boxOf(*first_, corner(pointer_.at)).size();
+        text = ui::number(size.x) + " \xc3\x97 " + ui::number(size.y) + "  " + text;
+    } else if (first_) {
         text = (shape() == SourceShape::Circle ? "r=" : "") + ui::number(distance(*first_, pointer_.at)) + "  " + text;
     }
     drawMeasure(painter, context, text);
@@ -116,7 +150,7 @@ void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
 
 void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("shape");
-    if (ui::segmented(context, "options/source/shape", state_->sourceShape, 190.0F)) {
+    if (ui::segmented(context, "options/source/shape", state_->sourceShape, 236.0F)) {
         cancel();
     }
     double shown = size(context, first_.value_or(over_ ? pointer_.at : context.view.camera.centre));
@@ -145,6 +179,9 @@ std::string SourceTool::statusText(const Shell &) const {
     case SourceShape::Circle:
         return first_ ? "Click a point on the circle, or type the radius"
                       : "Drag a disc from its centre; the mesh will be fine inside it";
+    case SourceShape::Box:
+        return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
+                      : "Drag a box; the mesh will be fine inside it. Shift: square";
     }
     return {};
 }

@@ -5,7 +5,7 @@
 
 namespace forefront {
 
-/// Places size sources: points by a click, lines and circles by a drag.
+/// Places size sources: points by a click, lines, circles and boxes by a drag.
 class SourceTool final : public DrawingTool {
   public:
     using DrawingTool::DrawingTool;
@@ -25,10 +25,13 @@ class SourceTool final : public DrawingTool {
     std::span<const EntryField> entryFields() const override;
     void cancel() override { first_.reset(); }
     bool dragPlaces() const override { return true; }
+    bool shiftIsAngle() const override { return shape() != SourceShape::Box; }
+    Vec2 typedPlace(const TypedPair &pair) const override;
 
   private:
     SourceShape shape() const { return state_->sourceShape; }
     double size(const Shell &context, Vec2 at) const;
+    Vec2 corner(Vec2 at) const;
     void add(Shell &context, Vec2 a, Vec2 b);
     /// Lets the numbers of a new source follow the expressions that were typed for them.
     void keepSourceFormulas(Document &document, const SizeSource &source) const;

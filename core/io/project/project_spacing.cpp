@@ -38,6 +38,10 @@ void writeSources(const std::vector<SizeSource> &sources, JsonText &out) {
         }
         out << ", \"growth\": ";
         out.number(source.growth);
+        if (source.angle != 0.0) {
+            out << ", \"angle\": ";
+            out.number(source.angle);
+        }
         out << ", \"name\": " << jsonString(source.name) << '}';
     });
     out << "\n    ]";
@@ -51,8 +55,12 @@ SizeSource readSource(const JsonValue &item, JsonCheck &check) {
     if (const auto a = check.member(item, "a", "the source")) {
         source.a = check.point(*a, "a source");
     }
-    if (const auto b = item.find("b")) {
+    const bool needsB = source.shape == SourceShape::Box;
+    if (const auto b = needsB ? check.member(item, "b", "the box source") : item.find("b")) {
         source.b = check.point(*b, "a source");
+    }
+    if (const auto angle = item.find("angle")) {
+        source.angle = check.number(*angle, "the angle of a source");
     }
     if (const auto radius = item.find("radius")) {
         source.radius = check.notNegative(*radius, "the radius of a source");
@@ -75,7 +83,7 @@ SizeSource readSource(const JsonValue &item, JsonCheck &check) {
     if (const auto geometric = item.find("geometric")) {
         source.geometric = check.flag(*geometric, "\"geometric\" of a source");
     }
-    check.noteUnknown(item, {"shape", "a", "b", "radius", "size", "endSize", "plane", "geometric", "growth", "name"});
+    check.noteUnknown(item, {"shape", "a", "b", "radius", "size", "endSize", "plane", "geometric", "growth", "angle", "name"});
     return source;
 }
 

@@ -18,22 +18,22 @@
 namespace FOREFRONT_API forefront {
 
 /// Shape of a size source.
-enum class SourceShape : std::uint8_t { Point, Line, Circle };
+enum class SourceShape : std::uint8_t { Point, Line, Circle, Box };
 
 template <>
 struct EnumWords<SourceShape> {
-    static constexpr auto kLast = SourceShape::Circle;
-    static constexpr std::array<std::string_view, 3> kList = {"point", "line", "circle"};
+    static constexpr auto kLast = SourceShape::Box;
+    static constexpr std::array<std::string_view, 4> kList = {"point", "line", "circle", "box"};
 };
 
 /// A size source: the spacing is size + growth·d at distance d from the shape.
 struct SizeSource {
     SourceShape shape = SourceShape::Point;
-    Vec2 a; ///< point; first end; centre
-    Vec2 b; ///< second end (Line only)
-    double radius =
-        0.0;           ///< the spacing is `size` within this distance; required for Circle, optional for Point and Line
-    double size = 1.0; ///< > 0
+    Vec2 a; ///< point; first end; centre; corner of a box
+    Vec2 b; ///< second end (Line); opposite corner (Box)
+    /// The spacing is `size` within this distance; required for Circle, optional for the others.
+    double radius = 0.0;
+    double size = 1.0;   ///< > 0
     double growth = 0.2; ///< >= 0, change of spacing per unit of distance
     std::string name;
     /// Size at b (Line only), > 0. Along the line, the size changes linearly from `size` at a; beside it, the nearest
@@ -43,6 +43,7 @@ struct SizeSource {
     /// changes between the ends, and beyond each it is that of the end. There is no growth.
     bool plane{};
     bool geometric{}; ///< a gradient changes by equal factors, not by equal steps
+    double angle{}; ///< of the sides of a box to the axes, in degrees, counter-clockwise (Box only)
 
     friend bool operator==(const SizeSource &, const SizeSource &) = default;
 };

@@ -76,8 +76,12 @@ void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &fau
         }
         faults.push_back(std::move(diagnostic));
     };
-    if (!isFinite(source.a) || (source.shape == SourceShape::Line && !isFinite(source.b))) {
+    const bool two = source.shape == SourceShape::Line || source.shape == SourceShape::Box;
+    if (!isFinite(source.a) || (two && !isFinite(source.b))) {
         fault("a coordinate that is not finite", "finite numbers");
+    }
+    if (!std::isfinite(source.angle)) {
+        fault("the angle " + text(source.angle), "a finite number of degrees");
     }
     if (!isSize(source.size)) {
         fault("the size " + text(source.size), "a number above 0");

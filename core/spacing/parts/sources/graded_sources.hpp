@@ -12,7 +12,8 @@
 
 namespace forefront {
 
-/// Returns true for a line source with different sizes at its ends and for gradients; other sources are sites.
+/// Returns true for a line source with different sizes at its ends and for gradients. Other sources are sites, boxes
+/// excepted.
 bool isGraded(const SizeSource &source);
 
 /// The line sources with different sizes at their ends.

@@ -19,7 +19,7 @@ SizeSite siteOf(const SizeSource &source) {
 
 void addSourceSites(std::span<const SizeSource> sources, double minimum, double gradation, SiteSet &sites) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (isGraded(sources[i])) {
+        if (isGraded(sources[i]) || sources[i].shape == SourceShape::Box) {
             continue;
         }
         sites.add(limited(siteOf(sources[i]), minimum, gradation),

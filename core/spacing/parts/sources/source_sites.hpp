@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// Adds one site per size source that is not graded, raised to `minimum` and growing by at most `gradation` (infinity:
-/// no limit).
+/// Adds one site per size source that is neither graded nor a box, raised to `minimum` and growing by at most
+/// `gradation` (infinity: no limit).
 void addSourceSites(std::span<const SizeSource> sources, double minimum, double gradation, SiteSet &sites);
 
 } // namespace forefront

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/base/vec2.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace forefront {
+
+/// The rectangle of a box source. A turn by 90 degrees about its centre exchanges its sides, so its angle counts modulo
+/// 90 degrees.
+class SourceBox {
+  public:
+    /// Takes the corners and the angle of a source, whatever its shape is.
+    explicit SourceBox(const SizeSource &source);
+
+    /// Returns the corners in order around the box: SizeSource::a first, SizeSource::b third.
+    std::array<Vec2, 4> corners() const { return corners_; }
+    Vec2 centre() const { return midpoint(corners_[0], corners_[2]); }
+    /// Returns the distance from the box, 0 inside it.
+    double distanceTo(Vec2 p) const;
+
+  private:
+    std::array<Vec2, 4> corners_;
+    Vec2 along_; ///< unit vector of the first side
+    Vec2 half_;  ///< half the lengths of the sides
+};
+
+/// Moves a corner of a box source, by its place in SourceBox::corners(); the opposite corner and the angle stay.
+void moveCorner(SizeSource &source, std::size_t corner, Vec2 to);
+
+/// Returns an angle that gives the same box, in (-45, 45] degrees.
+double boxAngle(double degrees);
+
+} // namespace forefront

@@ -1,0 +1,94 @@
+#include "ui/panels/inspector_marks.hpp"
+
+#include "core/edit/name_commands.hpp"
+#include "core/edit/region_commands.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/panels/size_rows.hpp"
+#include "ui/panels/source_growth.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
+
+#include <imgui.h>
+
+#include <optional>
+
+namespace forefront {
+
+void inspectorHeading(WidgetContext &context, const std::string &text) {
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+    ui::mark(context, "inspector/what");
+}
+
+void inspectSource(Shell &context, std::uint32_t index) {
+    const Document &document = *context.document.current();
+    SizeSource source = document.spacing.sources[index];
+    inspectorHeading(context, displayName(source, index));
+    const auto address = [&](const char *quantity) { return "source/" + std::to_string(index) + '/' + quantity; };
+    bool changed = form::text(context, "inspector/name", "Source name", source.name, "pier head");
+    if (source.shape == SourceShape::Box) {
+        changed = form::pair(context, "inspector/a", "Corner", source.a, {address("x"), address("y")}) || changed;
+        changed = form::pair(context, "inspector/b", "Opposite", source.b, {address("x2"), address("y2")}) || changed;
+        changed = form::number(context, "inspector/angle", "Angle", source.angle, address("angle")) || changed;
+    } else if (source.shape == SourceShape::Line) {
+        changed = form::pair(context, "inspector/a", "From", source.a, {address("x"), address("y")}) || changed;
+        changed = form::pair(context, "inspector/b", "To", source.b, {address("x2"), address("y2")}) || changed;
+    } else {
+        changed = form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Position",
+                             source.a, {address("x"), address("y")}) ||
+                  changed;
+    }
+    if (source.shape != SourceShape::Box || source.radius != 0.0) {
+        changed = form::number(context, "inspector/radius", "Radius", source.radius, address("radius")) || changed;
+    }
+    changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size, address("size")) || changed;
+    if (source.shape == SourceShape::Line) {
+        form::label(context, "End size");
+        changed =
+            form::optionalField(context, "inspector/endsize", source.endSize, "same", -1.0F, address("endSize")) ||
+            changed;
+        ui::rowTooltip(context, "Element size at the second end (To). The size changes linearly along the line. Leave "
+                                "empty for the same size everywhere.");
+    }
+    changed = drawSourceGrowth(context, source, address("growth")) || changed;
+    if (changed) {
+        EditState::apply(context, replaceSource(document, index, source), "Change source");
+    }
+    if (ui::button(context, "inspector/delete", "Delete")) {
+        context.actions.run("edit.delete", context);
+    }
+}
+
+void inspectRegion(Shell &context, std::uint32_t index) {
+    const Document &document = *context.document.current();
+    const RegionMarker marker = document.regionMarkers[index];
+    inspectorHeading(context, "Region marker");
+    const auto address = [&](const char *quantity) { return "region/" + std::to_string(index) + '/' + quantity; };
+    Vec2 at = marker.at;
+    if (form::pair(context, "inspector/at", "Position", at, {address("x"), address("y")})) {
+        EditState::apply(context, moveRegionMarker(document, index, at), "Move region marker");
+        return;
+    }
+    std::optional<std::string> rename;
+    std::int32_t tag = marker.tag;
+    if (form::tag(context, "inspector/tag", "Region tag", tag, regionName(document.regionNames, tag), rename)) {
+        EditState::apply(context, setRegionTag(document, index, tag), "Change region");
+    } else if (rename) {
+        EditState::apply(context, nameRegionOf(document, index, *rename), "Name region");
+    }
+    std::optional<double> area = marker.maxArea > 0.0 ? std::optional(marker.maxArea) : std::nullopt;
+    form::label(context, "Max. area");
+    if (form::optionalField(context, "inspector/maxarea", area, "no limit", -1.0F, address("area"))) {
+        EditState::apply(context, setRegionArea(document, index, area.value_or(0.0)), "Limit area of region");
+    }
+    ui::rowTooltip(context, "Maximum area of an element in this region");
+    regionSizeRow(context, index);
+    if (ui::button(context, "inspector/delete", "Delete")) {
+        context.actions.run("edit.delete", context);
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/edit/pick_index.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace forefront {
+
+using SourcePart = PickIndex::SourceHit::Part;
+
+/// Returns the corner of a box that a part of a source is, as in SourceBox::corners().
+std::optional<std::size_t> cornerOfPart(const SizeSource &source, SourcePart part);
+
+/// Returns the place of the part of a source that was hit at `place`; `reach`: distance at which the centre counts.
+Vec2 placeOfPart(const SizeSource &source, SourcePart part, Vec2 place, double reach);
+
+/// Returns a source with one of its parts moved: an end, a corner, the centre or the rim.
+SizeSource withMovedPart(SizeSource source, SourcePart part, Vec2 to);
+
+} // namespace forefront
