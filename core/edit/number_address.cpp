@@ -190,7 +190,7 @@ Status setMarkerNumber(RegionMarker &marker, const std::string &what, double val
 Result<Document> checkedRegion(const Document &document, std::uint32_t index) {
     const RegionMarker &marker = document.regionMarkers[index];
     if (marker.size != 0.0) {
-        const Result<Document> sized = setRegionSize(document, index, PartSize{marker.size, marker.growth});
+        Result<Document> sized = setRegionSize(document, index, PartSize{marker.size, marker.growth});
         if (!sized) {
             return sized;
         }

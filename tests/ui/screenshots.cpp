@@ -1,3 +1,4 @@
+#include "core/edit/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/picture_spacing.hpp"
 
@@ -39,9 +40,41 @@ void importRings(Driver &driver) {
     context.dialogs.open(std::make_unique<PictureSpacingDialog>(context, "sizes.png", std::move(picture)));
 }
 
+/// Shows a drawing with regions and a box source.
+void showRegions(Driver &driver) {
+    Shell &context = driver.context();
+    context.actions.run("file.new", context);
+    driver.settle();
+    const auto shape = [](ShapeKind kind, ShapeUse use, std::vector<Vec2> nodes) {
+        Shape item;
+        item.kind = kind;
+        item.use = use;
+        item.nodes = std::move(nodes);
+        return item;
+    };
+    constexpr ShapeUse kOutline = ShapeUse::Boundary, kInner = ShapeUse::Constraint;
+    Document drawing =
+        *addShapes({}, {shape(ShapeKind::Polygon, kOutline, {{0, 0}, {5, 0}, {9, 0}, {9, 6}, {5, 6}, {0, 6}}),
+                        shape(ShapeKind::Circle, kOutline, {{2.5, 3}, {3.3, 3}}),
+                        shape(ShapeKind::Circle, kInner, {{2.5, 3}, {4.2, 3}}),
+                        shape(ShapeKind::Polyline, kInner, {{5, 0}, {5.5, 3}, {5, 6}}),
+                        shape(ShapeKind::Rectangle, kInner, {{6.5, 1}, {8, 2.5}})});
+    drawing.regionNames = {{2, "steel"}, {3, "resin"}};
+    drawing.regionMarkers = {{{2.5, 4.3}, 2, 0.0, 0.15}, {{6.5, 4.5}, 3}, {{1, 5.5}, 4}};
+    drawing.spacing.sources = {{SourceShape::Box, {6, 3.2}, {8.2, 5.0}, 0.0, 0.12, 0.2, "wake", {}, 20.0}};
+    drawing.spacing.keepAutomatic = true;
+    context.document.apply(drawing, "Draw");
+    driver.settle();
+    context.actions.run("view.fit", context);
+    showLayer(context.layers, "size", false);
+    context.selection.clear();
+    context.selection.markers = {0};
+}
+
 struct Scene {
     const char *name;
     std::function<void(Driver &)> show;
+    bool hovers = false; ///< the pointer stays where it is
 };
 
 std::vector<Scene> scenes() {
@@ -121,9 +154,25 @@ std::vector<Scene> scenes() {
                  driver.context().run.seek(60);
                  driver.context().actions.run("learn.sides", driver.context());
              }},
-            {"guess", [](Driver &driver) {
+            {"guess",
+             [](Driver &driver) {
                  driver.context().actions.run("learn.sides", driver.context());
                  driver.key('Q');
+             }},
+            {"regions", showRegions},
+            {"regions-values", [](Driver &driver) { showLayer(driver.context().layers, "size", true); }},
+            {"region-tool",
+             [](Driver &driver) {
+                 showLayer(driver.context().layers, "size", false);
+                 driver.click("tool/region");
+                 driver.settle();
+                 driver.moveTo(driver.context().view.camera.toPixel({7.2, 2.0}));
+             },
+             true},
+            {"source-box", [](Driver &driver) {
+                 driver.click("tool/select");
+                 driver.context().selection.clear();
+                 driver.context().selection.sources = {0};
              }}};
 }
 
@@ -143,8 +192,10 @@ TEST_CASE("Screenshots: panels and dialogs" * doctest::skip()) {
             for (const Scene &scene : scenes()) {
                 scene.show(driver);
                 driver.settle();
-                driver.moveTo({4, 790});
-                driver.settle();
+                if (!scene.hovers) {
+                    driver.moveTo({4, 790});
+                    driver.settle();
+                }
                 write(driver.picture(), std::filesystem::path(folder) /
                                             (std::string(scene.name) + (theme == ThemeKind::Dark ? "-dark" : "-light") +
                                              std::to_string(scale) + ".ppm"));

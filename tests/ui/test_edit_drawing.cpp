@@ -430,7 +430,7 @@ TEST_CASE("Shapes: union, difference, intersection, exclusion and divide are one
     CHECK(driver.document().shapes.size() == 1);
 }
 
-TEST_CASE("Regions: a click fills a face, a second click replaces its region, and a click outside is refused") {
+TEST_CASE("Regions: a click fills a face, a second click selects its region, and a click outside is refused") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({3, 3}, {5, 5});
@@ -438,6 +438,7 @@ TEST_CASE("Regions: a click fills a face, a second click replaces its region, an
     driver.clickPlace({2, 2});
     driver.clickPlace({7, 7});
     CHECK(driver.document().regionMarkers.size() == 1);
+    CHECK(driver.context().selection.markers.size() == 1);
     driver.clickPlace({4, 4});
     CHECK(driver.document().regionMarkers.size() == 1);
     CHECK(driver.logHas("region-marker-outside"));

@@ -50,6 +50,8 @@ class CanvasPainter {
     /// Draws text on a rounded plate, `offset` design pixels from the place. Where that would cover another label or a
     /// reserved area, or the edge of the room, it lies on another side of the place. Returns its rectangle in pixels.
     PixelRect label(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    /// Returns the rectangle of a label at an offset, in pixels.
+    PixelRect labelRect(Vec2 at, Pixel offset, std::string_view text, ImFont *font) const;
     /// Draws a label where it covers no other label, no reserved area or line and no edge: at `offset`, otherwise on
     /// the other side of the place, above or below it. Returns false, and draws nothing, if all of these are taken.
     bool freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
@@ -86,7 +88,6 @@ class CanvasPainter {
     /// Adds the points after the first of a polyline along a curve, fine enough in the view to look smooth.
     void addAlong(const Curve &curve, double width, std::vector<Vec2> &points) const;
     void drawLabel(const PixelRect &rect, std::string_view text, Colour colour, Colour plate, ImFont *font, bool free);
-    PixelRect labelRect(Vec2 at, Pixel offset, std::string_view text, ImFont *font) const;
 
     ImDrawList &list_;
     const Camera &camera_;

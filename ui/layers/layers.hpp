@@ -21,6 +21,8 @@ std::unique_ptr<Layer> makeSpacingLayer();
 std::unique_ptr<Layer> makeQualityLayer();
 /// Draws elements and their edges.
 std::unique_ptr<Layer> makeMeshLayer();
+/// Tints the faces that belong to regions.
+std::unique_ptr<Layer> makeRegionsLayer();
 /// Draws the cells of the background grid: those occupied, and those visited in this step.
 std::unique_ptr<Layer> makeGridLayer();
 /// Draws the directed generation front and the base segment AB.

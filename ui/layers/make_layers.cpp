@@ -10,6 +10,7 @@ std::vector<std::unique_ptr<Layer>> makeLayers() {
     layers.push_back(makeLatticeLayer());
     layers.push_back(makeQualityLayer());
     layers.push_back(makeMeshLayer());
+    layers.push_back(makeRegionsLayer());
     layers.push_back(makeGridLayer());
     layers.push_back(makeBoundaryLayer());
     layers.push_back(makeFrontLayer());

@@ -3,6 +3,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "core/spacing/spec/source_box.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/region_label.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -107,8 +108,13 @@ class MarksLayer final : public Layer {
                            std::size_t index, bool labelled) {
         painter.dot(marker.at, 3.5, frame.theme.accent);
         painter.ring(marker.at, 6.0, fade(frame.theme.accent, 0.6), 1.25);
-        if (labelled && painter.freeLabel(marker.at, {10.0, -8.0}, regionName(frame.document.regionNames, marker.tag),
-                                          frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small)) {
+        if (!labelled) {
+            return;
+        }
+        const std::string name = regionName(frame.document.regionNames, marker.tag);
+        if (painter.freeLabel(
+                marker.at, regionLabelOffsets(painter, frame.preview.faces.get(), marker.at, name, frame.fonts.small),
+                name, frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small)) {
             painter.nameLabel("label/region/" + std::to_string(index));
         }
     }

@@ -7,11 +7,13 @@
 #include "ui/panels/size_rows.hpp"
 #include "ui/panels/source_growth.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
 
 #include <imgui.h>
 
+#include <memory>
 #include <optional>
 
 namespace forefront {
@@ -62,10 +64,34 @@ void inspectSource(Shell &context, std::uint32_t index) {
     }
 }
 
+namespace {
+
+/// Draws the area of the face of a region marker, with the colour of the region.
+void areaRow(Shell &context, const RegionMarker &marker) {
+    const std::shared_ptr<const FaceMap> &faces = context.preview->faces;
+    const std::uint32_t face = faces ? faces->faceOf(marker) : kNoIndex;
+    form::label(context, "Area");
+    const float side = ImGui::GetTextLineHeight(),
+                top = ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y;
+    const ImVec2 corner{ImGui::GetCursorScreenPos().x, top};
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + side, corner.y + side}, regionColour(marker.tag),
+                                              context.px(3));
+    ImGui::Dummy({side, 0.0F});
+    ui::mark(context, "inspector/swatch");
+    ImGui::SameLine(0, context.px(8));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(face != kNoIndex ? ui::number(faces->faces()[face].area, 6).c_str() : "not in a face");
+    ui::mark(context, "inspector/area");
+    ui::rowTooltip(context, "Area of the face around the marker, to its curves and without its holes");
+}
+
+} // namespace
+
 void inspectRegion(Shell &context, std::uint32_t index) {
     const Document &document = *context.document.current();
     const RegionMarker marker = document.regionMarkers[index];
-    inspectorHeading(context, "Region marker");
+    inspectorHeading(context, regionName(document.regionNames, marker.tag));
+    areaRow(context, marker);
     const auto address = [&](const char *quantity) { return "region/" + std::to_string(index) + '/' + quantity; };
     Vec2 at = marker.at;
     if (form::pair(context, "inspector/at", "Position", at, {address("x"), address("y")})) {

@@ -42,6 +42,7 @@ struct LayerFrame {
     std::shared_ptr<const SpacingRaster> raster;
     const Selection &selection;
     std::optional<Vec2> pointer;          ///< place under the pointer while it is over the canvas
+    std::optional<Vec2> facePlace;        ///< in the face that the tool points at
     std::optional<std::size_t> candidate; ///< chosen in the table of the explained advance
     const Judgement &judgement;           ///< of the mesh shown now or a moment ago
     std::optional<int> isolatedBin;

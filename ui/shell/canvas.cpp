@@ -177,6 +177,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .raster = raster,
             .selection = context.selection,
             .pointer = context.view.pointer,
+            .facePlace = context.view.facePlace,
             .candidate = chosenCandidate(context.view, context.run.now()),
             .judgement = *context.judgement,
             .isolatedBin = context.view.isolatedBin,

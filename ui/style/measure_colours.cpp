@@ -97,4 +97,8 @@ double mapPosition(Measure measure, const ColourRange &range, double value) {
     return range.position(value);
 }
 
+Colour regionColour(std::int32_t tag) {
+    return mapOf(Measure::Region)(mapPosition(Measure::Region, {}, tag));
+}
+
 } // namespace forefront

@@ -3,6 +3,7 @@
 #include "core/mesh/measures.hpp"
 #include "ui/style/colour_map.hpp"
 
+#include <cstdint>
 #include <span>
 
 namespace forefront {
@@ -22,5 +23,8 @@ MeasureHistogram shownHistogram(Measure measure, std::span<const double> values,
 
 /// Returns the position of a value on the colour map of a measure; may lie outside [0, 1].
 double mapPosition(Measure measure, const ColourRange &range, double value);
+
+/// Returns the colour of a region, also that of its elements.
+Colour regionColour(std::int32_t tag);
 
 } // namespace forefront

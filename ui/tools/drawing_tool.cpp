@@ -33,7 +33,8 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     place_ = event.place;
     modifiers_ = event.modifiers;
     over_ = event.kind != CanvasEvent::Kind::Leave;
-    SnapQuery query = state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control());
+    SnapQuery query =
+        state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control() || !snaps());
     query.anchor = anchor();
     if (query.anchor) {
         query.lines = {*query.anchor};
@@ -41,13 +42,14 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     query.locks = entry_.locks();
     if (const std::optional<TypedPair> pair = entry_.pair()) {
         pointer_ = lockedAt(fitted(typedPlace(*pair)));
-        return;
+    } else {
+        const std::optional<Vec2> own = query.locks.any() || query.off ? std::nullopt : ownSnap(place_, context);
+        pointer_ = own ? Snapped{*own, SnapKind::Node} : snap(*state_->index(context), query);
+        if (const Vec2 fit = fitted(pointer_.at); fit != pointer_.at) {
+            pointer_ = Snapped{fit, SnapKind::None};
+        }
     }
-    const std::optional<Vec2> own = query.locks.any() || query.off ? std::nullopt : ownSnap(place_, context);
-    pointer_ = own ? Snapped{*own, SnapKind::Node} : snap(*state_->index(context), query);
-    if (const Vec2 fit = fitted(pointer_.at); fit != pointer_.at) {
-        pointer_ = Snapped{fit, SnapKind::None};
-    }
+    pointed(context);
 }
 
 bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {

@@ -57,6 +57,8 @@ class DrawingTool : public Tool {
     virtual Vec2 fitted(Vec2 at) { return at; }
     /// Handles a key that has a meaning of its own while a shape is unfinished. Returns false for other keys.
     virtual bool ownKey(int, Shell &) { return false; }
+    /// Called after the pointer has moved or left.
+    virtual void pointed(Shell &) {}
     /// Returns true if Shift constrains the angle; false if Shift has another meaning in this tool.
     virtual bool shiftIsAngle() const { return true; }
     /// Returns false if places do not snap now, so that no snap mark is drawn.

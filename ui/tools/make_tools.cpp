@@ -10,6 +10,7 @@
 #include "ui/tools/picture_tool.hpp"
 #include "ui/tools/point_tool.hpp"
 #include "ui/tools/probe_tool.hpp"
+#include "ui/tools/region_tool.hpp"
 #include "ui/tools/round_tools.hpp"
 #include "ui/tools/select_tool.hpp"
 #include "ui/tools/slot_tool.hpp"

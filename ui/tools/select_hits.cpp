@@ -3,6 +3,8 @@
 #include "ui/tools/select_tool.hpp"
 #include "ui/tools/source_parts.hpp"
 
+#include <algorithm>
+
 namespace forefront {
 
 std::optional<Control> SelectTool::controlAt(Vec2 place, Shell &context) const {
@@ -50,7 +52,7 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.source = *source;
         const SizeSource &what = index.document().spacing.sources[source->source];
         hit.at = placeOfPart(what, source->part, place, EditState::reach(context, 8.0));
-    } else if (const auto marker = index.marker(place, EditState::reach(context, 9.0)); marker && picks.markers) {
+    } else if (const auto marker = markerAt(place, context); marker && picks.markers) {
         hit.kind = Hit::Kind::Marker;
         hit.marker = *marker;
         hit.at = index.document().regionMarkers[*marker].at;
@@ -67,6 +69,24 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.shape = shape;
     }
     return hit;
+}
+
+std::optional<std::uint32_t> SelectTool::markerAt(Vec2 place, Shell &context) const {
+    if (const auto marker = state_->index(context)->marker(place, EditState::reach(context, 9.0))) {
+        return marker;
+    }
+    const Pixel pixel = context.view.camera.toPixel(place);
+    const std::size_t count = context.document.current()->regionMarkers.size();
+    const auto label = std::find_if(markerLabels_.begin(), markerLabels_.end(), [&](const auto &entry) {
+        return entry.first < count && entry.second.contains(pixel);
+    });
+    return label != markerLabels_.end() ? std::optional(label->first) : std::nullopt;
+}
+
+void SelectTool::pointAtFace(Shell &context) const {
+    const std::vector<RegionMarker> &markers = context.document.current()->regionMarkers;
+    const bool points = over_ && hover_.kind == Hit::Kind::Marker && hover_.marker < markers.size();
+    context.view.facePlace = points ? std::optional(markers[hover_.marker].at) : std::nullopt;
 }
 
 bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {

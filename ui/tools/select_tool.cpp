@@ -23,9 +23,10 @@ CursorShape SelectTool::cursor() const {
     return grabs && mode_ != Mode::Boxing ? CursorShape::Hand : CursorShape::Arrow;
 }
 
-void SelectTool::deactivate(Shell &) {
+void SelectTool::deactivate(Shell &context) {
     mode_ = Mode::Idle;
     over_ = false;
+    pointAtFace(context);
     transform_.end();
     start_.reset();
     startIndex_.reset();
@@ -97,9 +98,11 @@ bool SelectTool::handle(const CanvasEvent &event, Shell &context) {
     case Kind::Hover:
         over_ = true;
         hover_ = hitAt(event.place, context);
+        pointAtFace(context);
         return true;
     case Kind::Leave:
         over_ = false;
+        pointAtFace(context);
         return true;
     case Kind::Press:
         if (event.button == MouseButton::Left) {

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -57,6 +58,12 @@ class SelectTool final : public Tool {
         Vec2 at;
     };
     Hit hitAt(Vec2 place, Shell &context) const;
+    /// Returns the region marker under the pointer, or whose label is there.
+    std::optional<std::uint32_t> markerAt(Vec2 place, Shell &context) const;
+    /// Notes where the labels of region markers are.
+    void noteLabels(const CanvasPainter &painter, const Shell &context);
+    /// Highlights the face of the region marker under the pointer.
+    void pointAtFace(Shell &context) const;
     /// Returns the node near a place. Nodes of shapes that are not selected are not drawn, so they are found only right
     /// at the place.
     std::optional<NodeHit> nodeAt(Vec2 place, const PickIndex::Filter &pickable, Shell &context) const;
@@ -107,6 +114,7 @@ class SelectTool final : public Tool {
     std::vector<Vec2> linesTo_; ///< see linesToNode()
     std::string stroke_, nudgeStroke_;
     TransformHandles transform_;
+    std::vector<std::pair<std::uint32_t, PixelRect>> markerLabels_; ///< as drawn last
 };
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "ui/tools/source_tool.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/formulas.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -97,7 +98,15 @@ void SourceTool::keepSourceFormulas(Document &document, const SizeSource &source
     const PlaceFormula a = formulaOf(source.a), b = formulaOf(source.b);
     keep("x", a.x);
     keep("y", a.y);
-    if (source.shape == SourceShape::Line) {
+    if (source.shape == SourceShape::Box) {
+        const auto far = [&](const std::string &near, double from, EntryField field) {
+            const std::string extent = entry_.expression(field);
+            return extent.empty() ? extent : (near.empty() ? exactText(from) : near) + "+(" + extent + ')';
+        };
+        keep("x2", far(a.x, source.a.x, EntryField::Width));
+        keep("y2", far(a.y, source.a.y, EntryField::Height));
+    }
+    if (source.shape == SourceShape::Line || source.shape == SourceShape::Box) {
         keep("x2", b.x);
         keep("y2", b.y);
     } else if (source.shape == SourceShape::Circle) {
@@ -150,7 +159,7 @@ void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
 
 void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("shape");
-    if (ui::segmented(context, "options/source/shape", state_->sourceShape, 236.0F)) {
+    if (ui::segmented(context, "options/source/shape", state_->sourceShape, 204.0F)) {
         cancel();
     }
     double shown = size(context, first_.value_or(over_ ? pointer_.at : context.view.camera.centre));

@@ -2,6 +2,7 @@
 
 #include "core/boundary/discretise.hpp"
 #include "core/boundary/estimate.hpp"
+#include "core/domain/domain_graph.hpp"
 #include "core/domain/validate.hpp"
 #include "core/edit/document.hpp"
 
@@ -64,6 +65,13 @@ bool DocumentExaminer::busy() const {
            rasterRevision_ != doneRevision_;
 }
 
+namespace {
+
+/// Drawings with more segments and without regions get no map of their faces, which would delay the preview.
+constexpr std::size_t kMaxMapped = 50000;
+
+} // namespace
+
 std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document &document, std::uint64_t revision,
                                                                  SharedSpacing &spacing, const std::stop_token &stop) {
     auto preview = std::make_shared<DocumentPreview>();
@@ -73,7 +81,12 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document 
     if (domain->nodes.empty()) {
         return preview;
     }
-    preview->faults = validate(*domain);
+    DomainFaces faces;
+    preview->faults = validate(*domain, kMaxListedFaults, &faces);
+    const bool valid = preview->faults.empty();
+    if (domain->segments.size() <= kMaxMapped || !domain->regionMarkers.empty()) {
+        preview->faces = valid ? std::make_shared<const FaceMap>(domain, faces) : repairedFaceMap(*domain, stop);
+    }
     Progress progress;
     progress.stop = stop;
     Result<std::shared_ptr<const SpacingField>> field = spacing.get(spacingOf(document), *domain, progress);
@@ -84,7 +97,8 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document 
     preview->spacing = *field;
     if (!hasErrors(preview->faults)) {
         // The estimate needs only the faces, so the segments are not divided.
-        if (const Result<DiscreteDomain> outline = discretise(*domain, **field, true, progress)) {
+        if (const Result<DiscreteDomain> outline =
+                discretise(*domain, **field, true, progress, valid ? &faces : nullptr)) {
             preview->estimatedElements = estimateElements(*outline, **field);
         }
     }

@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.hpp"
 #include "core/domain/domain.hpp"
+#include "core/edit/face_map.hpp"
 #include "core/spacing/shared_spacing.hpp"
 
 #include <condition_variable>
@@ -25,6 +26,7 @@ struct DocumentPreview {
     std::shared_ptr<const Domain> domain;
     std::shared_ptr<const SpacingField> spacing; ///< null if it cannot be built
     Diagnostics faults;                          ///< in the domain and the spacing
+    std::shared_ptr<const FaceMap> faces;        ///< of the domain; null: none, or it has too many segments
     double estimatedElements = 0.0;              ///< see estimateElements(); 0: unknown
 };
 

@@ -39,13 +39,14 @@ struct ColourChoice {
 /// The part of the plane in view, and what is highlighted in it.
 struct View : ColourChoice {
     Camera camera;
-    PixelRect room;              ///< part of the canvas free of plates and legends; fitted drawings go there
-    std::optional<Box2> fitted;  ///< kept fully visible when the canvas is resized, until the user pans or zooms
-    std::optional<Vec2> pointer; ///< place under the pointer while it is over the canvas
-    bool panels = true;          ///< Tab hides them
-    bool following = false;      ///< the camera follows the current advance, see followAdvance()
-    bool fitPending = true;      ///< fit the drawing as soon as the size of the canvas is known
-    std::optional<Vec2> flag;    ///< target of the last goTo(), marked by a ring that fades
+    PixelRect room;                ///< part of the canvas free of plates and legends; fitted drawings go there
+    std::optional<Box2> fitted;    ///< kept fully visible when the canvas is resized, until the user pans or zooms
+    std::optional<Vec2> pointer;   ///< place under the pointer while it is over the canvas
+    std::optional<Vec2> facePlace; ///< a place in the face that the active tool points at
+    bool panels = true;            ///< Tab hides them
+    bool following = false;        ///< the camera follows the current advance, see followAdvance()
+    bool fitPending = true;        ///< fit the drawing as soon as the size of the canvas is known
+    std::optional<Vec2> flag;      ///< target of the last goTo(), marked by a ring that fades
     double flagTime = 0.0;
     std::optional<CandidateChoice> candidate;
     std::array<bool, kMarkKinds> marks{true, false, true, true, true, true}; ///< shown on the timeline

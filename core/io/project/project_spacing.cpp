@@ -83,7 +83,8 @@ SizeSource readSource(const JsonValue &item, JsonCheck &check) {
     if (const auto geometric = item.find("geometric")) {
         source.geometric = check.flag(*geometric, "\"geometric\" of a source");
     }
-    check.noteUnknown(item, {"shape", "a", "b", "radius", "size", "endSize", "plane", "geometric", "growth", "angle", "name"});
+    check.noteUnknown(
+        item, {"shape", "a", "b", "radius", "size", "endSize", "plane", "geometric", "growth", "angle", "name"});
     return source;
 }
 

@@ -39,11 +39,11 @@ struct SizeSource {
     /// Size at b (Line only), > 0. Along the line, the size changes linearly from `size` at a; beside it, the nearest
     /// point of the line counts. Absent: `size` along the whole line.
     std::optional<double> endSize{};
+    double angle{}; ///< of the sides of a box to the axes, in degrees, counter-clockwise (Box only)
     /// True: a gradient over the whole plane (Line only). The size depends on the position along the line alone: it
     /// changes between the ends, and beyond each it is that of the end. There is no growth.
     bool plane{};
     bool geometric{}; ///< a gradient changes by equal factors, not by equal steps
-    double angle{}; ///< of the sides of a box to the axes, in degrees, counter-clockwise (Box only)
 
     friend bool operator==(const SizeSource &, const SizeSource &) = default;
 };
@@ -84,8 +84,8 @@ struct BackgroundMesh {
 /// The node spacing function ρ(x, y) as data, part of the document.
 ///
 /// The given parts, and the sizes and maximum areas of the domain's region markers, are combined by minimum, clamped to
-/// [minimum, maximum], then limited so that |∇ρ| <= gradation. Paint that replaces other rules stands in place of all of
-/// them but sizes of boundary parts, nodes and regions, lengths of boundary segments and region areas. Where nothing
+/// [minimum, maximum], then limited so that |∇ρ| <= gradation. Paint that replaces other rules stands in place of all
+/// of them but sizes of boundary parts, nodes and regions, lengths of boundary segments and region areas. Where nothing
 /// covers the whole domain (no size, expression, gradient, source or boundary lengths), automatic spacing applies: from
 /// boundary lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint, sizes of parts
 /// and regions, region areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
