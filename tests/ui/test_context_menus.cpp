@@ -52,6 +52,7 @@ TEST_CASE("Context menu: the probe, trace and guess tools have menus of their ow
     }
     clicker.mesh();
     clicker.key('I');
+    clicker.settle();
     clicker.rightClickAt(clicker.pixel({5.03, 4.02}));
     REQUIRE(clicker.has("contextmenu/copyValues"));
     clicker.click("contextmenu/copyValues");

@@ -362,6 +362,9 @@ TEST_CASE("Probe: hovering and clicking read values from elements, edges and nod
     driver.settle();
     CHECK(driver.context().probe.hovered == MeshPick{MeshPart::Elements, static_cast<std::uint32_t>(e)});
     CHECK(driver.has("probe/Element"));
+    driver.key(key::kF5); // another mesh comes under the pointer, which rests
+    driver.settle();
+    CHECK(driver.context().probe.hovered == MeshPick{MeshPart::Elements, static_cast<std::uint32_t>(e)});
     driver.clickPlace(driver.middleOf(e));
     driver.moveTo({5, 5});
     driver.settle();

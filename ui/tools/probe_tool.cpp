@@ -26,6 +26,7 @@ void ProbeTool::activate(Shell &context) {
 
 void ProbeTool::deactivate(Shell &context) {
     context.probe.active = false;
+    place_.reset();
     context.probe.hovered.reset();
     context.probe.chosen.reset();
 }
@@ -35,9 +36,11 @@ bool ProbeTool::handle(const CanvasEvent &event, Shell &context) {
     const Judgement &judgement = *context.judgement;
     switch (event.kind) {
     case CanvasEvent::Kind::Hover:
-        probe.hovered = partAt(judgement, event.place, EditState::reach(context, kProbeReach));
+        place_ = event.place;
+        find(context);
         return true;
     case CanvasEvent::Kind::Leave:
+        place_.reset();
         probe.hovered.reset();
         return false;
     case CanvasEvent::Kind::Press:
@@ -55,6 +58,17 @@ bool ProbeTool::handle(const CanvasEvent &event, Shell &context) {
         return false;
     default:
         return false;
+    }
+}
+
+void ProbeTool::find(Shell &context) {
+    searched_ = context.judgement;
+    context.probe.hovered = partAt(*searched_, *place_, EditState::reach(context, kProbeReach));
+}
+
+void ProbeTool::drawOverlay(CanvasPainter &, Shell &context) {
+    if (place_ && searched_ != context.judgement) { // another mesh has come under the pointer, which rests
+        find(context);
     }
 }
 

@@ -2,9 +2,14 @@
 
 #include "ui/parts/tool.hpp"
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
+
+struct Judgement;
 
 /// Reads values from the mesh: the part under the pointer, and the part that is clicked.
 class ProbeTool final : public Tool {
@@ -18,7 +23,14 @@ class ProbeTool final : public Tool {
     void deactivate(Shell &context) override;
     bool handle(const CanvasEvent &event, Shell &context) override;
     std::vector<ContextGroup> menu(Shell &context, Vec2 place) override;
+    void drawOverlay(CanvasPainter &painter, Shell &context) override;
     std::string statusText(const Shell &context) const override;
+
+  private:
+    void find(Shell &context);
+
+    std::optional<Vec2> place_;                 ///< of the pointer
+    std::shared_ptr<const Judgement> searched_; ///< the part under the pointer was sought in it
 };
 
 } // namespace forefront
