@@ -113,14 +113,14 @@ class FacePicture {
         const int first = static_cast<int>(low), last = std::min(static_cast<int>(high), width_ - 1);
         const auto begin = static_cast<std::ptrdiff_t>(at(row, first)), count = std::ptrdiff_t{last - first + 1};
         std::fill_n(face_.begin() + begin, count, face);
-        std::fill_n(distance_.begin() + begin, count, static_cast<std::uint8_t>(kReach));
+        std::fill_n(distance_.begin() + begin, count, static_cast<std::int16_t>(kReach));
         std::fill_n(cover_.begin() + begin, count, std::uint8_t{255});
         const auto covered = [](double part) { return static_cast<std::uint8_t>(255.0 * std::clamp(part, 0.0, 1.0)); };
         cover_[at(row, last)] = covered(high - last);
         cover_[at(row, first)] = first == last ? covered(high - low) : covered(first + 1 - low);
         const auto reach = [&](int k, double pixels) {
-            std::uint8_t &distance = distance_[at(row, k)];
-            distance = static_cast<std::uint8_t>(std::clamp(kUnit * pixels, 0.0, static_cast<double>(distance)));
+            std::int16_t &distance = distance_[at(row, k)];
+            distance = static_cast<std::int16_t>(std::clamp(kUnit * pixels, 0.0, static_cast<double>(distance)));
         };
         constexpr double kPixels = kReach / kUnit;
         for (int k = first; k <= last && k - from < kPixels; ++k) {
@@ -141,35 +141,67 @@ class FacePicture {
         }
     }
     void spread(int row, int before) {
+        spread(at(row, 0), at(before, 0), 0, std::min(1, width_ - 1));
         const std::size_t here = at(row, 0), other = at(before, 0);
-        for (int k = 0; k < width_; ++k) {
-            const std::size_t pixel = here + static_cast<std::size_t>(k);
-            if (face_[pixel] == kBare) {
-                continue;
-            }
-            int least = distance_[pixel];
-            for (int side = std::max(k - 1, 0); side <= std::min(k + 1, width_ - 1); ++side) {
-                const std::size_t beside = other + static_cast<std::size_t>(side);
-                const int step = side == k ? kUnit : kDiagonal;
-                least = std::min(least, face_[beside] == face_[pixel] ? distance_[beside] + step : step / 2);
-            }
-            distance_[pixel] = static_cast<std::uint8_t>(least);
+        const std::uint16_t *const face = face_.data() + here, *const beside = face_.data() + other;
+        std::int16_t *const distance = distance_.data() + here;
+        const std::int16_t *const from = distance_.data() + other;
+        for (int k = 1; k < width_ - 1; ++k) { // without branches, so that several pixels are done at once
+            const auto step = [&](int side, std::int16_t length) {
+                const auto along = static_cast<std::int16_t>(from[side] + length);
+                return beside[side] == face[k] ? along : static_cast<std::int16_t>(length / 2);
+            };
+            const std::int16_t straight = std::min(distance[k], step(k, kUnit));
+            distance[k] = std::min(straight, std::min(step(k - 1, kDiagonal), step(k + 1, kDiagonal)));
+        }
+        if (width_ > 1) {
+            spread(here, other, width_ - 1, width_ - 2);
+        }
+    }
+    /// The same at an end of a row, which has one pixel beside it.
+    void spread(std::size_t here, std::size_t other, int end, int inner) {
+        const std::size_t pixel = here + static_cast<std::size_t>(end);
+        for (const int side : {end, inner}) {
+            const std::size_t beside = other + static_cast<std::size_t>(side);
+            const std::int16_t length = side == end ? kUnit : kDiagonal;
+            const int along = face_[beside] == face_[pixel] ? distance_[beside] + length : length / 2;
+            distance_[pixel] = static_cast<std::int16_t>(std::min<int>(distance_[pixel], along));
         }
     }
 
     void paint() {
-        std::array<double, kReach + 1> strength{}; // of the rim, by the distance
+        constexpr std::size_t kDistances = kReach + 1;
+        std::array<double, kDistances> strength{}; // of the rim, by the distance
         for (std::size_t k = 0; k < kReach; ++k) {
             const double fade = std::max(0.0, 1.0 - static_cast<double>(k) / kUnit / rim_);
             strength[k] = fade * fade;
         }
+        const auto colourAt = [&](const FaceTint &tint, std::size_t distance, double cover) {
+            const double opacity = cover * std::min(1.0, tint.fill + tint.rim * strength[distance]);
+            return Colour::rounded(opacity * glm::dvec4(tint.colour.r, tint.colour.g, tint.colour.b, 255.0));
+        };
+        std::vector<std::array<Colour, kDistances>>
+            colours; // of pixels that one face covers, for each face that is seen
+        std::vector<std::uint32_t> place(tints_.size(), kNoIndex); // in `colours`
         for (std::size_t k = 0; k < pixels_.size(); ++k) {
             if (face_[k] == kBare) {
                 continue;
             }
             const FaceTint &tint = tints_[face_[k]];
-            const double opacity = (cover_[k] / 255.0) * std::min(1.0, tint.fill + tint.rim * strength[distance_[k]]);
-            pixels_[k] = Colour::rounded(opacity * glm::dvec4(tint.colour.r, tint.colour.g, tint.colour.b, 255.0));
+            const auto distance = static_cast<std::size_t>(distance_[k]);
+            if (cover_[k] < 255) {
+                pixels_[k] = colourAt(tint, distance, cover_[k] / 255.0);
+                continue;
+            }
+            std::uint32_t &known = place[face_[k]];
+            if (known == kNoIndex) {
+                known = static_cast<std::uint32_t>(colours.size());
+                colours.emplace_back();
+                for (std::size_t d = 0; d < kDistances; ++d) {
+                    colours.back()[d] = colourAt(tint, d, 1.0);
+                }
+            }
+            pixels_[k] = colours[known][distance];
         }
     }
 
@@ -181,7 +213,7 @@ class FacePicture {
     std::vector<EdgeCrossing> crossings_;
     std::vector<Colour> pixels_;
     std::vector<std::uint16_t> face_;    ///< kBare: none that is tinted
-    std::vector<std::uint8_t> distance_; ///< to the nearest edge of the face, in units of kUnit
+    std::vector<std::int16_t> distance_; ///< to the nearest edge of the face, in units of kUnit
     std::vector<std::uint8_t> cover_;    ///< part of the pixel that the face covers
 };
 
