@@ -60,15 +60,15 @@ class Bands {
     /// Divides a segment into pieces. Pieces of zero length are skipped: a wedge fills the gap if the path turns there.
     void divide(const Curve &curve, std::int32_t tag) {
         if (curve.kind() == CurveKind::Line || isCircular(curve)) {
-            const auto count = std::max(1.0, std::ceil(curve.turning() / (0.75 * std::numbers::pi)));
-            for (double k = 0.0; k < count; ++k) {
-                keep(count > 1.0 ? curve.part(k / count, (k + 1.0) / count) : curve, tag);
+            const auto count = static_cast<int>(std::max(1.0, std::ceil(curve.turning() / (0.75 * std::numbers::pi))));
+            for (int k = 0; k < count; ++k) {
+                keep(count > 1 ? curve.part(1.0 * k / count, (k + 1.0) / count) : curve, tag);
             }
             return;
         }
         constexpr int kParts = 4; // minimum: the ends of a loop coincide, so it would seem to have no length
-        for (double k = 0.0; k < kParts; ++k) {
-            bisect(curve, k / kParts, (k + 1.0) / kParts, tag);
+        for (int k = 0; k < kParts; ++k) {
+            bisect(curve, 1.0 * k / kParts, (k + 1.0) / kParts, tag);
         }
     }
 

@@ -45,6 +45,9 @@ void joinCurves(Shape &shape, std::uint32_t node) {
     shape.cuts.clear();
     const Outline outline = outlineOf(shape);
     const auto count = static_cast<std::uint32_t>(outline.segmentCount());
+    if (count == 0) { // one node, which starts no curve
+        return;
+    }
     const bool atEnd = !outline.closed && (node == 0 || node == count);
     const std::uint32_t before = node == 0 ? count - 1 : node - 1, after = node % count;
     if (!atEnd && count > 1 && (outline.isCurved(before) || outline.isCurved(after))) {
