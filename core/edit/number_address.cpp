@@ -9,6 +9,7 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/slot.hpp"
+#include "core/edit/source_numbers.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "core/spacing/spec/spec_check.hpp"
 
@@ -149,28 +150,6 @@ Status setShapeNumber(Shape &shape, const NumberAddress &address, double value) 
     return {};
 }
 
-/// Returns a pointer to a number of a source, or null.
-template <class Source>
-auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.size) {
-    if (what == "endSize") {
-        return source.endSize ? &*source.endSize : nullptr;
-    }
-    const std::array<std::pair<std::string_view, decltype(&source.size)>, 8> numbers{{{"x", &source.a.x},
-                                                                                      {"y", &source.a.y},
-                                                                                      {"x2", &source.b.x},
-                                                                                      {"y2", &source.b.y},
-                                                                                      {"angle", &source.angle},
-                                                                                      {"radius", &source.radius},
-                                                                                      {"size", &source.size},
-                                                                                      {"growth", &source.growth}}};
-    for (const auto &[name, place] : numbers) {
-        if (what == name) {
-            return place;
-        }
-    }
-    return nullptr;
-}
-
 template <class Marker>
 auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.maxArea) {
     if (what == "size" || what == "growth") {
@@ -259,10 +238,15 @@ std::optional<std::uint32_t> movedIndex(const std::vector<T> &before, const std:
     return found != next.end() ? std::optional(static_cast<std::uint32_t>(found - next.begin())) : std::nullopt;
 }
 
-/// Returns the maximum coordinate of the shape that a number belongs to, which limits its accuracy; 0 for others.
+/// Returns the maximum coordinate of the shape or box that a number belongs to, which limits its accuracy; 0 for
+/// others.
 double magnitudeAt(const Document &document, const NumberAddress &address) {
     const Shape *const shape = address.owner == Owner::Shape ? findShape(document, address.id) : nullptr;
     double largest = 0.0;
+    if (address.owner == Owner::Source && (address.quantity == "width" || address.quantity == "height")) {
+        const SizeSource &box = document.spacing.sources[address.id];
+        largest = std::max({std::fabs(box.a.x), std::fabs(box.a.y), std::fabs(box.b.x), std::fabs(box.b.y)});
+    }
     for (const Vec2 node : shape != nullptr ? shape->nodes : std::vector<Vec2>()) {
         largest = std::max({largest, std::fabs(node.x), std::fabs(node.y)});
     }
@@ -273,6 +257,21 @@ std::optional<std::uint32_t> movedHandle(const Document &before, const Document 
     const Shape *const old = findShape(before, address.id), *const now = findShape(next, address.id);
     return old != nullptr && now != nullptr ? movedIndex(handlesOf(*old), handlesOf(*now), address.handle)
                                             : std::nullopt;
+}
+
+/// Returns the words for a quantity.
+std::string quantityWords(const NumberAddress &address) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kWords{
+        {{"x2", "second x"},
+         {"y2", "second y"},
+         {"endSize", "end size"},
+         {"area", "maximum area"},
+         {"elements", "number of elements"},
+         {"segmentsPerTurn", "segments per turn"},
+         {"elementsAcross", "elements across narrow places"}}};
+    const auto known =
+        std::find_if(kWords.begin(), kWords.end(), [&](const auto &word) { return word.first == address.quantity; });
+    return known != kWords.end() ? std::string(known->second) : address.quantity;
 }
 
 } // namespace
@@ -308,7 +307,7 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
     }
     case Owner::Source:
         return address.id < document.spacing.sources.size()
-                   ? copied(sourceNumber(document.spacing.sources[address.id], address.quantity))
+                   ? sourceNumber(document.spacing.sources[address.id], address.quantity)
                    : std::nullopt;
     case Owner::Region:
         return address.id < document.regionMarkers.size()
@@ -333,8 +332,7 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
         return status;
     }
     case Owner::Source:
-        *sourceNumber(document.spacing.sources[address.id], address.quantity) = value;
-        break;
+        return setSourceNumber(document.spacing.sources[address.id], address.quantity, value);
     case Owner::Region:
         return setMarkerNumber(document.regionMarkers[address.id], address.quantity, value);
     case Owner::Part:
@@ -380,7 +378,7 @@ std::string numberName(const Document &document, std::string_view text) {
     if (!address || !readNumber(document, *address)) {
         return std::string(text);
     }
-    const std::string what = address->quantity + " of ";
+    const std::string what = quantityWords(*address) + " of ";
     switch (address->owner) {
     case Owner::Shape: {
         const Shape &shape = *findShape(document, address->id);

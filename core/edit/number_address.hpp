@@ -16,9 +16,10 @@ namespace forefront {
 /// "shape/ID/size/K" and "shape/ID/growth/K" for the size at a node, "shape/ID/arcRadius/K" for segment K of a path, an
 /// arc of a circle, "shape/ID/rx" and "ry" for an ellipse, "shape/ID/left", "bottom", "width", "height" for a
 /// rectangle, "shape/ID/width" and "length" for a slot (the distance between its centres); "source/K/x", "y", "x2",
-/// "y2", "radius", "size", "endSize", "growth" for a size source; "region/K/x", "y", "area" for a region marker;
-/// "part/TAG/size", "elements", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation",
-/// "segmentsPerTurn", "elementsAcross". ID is that of the shape; indices count from 0.
+/// "y2", "angle", "radius", "size", "endSize", "growth" for a size source, "width" and "height" for a box, along its
+/// angle and across it; "region/K/x", "y", "area", "size", "growth" for a region marker; "part/TAG/size", "elements",
+/// "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn",
+/// "elementsAcross". ID is that of the shape; indices count from 0.
 struct NumberAddress {
     enum class Owner : std::uint8_t { Shape, Source, Region, Part, Spacing };
     Owner owner = Owner::Spacing;

@@ -141,7 +141,7 @@ Box2 boundsOf(const Document &document, const Selection &selection) {
             box.add(boxAround(source.a, source.radius));
             if (source.shape == SourceShape::Box) {
                 for (const Vec2 corner : SourceBox(source).corners()) {
-                    box.add(corner);
+                    box.add(boxAround(corner, source.radius));
                 }
             } else if (source.shape == SourceShape::Line) {
                 box.add(boxAround(source.b, source.radius));

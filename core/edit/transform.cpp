@@ -183,14 +183,21 @@ Status checkCount(double count) {
     return {};
 }
 
-/// Maps a source. A box stays one: its corners a and b are mapped, and its first side takes the direction of its image,
-/// which is exact unless the map shears the box.
+/// Returns the angle of a box after a map, which is exact unless the map shears the box. An angle that describes the
+/// same directions as before keeps its value.
+double mappedAngle(double degrees, const PlaneMap &map) {
+    constexpr double kRounding = 1e-12;
+    const Vec2 side = unitVector(degrees), image = side.x * map.u + side.y * map.v;
+    const double turned = std::atan2(image.y, image.x) * 180.0 / std::numbers::pi;
+    return std::fabs(std::remainder(turned - degrees, 90.0)) <= kRounding ? degrees : boxAngle(turned);
+}
+
+/// Maps a source. A box stays one: its corners a and b are mapped, and its first side takes the direction of its image.
 SizeSource mapped(SizeSource source, const PlaneMap &map) {
     source.a = map(source.a);
     source.b = map(source.b);
     if (source.shape == SourceShape::Box && !map.isTranslation()) {
-        const Vec2 side = unitVector(source.angle), image = side.x * map.u + side.y * map.v;
-        source.angle = boxAngle(std::atan2(image.y, image.x) * 180.0 / std::numbers::pi);
+        source.angle = mappedAngle(source.angle, map);
     }
     source.radius *= map.isTranslation() ? 1.0 : std::sqrt(std::fabs(map.determinant()));
     return source;

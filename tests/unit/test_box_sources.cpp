@@ -1,9 +1,11 @@
+#include "core/edit/formulas.hpp"
 #include "core/edit/insert_document.hpp"
 #include "core/edit/number_address.hpp"
 #include "core/edit/pick_index.hpp"
 #include "core/edit/scale_document.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "core/edit/transform.hpp"
+#include "core/geometry/unit_vector.hpp"
 #include "core/grid/grid_kind.hpp"
 #include "core/io/project/project.hpp"
 #include "core/mesher/pipeline.hpp"
@@ -199,4 +201,56 @@ TEST_CASE("Box sources: are numbers of the document, and survive projects, copie
                                       "test");
     REQUIRE_FALSE(missing.ok());
     CHECK(missing.faults().front().line == 2);
+}
+
+TEST_CASE("Box sources: an angle that a map leaves alone keeps its value, and its formula") {
+    Selection all;
+    all.sources = {0};
+    for (const double angle : {60.0, -100.0, 30.0, 0.0}) {
+        const Document document = *addSource({}, boxSource({1, 1}, {5, 3}, 0.1, 0.2, angle));
+        CHECK(scaleDocument(document, {0, 0}, 1.7)->spacing.sources[0].angle == angle);
+        for (const PlaneMap &map : {PlaneMap::rotation(180, {2, 1}), PlaneMap::rotation(90, {2, 1})}) {
+            CHECK(transformSelection(document, all, map)->spacing.sources[0].angle == angle);
+        }
+    }
+    Document named = *addSource({}, boxSource({1, 1}, {5, 3}, 0.1, 0.2, 60.0));
+    named.formulas = {{"source/0/angle", "alpha"}};
+    named = *setParameters(named, {{"alpha", "60"}});
+    CHECK(scaleDocument(named, {0, 0}, 2.0)->formulas.size() == 1);
+}
+
+TEST_CASE("Box sources: width and height are numbers, along the angle and across it") {
+    for (const double angle : {0.0, 30.0, 60.0, -135.0}) {
+        Document document = *addSource({}, boxSource({1000, 1}, {990, 30}, 0.1, 0.2, angle));
+        const Vec2 extent = boxExtent(document.spacing.sources[0]);
+        CHECK(numberAt(document, "source/0/width") == extent.x);
+        document.formulas = {{"source/0/width", "w"}, {"source/0/height", "w/2"}};
+        const Result<Document> sized = setParameters(document, {{"w", "0.01"}});
+        REQUIRE(sized.ok());
+        const SizeSource &box = sized->spacing.sources[0];
+        CHECK(box.a == Vec2{1000, 1});
+        CHECK(box.angle == angle);
+        CHECK(boxExtent(box).x == doctest::Approx(0.01));
+        CHECK(boxExtent(box).y == doctest::Approx(0.005));
+        const Vec2 before = document.spacing.sources[0].b - box.a, after = box.b - box.a;
+        const Vec2 along = unitVector(angle);
+        CHECK(dot(before, along) * dot(after, along) > 0.0); // on the same side of its corner
+        CHECK(cross(along, before) * cross(along, after) > 0.0);
+        const Result<Document> refused = setParameters(*sized, {{"w", "-1"}});
+        REQUIRE_FALSE(refused.ok());
+        CHECK(refused.faults().front().message == "invalid height -0.5 of a size source; expected a number above 0");
+    }
+    const Document document = *addSource({}, boxSource({0, 0}, {4, 2}));
+    CHECK_FALSE(numberAt(*addSource({}, SizeSource()), "source/0/width"));
+    SizeSource wide = document.spacing.sources[0];
+    resizeBox(wide, {6, 2});
+    CHECK(wide.b == Vec2{6, 2});
+}
+
+TEST_CASE("Box sources: the box of a selected one holds its radius") {
+    SizeSource box = boxSource({0, 0}, {4, 2});
+    box.radius = 1.0;
+    Selection all;
+    all.sources = {0};
+    CHECK(boundsOf(*addSource({}, box), all) == Box2{{-1, -1}, {5, 3}});
 }

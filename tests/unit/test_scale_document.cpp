@@ -1,4 +1,5 @@
 #include "core/edit/formulas.hpp"
+#include "core/edit/region_commands.hpp"
 #include "core/edit/scale_document.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -65,11 +66,12 @@ TEST_CASE("scaleDocument: names the numbers whose formulas no longer fit") {
     circle.kind = ShapeKind::Circle;
     circle.nodes = {{10, 10}, {14, 10}};
     Document document = *addShape({}, circle);
-    document.formulas = {{"shape/1/radius", "r"}, {"shape/1/x/0", "2*r + 2"}};
+    document = *addRegionMarker(document, {{10, 10}, 1, 4.0});
+    document.formulas = {{"shape/1/radius", "r"}, {"shape/1/x/0", "2*r + 2"}, {"region/0/area", "r"}};
     document = *setParameters(document, {{"r", "4"}});
     std::vector<std::string> dropped;
     const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5, &dropped);
     REQUIRE(scaled.ok());
     CHECK(scaled->formulas == std::map<std::string, std::string>{{"shape/1/x/0", "2*r + 2"}}); // the fixed point
-    CHECK(dropped == std::vector<std::string>{"radius of circle 1"});
+    CHECK(dropped == std::vector<std::string>{"maximum area of region marker 1", "radius of circle 1"});
 }

@@ -42,6 +42,17 @@ void moveCorner(SizeSource &source, std::size_t corner, Vec2 to) {
     source.b = corner == 1 ? second : first;
 }
 
+Vec2 boxExtent(const SizeSource &source) {
+    const Vec2 along = unitVector(source.angle), diagonal = source.b - source.a;
+    return {std::fabs(dot(diagonal, along)), std::fabs(cross(along, diagonal))};
+}
+
+void resizeBox(SizeSource &source, Vec2 extent) {
+    const Vec2 along = unitVector(source.angle), diagonal = source.b - source.a;
+    source.b = source.a + std::copysign(extent.x, dot(diagonal, along)) * along +
+               std::copysign(extent.y, cross(along, diagonal)) * leftNormal(along);
+}
+
 double boxAngle(double degrees) {
     const double turn = std::remainder(degrees, 90.0); // in [-45, 45]
     return turn == -45.0 ? 45.0 : turn;

@@ -30,6 +30,12 @@ class SourceBox {
 /// Moves a corner of a box source, by its place in SourceBox::corners(); the opposite corner and the angle stay.
 void moveCorner(SizeSource &source, std::size_t corner, Vec2 to);
 
+/// Returns the lengths of the sides of a box source: along its angle, and across it.
+Vec2 boxExtent(const SizeSource &source);
+
+/// Gives a box source other lengths of its sides; SizeSource::a and the angle stay.
+void resizeBox(SizeSource &source, Vec2 extent);
+
 /// Returns an angle that gives the same box, in (-45, 45] degrees.
 double boxAngle(double degrees);
 
