@@ -2,13 +2,13 @@
 
 #include "core/edit/bring_formulas.hpp"
 #include "core/edit/number_address.hpp"
+#include "core/edit/place_formulas.hpp"
 #include "core/edit/references.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/unchanged_numbers.hpp"
 #include "core/spacing/parts/expression/expression.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <set>
 #include <utility>
@@ -22,12 +22,6 @@ std::string parameterList(const std::vector<Parameter> &parameters) {
         names += (names.empty() ? "" : ", ") + parameter.name;
     }
     return names;
-}
-
-bool isPlainNumber(std::string_view text) {
-    double value = 0.0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return fault == std::errc() && end == text.data() + text.size();
 }
 
 /// A formula with the number that it sets.
@@ -214,7 +208,7 @@ Result<Document> renameParameter(const Document &document, std::size_t index, co
 }
 
 Document setFormula(Document document, const std::string &address, const std::string &text) {
-    if (text.empty() || isPlainNumber(text)) {
+    if (text.empty() || plainNumber(text)) {
         document.formulas.erase(address);
     } else {
         document.formulas[address] = text;

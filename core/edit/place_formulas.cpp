@@ -19,12 +19,6 @@
 namespace forefront {
 namespace {
 
-std::optional<double> plainNumber(std::string_view text) {
-    double value = 0.0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return fault == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
 bool hasAny(std::string_view text, std::string_view characters) {
     return text.find_first_of(characters) != std::string_view::npos;
 }
@@ -67,6 +61,13 @@ std::string component(const std::string &length, const std::string &degrees, boo
 }
 
 } // namespace
+
+std::optional<double> plainNumber(std::string_view text) {
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = fault == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(value) ? std::optional(value) : std::nullopt; // a parameter may be called "inf"
+}
 
 PlaceFormula placeFormula(Vec2 at) {
     return {exactText(at.x), exactText(at.y)};

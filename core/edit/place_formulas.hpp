@@ -3,9 +3,14 @@
 #include "core/edit/document.hpp"
 #include "core/edit/references.hpp"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace forefront {
+
+/// Returns the value of an expression that is a number as it stands.
+std::optional<double> plainNumber(std::string_view text);
 
 /// A place as two expressions, each a formula or a number.
 struct PlaceFormula {

@@ -5,6 +5,7 @@
 #include "core/edit/selected_handles.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/shift_formulas.hpp"
 #include "core/edit/slot.hpp"
 #include "core/spacing/spec/source_box.hpp"
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,6 +116,9 @@ Result<Document> moveEach(const Document &document, std::vector<Item> items) {
                 return faults;
             }
             pointer = std::make_shared<const Shape>(std::move(shape));
+            if (first->what.node == kWhole) {
+                shiftFormulas(next, addressPrefix("shape", pointer->id), first->by);
+            }
         }
     }
     return next;
@@ -181,6 +186,31 @@ Status checkCount(double count) {
                      "enter a whole number; it includes the original");
     }
     return {};
+}
+
+/// Lets the formulas of items that were moved as a whole move with them.
+void moveFormulas(Document &document, const Selection &selection, Vec2 by) {
+    if (document.formulas.empty()) {
+        return;
+    }
+    const auto shift = [&](const char *kind, const std::set<std::uint32_t> &items) {
+        for (const std::uint32_t item : items) {
+            shiftFormulas(document, addressPrefix(kind, item), by);
+        }
+    };
+    shift("shape", selection.shapes);
+    shift("source", selection.sources);
+    shift("region", selection.markers);
+}
+
+/// An item and its copy, by the prefixes of their addresses.
+struct CopiedItem {
+    std::string from, to;
+    Vec2 by; ///< movement of the copy; zero if it was mapped otherwise
+};
+
+Vec2 shiftOf(const PlaneMap &map) {
+    return map.isTranslation() ? map.shift : Vec2{};
 }
 
 /// Returns the angle of a box after a map, which is exact unless the map shears the box. An angle that describes the
@@ -268,6 +298,9 @@ Result<Document> transformSelection(const Document &document, const Selection &s
             next.regionMarkers[k].at = map(next.regionMarkers[k].at);
         }
     }
+    if (map.isTranslation()) {
+        moveFormulas(next, selection, map.shift);
+    }
     return next;
 }
 
@@ -277,7 +310,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
         return status;
     }
     std::vector<Shape> shapes;
-    std::vector<std::pair<std::string, std::string>> copied; // prefixes of addresses
+    std::vector<CopiedItem> copied;
     Selection fresh;
     for (const PlaneMap &map : maps) {
         if (Status status = checkMap(map); !status.empty()) {
@@ -287,7 +320,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (selection.shapes.contains(shape->id)) {
                 const std::uint32_t id = document.nextId + static_cast<std::uint32_t>(shapes.size());
                 fresh.shapes.insert(id);
-                copied.emplace_back(addressPrefix("shape", shape->id), addressPrefix("shape", id));
+                copied.push_back({addressPrefix("shape", shape->id), addressPrefix("shape", id), shiftOf(map)});
                 shapes.push_back(*shape);
                 mapShape(shapes.back(), map);
             }
@@ -302,7 +335,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (k < document.spacing.sources.size()) {
                 const auto index = static_cast<std::uint32_t>(next->spacing.sources.size());
                 fresh.sources.insert(index);
-                copied.emplace_back(addressPrefix("source", k), addressPrefix("source", index));
+                copied.push_back({addressPrefix("source", k), addressPrefix("source", index), shiftOf(map)});
                 next->spacing.sources.push_back(mapped(document.spacing.sources[k], map));
             }
         }
@@ -310,16 +343,17 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (k < document.regionMarkers.size()) {
                 const auto index = static_cast<std::uint32_t>(next->regionMarkers.size());
                 fresh.markers.insert(index);
-                copied.emplace_back(addressPrefix("region", k), addressPrefix("region", index));
+                copied.push_back({addressPrefix("region", k), addressPrefix("region", index), shiftOf(map)});
                 next->regionMarkers.push_back(document.regionMarkers[k]);
                 next->regionMarkers.back().at = map(document.regionMarkers[k].at);
             }
         }
     }
-    for (const auto &[from, to] : copied) {
-        copyFormulas(*next, from, to);
+    for (const CopiedItem &item : copied) {
+        copyFormulas(*next, item.from, item.to);
+        shiftFormulas(*next, item.to, item.by);
     }
-    pruneFormulas(*next); // the positions differ
+    pruneFormulas(*next); // turned and scaled items have other positions
     if (copies != nullptr) {
         *copies = std::move(fresh);
     }
