@@ -265,7 +265,7 @@ std::vector<Shape> parts(const Shape &shape, double distance) {
 
 Result<std::vector<Shape>> offsetOf(const Shape &shape, double distance, double tolerance) {
     if (shape.kind == ShapeKind::Point) {
-        return error("not-possible", "a point has no outline", "select paths, rectangles, circles or ellipses");
+        return error("not-possible", "a point has no outline", "select paths, rectangles, circles, ellipses or slots");
     }
     if (shape.kind == ShapeKind::Circle && circleRadius(shape) + distance > 0.0) {
         Shape circle = shape;

@@ -128,7 +128,7 @@ Outline outlineOf(const Shape &shape) {
         break;
     case ShapeKind::Slot:
         if (nodes.size() == 2) {
-            return nodes[0] == nodes[1] || !(shape.radius > 0.0) ? pointOutline(nodes[0]) : slotOutline(shape);
+            return isSoundSlot(shape) ? slotOutline(shape) : pointOutline(nodes[0]);
         }
         break;
     case ShapeKind::Polygon:

@@ -10,7 +10,8 @@ namespace {
 /// Returns the direction from the first centre to the second; along x if they coincide, as while formulas are applied.
 Vec2 directionOf(const Shape &slot) {
     const Vec2 arm = slot.nodes[1] - slot.nodes[0];
-    return length(arm) > 0.0 ? (1.0 / length(arm)) * arm : Vec2{1.0, 0.0};
+    const double part = 1.0 / length(arm);
+    return std::isfinite(part) ? part * arm : Vec2{1.0, 0.0};
 }
 
 } // namespace
@@ -26,6 +27,11 @@ Shape slotAround(Vec2 a, Vec2 b, double radius) {
     shape.nodes = {a, b};
     shape.radius = radius;
     return shape;
+}
+
+bool isSoundSlot(const Shape &slot) {
+    return slot.nodes.size() == 2 && slot.radius > 0.0 &&
+           std::isfinite(slot.radius / distance(slot.nodes[0], slot.nodes[1]));
 }
 
 Outline slotOutline(const Shape &slot) {

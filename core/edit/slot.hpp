@@ -13,7 +13,10 @@ Shape slotAround(Vec2 a, Vec2 b, double radius);
 /// Returns true for a slot, and for a path with the form of one: two parallel sides joined by half circles.
 bool isSlot(const Shape &shape);
 
-/// Returns the outline of a slot whose centres differ.
+/// Returns true if a slot has a finite width above 0, and centres far enough apart for a direction.
+bool isSoundSlot(const Shape &slot);
+
+/// Returns the outline of a sound slot.
 Outline slotOutline(const Shape &slot);
 
 /// Returns the middle of the left side of a slot, which is the handle for its width.

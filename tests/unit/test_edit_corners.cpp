@@ -1,5 +1,6 @@
 #include "core/domain/validate.hpp"
 #include "core/edit/corner_commands.hpp"
+#include "core/edit/dimensions.hpp"
 #include "core/edit/node_sizes.hpp"
 #include "core/edit/offset_shapes.hpp"
 #include "core/edit/path_curve.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <string>
@@ -289,6 +291,7 @@ TEST_CASE("Slot: handles change the ends and the width; commands that need nodes
     CHECK(setHandle(document, {1, 2}, {7, -3})->shapes[0]->radius == 3.0);
     CHECK(setHandle(document, {1, 1}, {0, 5})->shapes[0]->nodes[1] == Vec2{0, 5});
     CHECK(codeOf(setHandle(document, {1, 1}, {0, 0})) == "bad-shape");
+    CHECK(codeOf(setHandle(document, {1, 1}, {1e-310, 0})) == "bad-shape"); // too near for a direction
     CHECK(setSegmentLength(document, {1, 2}, 6.0)->shapes[0]->nodes[1] == Vec2{6, 0});
     CHECK(codeOf(setSegmentLength(document, {1, 1}, 6.0)) == "not-possible");
     const Shape split = *insertNode(document, {1, 2}, {3, 1})->shapes[0];
@@ -312,4 +315,18 @@ TEST_CASE("Slot: handles change the ends and the width; commands that need nodes
     Shape path = slot;
     becomePath(path);
     CHECK(placedNodes(domain) == placedNodes(toDomain(documentOf({path})))); // as slots were before
+}
+
+TEST_CASE("Slot: one without a direction or a width is a single place, which validation reports") {
+    for (const Shape &slot : {slotAround({0, 0}, {1e-310, 0}, 1.0), slotAround({0, 0}, {4, 0}, 0.0),
+                              slotAround({0, 0}, {4, 0}, std::nan("")), slotAround({0, 0}, {1e-8, 0}, 1e308)}) {
+        CHECK_FALSE(checkShape(slot).empty());
+        const Outline outline = outlineOf(slot);
+        CHECK(std::all_of(outline.nodes.begin(), outline.nodes.end(), isFinite));
+        CHECK(isFinite(handlesOf(slot)[1]));
+        Document document;
+        document.shapes.push_back(std::make_shared<const Shape>(slot));
+        CHECK_FALSE(validate(toDomain(document)).empty());
+        CHECK(dimensionsOf(document).size() <= 2);
+    }
 }

@@ -167,9 +167,13 @@ class ProjectReader {
             nodeCount(shape, *nodes);
         }
         if (const auto radius = item.find("radius")) {
-            shape.radius = check_.notNegative(*radius, "the radius of a shape's corners");
+            shape.radius = shape.kind == ShapeKind::Slot
+                               ? check_.positive(*radius, "the radius of a slot")
+                               : check_.notNegative(*radius, "the radius of a shape's corners");
+        } else if (shape.kind == ShapeKind::Slot) {
+            check_.fault(item, "bad-number", "a slot has no radius; expected a number above 0",
+                         "add \"radius\", half the width of the slot");
         }
-        slotRadius(shape, item);
         readCurves(item, shape, check_);
         readNodeSizes(item, shape, check_);
         if (const auto hidden = item.find("hidden")) {
@@ -188,13 +192,6 @@ class ProjectReader {
         check_.noteUnknown(item, {"id", "kind", "use", "tag", "name", "nodes", "radius", "curves", "cuts",
                                   "segmentTags", "nodeSizes", "hidden", "locked"});
         return shape;
-    }
-
-    void slotRadius(const Shape &shape, const JsonValue &place) {
-        if (shape.kind == ShapeKind::Slot && !(shape.radius > 0.0)) {
-            check_.fault(place, "bad-number", "a slot has no radius; expected a number above 0",
-                         "add \"radius\", half the width of the slot");
-        }
     }
 
     void nodeCount(const Shape &shape, const JsonValue &place) {
