@@ -3,9 +3,9 @@
 #include "core/arrangement/repair.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/domain/validate.hpp"
+#include "core/edit/path_curve.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,22 +15,6 @@ namespace {
 
 /// Faulty domains with more segments are not repaired for a map, which must follow the pointer.
 constexpr std::size_t kMaxRepaired = 20000;
-
-/// Returns the signed area between a chord and its part of a curve: positive where the curve runs right of the chord,
-/// so that it adds to the face on the left. Gauss-Legendre quadrature with four points.
-double areaBesideChord(const Curve &curve, const CurveStretch &stretch, Vec2 from) {
-    constexpr std::array<std::pair<double, double>, 4> kPoints{{{-0.8611363115940526, 0.3478548451374538},
-                                                                {-0.3399810435848563, 0.6521451548625461},
-                                                                {0.3399810435848563, 0.6521451548625461},
-                                                                {0.8611363115940526, 0.3478548451374538}}};
-    const double middle = 0.5 * (stretch.t0 + stretch.t1), half = 0.5 * (stretch.t1 - stretch.t0);
-    double sum = 0.0;
-    for (const auto &[place, weight] : kPoints) {
-        const double t = middle + place * half;
-        sum += weight * cross(curve.point(t) - from, curve.derivative(t));
-    }
-    return 0.5 * half * sum;
-}
 
 /// Returns the height of a segment at x, between its ends.
 double heightOf(const MappedEdge &edge, double x) {
@@ -83,10 +67,9 @@ void FaceMap::addEdges(const DomainFaces &found, std::span<const std::uint32_t> 
 void FaceMap::measure() {
     const Vec2 origin = domain_->bounds().centre(); // for accuracy far from the origin
     for (const MappedEdge &edge : edges_) {
-        double area = 0.5 * cross(edge.a - origin, edge.b - origin);
-        if (const Curve *const curve = curveOf(edge)) {
-            area += areaBesideChord(*curve, edge.stretch, edge.a);
-        }
+        const Curve *const curve = curveOf(edge);
+        const double area = curve != nullptr ? sectorArea(curve->part(edge.stretch.t0, edge.stretch.t1), origin)
+                                             : 0.5 * cross(edge.a - origin, edge.b - origin);
         for (const std::uint32_t side : {edge.left, edge.right}) {
             if (side != kNoIndex) {
                 faces_[side].area += side == edge.left ? area : -area;

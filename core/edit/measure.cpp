@@ -2,9 +2,9 @@
 
 #include "core/base/ids.hpp"
 #include "core/domain/domain_graph.hpp"
+#include "core/edit/path_curve.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,44 +14,34 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
+/// Returns the semi-axes of the ellipse cos t·u + sin t·v, the longer one first: the singular values of its map.
+Vec2 semiAxes(Vec2 u, Vec2 v) {
+    // |u ± rotated v| are their sum and their difference.
+    const double sum = length(u - leftNormal(v)), difference = length(u + leftNormal(v));
+    return {0.5 * (sum + difference), 0.5 * std::fabs(sum - difference)};
+}
+
 void measureArc(const Curve &curve, std::vector<Quantity> &found) {
     const auto n = curve.numbers();
     const Vec2 u{n[2], n[3]}, v{n[4], n[5]};
-    const double radius = length(u), sweep = std::fabs(n[7]);
+    const double sweep = std::fabs(n[7]);
     const bool whole = sweep > kTurn * (1.0 - 1e-12);
-    const bool circular =
-        std::fabs(length(v) - radius) <= 1e-9 * radius && std::fabs(dot(u, v)) <= 1e-9 * radius * radius;
-    if (circular) {
-        found = {{"radius", radius}, {"diameter", 2.0 * radius}};
+    const std::optional<double> radius = radiusOf(curve);
+    if (radius) {
+        found = {{"radius", *radius}, {"diameter", 2.0 * *radius}};
     } else {
-        found = {{"semi-axis", radius}, {"other semi-axis", length(v)}};
+        const Vec2 axes = semiAxes(u, v);
+        found = {{"semi-axis", axes.x}, {"other semi-axis", axes.y}};
     }
     if (!whole) {
         found.push_back({"arc length", curve.length()});
-        found.push_back({"angle", sweep * kDegrees, true});
+        if (radius) { // that of an ellipse is an angle of its parameter only
+            found.push_back({"angle", sweep * kDegrees, true});
+        }
     } else {
         found.push_back({"circumference", curve.length()});
         found.push_back({"area", std::numbers::pi * std::fabs(cross(u, v))});
     }
-}
-
-/// Returns twice the area that the way along a stretch of a curve covers, seen from `origin`; by Gauss's rule with 4
-/// nodes, since stretches bend little.
-double coveredTwice(const Curve &curve, const CurveStretch &stretch, Vec2 origin) {
-    constexpr std::array<double, 4> kNodes{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
-                                           0.8611363115940526};
-    constexpr std::array<double, 4> kWeights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
-                                             0.3478548451374538};
-    constexpr int kPieces = 4;
-    const double step = (stretch.t1 - stretch.t0) / kPieces;
-    double sum = 0.0;
-    for (int piece = 0; piece < kPieces; ++piece) {
-        for (std::size_t k = 0; k < kNodes.size(); ++k) {
-            const double t = stretch.t0 + step * (piece + 0.5 * (1.0 + kNodes[k]));
-            sum += 0.5 * step * kWeights[k] * cross(curve.point(t) - origin, curve.derivative(t));
-        }
-    }
-    return sum;
 }
 
 } // namespace
@@ -101,8 +91,9 @@ std::optional<FaceMeasure> measureFace(const Domain &domain, Vec2 at) {
         const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
         const CurveStretch &stretch = segment.stretch;
         const Curve *const curve = stretch.follows() ? &domain.curves[stretch.curve] : nullptr;
-        const double twice = curve != nullptr ? coveredTwice(*curve, stretch, at) : cross(a - at, b - at);
-        measure.area += left ? 0.5 * twice : -0.5 * twice;
+        const double covered =
+            curve != nullptr ? sectorArea(curve->part(stretch.t0, stretch.t1), at) : 0.5 * cross(a - at, b - at);
+        measure.area += left ? covered : -covered;
         measure.perimeter += curve != nullptr
                                  ? curve->length(std::min(stretch.t0, stretch.t1), std::max(stretch.t0, stretch.t1))
                                  : distance(a, b);

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
 
 using namespace forefront;
@@ -24,6 +25,27 @@ TEST_CASE("Measure: lines, arcs and circles") {
     CHECK(quarter[2].value == doctest::Approx(std::numbers::pi));
     CHECK(quarter[3].value == doctest::Approx(90.0));
     CHECK(angleBetween({1, 0}, {-1, 1}) == doctest::Approx(135.0));
+}
+
+TEST_CASE("Measure: the semi-axes of an ellipse, whichever conjugate ones it is drawn with") {
+    // The ellipse with semi-axes 3 and 1, turned by 30 degrees, by the ends of two conjugate ones.
+    const double c = std::cos(std::numbers::pi / 6.0), s = std::sin(std::numbers::pi / 6.0);
+    const auto place = [&](double t) {
+        const Vec2 p{3.0 * std::cos(t), std::sin(t)};
+        return Vec2{c * p.x - s * p.y, s * p.x + c * p.y};
+    };
+    for (const double t : {0.0, 0.4, 1.0}) {
+        const Vec2 u = place(t), v = place(t + 0.5 * std::numbers::pi);
+        for (const Curve &curve : {Curve::arc({1, 1}, u, v), Curve::arc({1, 1}, v, u)}) {
+            const auto found = measureCurve(curve);
+            REQUIRE(found.size() == 4);
+            CHECK(found[0].value == doctest::Approx(3.0));
+            CHECK(found[1].value == doctest::Approx(1.0));
+            CHECK(found[3].value == doctest::Approx(3.0 * std::numbers::pi));
+        }
+        // The angle of its parameter is none of the arc.
+        CHECK(measureCurve(Curve::arc({1, 1}, u, v, 0.0, 1.0)).size() == 3);
+    }
 }
 
 TEST_CASE("Measure: a face has the area between its curves, and the perimeter of its outline and holes") {
