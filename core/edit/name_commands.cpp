@@ -55,7 +55,12 @@ std::optional<std::int32_t> boundaryTagNamed(const Document &document, const std
 
 std::int32_t freeBoundaryTag(const Document &document) {
     const std::vector<std::int32_t> tags = boundaryTags(document);
-    const std::int32_t last = tags.empty() ? 0 : tags.back();
+    std::int32_t last = tags.empty() ? 0 : tags.back();
+    // A deleted part may have left its size.
+    const auto &sizes = document.spacing.partSizes;
+    const auto &counts = document.elementCounts;
+    last = sizes.empty() ? last : std::max(last, sizes.rbegin()->first);
+    last = counts.empty() ? last : std::max(last, counts.rbegin()->first);
     return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 
@@ -91,7 +96,11 @@ Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, c
             }
         }
     }
-    return nameBoundaryPart(document, all, name);
+    Document merged = document;
+    merged.boundaryNames.erase(tag);
+    merged.spacing.partSizes.erase(tag);
+    merged.elementCounts.erase(tag);
+    return all.shapes.empty() && all.segments.empty() ? merged : nameBoundaryPart(merged, all, name);
 }
 
 Result<Document> nameRegionOf(const Document &document, std::size_t marker, const std::string &name) {

@@ -21,7 +21,8 @@ struct BoundaryPart {
 /// with the default name. Faults: no-such-shape, no-such-segment; not-possible for an empty part.
 Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &part, const std::string &name);
 
-/// Renames a boundary tag everywhere. If another tag has the name, everything with the tag gets that one instead.
+/// Renames a boundary tag everywhere. If another tag has the name, everything with the tag gets that one instead, and
+/// nothing is left of the tag.
 Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, const std::string &name);
 
 /// Names the region of one marker, by the same rules. Fault: no-such-marker.

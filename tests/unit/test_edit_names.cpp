@@ -2,9 +2,14 @@
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
 
 using namespace forefront;
 using namespace forefront::edit_test;
@@ -46,4 +51,28 @@ TEST_CASE("nameRegionOf: a new name makes a new region; the other markers keep t
     CHECK(named.regionNames == std::map<std::int32_t, std::string>{{2, "sand"}, {3, "clay"}});
     CHECK(nameRegionOf(named, 1, "sand")->regionMarkers[1].tag == 2);
     CHECK(nameRegionOf(document, 2, "x").faults().front().code == "no-such-marker");
+}
+
+TEST_CASE("renameBoundaryTag: nothing is left of a tag that is renamed to another one's name") {
+    Document document = documentOf({square({0, 0}, 1), square({3, 0}, 1)});
+    document = *setShapeTag(document, {2}, 5);
+    document.boundaryNames = {{1, "wall"}, {5, "inlet"}, {7, "nobody's"}};
+    document = *setPartSize(document, 5, PartSize{0.1, 0.2});
+    Document merged = *renameBoundaryTag(document, 5, "wall");
+    CHECK(merged.shapes[1]->tag == 1);
+    CHECK(merged.boundaryNames == std::map<std::int32_t, std::string>{{1, "wall"}, {7, "nobody's"}});
+    CHECK(merged.spacing.partSizes.empty());
+    const Result<Document> unused = renameBoundaryTag(merged, 7, "wall"); // that no shape has
+    REQUIRE(unused.ok());
+    CHECK(unused->boundaryNames.size() == 1);
+    CHECK(renameBoundaryTag(document, 5, "outlet")->boundaryNames.at(5) == "outlet");
+}
+
+TEST_CASE("freeBoundaryTag: a new tag has no size that a deleted part has left") {
+    Document document = documentOf({square({0, 0}, 1)});
+    CHECK(freeBoundaryTag(document) == 2);
+    document.spacing.partSizes[4] = {0.1, 0.2};
+    CHECK(freeBoundaryTag(document) == 5);
+    document.elementCounts[8] = {10, 0.2};
+    CHECK(freeBoundaryTag(document) == 9);
 }
