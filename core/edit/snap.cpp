@@ -87,7 +87,7 @@ const char *wordOf(SnapKind kind) {
 double steppedDirection(Vec2 a, Vec2 b, double step) {
     const Vec2 arm = b - a;
     const double degrees = std::round(std::atan2(arm.y, arm.x) / kDegree / step) * step;
-    return degrees < 0.0 ? degrees + 360.0 : degrees >= 360.0 ? degrees - 360.0 : degrees;
+    return degrees < 0.0 ? degrees + 360.0 : degrees >= 360.0 ? degrees - 360.0 : degrees + 0.0; // not -0
 }
 
 Snapped snapLocked(const PickIndex &index, const SnapQuery &query) {

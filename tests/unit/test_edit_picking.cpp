@@ -397,6 +397,8 @@ TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly
     const Vec2 thirty = snap(index, query).at - *query.anchor;
     CHECK(std::atan2(thirty.y, thirty.x) == doctest::Approx(std::acos(-1.0) / 6));
     CHECK(wordsOf(snap(index, query)) == "angle 30\xc2\xb0");
+    query.at = *query.anchor + Vec2{2, -0.01};
+    CHECK(wordsOf(snap(index, query)) == "angle 0\xc2\xb0");
     query.at = {3, -5};
     CHECK(wordsOf(snap(index, query)) == "angle 285\xc2\xb0");
     query.angleStep = 22.5;
