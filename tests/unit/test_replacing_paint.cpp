@@ -6,8 +6,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <utility>
 
 using namespace forefront;
 
@@ -161,4 +164,20 @@ TEST_CASE("Replacing paint: project files keep it, and files without the word on
     document.spacing.paint.replaces = false;
     CHECK(projectText(document).find("replaces") == std::string::npos);
     CHECK_FALSE(parseProject(projectText(document), "test")->spacing.paint.replaces);
+}
+
+TEST_CASE("Replacing paint: a dab asks for the spacing at a node at most twice, also one that smooths") {
+    std::map<std::pair<double, double>, int> asked;
+    Dab dab{{5, 5}, 1.0, 0.1, 0.5};
+    dab.around = [&](Vec2 place) {
+        ++asked[{place.x, place.y}];
+        return 0.1 + 0.01 * place.x;
+    };
+    for (const DabMode mode : {DabMode::Set, DabMode::Coarser, DabMode::Smooth}) {
+        asked.clear();
+        dab.mode = mode;
+        forefront::paint(canvas(), dab);
+        REQUIRE(asked.size() > 1000);
+        CHECK(std::all_of(asked.begin(), asked.end(), [](const auto &entry) { return entry.second <= 2; }));
+    }
 }

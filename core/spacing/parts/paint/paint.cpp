@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -113,19 +117,48 @@ double startingValue(float painted, const PaintedSpacing &paint, const Dab &dab,
     return value > 0.0 && std::isfinite(value) ? value : 0.0;
 }
 
-/// Returns the geometric mean of a node and eight others around it, `reach` nodes away; unpainted ones count only if
-/// their spacing is known.
-double meanAround(const PaintedSpacing &paint, const Dab &dab, std::int32_t i, std::int32_t j, std::int32_t reach) {
-    double sum = 0.0, count = 0.0;
-    for (std::int32_t dj = -reach; dj <= reach; dj += reach) {
-        for (std::int32_t di = -reach; di <= reach; di += reach) {
-            const double value = startingValue(paintedNode(paint, i + di, j + dj), paint, dab, i + di, j + dj);
-            sum += value > 0.0 ? std::log(value) : 0.0;
-            count += value > 0.0 ? 1.0 : 0.0;
+/// The logarithms of the spacing from which a dab starts, at the nodes around it. Each is evaluated once, since a node
+/// counts in nine means.
+class StartingLogs {
+  public:
+    /// Covers the nodes of a disc and those up to `reach` nodes beside them.
+    StartingLogs(const PaintedSpacing &paint, const Dab &dab, const LatticeDisc &disc, std::int32_t reach)
+        : paint_(paint), dab_(dab), reach_(reach), left_(disc.columns.first - reach), low_(disc.rows.first - reach),
+          width_(static_cast<std::size_t>(disc.columns.last + reach - left_ + 1)),
+          logs_(width_ * static_cast<std::size_t>(disc.rows.last + reach - low_ + 1), kUnknown) {}
+
+    /// Returns the geometric mean of the spacing at a node and at eight others around it, `reach` nodes away; unpainted
+    /// ones count only if their spacing is known.
+    double meanAround(std::int32_t i, std::int32_t j) {
+        double sum = 0.0, count = 0.0;
+        for (std::int32_t dj = -reach_; dj <= reach_; dj += reach_) {
+            for (std::int32_t di = -reach_; di <= reach_; di += reach_) {
+                const double value = at(i + di, j + dj);
+                sum += std::isfinite(value) ? value : 0.0;
+                count += std::isfinite(value) ? 1.0 : 0.0;
+            }
         }
+        return std::exp(sum / count);
     }
-    return std::exp(sum / count);
-}
+
+  private:
+    static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+    /// Returns the logarithm at a node; minus infinity if there is no spacing.
+    double at(std::int32_t i, std::int32_t j) {
+        double &log = logs_[static_cast<std::size_t>(j - low_) * width_ + static_cast<std::size_t>(i - left_)];
+        if (std::isnan(log)) {
+            log = std::log(startingValue(paintedNode(paint_, i, j), paint_, dab_, i, j));
+        }
+        return log;
+    }
+
+    const PaintedSpacing &paint_;
+    const Dab &dab_;
+    std::int32_t reach_, left_, low_;
+    std::size_t width_;
+    std::vector<double> logs_;
+};
 
 /// Returns 1 in the core of a dab, falling smoothly to 0 at its radius.
 double weightAt(double d, double core, double radius) {
@@ -149,6 +182,10 @@ PaintedSpacing adjusted(const PaintedSpacing &before, const Dab &dab) {
     constexpr double kReach = 1.0 / 3.0; // of a mean, as a fraction of the radius
     const std::int32_t reach = std::max(1, static_cast<std::int32_t>(dab.around ? kReach * disc->radius : 1.0));
     const bool mayCreate = ambient > 0.0 || dab.around;
+    std::optional<StartingLogs> logs;
+    if (smooths) {
+        logs.emplace(before, dab, *disc, reach);
+    }
     changeDisc(after, *disc, mayCreate, [&](float &value, double d, std::int32_t i, std::int32_t j) {
         const double start = startingValue(value, before, dab, i, j);
         const double old = start > 0.0 ? start : ambient;
@@ -156,7 +193,7 @@ PaintedSpacing adjusted(const PaintedSpacing &before, const Dab &dab) {
             return false;
         }
         const double weight = weightAt(d, core, disc->radius);
-        const double wanted = smooths ? old * std::pow(meanAround(before, dab, i, j, reach) / old, strength * weight)
+        const double wanted = smooths ? old * std::pow(logs->meanAround(i, j) / old, strength * weight)
                                       : old * std::exp2(octaves * weight);
         const auto next = static_cast<float>(wanted);
         const bool changed = value != next && next > 0.0F && std::isfinite(next);
