@@ -113,6 +113,16 @@ TEST_CASE("Region size: two regions are meshed with their sizes, the same with e
     }
 }
 
+TEST_CASE("Region size: where the minimum and the gradation limit it, it grows as other sizes do") {
+    SpacingSpec spec = coarse();
+    spec.minimum = 0.1;
+    spec.gradation = 0.2;
+    const auto field = fieldOf(spec, halves(sized(1, 0.02, 1.0), sized(2, 0.5, 0.2)));
+    // max(0.1, 0.02 + d) begins to grow at d = 0.08, by at most 0.2.
+    CHECK(field->at({1.07, 0.5}) == doctest::Approx(0.1));
+    CHECK(field->at({1.3, 0.5}) == doctest::Approx(0.1 + 0.2 * 0.22).epsilon(0.02));
+}
+
 TEST_CASE("Region size: every point gets the smallest spacing of the regions, their areas and their growths") {
     RandomSource random(3);
     for (int round = 0; round < 40; ++round) {

@@ -170,7 +170,7 @@ void RegionPart::addSites(double gradation, double givenGradation, SiteSet &site
             }
             gentlest = reach.growth;
             if (reach.size) {
-                sites.add(limited(SizeSite::segment(wall.a, wall.b, rule.size, reach.growth), raised_, reach.growth),
+                sites.add(limited(SizeSite::segment(wall.a, wall.b, rule.size, rule.growth), raised_, givenGradation),
                           {SpacingOrigin::Region, SiteReason::RegionSize, rule.marker});
             } else {
                 sites.add(SizeSite::segment(wall.a, wall.b, std::max(rule.size, raised_), reach.growth),
