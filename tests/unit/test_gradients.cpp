@@ -107,3 +107,13 @@ TEST_CASE("Gradients: projects keep them, and only lines can be gradients") {
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.faults().front().code == "bad-source");
 }
+
+TEST_CASE("Gradients: one whose ends coincide is refused") {
+    const auto refused = addSource({}, gradient({1, 1}, {1, 1}, 0.1, 0.5));
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.faults().front().message ==
+          "size source 0 'ramp' has a gradient whose ends coincide; expected two different places");
+    SpacingSpec spec;
+    spec.sources = {gradient({1, 1}, {1, 1}, 0.1, 0.5)};
+    CHECK_FALSE(SpacingField::build(spec, plate()).ok());
+}

@@ -93,6 +93,9 @@ void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &fau
     }
     if (source.plane && source.shape != SourceShape::Line) {
         fault("a gradient over the plane", "a line, or no gradient");
+    } else if (source.plane && isFinite(source.a) && isFinite(source.b) &&
+               !std::isfinite(1.0 / distanceSquared(source.a, source.b))) {
+        fault("a gradient whose ends coincide", "two different places");
     }
     if (!isNotNegative(source.growth)) {
         fault("the growth " + text(source.growth), "a number of at least 0");
