@@ -2,10 +2,12 @@
 
 #include "core/arrangement/repair.hpp"
 #include "core/domain/validate.hpp"
+#include "core/edit/document.hpp"
 #include "core/io/format.hpp"
 #include "core/io/lesson/lesson_read.hpp"
 #include "core/io/png/png.hpp"
 #include "core/io/project/project.hpp"
+#include "core/io/svg/svg.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/mesh/mesh_domain.hpp"
 #include "tests/support/png_sample.hpp"
@@ -105,6 +107,12 @@ void runFormat(const Format &format, std::string_view bytes) {
     if (format.readDomain != nullptr) {
         if (const auto domain = readWith(format.readDomain, bytes)) {
             checkDomain(*domain);
+        }
+    }
+    if (format.readDomain == readSvg) { // as pasted
+        if (const auto shapes = readWith(readSvgShapes, bytes)) {
+            checkDomain(*shapes);
+            checkDocument(fromDomain(*shapes));
         }
     }
     if (format.readMesh != nullptr) {

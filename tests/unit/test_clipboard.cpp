@@ -3,6 +3,7 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/io/clipboard.hpp"
+#include "core/io/project/project.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -105,5 +106,19 @@ TEST_CASE("Clipboard: blank lines divide paths; text without numbers is refused"
         const Result<Document> none = readClipboard(text);
         REQUIRE_FALSE(none.ok());
         CHECK(none.faults().front().code == "no-drawing");
+    }
+}
+
+TEST_CASE("Clipboard: shapes of other programs that a transformation has flattened can be saved and opened again") {
+    for (const char *const flat : {"scale(1 0)", "matrix(1 1 1 1 0 0)", "scale(0 0)"}) {
+        CAPTURE(flat);
+        const Result<Document> pasted = readClipboard(
+            "<svg viewBox=\"0 0 9 9\"><rect width=\"9\" height=\"9\"/><g transform=\"" + std::string(flat) +
+            "\"><path d=\"M1 1 A 2 1 0 0 1 3 3 L 5 1 Z\"/><circle cx=\"4\" cy=\"4\" r=\"2\"/></g></svg>");
+        REQUIRE(pasted.ok());
+        const std::string text = projectText(*pasted);
+        const Result<Document> again = parseProject(text, "test");
+        REQUIRE(again.ok());
+        CHECK(projectText(*again) == text);
     }
 }

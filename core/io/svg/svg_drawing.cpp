@@ -11,6 +11,7 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -385,6 +386,12 @@ class SvgDrawer {
         return {};
     }
 
+    /// Returns true for an arc that a transformation has pressed into a line, which the chords along it follow exactly.
+    static bool isFlat(const Curve &curve) {
+        const std::array<double, 8> n = curve.numbers();
+        return curve.kind() == CurveKind::Arc && cross({n[2], n[3]}, {n[4], n[5]}) == 0.0;
+    }
+
     void keep(const Visit &visit, std::string_view element, SvgSubpath subpath) {
         SvgPath path;
         path.closed = subpath.closed;
@@ -398,6 +405,11 @@ class SvgDrawer {
         }
         for (Curve &curve : subpath.curves) {
             curve = curve.mapped(visit.map);
+        }
+        for (CurveStretch &stretch : subpath.stretches) {
+            if (stretch.follows() && isFlat(subpath.curves[stretch.curve])) {
+                stretch = {};
+            }
         }
         path.curves = std::move(subpath.curves);
         path.stretches = std::move(subpath.stretches);
