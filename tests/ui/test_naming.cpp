@@ -124,4 +124,24 @@ TEST_CASE("Naming: the menu of a segment sets its tag, F2 names a shape on the c
     CHECK(namer.document().shapes[0]->name == "plate");
 }
 
+TEST_CASE("Naming: the field on the canvas closes when undo removes what it names, or another drawing is opened") {
+    Namer namer;
+    namer.rectangle({2, 2}, {3, 3});
+    namer.key('V');
+    namer.key('T', kShift);
+    namer.settle();
+    REQUIRE(namer.has("naming"));
+    namer.key('Z', kControl); // the field has nothing to undo
+    namer.settle();
+    CHECK(namer.document().shapes.size() == 1);
+    CHECK_FALSE(namer.has("naming"));
+    namer.context().selection = {.shapes = {1}};
+    namer.key('T', kShift);
+    namer.settle();
+    REQUIRE(namer.has("naming"));
+    namer.context().document.load(Document(), "plate.forefront"); // as when a file is dropped on the window
+    namer.settle();
+    CHECK_FALSE(namer.has("naming"));
+}
+
 } // namespace forefront::test

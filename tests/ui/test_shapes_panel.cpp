@@ -219,4 +219,72 @@ TEST_CASE("Shapes panel: at 1280x800 at least eight rows are in sight, and dragg
     CHECK(tree.context().settings.tabHeights.contains("shapes"));
 }
 
+TEST_CASE("Shapes panel: F2 renames a row again after it got another tag, and one that is folded away") {
+    constexpr int kRename = key::kF1 + 1;
+    Tree tree;
+    tree.click("shapes/2/fold");
+    tree.settle();
+    tree.click("shapes/2/part/1");
+    tree.key(kRename);
+    tree.settle();
+    REQUIRE(tree.has("shapes/rename"));
+    tree.type("side"); // the first shape keeps tag 1, so these segments get another one
+    tree.key(key::kEnter);
+    tree.settle();
+    CHECK_FALSE(tree.has("shapes/2/part/1"));
+    tree.key(kRename);
+    tree.settle();
+    REQUIRE(tree.has("shapes/rename"));
+    tree.key(key::kEscape);
+    tree.settle();
+    tree.click("shapes/group/shapes");
+    tree.settle();
+    tree.key(kRename);
+    tree.settle();
+    CHECK(tree.has("shapes/rename"));
+}
+
+TEST_CASE("Shapes panel: F2 does not rename what was deleted, nor what has its number now") {
+    constexpr int kRename = key::kF1 + 1;
+    Document document = twoSquares();
+    document = *addRegionMarker(document, {{6.5, 2.5}, 3, 0.0});
+    Tree tree(document);
+    tree.click("shapes/1");
+    tree.key(key::kDelete);
+    tree.settle();
+    REQUIRE(tree.document().shapes.size() == 1);
+    tree.key(kRename);
+    tree.settle();
+    CHECK_FALSE(tree.context().naming.thing.has_value());
+    tree.key('Z', kControl);
+    tree.settle();
+    CHECK_FALSE(tree.has("shapes/rename"));
+    tree.click("shapes/region/0");
+    tree.key(key::kDelete);
+    tree.settle();
+    REQUIRE(tree.document().regionMarkers.size() == 1);
+    tree.key(kRename);
+    tree.settle();
+    CHECK_FALSE(tree.has("shapes/rename"));
+}
+
+TEST_CASE("Shapes panel: Shift selects all rows from the one clicked last, also boundary parts and after folding") {
+    Tree tree;
+    const auto shiftClick = [&](std::string_view widget) {
+        const Pixel at = tree.context().widgets.find(widget)->rect.centre();
+        tree.drag(at, at, 1, kShift);
+        tree.settle();
+    };
+    tree.click("shapes/part/1");
+    shiftClick("shapes/part/3");
+    CHECK(tree.selection().shapes == std::set<std::uint32_t>{1});
+    CHECK(tree.selection().segments == std::set<SegmentRef>{{2, 0}, {2, 1}, {2, 2}, {2, 3}});
+    tree.click("shapes/region/0");
+    tree.click("shapes/2/fold");
+    tree.settle();
+    shiftClick("shapes/part/3");
+    CHECK(tree.selection().segments == std::set<SegmentRef>{{2, 0}});
+    CHECK(tree.selection().markers == std::set<std::uint32_t>{0});
+}
+
 } // namespace forefront::test

@@ -17,7 +17,9 @@ namespace {
 /// Returns the row of the Shapes panel that F2 renames: the last one clicked, while the panel is shown.
 const std::optional<NamedThing> &rowToName(const Shell &context) {
     static const std::optional<NamedThing> kNone;
-    return context.naming.rowFrame >= ImGui::GetFrameCount() - 1 ? context.naming.row : kNone;
+    const Naming &naming = context.naming;
+    const bool shown = naming.rowFrame >= ImGui::GetFrameCount() - 1;
+    return shown && naming.row && naming.row->existsIn(*context.document.current()) ? naming.row : kNone;
 }
 
 /// Opens the field where the context menu was opened on the canvas, otherwise at what is selected.
@@ -28,7 +30,7 @@ void nameOnCanvas(Shell &context, NamedThing thing) {
     if (context.menu.running && camera.viewport.contains(context.menu.at)) {
         at = context.menu.at;
     }
-    context.naming.openOnCanvas(std::move(thing), at, document);
+    context.naming.openOnCanvas(std::move(thing), at, context.document);
     context.animate();
 }
 

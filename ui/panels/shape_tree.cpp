@@ -193,7 +193,6 @@ std::optional<std::size_t> ShapeTree::reveal(const Document &document, const Sel
         }
         const Shape &shape = *document.shapes[place];
         const bool several = boundaryPartsOf(shape).size() > 1;
-        unfold(first.shape, several || unfolded(first.shape));
         wanted = {.kind = several ? RowKind::ShapePart : RowKind::Shape,
                   .index = static_cast<std::uint32_t>(place),
                   .tag = segmentTag(shape, first.segment)};
@@ -205,12 +204,19 @@ std::optional<std::size_t> ShapeTree::reveal(const Document &document, const Sel
     } else {
         return std::nullopt;
     }
-    fold(wanted.kind == RowKind::Region ? RowKind::Regions : RowKind::Shapes, false);
+    return reveal(document, wanted);
+}
+
+std::optional<std::size_t> ShapeTree::reveal(const Document &document, const TreeRow &wanted) {
+    if (wanted.kind == RowKind::ShapePart && wanted.index < document.shapes.size()) {
+        unfold(document.shapes[wanted.index]->id, true);
+    }
+    fold(wanted.kind == RowKind::Region ? RowKind::Regions
+         : wanted.kind == RowKind::Part ? RowKind::Parts
+                                        : RowKind::Shapes,
+         false);
     follow(document, revision_);
-    const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const TreeRow &row) {
-        return row.kind == wanted.kind && row.index == wanted.index &&
-               (wanted.kind != RowKind::ShapePart || row.tag == wanted.tag);
-    });
+    const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const TreeRow &row) { return row.same(wanted); });
     return found == rows_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - rows_.begin()));
 }
 
@@ -238,6 +244,28 @@ std::set<std::int32_t> ShapeTree::selectedTags(const Document &document, const S
         }
     }
     return all;
+}
+
+std::set<ShapePartKey> selectedParts(const Document &document, const Selection &selection) {
+    std::map<ShapePartKey, std::size_t> counts;
+    for (const SegmentRef segment : selection.segments) {
+        if (const Shape *const shape = findShape(document, segment.shape)) {
+            ++counts[{segment.shape, segmentTag(*shape, segment.segment)}];
+        }
+    }
+    std::set<ShapePartKey> whole;
+    const Shape *shape = nullptr;
+    std::vector<std::pair<std::int32_t, std::size_t>> parts; // of that shape
+    for (const auto &[part, count] : counts) {
+        if (shape == nullptr || shape->id != part.first) {
+            shape = findShape(document, part.first);
+            parts = boundaryPartsOf(*shape);
+        }
+        if (std::find(parts.begin(), parts.end(), std::pair(part.second, count)) != parts.end()) {
+            whole.insert(part);
+        }
+    }
+    return whole;
 }
 
 } // namespace forefront

@@ -30,6 +30,11 @@ struct TreeRow {
     std::size_t count = 0;   ///< items of a group, segments and points of a part, parts of a shape
 
     bool isGroup() const { return kind <= Kind::Regions; }
+    /// Returns true for a row of the same thing in the same document.
+    bool same(const TreeRow &other) const {
+        const bool tagged = kind == Kind::ShapePart || kind == Kind::Part;
+        return kind == other.kind && index == other.index && (!tagged || tag == other.tag);
+    }
 };
 
 /// Returns the name of the widget of a row.
@@ -57,6 +62,8 @@ class ShapeTree {
 
     /// Returns the first row of what is selected, after unfolding what it is in.
     std::optional<std::size_t> reveal(const Document &document, const Selection &selection);
+    /// Returns the place of a row, of which the number of items may be missing, after unfolding what it is in.
+    std::optional<std::size_t> reveal(const Document &document, const TreeRow &wanted);
     /// Returns the boundary tags of which every segment and point is selected.
     std::set<std::int32_t> selectedTags(const Document &document, const Selection &selection) const;
 
@@ -70,6 +77,11 @@ class ShapeTree {
     std::uint64_t revision_ = 0;
     bool stale_ = true;
 };
+
+/// A boundary part of a shape: its id and the tag.
+using ShapePartKey = std::pair<std::uint32_t, std::int32_t>;
+/// Returns the boundary parts of shapes of which every segment is selected, besides those of selected shapes.
+std::set<ShapePartKey> selectedParts(const Document &document, const Selection &selection);
 
 /// Returns the boundary parts of a shape in the order of its segments, with their numbers of segments.
 std::vector<std::pair<std::int32_t, std::size_t>> boundaryPartsOf(const Shape &shape);

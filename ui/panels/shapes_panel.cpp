@@ -15,6 +15,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -45,6 +46,20 @@ std::optional<NamedThing> thingOf(const Document &document, const TreeRow &row) 
     }
 }
 
+/// Returns the row of what is named, without its number of items.
+TreeRow rowOf(const Document &document, const NamedThing &thing) {
+    using Named = NamedThing::Kind;
+    if (thing.kind == Named::Tag) {
+        return {.kind = RowKind::Part, .tag = thing.tag};
+    }
+    if (thing.kind == Named::Region) {
+        return {.kind = RowKind::Region, .index = thing.marker};
+    }
+    return {.kind = thing.kind == Named::Shape ? RowKind::Shape : RowKind::ShapePart,
+            .index = static_cast<std::uint32_t>(positionOf(document, thing.shape)),
+            .tag = thing.tag};
+}
+
 /// Returns what a click on a row selects.
 Selection itemsOf(const Document &document, const TreeRow &row) {
     Selection items;
@@ -71,6 +86,8 @@ class ShapesPanel final : public Panel {
 
   private:
     void followSelection(const Shell &context, const Document &document);
+    void noteSelection(const Shell &context, const Document &document);
+    void followNaming(Shell &context, const Document &document);
     void drawRows(Shell &context, const Document &document);
     void drawRow(Shell &context, const Document &document, std::size_t index);
     void drawPlate(Shell &context, const Document &document, const TreeRow &row, ImVec2 at, ImVec2 end, bool lit) const;
@@ -87,11 +104,13 @@ class ShapesPanel final : public Panel {
     void openGroupMenu(Shell &context);
 
     ShapeTree tree_;
-    Selection seen_;                      ///< the selection of the last frame
-    std::uint64_t seenRevision_ = 0;      ///< of the document, with `selectedTags_`
-    std::set<std::int32_t> selectedTags_; ///< see ShapeTree::selectedTags()
-    std::optional<std::size_t> reveal_;   ///< row to scroll to
-    std::optional<std::size_t> anchor_;   ///< row clicked last, where Shift+click begins
+    Selection seen_;                       ///< the selection of the last frame
+    std::uint64_t seenRevision_ = 0;       ///< of the document, with `selectedTags_`
+    std::set<std::int32_t> selectedTags_;  ///< see ShapeTree::selectedTags()
+    std::set<ShapePartKey> selectedParts_; ///< see selectedParts()
+    std::size_t regions_ = 0;              ///< region markers of the last frame
+    std::optional<std::size_t> reveal_;    ///< row to scroll to
+    std::string anchor_;                   ///< name of the row clicked last, where Shift+click begins
 };
 
 /// Reveals what was selected elsewhere, such as on the canvas.
@@ -101,22 +120,44 @@ void ShapesPanel::followSelection(const Shell &context, const Document &document
         reveal_ = tree_.reveal(document, context.selection);
     }
     if (changed || seenRevision_ != context.document.revision()) {
-        seen_ = context.selection;
         seenRevision_ = context.document.revision();
-        selectedTags_ = tree_.selectedTags(document, seen_);
+        noteSelection(context, document);
+    }
+}
+
+void ShapesPanel::noteSelection(const Shell &context, const Document &document) {
+    seen_ = context.selection;
+    selectedTags_ = tree_.selectedTags(document, seen_);
+    selectedParts_ = selectedParts(document, seen_);
+}
+
+/// Shows the row whose name is to be edited, and forgets rows that are gone.
+void ShapesPanel::followNaming(Shell &context, const Document &document) {
+    Naming &naming = context.naming;
+    const bool wasShown = naming.rowFrame >= ImGui::GetFrameCount() - 1;
+    naming.rowFrame = ImGui::GetFrameCount();
+    // Markers have no ids: when one is deleted or added, the number in a row may mean another one.
+    if (std::exchange(regions_, document.regionMarkers.size()) != document.regionMarkers.size() && naming.row &&
+        naming.row->kind == NamedThing::Kind::Region) {
+        naming.row.reset();
+    }
+    if (!naming.thing || !naming.inPanel) {
+        return;
+    }
+    if (naming.frames == 0) {
+        reveal_ = tree_.reveal(document, rowOf(document, *naming.thing));
+    }
+    if (!wasShown || (naming.frames == 0 && !reveal_)) {
+        naming.close();
     }
 }
 
 void ShapesPanel::draw(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     Naming &naming = context.naming;
-    const bool wasShown = naming.rowFrame >= ImGui::GetFrameCount() - 1;
-    naming.rowFrame = ImGui::GetFrameCount();
-    if (naming.thing && naming.inPanel && naming.frames > 0 && !wasShown) {
-        naming.close();
-    }
     tree_.follow(*document, context.document.revision());
     followSelection(context, *document);
+    followNaming(context, *document);
     if (document->shapes.empty() && document->regionMarkers.empty()) {
         ui::small(context, "No shapes yet. Draw one, or open a file or a sample.", true);
         return;
@@ -160,10 +201,8 @@ bool ShapesPanel::isSelected(const Shell &context, const Document &document, con
     case RowKind::Shape:
         return selection.shapes.contains(document.shapes[row.index]->id);
     case RowKind::ShapePart: {
-        const Shape &shape = *document.shapes[row.index];
-        const std::set<SegmentRef> segments = segmentsOf(shape, row.tag);
-        return selection.shapes.contains(shape.id) ||
-               std::includes(selection.segments.begin(), selection.segments.end(), segments.begin(), segments.end());
+        const std::uint32_t id = document.shapes[row.index]->id;
+        return selection.shapes.contains(id) || selectedParts_.contains({id, row.tag});
     }
     case RowKind::Part:
         return selectedTags_.contains(row.tag);
@@ -219,7 +258,7 @@ void ShapesPanel::drawRow(Shell &context, const Document &document, std::size_t 
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     drawPlate(context, document, row, at, end, lit);
     const std::optional<NamedThing> &named = context.naming.thing;
-    if (!row.isGroup() && named && context.naming.inPanel && named->same(*thingOf(document, row))) {
+    if (named && context.naming.inPanel && rowOf(document, *named).same(row)) {
         ImGui::SetCursorScreenPos({text, at.y});
         drawField(context, document, NamedThing(*named), (right - text) / context.scale);
     } else {
@@ -337,10 +376,14 @@ void ShapesPanel::choose(Shell &context, const Document &document, std::size_t i
     if (!toggles) {
         selection.clear();
     }
-    if (ImGui::GetIO().KeyShift && anchor_ && *anchor_ < tree_.rows().size()) {
-        chooseRange(context, document, std::min(*anchor_, index), std::max(*anchor_, index));
+    const std::vector<TreeRow> &rows = tree_.rows();
+    const auto anchor =
+        std::find_if(rows.begin(), rows.end(), [&](const TreeRow &each) { return rowName(document, each) == anchor_; });
+    if (ImGui::GetIO().KeyShift && anchor != rows.end()) {
+        const auto from = static_cast<std::size_t>(anchor - rows.begin());
+        chooseRange(context, document, std::min(from, index), std::max(from, index));
     } else {
-        anchor_ = index;
+        anchor_ = rowName(document, row);
         const Selection items = itemsOf(document, row);
         const auto change = [removes](auto &all, const auto &some) {
             for (const auto &item : some) {
@@ -352,21 +395,23 @@ void ShapesPanel::choose(Shell &context, const Document &document, std::size_t i
         change(selection.markers, items.markers);
     }
     selection.prune(document); // hidden and locked shapes cannot be selected
-    seen_ = selection;
-    selectedTags_ = tree_.selectedTags(document, seen_);
+    noteSelection(context, document);
     context.tools.choose("select", context);
     context.animate();
 }
 
 void ShapesPanel::chooseRange(Shell &context, const Document &document, std::size_t from, std::size_t to) const {
+    Selection &selection = context.selection;
     for (std::size_t k = from; k <= to; ++k) {
-        const TreeRow &row = tree_.rows()[k];
-        if (row.kind == RowKind::Shape) {
-            context.selection.shapes.insert(document.shapes[row.index]->id);
-        } else if (row.kind == RowKind::Region) {
-            context.selection.markers.insert(row.index);
+        if (const TreeRow &row = tree_.rows()[k]; !row.isGroup()) {
+            Selection items = itemsOf(document, row);
+            selection.shapes.merge(items.shapes);
+            selection.segments.merge(items.segments);
+            selection.markers.merge(items.markers);
         }
     }
+    std::erase_if(selection.segments,
+                  [&](const SegmentRef &segment) { return selection.shapes.contains(segment.shape); });
 }
 
 /// Opens the menu of what a row stands for, selected as far as it can be.

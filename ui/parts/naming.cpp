@@ -58,7 +58,39 @@ std::optional<NamedThing> labelledRun(const Document &document, std::uint32_t id
     return thing;
 }
 
+/// Returns the tag that a thing has after it was given a name.
+std::int32_t tagNow(const Document &document, const NamedThing &thing, const std::string &name) {
+    if (thing.kind == NamedThing::Kind::Tag && !thing.existsIn(document)) {
+        return boundaryTagNamed(document, name).value_or(thing.tag);
+    }
+    const bool part = thing.kind == NamedThing::Kind::Part && !thing.part.segments.empty();
+    const SegmentRef first = part ? *thing.part.segments.begin() : SegmentRef();
+    const Shape *const shape = part ? findShape(document, first.shape) : nullptr;
+    return shape != nullptr && first.segment < taggedSegments(*shape) ? segmentTag(*shape, first.segment) : thing.tag;
+}
+
 } // namespace
+
+bool NamedThing::existsIn(const Document &document) const {
+    switch (kind) {
+    case Kind::Shape:
+        return findShape(document, shape) != nullptr;
+    case Kind::Tag: {
+        const std::vector<std::int32_t> tags = boundaryTags(document);
+        return std::find(tags.begin(), tags.end(), tag) != tags.end();
+    }
+    case Kind::Part:
+        return std::all_of(part.shapes.begin(), part.shapes.end(),
+                           [&](std::uint32_t id) { return findShape(document, id) != nullptr; }) &&
+               std::all_of(part.segments.begin(), part.segments.end(), [&](SegmentRef segment) {
+                   const Shape *const owner = findShape(document, segment.shape);
+                   return owner != nullptr && segment.segment < taggedSegments(*owner);
+               });
+    case Kind::Region:
+        return marker < document.regionMarkers.size();
+    }
+    return false;
+}
 
 std::string NamedThing::name(const Document &document) const {
     switch (kind) {
@@ -141,8 +173,9 @@ void Naming::openInPanel(NamedThing what) {
     frames = 0;
 }
 
-void Naming::openOnCanvas(NamedThing what, Pixel place, const Document &document, bool label) {
-    text = what.name(document);
+void Naming::openOnCanvas(NamedThing what, Pixel place, const DocumentStore &store, bool label) {
+    text = what.name(*store.current());
+    revision = store.revision();
     thing = std::move(what);
     inPanel = false;
     at = place;
@@ -156,6 +189,9 @@ void applyName(Shell &context, const NamedThing &thing, const std::string &name)
     static constexpr const char *kLabels[] = {"Name shape", "Rename boundary", "Name boundary", "Name region"};
     EditState::apply(context, thing.renamed(*context.document.current(), name),
                      kLabels[static_cast<std::size_t>(thing.kind)]);
+    if (std::optional<NamedThing> &row = context.naming.row; row && row->same(thing)) {
+        row->tag = tagNow(*context.document.current(), *row, name); // the name may have brought another tag
+    }
     context.animate();
 }
 

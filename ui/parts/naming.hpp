@@ -10,6 +10,7 @@
 
 namespace forefront {
 
+class DocumentStore;
 struct Shell;
 
 /// Something that can be given a name.
@@ -30,6 +31,8 @@ struct NamedThing {
     bool same(const NamedThing &other) const {
         return kind == other.kind && shape == other.shape && tag == other.tag && marker == other.marker;
     }
+    /// Returns false once it was deleted, or has another tag.
+    bool existsIn(const Document &document) const;
     /// Returns the name that is edited; for a shape without a name, an empty text.
     std::string name(const Document &document) const;
     /// Returns what is named, such as "Boundary tag of 3 segments".
@@ -44,20 +47,21 @@ struct NamedThing {
 struct Naming {
     std::optional<NamedThing> thing; ///< while its field is open
     bool inPanel = false;
-    Pixel at{};              ///< of the field on the canvas
-    int frames = 0;          ///< that the field was drawn
-    std::string text;        ///< typed on the canvas
-    int choice = -1;         ///< index of the name chosen with the arrow keys; -1: the text
-    bool edited = false;     ///< the text was changed
-    bool everywhere = false; ///< also other parts with the tag get the name
+    Pixel at{};                 ///< of the field on the canvas
+    std::uint64_t revision = 0; ///< of the document when that was opened
+    int frames = 0;             ///< that the field was drawn
+    std::string text;           ///< typed on the canvas
+    int choice = -1;            ///< index of the name chosen with the arrow keys; -1: the text
+    bool edited = false;        ///< the text was changed
+    bool everywhere = false;    ///< also other parts with the tag get the name
 
-    /// The row of the panel that was clicked last, until the canvas is clicked; F2 renames it.
+    /// The row of the panel that was clicked last, until the canvas is clicked or the row is gone; F2 renames it.
     std::optional<NamedThing> row;
     int rowFrame = -1; ///< in which the panel was drawn last
 
     void openInPanel(NamedThing what);
     /// `label`: its label on the canvas was clicked, which means all parts with the name.
-    void openOnCanvas(NamedThing what, Pixel place, const Document &document, bool label = false);
+    void openOnCanvas(NamedThing what, Pixel place, const DocumentStore &store, bool label = false);
     void close() { thing.reset(); }
 };
 

@@ -94,8 +94,8 @@ void drawNameField(Shell &context, const PixelRect &canvas) {
     if (!naming.thing || naming.inPanel) {
         return;
     }
-    if (context.dialogs.any()) {
-        naming.close();
+    if (context.dialogs.any() || naming.revision != context.document.revision()) {
+        naming.close(); // what is named may be gone
         return;
     }
     const std::shared_ptr<const Document> document = context.document.current();

@@ -174,7 +174,7 @@ bool SelectTool::pressLabel(const CanvasEvent &event, Shell &context) {
     }
     context.selection = selectionOf(*start_, *thing);
     if (event.clicks == 2) {
-        context.naming.openOnCanvas(*thing, event.pixel, *start_, true);
+        context.naming.openOnCanvas(*thing, event.pixel, context.document, true);
         context.animate();
     }
     return true;
