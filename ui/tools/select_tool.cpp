@@ -262,16 +262,18 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
 }
 
 bool SelectTool::key(const CanvasEvent &event, Shell &context) {
+    if (mode_ != Mode::Idle) {
+        if (event.key == key::kEscape) {
+            context.document.abandonStroke(mode_ == Mode::Moving ? stroke_ : std::string());
+            mode_ = Mode::Idle;
+        }
+        return true; // no command removes what is being dragged
+    }
     if (event.modifiers.control() || event.modifiers.alt()) {
         return false;
     }
     switch (event.key) {
     case key::kEscape:
-        if (mode_ == Mode::Moving) {
-            context.document.abandonStroke(stroke_);
-            mode_ = Mode::Idle;
-            return true;
-        }
         // Esc first cancels what runs.
         if (!context.selection.empty() && !context.actions.find("run.cancel")->enabled(context)) {
             context.selection.clear();
