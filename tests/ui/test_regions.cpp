@@ -245,4 +245,31 @@ TEST_CASE("Face raster: faces get their tints, rims fade inwards, and curves are
     CHECK(rasteriseFaces(FaceMap(), {}, camera, 10.0).size() == 160000);
 }
 
+TEST_CASE("Regions: a label that makes way for a node is clicked where it is, not where it was") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 9});
+    driver.context().document.apply(*addRegionMarker(driver.document(), {{4, 5}, 2}), "Region");
+    driver.key('V');
+    driver.settle();
+    const PixelRect before = driver.context().widgets.find("label/region/0")->rect;
+    Shape node;
+    node.kind = ShapeKind::Point;
+    node.use = ShapeUse::Constraint;
+    node.nodes = {driver.context().view.camera.toPlane({before.x + 8.0, before.centre().y})};
+    driver.context().document.apply(*addShape(driver.document(), node), "Point");
+    const auto selectNode = [&] {
+        driver.context().selection = {.shapes = {2}};
+        driver.settle();
+        return driver.context().widgets.find("label/region/0")->rect;
+    };
+    const Pixel free{before.x + before.width - 8.0, before.centre().y};
+    REQUIRE_FALSE(selectNode().contains(free));
+    driver.clickAt(free);
+    driver.frames(30);
+    CHECK(driver.context().selection.markers.empty());
+    driver.clickAt(selectNode().centre());
+    driver.frames(30);
+    CHECK(driver.context().selection.markers == std::set<std::uint32_t>{0});
+}
+
 } // namespace forefront::test

@@ -75,12 +75,10 @@ std::optional<std::uint32_t> SelectTool::markerAt(Vec2 place, Shell &context) co
     if (const auto marker = state_->index(context)->marker(place, EditState::reach(context, 9.0))) {
         return marker;
     }
-    const Pixel pixel = context.view.camera.toPixel(place);
-    const std::size_t count = context.document.current()->regionMarkers.size();
-    const auto label = std::find_if(markerLabels_.begin(), markerLabels_.end(), [&](const auto &entry) {
-        return entry.first < count && entry.second.contains(pixel);
-    });
-    return label != markerLabels_.end() ? std::optional(label->first) : std::nullopt;
+    const std::optional<NamedThing> label = labelAt(context, context.view.camera.toPixel(place));
+    const bool region = label && label->kind == NamedThing::Kind::Region &&
+                        label->marker < context.document.current()->regionMarkers.size();
+    return region ? std::optional(label->marker) : std::nullopt;
 }
 
 void SelectTool::pointAtFace(Shell &context) const {

@@ -1,7 +1,6 @@
 #include "core/edit/shape_geometry.hpp"
 #include "core/spacing/spec/source_box.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/canvas/region_label.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/select_tool.hpp"
 #include "ui/widgets/flow.hpp"
@@ -143,29 +142,7 @@ void SelectTool::reserveOverlay(CanvasPainter &painter, const Shell &context) {
     }
 }
 
-/// Labels of layers are placed after what the tools draw, so this notes where they stand unless something is in the
-/// way.
-void SelectTool::noteLabels(const CanvasPainter &painter, const Shell &context) {
-    constexpr std::size_t kMaxLabels = 40; // as many as are drawn
-    markerLabels_.clear();
-    const bool shown = std::any_of(context.layers.begin(), context.layers.end(), [](const LayerSlot &slot) {
-        return slot.visible && std::string_view(slot.layer->id()) == "marks";
-    });
-    const Document &document = *context.document.current();
-    const std::size_t count = shown ? document.regionMarkers.size() : 0;
-    for (std::uint32_t k = 0; k < count && markerLabels_.size() < kMaxLabels; ++k) {
-        const Vec2 at = document.regionMarkers[k].at;
-        if (painter.camera().visible().contains(at)) {
-            const std::string name = regionName(document.regionNames, document.regionMarkers[k].tag);
-            const auto offsets =
-                regionLabelOffsets(painter, context.preview->faces.get(), at, name, context.fonts.small);
-            markerLabels_.emplace_back(k, painter.labelRect(at, offsets.front(), name, context.fonts.small));
-        }
-    }
-}
-
 void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
-    noteLabels(painter, context);
     drawHandles(painter, context);
     drawControls(painter, context);
     drawSourceHandles(painter, context);

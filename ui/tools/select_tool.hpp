@@ -60,8 +60,6 @@ class SelectTool final : public Tool {
     Hit hitAt(Vec2 place, Shell &context) const;
     /// Returns the region marker under the pointer, or whose label is there.
     std::optional<std::uint32_t> markerAt(Vec2 place, Shell &context) const;
-    /// Notes where the labels of region markers are.
-    void noteLabels(const CanvasPainter &painter, const Shell &context);
     /// Highlights the face of the region marker under the pointer.
     void pointAtFace(Shell &context) const;
     /// Returns the node near a place. Nodes of shapes that are not selected are not drawn, so they are found only right
@@ -114,7 +112,6 @@ class SelectTool final : public Tool {
     std::vector<Vec2> linesTo_; ///< see linesToNode()
     std::string stroke_, nudgeStroke_;
     TransformHandles transform_;
-    std::vector<std::pair<std::uint32_t, PixelRect>> markerLabels_; ///< as drawn last
 };
 
 } // namespace forefront
