@@ -319,4 +319,21 @@ TEST_CASE("Checks: a self-crossing polygon is a fault with a location; Repair fi
     CHECK(driver.document().shapes.size() == 1);
 }
 
+TEST_CASE("Source tool: a new source does not get the name of another one") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {8, 8});
+    driver.key('S');
+    driver.clickPlace({2, 2});
+    driver.clickPlace({4, 4});
+    driver.key('V');
+    driver.clickPlace({2, 2});
+    driver.key(key::kDelete);
+    REQUIRE(driver.document().spacing.sources.size() == 1);
+    driver.key('S');
+    driver.clickPlace({6, 6});
+    REQUIRE(driver.document().spacing.sources.size() == 2);
+    CHECK(driver.document().spacing.sources[0].name == "point 2");
+    CHECK(driver.document().spacing.sources[1].name == "point 3");
+}
+
 } // namespace forefront::test

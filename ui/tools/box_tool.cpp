@@ -8,7 +8,6 @@
 #include "ui/widgets/number_text.hpp"
 #include "ui/widgets/widgets.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -55,20 +54,7 @@ void BoxTool::forget(Shell &context) {
 }
 
 Vec2 BoxTool::corner(Vec2 at) const {
-    if (!isBox() || !first_) {
-        return at;
-    }
-    const Vec2 arm = at - *first_;
-    const std::optional<double> width = entry_.value(EntryField::Width), height = entry_.value(EntryField::Height);
-    if (width || height) {
-        // The signs choose the sides, not the pointer: it is where the first corner was clicked, or anywhere.
-        return *first_ + Vec2{width.value_or(arm.x), height.value_or(arm.y)};
-    }
-    if (!modifiers_.shift()) {
-        return at;
-    }
-    const double side = std::max(std::abs(arm.x), std::abs(arm.y));
-    return *first_ + Vec2{std::copysign(side, arm.x), std::copysign(side, arm.y)};
+    return isBox() && first_ ? cornerOfBox(*first_, at) : at;
 }
 
 std::span<const EntryField> BoxTool::entryFields() const {

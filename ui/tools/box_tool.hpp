@@ -34,8 +34,7 @@ class BoxTool final : public DrawingTool {
 
   private:
     bool isBox() const { return kind_ != ShapeKind::Circle; }
-    /// Returns the corner that a click places, given the typed width and height (negative: to the left, downwards), and
-    /// Shift for a square.
+    /// Returns the corner that a click places.
     Vec2 corner(Vec2 at) const;
     /// An extent of the box: from the first corner to the second one, as numbers and as expressions.
     struct Side {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace forefront {
@@ -287,6 +288,20 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
     entry_.clear();
     typedNodes_.clear();
     return true;
+}
+
+Vec2 DrawingTool::cornerOfBox(Vec2 first, Vec2 at) const {
+    const Vec2 arm = at - first;
+    const std::optional<double> width = entry_.value(EntryField::Width), height = entry_.value(EntryField::Height);
+    if (width || height) {
+        // The signs choose the sides, not the pointer: it is where the first corner was clicked, or anywhere.
+        return first + Vec2{width.value_or(arm.x), height.value_or(arm.y)};
+    }
+    if (!modifiers_.shift()) {
+        return at;
+    }
+    const double side = std::max(std::abs(arm.x), std::abs(arm.y));
+    return first + Vec2{std::copysign(side, arm.x), std::copysign(side, arm.y)};
 }
 
 void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const {

@@ -86,6 +86,9 @@ class DrawingTool : public Tool {
     /// Returns true if the shape will follow the expressions typed now: those of a place, or of a distance and an
     /// angle, but not of one and the other together.
     virtual bool followsEntry() const;
+    /// Returns the corner of a box opposite to `first` where a click is at a place: given the typed width and height
+    /// (negative: to the left, downwards), and Shift for a square.
+    Vec2 cornerOfBox(Vec2 first, Vec2 at) const;
     /// Labels the pointer with `text` and with the numbers being typed.
     void drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const;
 

@@ -6,6 +6,7 @@
 #include "core/spacing/parts/sources/graded_sources.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/tools/source_parts.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -106,7 +107,7 @@ void GradientTool::place(Vec2 at, Shell &context) {
 }
 
 void GradientTool::addSource(Shell &context, SizeSource gradient) {
-    gradient.name = "gradient " + std::to_string(context.document.current()->spacing.sources.size() + 1);
+    gradient.name = freeSourceName(*context.document.current(), "gradient");
     if (EditState::apply(context, forefront::addSource(*context.document.current(), std::move(gradient)),
                          "Add gradient")) {
         const auto count = context.document.current()->spacing.sources.size();

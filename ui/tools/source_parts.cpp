@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace forefront {
 
@@ -37,6 +38,16 @@ SizeSource withMovedPart(SizeSource source, SourcePart part, Vec2 to) {
         source.a = to;
     }
     return source;
+}
+
+std::string freeSourceName(const Document &document, const std::string &kind) {
+    const std::vector<SizeSource> &sources = document.spacing.sources;
+    for (std::size_t number = sources.size() + 1;; ++number) {
+        std::string name = kind + ' ' + std::to_string(number);
+        if (std::none_of(sources.begin(), sources.end(), [&](const SizeSource &other) { return other.name == name; })) {
+            return name;
+        }
+    }
 }
 
 } // namespace forefront

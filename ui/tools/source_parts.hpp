@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace forefront {
 
@@ -18,5 +19,8 @@ Vec2 placeOfPart(const SizeSource &source, SourcePart part, Vec2 place, double r
 
 /// Returns a source with one of its parts moved: an end, a corner, the centre or the rim.
 SizeSource withMovedPart(SizeSource source, SourcePart part, Vec2 to);
+
+/// Returns a name such as "point 3" that no source has, so that the inspector can tell which source wins.
+std::string freeSourceName(const Document &document, const std::string &kind);
 
 } // namespace forefront

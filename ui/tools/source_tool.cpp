@@ -5,6 +5,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/tools/source_parts.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/flow.hpp"
@@ -12,9 +13,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -43,21 +42,8 @@ void SourceTool::place(Vec2 at, Shell &context) {
     }
 }
 
-/// Returns the second corner of a box where a click is at a place: typed numbers count, and Shift makes a square.
 Vec2 SourceTool::corner(Vec2 at) const {
-    if (shape() != SourceShape::Box || !first_) {
-        return at;
-    }
-    const Vec2 arm = at - *first_;
-    const std::optional<double> width = entry_.value(EntryField::Width), height = entry_.value(EntryField::Height);
-    if (width || height) {
-        return *first_ + Vec2{width.value_or(arm.x), height.value_or(arm.y)};
-    }
-    if (!modifiers_.shift()) {
-        return at;
-    }
-    const double side = std::max(std::abs(arm.x), std::abs(arm.y));
-    return *first_ + Vec2{std::copysign(side, arm.x), std::copysign(side, arm.y)};
+    return shape() == SourceShape::Box && first_ ? cornerOfBox(*first_, at) : at;
 }
 
 void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
@@ -70,13 +56,10 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     state_->sourceSize = source.size; // or the next one nearby would be four times finer
     source.endSize = source.shape == SourceShape::Line ? state_->sourceEndSize : std::nullopt;
     source.growth = state_->sourceGrowth;
-    // A unique name, so that the inspector can tell which source wins.
-    const std::size_t number = context.document.current()->spacing.sources.size() + 1;
-    source.name = (source.shape == SourceShape::Point  ? "point "
-                   : source.shape == SourceShape::Line ? "line "
-                   : source.shape == SourceShape::Box  ? "box "
-                                                       : "disc ") +
-                  std::to_string(number);
+    source.name = freeSourceName(*context.document.current(), source.shape == SourceShape::Point  ? "point"
+                                                              : source.shape == SourceShape::Line ? "line"
+                                                              : source.shape == SourceShape::Box  ? "box"
+                                                                                                  : "disc");
     Result<Document> next = addSource(*context.document.current(), source);
     if (next) {
         keepSourceFormulas(*next, source);

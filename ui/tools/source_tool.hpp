@@ -31,6 +31,7 @@ class SourceTool final : public DrawingTool {
   private:
     SourceShape shape() const { return state_->sourceShape; }
     double size(const Shell &context, Vec2 at) const;
+    /// Returns the second corner of a box where a click is at a place.
     Vec2 corner(Vec2 at) const;
     void add(Shell &context, Vec2 a, Vec2 b);
     /// Lets the numbers of a new source follow the expressions that were typed for them.
