@@ -79,4 +79,24 @@ TEST_CASE("Measure: Ctrl+C and the menu copy the values") {
     CHECK(measurer.platform().clipboard() == "8");
 }
 
+TEST_CASE("Measure tool: Backspace, Esc and undo take back a segment that was picked for an angle") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {8, 8});
+    driver.key('M');
+    driver.settle();
+    driver.click("options/measure/mode/Angle");
+    const auto picked = [&] {
+        return driver.context().tools.current().statusText(driver.context()) == "Click the second segment";
+    };
+    for (const int code : {static_cast<int>(key::kBackspace), static_cast<int>(key::kEscape), static_cast<int>('Z')}) {
+        CAPTURE(code);
+        driver.clickPlace({3, 1});
+        CHECK(picked());
+        driver.key(code, code == 'Z' ? kControl : Modifiers{});
+        driver.settle();
+        CHECK_FALSE(picked());
+        CHECK(driver.document().shapes.size() == 1);
+    }
+}
+
 } // namespace forefront::test

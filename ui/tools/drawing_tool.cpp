@@ -93,7 +93,9 @@ void DrawingTool::release(Vec2 at, bool away, Shell &context) {
 bool DrawingTool::press(const CanvasEvent &event, Shell &context) {
     follow(event, context);
     if (event.button == MouseButton::Right && !inProgress()) {
-        context.selection.clear(); // it is not drawn in this tool, so the menu must not act on it
+        if (!showsSelection()) {
+            context.selection.clear(); // the menu must not act on what is not seen
+        }
         context.contextMenu = true;
         return true;
     }
@@ -213,7 +215,7 @@ bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
         }
         return false;
     case key::kEscape:
-        if (inProgress() || !entry_.label().empty()) {
+        if (hasBegun() || !entry_.label().empty()) {
             discard(context);
             entry_.clear();
             typedNodes_.clear();
@@ -221,7 +223,7 @@ bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
         }
         return false;
     case key::kBackspace:
-        return inProgress() && removeLast();
+        return hasBegun() && removeLast();
     default:
         return inProgress() && ownKey(event.key, context);
     }
@@ -238,7 +240,7 @@ Vec2 DrawingTool::typedPlace(const TypedPair &pair) const {
 }
 
 bool DrawingTool::undo(Shell &) {
-    if (!inProgress()) {
+    if (!hasBegun()) {
         return false;
     }
     if (!removeLast()) {

@@ -26,7 +26,7 @@ class DrawingTool : public Tool {
     void forget(Shell &context) override;
     /// Removes the last node, or cancels a shape that has only one.
     bool undo(Shell &context) override;
-    std::string undoLabel(const Shell &) const override { return inProgress() ? "last point" : ""; }
+    std::string undoLabel(const Shell &) const override { return hasBegun() ? "last point" : ""; }
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:
@@ -70,6 +70,10 @@ class DrawingTool : public Tool {
     virtual Vec2 typedPlace(const TypedPair &pair) const;
 
     bool inProgress() const { return anchor().has_value(); }
+    /// Returns true if there is something that Backspace and undo remove, and Esc cancels.
+    virtual bool hasBegun() const { return inProgress(); }
+    /// Returns true if the selection can be seen in this tool, so that its menu may act on it.
+    virtual bool showsSelection() const { return false; }
     /// Adds a shape, selects it and clears the typed numbers. Numbers of the shape that were typed as expressions
     /// follow them: see keepFormulas().
     bool commitShape(Shell &context, Shape shape, const std::string &label);

@@ -25,6 +25,7 @@ class GradientTool final : public DrawingTool {
     std::optional<Vec2> anchor() const override { return first_; }
     void cancel() override { first_.reset(); }
     bool dragPlaces() const override { return true; }
+    bool showsSelection() const override { return state_->gradientInSelection; }
 
   private:
     /// Returns the gradient between two places, with the chosen sizes or those proposed for the drawing.

@@ -45,7 +45,7 @@ void MeasureTool::cancel() {
 }
 
 bool MeasureTool::removeLast() {
-    points_.pop_back();
+    picked_.empty() ? points_.pop_back() : picked_.pop_back();
     return true;
 }
 

@@ -45,6 +45,10 @@ class MeasureTool final : public DrawingTool {
     std::optional<Vec2> anchor() const override;
     void cancel() override;
     bool removeLast() override;
+    /// A segment that was picked has no point that the next one could refer to.
+    bool hasBegun() const override {
+        return inProgress() || (mode_ == MeasureMode::Angle && !picked_.empty() && !complete());
+    }
     bool dragPlaces() const override { return mode_ == MeasureMode::Distance; }
     bool snaps() const override { return mode_ != MeasureMode::Object; }
 
