@@ -67,6 +67,7 @@ void FieldParts::lowerCap(double size, SpacingOrigin origin) {
     if (size < cap) {
         cap = size;
         capOrigin = origin;
+        capIsRule = true;
     }
 }
 
@@ -155,7 +156,7 @@ SpacingSample CombinedField::sample(Vec2 p) const {
 
 std::optional<SpacingRunnerUp> CombinedField::runnerUp(Vec2 p, const SiteLabel &winner) const {
     SpacingRunnerUp least{std::numeric_limits<double>::infinity(), {}};
-    if (!sameRule(winner, capRule(parts_.capOrigin))) {
+    if (parts_.capIsRule && !sameRule(winner, capRule(parts_.capOrigin))) {
         least = {parts_.cap, capWords(parts_.capOrigin)};
     }
     const auto compare = [&](const std::vector<SizeSite> &sites, const std::vector<SiteLabel> &labels) {

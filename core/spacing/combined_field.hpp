@@ -82,6 +82,7 @@ using PointParts =
 struct FieldParts {
     double cap = 0.0; ///< constant, maximum or automatic spacing, which makes the result finite everywhere
     SpacingOrigin capOrigin = SpacingOrigin::Constant;
+    bool capIsRule = true; ///< false: it only makes the result finite, far above every size
     double minimum = 0.0;
     PointParts points;
     SiteSet few;                  ///< evaluated one by one

@@ -64,10 +64,12 @@ class FieldBuilder {
         }
         if (parts_.cap == std::numeric_limits<double>::infinity()) { // the spacing must be finite everywhere
             parts_.lowerCap(kFarBeyond * input_.box.diagonal(), SpacingOrigin::Automatic);
+            parts_.capIsRule = false;
         }
         if (parts_.cap < parts_.minimum) {
             parts_.cap = parts_.minimum;
             parts_.capOrigin = SpacingOrigin::Minimum;
+            parts_.capIsRule = true;
         }
     }
     void addAutomatic() {

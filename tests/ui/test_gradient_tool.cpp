@@ -65,4 +65,30 @@ TEST_CASE("Gradient: equal factors, and paint inside the selected shapes only") 
     CHECK(driver.context().log.entries().back().announced);
 }
 
+TEST_CASE("Gradient tool: a right click keeps the shapes that the gradient is painted into") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {8, 8});
+    driver.key('D');
+    driver.settle();
+    driver.click("options/gradient/selection");
+    driver.press(driver.pixel({5, 5}), MouseButton::Right);
+    driver.release(driver.pixel({5, 5}), MouseButton::Right);
+    driver.settle();
+    CHECK(driver.has("contextmenu"));
+    CHECK(driver.context().selection.shapes.size() == 1);
+}
+
+TEST_CASE("Gradient tool: under a gradient, the inspector names no other rule where there is none") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {8, 8});
+    driver.key('D');
+    driver.dragPlaces({2, 2}, {7, 7});
+    driver.key('V');
+    driver.moveToPlace({4, 5});
+    driver.settle();
+    REQUIRE(driver.document().spacing.hasGradient());
+    CHECK(driver.has("inspector/here"));
+    CHECK_FALSE(driver.has("inspector/runnerup")); // it was a thousand times the size of the domain
+}
+
 } // namespace forefront::test
