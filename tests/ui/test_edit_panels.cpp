@@ -418,3 +418,22 @@ TEST_CASE("Inspector: size and growth of a boundary part are added to the spacin
     driver.settle();
     CHECK(driver.document().spacing.partSizes.empty());
 }
+
+TEST_CASE("Inspector: a tag that is no whole number above 0 is reported beside its field") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {8, 8});
+    driver.key('V');
+    driver.settle();
+    for (const char *bad : {"0", "2.5", "-3"}) {
+        driver.fill("inspector/tag", bad);
+        CHECK(driver.document().shapes[0]->tag == 1);
+        CHECK(driver.has("inspector/tag/fault"));
+    }
+    CHECK(driver.logHas("bad-tag"));
+    driver.fill("inspector/tag", "3");
+    CHECK(driver.document().shapes[0]->tag == 3);
+    driver.key('G');
+    driver.settle();
+    driver.fill("options/region/tag", "0");
+    CHECK(driver.has("options/region/tag/fault"));
+}

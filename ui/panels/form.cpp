@@ -6,8 +6,6 @@
 
 #include <imgui.h>
 
-#include <cmath>
-
 namespace forefront::form {
 
 void label(Workspace &context, const char *text) {
@@ -42,14 +40,14 @@ bool tag(Workspace &context, const std::string &name, const char *text, std::int
          const std::string &shownName, std::optional<std::string> &rename) {
     label(context, text);
     double number = value;
-    const bool changed = ui::inputNumber(context, name, number, 48.0F) && number >= 1.0 && number <= 1e9;
+    const bool changed = ui::inputNumber(context, name, number, 48.0F) && ui::checkTag(context, name, number);
     ImGui::SameLine(0, context.px(6));
     std::string typed = shownName;
     if (ui::entry(context, name + "/name", typed, "name", -1.0F, true) && typed != shownName) {
         rename = typed;
     }
     if (changed) {
-        value = static_cast<std::int32_t>(std::floor(number));
+        value = static_cast<std::int32_t>(number);
     }
     return changed;
 }

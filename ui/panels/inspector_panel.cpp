@@ -18,9 +18,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -98,8 +96,8 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
     form::label(context, "Boundary tag");
     std::optional<double> wanted;
     if (form::optionalField(context, "inspector/tag", wanted, "several") && wanted &&
-        ui::checkPositive(context, "inspector/tag", std::floor(*wanted))) {
-        changeTag(context, part, static_cast<std::int32_t>(std::min(*wanted, 1e9)));
+        ui::checkTag(context, "inspector/tag", *wanted)) {
+        changeTag(context, part, static_cast<std::int32_t>(*wanted));
     }
     ui::rowTooltip(context, "The tags differ. A number gives all of them this tag.");
 }

@@ -12,7 +12,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -118,8 +117,9 @@ void RegionTool::drawOptions(Shell &context, ui::Flow &flow) {
     ui::muted(context, "Region");
     ImGui::SameLine();
     double value = next;
-    if (ui::inputNumber(context, "options/region/tag", value, 44.0F) && value >= 1.0 && value <= 1e9) {
-        tag_ = static_cast<std::int32_t>(std::floor(value));
+    if (ui::inputNumber(context, "options/region/tag", value, 44.0F) &&
+        ui::checkTag(context, "options/region/tag", value)) {
+        tag_ = static_cast<std::int32_t>(value);
     }
     ui::tooltip(context, "Tag of the region that a click gives a face");
     flow.item("name");

@@ -20,14 +20,12 @@ namespace forefront {
 
 namespace {
 
-constexpr double kMaxTag = 1e9;
-
 /// Returns the tag for a typed number or name; names a free tag if nothing has the name. Reports what is neither.
 std::optional<std::int32_t> typedTag(Workspace &context, const std::string &typed) {
     const std::shared_ptr<const Document> document = context.document.current();
     const std::string text(trimmed(typed));
     if (const std::optional<double> number = parseNumber(text)) {
-        if (*number >= 1.0 && *number <= kMaxTag && *number == std::floor(*number)) {
+        if (*number >= 1.0 && *number <= ui::kMaxTag && *number == std::floor(*number)) {
             return static_cast<std::int32_t>(*number);
         }
     } else if (const std::optional<std::int32_t> known = boundaryTagNamed(*document, text)) {

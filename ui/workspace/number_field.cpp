@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace forefront::ui {
 namespace {
@@ -160,6 +161,15 @@ bool checkPositive(Workspace &context, std::string_view name, double value, bool
             std::string("expected ") + (zero ? "0 or " : "") + "a positive number, got " + number(value, 6);
         refuseEntry(context, name,
                     error("bad-number", reason, zero ? "enter 0 or more" : "enter a number greater than 0"), reason);
+    }
+    return good;
+}
+
+bool checkTag(Workspace &context, std::string_view name, double value) {
+    const bool good = value >= 1.0 && value <= kMaxTag && value == std::floor(value);
+    if (!good) {
+        const std::string reason = "expected a whole number from 1 to 1000000000, got " + number(value, 6);
+        refuseEntry(context, name, error("bad-tag", reason, "enter a number such as 3"), reason);
     }
     return good;
 }

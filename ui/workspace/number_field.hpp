@@ -28,6 +28,11 @@ bool checkPositive(Workspace &context, std::string_view name, double value, bool
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width = -1.0F, const std::string &address = {});
 
+constexpr double kMaxTag = 1e9;
+/// Returns true for a number that can be a tag, a whole number from 1 to kMaxTag; reports any other like a text without
+/// a value.
+bool checkTag(Workspace &context, std::string_view name, double value);
+
 /// The same as inputNumber() for a number whose expression the caller keeps in `formula`, which is shown instead of the
 /// number; empty for a plain number. Returns true if either changed.
 bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula,
