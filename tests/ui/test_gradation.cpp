@@ -67,7 +67,9 @@ TEST_CASE("Gradation: Esc takes back a drag of the slider") {
     driver.moveTo(knobAt(driver, 0.2));
     driver.frames(3);
     CHECK(driver.document().spacing.gradation.has_value());
+    driver.context().selection = {.shapes = {1}};
     driver.key(key::kEscape);
+    CHECK(driver.context().selection.size() == 1); // Esc means the slider alone
     driver.moveTo(knobAt(driver, 0.4));
     driver.frames(3);
     driver.release(knobAt(driver, 0.4));

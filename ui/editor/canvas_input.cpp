@@ -235,6 +235,9 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
     if (!event.pressed) {
         return;
     }
+    if (event.code == key::kEscape && ImGui::IsAnyItemActive()) {
+        return; // it cancels the drag of a slider
+    }
     if (event.code == key::kEscape && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
         ImGui::ClosePopupToLevel(0, true);
         return;
