@@ -7,6 +7,11 @@
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 namespace forefront {
 
 namespace {
@@ -52,10 +57,30 @@ class MarksLayer final : public Layer {
             box.add(boxAround(source.b, source.radius));
         } else if (source.shape == SourceShape::Box) {
             for (const Vec2 corner : SourceBox(source).corners()) {
-                box.add(corner);
+                box.add(boxAround(corner, source.radius));
             }
         }
         return box;
+    }
+
+    /// Draws how far from a line or box its full size reaches: the outline around it at the distance `radius`.
+    static void drawReach(CanvasPainter &painter, std::vector<Vec2> corners, double radius, Colour colour) {
+        const std::size_t count = corners.size();
+        if (count > 2 && cross(corners[1] - corners[0], corners[2] - corners[1]) < 0.0) {
+            std::reverse(corners.begin(), corners.end()); // counter-clockwise
+        }
+        std::vector<Vec2> outline;
+        for (std::size_t k = 0; k < count; ++k) {
+            const Vec2 in = corners[k] - corners[(k + count - 1) % count], out = corners[(k + 1) % count] - corners[k];
+            const double from = std::atan2(-in.x, in.y), bend = std::atan2(cross(in, out), dot(in, out));
+            const double turn = count == 2 ? std::numbers::pi : bend; // at an end of a line, half around
+            constexpr int kSteps = 16;
+            for (int i = 0; i <= kSteps; ++i) {
+                const double angle = from + turn * i / kSteps;
+                outline.push_back(corners[k] + radius * Vec2{std::cos(angle), std::sin(angle)});
+            }
+        }
+        painter.polyline(outline, true, colour, 1.0);
     }
 
     static void drawSource(CanvasPainter &painter, const LayerFrame &frame, std::size_t index, bool labelled) {
@@ -64,6 +89,9 @@ class MarksLayer final : public Layer {
         if (source.shape == SourceShape::Line) {
             painter.line(source.a, source.b, fade(colour, 0.8), 2.0);
             painter.dot(source.b, 3.0, colour);
+            if (source.radius > 0.0) {
+                drawReach(painter, {source.a, source.b}, source.radius, fade(colour, 0.5));
+            }
             if (labelled && source.endSize) {
                 painter.ring(source.b, 6.5, fade(colour, 0.8), 1.25);
                 painter.freeLabel(source.b, {10.0, -18.0}, ui::format("\xcf\x81=%.3g", *source.endSize),
@@ -77,7 +105,11 @@ class MarksLayer final : public Layer {
             for (std::size_t k = 0; k < box.corners().size(); ++k) {
                 painter.dashed(box.corners()[k], box.corners()[(k + 1) % 4], fade(colour, 0.8), 1.5);
             }
-        } else if (source.radius > 0.0) {
+            if (source.radius > 0.0) {
+                const auto corners = box.corners();
+                drawReach(painter, {corners.begin(), corners.end()}, source.radius, fade(colour, 0.5));
+            }
+        } else if (source.radius > 0.0 && source.shape != SourceShape::Line) {
             painter.dashedCircle(source.a, source.radius, fade(colour, 0.8), 1.5);
         }
         painter.dot(at, 3.0, colour);
