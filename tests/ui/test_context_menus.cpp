@@ -146,6 +146,7 @@ TEST_CASE("Context menu: the legend chooses what colours the mesh, the timeline 
     clicker.settle();
     CHECK(clicker.context().view.measure == Measure::Area);
     clicker.rightClick("canvas/legend/quality");
+    CHECK(clicker.has("contextmenu/file.exportPicture"));
     clicker.click("contextmenu/colour/size");
     clicker.settle();
     CHECK(clicker.context().layer("size")->visible);

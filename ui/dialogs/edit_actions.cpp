@@ -115,7 +115,12 @@ void addFileActions(ActionRegistry &actions) {
                  .menu = "File",
                  .title = "Export mesh\xe2\x80\xa6",
                  .shortcuts = {{'E', kControl}},
-                 .run = exportMesh,
+                 .run = [](Shell &c) { exportMesh(c); },
+                 .enabled = hasShapes});
+    actions.add({.id = "file.exportPicture",
+                 .menu = "File",
+                 .title = "Export picture of the mesh\xe2\x80\xa6",
+                 .run = [](Shell &c) { exportMesh(c, "svg"); },
                  .enabled = hasShapes});
     actions.add({.id = "file.exportFilm",
                  .menu = "File",

@@ -185,7 +185,7 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
 
 } // namespace
 
-void exportMesh(Shell &context) {
+void exportMesh(Shell &context, std::string_view proposed) {
     FileRequest request;
     request.id = "export";
     request.title = "Export mesh";
@@ -203,7 +203,7 @@ void exportMesh(Shell &context) {
     std::stable_partition(request.filters.begin(), request.filters.end(),
                           [](const FileFilter &filter) { return filter.id != "svg"; });
     const auto last = std::find_if(request.filters.begin(), request.filters.end(), [&](const FileFilter &filter) {
-        return filter.id == context.settings.exportFormat;
+        return filter.id == (proposed.empty() ? context.settings.exportFormat : proposed);
     });
     request.filter = last != request.filters.end() ? static_cast<std::size_t>(last - request.filters.begin()) : 0;
     const std::filesystem::path &document = context.document.path();

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string_view>
 
 namespace forefront {
 
@@ -36,8 +37,8 @@ void addPicture(Shell &context, const std::filesystem::path &file);
 void followPicture(Shell &context);
 /// Adds a file that was dropped onto the window if it is a picture; otherwise opens it.
 void openDropped(Shell &context, const std::filesystem::path &file);
-/// Exports the mesh in a format that the user chooses.
-void exportMesh(Shell &context);
+/// Exports the mesh in a format that the user chooses; `proposed`: the id of the one chosen at first.
+void exportMesh(Shell &context, std::string_view proposed = {});
 /// Writes the run of the document as a film: an animation, numbered frames or one moment.
 void exportFilm(Shell &context);
 /// Returns the folder that a file dialog starts in: that of the document or of the last file.
