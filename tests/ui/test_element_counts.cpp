@@ -189,7 +189,7 @@ TEST_CASE("Spacing: the number of elements per turn is a field") {
     driver.dragPlaces({5, 4}, {7, 4});
     driver.unfold("spacing");
     driver.fill("spacing/perturn", "100");
-    CHECK(driver.undoLabel() == "Change edges per turn");
+    CHECK(driver.undoLabel() == "Change elements per turn");
     CHECK(edges(driver, 1) >= 100);
     driver.fill("spacing/perturn", "-1");
     CHECK(driver.document().spacing.segmentsPerTurn == 100.0);
@@ -204,7 +204,7 @@ TEST_CASE("Spacing: the number of elements across narrow places is a field") {
     REQUIRE(driver.context().preview->spacing != nullptr);
     CHECK(driver.context().preview->spacing->at({5, 4.5}) == doctest::Approx(2.0));
     driver.fill("spacing/across", "2*2");
-    CHECK(driver.undoLabel() == "Change elements across");
+    CHECK(driver.undoLabel() == "Change elements per gap");
     CHECK(driver.document().spacing.elementsAcross == 4.0);
     CHECK(driver.context().preview->spacing->at({5, 4.5}) == doctest::Approx(0.25).epsilon(0.02));
     driver.fill("spacing/across", "-1");

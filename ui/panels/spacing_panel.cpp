@@ -140,14 +140,14 @@ void SpacingPanel::drawElementCounts(Shell &context) {
     form::label(context, "Elements per");
     const float half = form::halfWidth(context);
     if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half, "spacing/segmentsPerTurn")) {
-        EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change edges per turn");
+        EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
     }
     ui::rowTooltip(context,
                    "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
                    "automatic spacing, fewer on small bends, else 0. Curves always get as many as their shape needs.");
     ImGui::SameLine(0, context.px(6));
     if (form::optionalField(context, "spacing/across", across, "gap", half, "spacing/elementsAcross")) {
-        EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements across");
+        EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements per gap");
     }
     ui::tooltip(context, "Elements across narrow places, such as channels; 0: narrow places do not matter. Empty: 2 "
                          "with automatic spacing, else 0. Corners are no narrow places, except tips below 20 degrees.");
