@@ -272,22 +272,35 @@ bool CanvasPainter::freeLabel(Vec2 at, std::span<const Pixel> offsets, std::stri
     return false;
 }
 
+namespace {
+
+constexpr double kLineCell = 4.0; // design pixels; less than the gap between a line and the text beside it
+
+} // namespace
+
 void CanvasPainter::keepInside(const PixelRect &room) {
-    constexpr double kLineCell = 4.0; // design pixels; less than the gap between a line and the text beside it
     space_.open(room, kLineCell * scale_);
 }
 
 void CanvasPainter::reserve(const Outline &outline) {
+    const double near = 0.25 * kLineCell * scale_; // shorter segments are taken together
+    Pixel last{};
     std::vector<Vec2> points;
     for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        points = {outline.from(k)};
+        points.clear();
         if (outline.isCurved(k)) {
             addAlong(outline.curves[k], 1.0, points);
         } else {
             points.push_back(outline.to(k));
         }
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            space_.takeLine(camera_.toPixel(points[i - 1]), camera_.toPixel(points[i]));
+        last = k == 0 ? camera_.toPixel(outline.from(k)) : last;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Pixel next = camera_.toPixel(points[i]);
+            const bool end = k + 1 == outline.segmentCount() && i + 1 == points.size();
+            if (end || std::max(std::abs(next.x - last.x), std::abs(next.y - last.y)) >= near) {
+                space_.takeLine(last, next);
+                last = next;
+            }
         }
     }
 }
