@@ -6,6 +6,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 namespace forefront::test {
 
@@ -23,6 +24,29 @@ Document twoSquares() {
     document = *setSegmentTag(document, {{2, 0}}, 3);
     document = *setBoundaryName(document, 3, "inlet");
     return *addRegionMarker(document, {{2.5, 2.5}, 2, 0.0});
+}
+
+Document nineSquares() {
+    Document document;
+    for (int k = 0; k < 9; ++k) {
+        Shape square;
+        square.kind = ShapeKind::Rectangle;
+        square.nodes = {{2.0 * k, 0}, {2.0 * k + 1.0, 1}};
+        document = *addShape(document, square);
+    }
+    return document;
+}
+
+/// Returns the number of rows of nine shapes that are seen whole.
+int rowsInSight(Driver &driver) {
+    int rows = 0;
+    for (int k = 1; k <= 9; ++k) {
+        const auto *row = driver.context().widgets.find("shapes/" + std::to_string(k));
+        const bool whole = row != nullptr && row->clip && row->rect.y >= row->clip->y &&
+                           row->rect.y + row->rect.height <= row->clip->y + row->clip->height + 1.0;
+        rows += whole ? 1 : 0;
+    }
+    return rows;
 }
 
 /// A driver with the Shapes panel open.
@@ -190,26 +214,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Shapes panel: at 1280x800 at least eight rows are in sight, and dragging the edge of the tabs is kept") {
-    Document eight;
-    for (int k = 0; k < 9; ++k) {
-        Shape square;
-        square.kind = ShapeKind::Rectangle;
-        square.nodes = {{2.0 * k, 0}, {2.0 * k + 1.0, 1}};
-        eight = *addShape(eight, square);
-    }
-    Tree tree(eight);
-    const auto visible = [&] {
-        int rows = 0;
-        for (int k = 1; k <= 9; ++k) {
-            const auto *row = tree.context().widgets.find("shapes/" + std::to_string(k));
-            rows += row != nullptr && row->clip && row->rect.y >= row->clip->y &&
-                            row->rect.y + row->rect.height <= row->clip->y + row->clip->height + 1.0
-                        ? 1
-                        : 0;
-        }
-        return rows;
-    };
-    CHECK(visible() >= 8);
+    Tree tree(nineSquares());
+    CHECK(rowsInSight(tree) >= 8);
     const double others = tree.context().settings.tabsHeight;
     const Pixel edge = tree.context().widgets.find("splitter/tabs")->rect.centre();
     tree.drag(edge, {edge.x, edge.y + 180.0});
@@ -217,6 +223,16 @@ TEST_CASE("Shapes panel: at 1280x800 at least eight rows are in sight, and dragg
     CHECK(tree.context().widgets.find("splitter/tabs")->rect.y > edge.y + 5.0);
     CHECK(tree.context().settings.tabsHeight == others);
     CHECK(tree.context().settings.tabHeights.contains("shapes"));
+}
+
+TEST_CASE("Shapes panel: at scale 2, the headings of the tabs leave room for some rows") {
+    EditorSetup setup;
+    setup.sample = false;
+    Driver driver(std::move(setup), {1280, 800}, 2.0);
+    driver.context().document.apply(nineSquares(), "Draw");
+    driver.click("panel/shapes");
+    driver.settle();
+    CHECK(rowsInSight(driver) >= 3); // below the heading of their group
 }
 
 TEST_CASE("Shapes panel: F2 renames a row again after it got another tag, and one that is folded away") {

@@ -209,7 +209,7 @@ void drawTabs(Shell &context) {
     std::size_t chosen = chosenTab(context, tabs);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.heading);
-    constexpr double kLowTabs = 150.0; // design pixels; the rows of headings leave room to the tab
+    constexpr double kLowTabs = 200.0; // design pixels; the rows of headings leave room to the tab
     const bool low = ImGui::GetContentRegionAvail().y < context.px(kLowTabs);
     const float height = context.px(low ? 20 : 24);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
