@@ -272,4 +272,31 @@ TEST_CASE("Regions: a label that makes way for a node is clicked where it is, no
     CHECK(driver.context().selection.markers == std::set<std::uint32_t>{0});
 }
 
+TEST_CASE("Regions: the menu of the region tool names a face, also one without a region") {
+    TwoFaces driver;
+    driver.key('G');
+    const auto name = [&](std::string_view text) {
+        driver.press(driver.pixel({3, 4}), MouseButton::Right);
+        driver.release(driver.pixel({3, 4}), MouseButton::Right);
+        driver.settle();
+        REQUIRE(driver.has("contextmenu/nameFace"));
+        driver.click("contextmenu/nameFace");
+        driver.settle();
+        REQUIRE(driver.has("naming/name"));
+        driver.type(text);
+        driver.key(key::kEnter);
+        driver.settle();
+    };
+    name("oil");
+    REQUIRE(driver.document().regionMarkers.size() == 1);
+    CHECK(driver.document().regionNames.at(driver.document().regionMarkers[0].tag) == "oil");
+    name("water");
+    REQUIRE(driver.document().regionMarkers.size() == 1);
+    CHECK(driver.document().regionNames.at(driver.document().regionMarkers[0].tag) == "water");
+    driver.press(driver.pixel({9.6, 9}), MouseButton::Right);
+    driver.release(driver.pixel({9.6, 9}), MouseButton::Right);
+    driver.settle();
+    CHECK_FALSE(driver.has("contextmenu/nameFace"));
+}
+
 } // namespace forefront::test

@@ -82,6 +82,19 @@ void RegionTool::place(Vec2 at, Shell &context) {
     }
 }
 
+std::vector<ContextGroup> RegionTool::menu(Shell &context, Vec2 place) {
+    if (currentFaces(context)->faceAt(place) == kNoIndex) {
+        return {};
+    }
+    const auto name = [this, place](Shell &c) {
+        const std::optional<std::int32_t> chosen = std::exchange(tag_, std::nullopt); // the face keeps its region
+        this->place(place, c);
+        tag_ = chosen;
+        c.actions.run("edit.rename", c);
+    };
+    return {{commandOf("nameFace", "Name this face\xe2\x80\xa6", name)}};
+}
+
 /// Returns the name of the region that a face has or would get, and its area.
 std::string RegionTool::labelOf(const MappedFace &face, const Shell &context) const {
     const std::map<std::int32_t, std::string> &names = context.document.current()->regionNames;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -25,6 +26,8 @@ class RegionTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &context) const override;
+    /// Names the face at a place, which becomes a region if it is none.
+    std::vector<ContextGroup> menu(Shell &context, Vec2 place) override;
 
   protected:
     void place(Vec2 at, Shell &context) override;
