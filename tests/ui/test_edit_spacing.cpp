@@ -151,6 +151,10 @@ TEST_CASE("Sources: a box is drawn by a drag or with typed sizes, resized by its
     CHECK(source().angle == 30.0);
     driver.fill("inspector/b/x", "2*4");
     CHECK(source().b.x == 8.0);
+    const Vec2 corner = source().a;
+    driver.fill("inspector/extent/x", "3");
+    CHECK(boxExtent(source()).x == doctest::Approx(3.0)); // along its angle
+    CHECK(source().a == corner);
     // Width and height can be typed.
     driver.key('S');
     driver.clickPlace({3, 7});

@@ -3,6 +3,7 @@
 #include "core/edit/name_commands.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/spacing_commands.hpp"
+#include "core/spacing/spec/source_box.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/panels/source_growth.hpp"
@@ -34,6 +35,11 @@ void inspectSource(Shell &context, std::uint32_t index) {
     if (source.shape == SourceShape::Box) {
         changed = form::pair(context, "inspector/a", "Corner", source.a, {address("x"), address("y")}) || changed;
         changed = form::pair(context, "inspector/b", "Opposite", source.b, {address("x2"), address("y2")}) || changed;
+        Vec2 extent = boxExtent(source);
+        if (form::pair(context, "inspector/extent", "Width, height", extent, {address("width"), address("height")})) {
+            resizeBox(source, extent);
+            changed = true;
+        }
         changed = form::number(context, "inspector/angle", "Angle", source.angle, address("angle")) || changed;
     } else if (source.shape == SourceShape::Line) {
         changed = form::pair(context, "inspector/a", "From", source.a, {address("x"), address("y")}) || changed;
