@@ -2,7 +2,6 @@
 
 #include "core/base/number_text.hpp"
 #include "core/edit/formulas.hpp"
-#include "core/edit/number_address.hpp"
 #include "core/edit/transform.hpp"
 
 #include <cmath>
@@ -70,7 +69,7 @@ Selection everythingIn(const Document &document) {
 
 } // namespace
 
-Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor, std::vector<std::string> *dropped) {
+Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor) {
     if (!(factor > 0.0) || !std::isfinite(factor)) {
         return error("bad-number", "invalid factor " + numberText(factor, 6) + "; expected a positive number");
     }
@@ -99,11 +98,6 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
         next.picture = scaledAbout(*next.picture, fixed, factor);
     }
     pruneFormulas(next);
-    for (const auto &[address, text] : document.formulas) {
-        if (dropped != nullptr && !next.formulas.contains(address)) {
-            dropped->push_back(numberName(document, address));
-        }
-    }
     return next;
 }
 

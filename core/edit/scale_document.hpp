@@ -3,16 +3,11 @@
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
 
-#include <string>
-#include <vector>
-
 namespace forefront {
 
 /// Scales a whole document about a point, as if its unit of length were changed: the drawing, the background picture
 /// and all element sizes. An expression of the spacing stays as it is. Formulas that no longer fit their numbers are
-/// removed; `dropped`, if not null, becomes the names of their numbers: see numberName(). Errors: bad-number for a
-/// factor that is not positive and finite, bad-shape.
-Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor,
-                               std::vector<std::string> *dropped = nullptr);
+/// removed. Errors: bad-number for a factor that is not positive and finite, bad-shape.
+Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor);
 
 } // namespace forefront

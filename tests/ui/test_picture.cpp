@@ -195,7 +195,7 @@ TEST_CASE("Picture: a calibration scales what was traced, too, in one step, unle
     CHECK(driver.undoLabel() == "Calibrate background picture");
 }
 
-TEST_CASE("Picture: a calibration names the numbers whose formulas it removes, and undo brings them back") {
+TEST_CASE("Picture: a calibration names the numbers whose expressions it removes, and undo brings them back") {
     const TemporaryFolder place;
     Draughtsman driver;
     beginCalibration(driver, place);
@@ -214,7 +214,7 @@ TEST_CASE("Picture: a calibration names the numbers whose formulas it removes, a
     driver.fill("options/picture/distance", "50");
     CHECK(driver.document().formulas.empty());
     const std::string news = driver.context().log.entries().back().diagnostic.message;
-    CHECK(news == "Removed 1 formula that does not fit the new scale: width of rectangle 1");
+    CHECK(news == "Removed 1 expression that no longer fits: width of rectangle 1");
     driver.key('Z', {Modifiers::kControl});
     CHECK(driver.document().formulas.size() == 1);
 }

@@ -1,11 +1,13 @@
 #include "core/edit/formulas.hpp"
 #include "core/edit/path_curve.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "core/io/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <numbers>
 #include <string>
@@ -278,4 +280,37 @@ TEST_CASE("Typed formulas: arcs by three points and by their centre follow their
     CHECK(driver.shape(1).nodes == std::vector<Vec2>{{8, 3}, {5, 6}});
     CHECK(radiusOf(driver.shape(1).curves[0]) == doctest::Approx(3.0));
     CHECK(lengthOf(driver.shape(1)) == doctest::Approx(1.5 * std::numbers::pi));
+}
+
+TEST_CASE("Typed formulas: a moved shape takes them along; a turn removes those that no longer fit, and says so") {
+    Parametric driver;
+    driver.key('R');
+    driver.clickPlace({1, 1});
+    driver.moveToPlace({7, 7});
+    driver.enter({"=L, w"});
+    REQUIRE(driver.document().shapes.size() == 1);
+    driver.context().document.apply(setFormula(driver.document(), "shape/1/left", "r"), "Change formula");
+    driver.key('V');
+    driver.clickPlace({3, 1});
+    const std::size_t messages = driver.context().log.entries().size();
+    driver.dragPlaces({3, 1}, {5, 2});
+    CHECK(boundsOf(driver.shape()) == Box2{{3, 2}, {7, 4}});
+    CHECK(driver.formula("shape/1/left") == "r + 2");
+    CHECK(driver.formula("shape/1/width") == "L");
+    CHECK(driver.context().log.entries().size() == messages);
+    driver.set("r", "2");
+    CHECK(boundsOf(driver.shape()) == Box2{{4, 2}, {8, 4}});
+    driver.key(key::kLeftBracket, {Modifiers::kControl}); // a quarter turn
+    driver.frames(2);
+    CHECK(driver.document().formulas.empty());
+    CHECK(driver.context().log.entries().back().diagnostic.message ==
+          "Removed 3 expressions that no longer fit: height of rectangle 1, left of rectangle 1, width of rectangle 1");
+    // An expression that is typed over is not reported.
+    driver.key('Z', {Modifiers::kControl});
+    REQUIRE(driver.formula("shape/1/width") == "L");
+    const std::size_t before = driver.context().log.entries().size();
+    driver.fill("inspector/size/x", "5");
+    CHECK(driver.formula("shape/1/width").empty());
+    CHECK(driver.formula("shape/1/height") == "w");
+    CHECK(driver.context().log.entries().size() == before);
 }

@@ -1,4 +1,6 @@
 #include "core/edit/formulas.hpp"
+#include "core/edit/lost_formulas.hpp"
+#include "core/edit/number_address.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/scale_document.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -61,7 +63,7 @@ TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; g
     CHECK_FALSE(scaleDocument(document, {}, 0.0).ok());
 }
 
-TEST_CASE("scaleDocument: names the numbers whose formulas no longer fit") {
+TEST_CASE("scaleDocument: removes the formulas that no longer fit") {
     Shape circle;
     circle.kind = ShapeKind::Circle;
     circle.nodes = {{10, 10}, {14, 10}};
@@ -69,9 +71,11 @@ TEST_CASE("scaleDocument: names the numbers whose formulas no longer fit") {
     document = *addRegionMarker(document, {{10, 10}, 1, 4.0});
     document.formulas = {{"shape/1/radius", "r"}, {"shape/1/x/0", "2*r + 2"}, {"region/0/area", "r"}};
     document = *setParameters(document, {{"r", "4"}});
-    std::vector<std::string> dropped;
-    const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5, &dropped);
+    const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5);
     REQUIRE(scaled.ok());
     CHECK(scaled->formulas == std::map<std::string, std::string>{{"shape/1/x/0", "2*r + 2"}}); // the fixed point
-    CHECK(dropped == std::vector<std::string>{"maximum area of region marker 1", "radius of circle 1"});
+    const std::vector<std::string> lost = lostFormulas(document, *scaled);
+    REQUIRE(lost == std::vector<std::string>{"region/0/area", "shape/1/radius"});
+    CHECK(numberName(document, lost[0]) == "maximum area of region marker 1");
+    CHECK(numberName(document, lost[1]) == "radius of circle 1");
 }

@@ -13,9 +13,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
-#include <vector>
 
 namespace forefront {
 
@@ -28,22 +26,6 @@ bool drawPlaceField(Shell &context, ui::Flow &flow, const char *name, const char
     ui::muted(context, label);
     ImGui::SameLine();
     return ui::inputNumber(context, name, value, 84.0F);
-}
-
-/// Names the numbers whose formulas are gone; only the first ones if there are many.
-void announceDropped(Shell &context, const std::vector<std::string> &dropped) {
-    constexpr std::size_t kNamed = 6;
-    std::string names;
-    for (std::size_t k = 0; k < std::min(dropped.size(), kNamed); ++k) {
-        names += (k == 0 ? "" : ", ") + dropped[k];
-    }
-    if (!dropped.empty()) {
-        const std::string more =
-            dropped.size() > kNamed ? " and " + std::to_string(dropped.size() - kNamed) + " more" : "";
-        context.log.announce("Removed " + std::to_string(dropped.size()) +
-                             (dropped.size() == 1 ? " formula that does" : " formulas that do") +
-                             " not fit the new scale: " + names + more);
-    }
 }
 
 } // namespace
@@ -196,10 +178,8 @@ void PictureTool::calibrate(Shell &context, double distance) const {
         change(context, scaledAbout(*before->picture, fixed, factor), "Calibrate background picture");
         return;
     }
-    std::vector<std::string> dropped;
-    if (EditState::apply(context, scaleDocument(*before, fixed, factor, &dropped), "Calibrate picture and drawing")) {
+    if (EditState::apply(context, scaleDocument(*before, fixed, factor), "Calibrate picture and drawing")) {
         keepPictureInView(context, *before);
-        announceDropped(context, dropped);
         if (before->spacing.expression) {
             context.log.announce("The drawing is scaled; the spacing expression is not");
         }
