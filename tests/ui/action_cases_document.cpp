@@ -1,0 +1,112 @@
+#include "core/edit/shape_geometry.hpp"
+#include "core/io/files.hpp"
+#include "tests/ui/action_cases.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace forefront::test {
+
+namespace {
+
+using D = Draughtsman;
+using B = StateBefore;
+
+std::vector<ActionCase> fileCases() {
+    return {{"file.new", drawTriangle, [](D &d, const B &) { return dialogIs(d, "unsaved"); }},
+            {"file.open", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "open"); }},
+            {"file.openMesh", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "openmesh"); }},
+            {"file.compareMesh", drawMesh, [](D &d, const B &) { return dialogIs(d, "comparemesh"); }},
+            {"file.recent", [](D &d) { d.context().settings.recentFiles = {"/bay/lake.forefront"}; },
+             [](D &d, const B &) { return d.has("menu/file.recent/0"); }},
+            {"file.samples", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "gallery"); }},
+            {"file.save", drawTriangle, [](D &d, const B &) { return dialogIs(d, "save"); }},
+            {"file.saveAs", drawTriangle, [](D &d, const B &) { return dialogIs(d, "save"); }},
+            {"file.import", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "import"); }},
+            {"file.importSpacing", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "importspacing"); }},
+            {"file.addPicture", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "picture"); }},
+            {"file.export", drawMesh, [](D &d, const B &) { return dialogIs(d, "export"); }},
+            {"file.exportFilm", drawMesh, [](D &d, const B &) { return dialogIs(d, "film"); }},
+            {"file.quit", [](D &) {}, [](D &d, const B &) { return d.context().quit; }}};
+}
+
+/// Draws two squares that cross, in one loop that crosses itself.
+void drawCrossing(D &d) {
+    Shape bow;
+    bow.nodes = {{2, 2}, {6, 6}, {6, 2}, {2, 6}};
+    drawShapes(d, {bow});
+}
+
+void paintSpot(D &d) {
+    d.rectangle({1, 1}, {9, 8});
+    d.key('B');
+    d.dragPlaces({3, 3}, {5, 5});
+    d.settle();
+}
+
+std::size_t count(D &d) {
+    return d.document().shapes.size();
+}
+
+std::vector<ActionCase> editCases() {
+    return {
+        {"edit.undo", drawTriangle, [](D &d, const B &) { return count(d) == 0; }},
+        {"edit.redo",
+         [](D &d) {
+             drawTriangle(d);
+             d.key('Z', {Modifiers::kControl});
+         },
+         [](D &d, const B &) { return count(d) == 1; }},
+        {"edit.cut", drawTriangle,
+         [](D &d, const B &) { return count(d) == 0 && d.platform().clipboard().find("svg") != std::string::npos; }},
+        {"edit.copy", drawTriangle,
+         [](D &d, const B &) { return d.platform().clipboard().find("svg") != std::string::npos; }},
+        {"edit.paste",
+         [](D &d) {
+             drawTriangle(d);
+             d.key('C', {Modifiers::kControl});
+         },
+         [](D &d, const B &) { return count(d) == 2; }},
+        {"edit.delete", drawTriangle, [](D &d, const B &) { return count(d) == 0; }},
+        {"edit.duplicate", drawTriangle,
+         [](D &d, const B &b) { return count(d) == 2 && d.context().selection != b.selection; }},
+        {"edit.selectAll",
+         [](D &d) {
+             drawThree(d);
+             d.context().selection.clear();
+         },
+         [](D &d, const B &) { return d.context().selection.shapes.size() == 3; }},
+        {"edit.toPath", drawThree, [](D &d, const B &) { return d.document().shapes[0]->kind == ShapeKind::Polygon; }},
+        {"edit.repair", drawCrossing, [](D &d, const B &) { return d.context().preview->faults.empty(); }},
+        {"edit.clearPaint", paintSpot, [](D &d, const B &) { return d.document().spacing.paint.tiles.empty(); }},
+        {"edit.preferences", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "preferences"); }}};
+}
+
+/// Returns true if what is typed now goes into a field of the inspector.
+bool sizeFollows(D &d, const B &) {
+    if (d.document().spacing.partSizes.empty()) {
+        d.type("0.5");
+        d.key(key::kEnter);
+        d.settle();
+    }
+    return !d.document().spacing.partSizes.empty();
+}
+
+std::vector<ActionCase> namingCases() {
+    return {{"edit.rename", drawTriangle, [](D &d, const B &) { return d.has("naming/name"); }},
+            {"edit.setTag", drawTriangle, [](D &d, const B &) { return d.has("naming/name"); }},
+            {"edit.setSize", drawTriangle, sizeFollows}};
+}
+
+} // namespace
+
+std::vector<ActionCase> documentActionCases() {
+    std::vector<ActionCase> cases = fileCases();
+    for (auto &&list : {editCases(), namingCases()}) {
+        cases.insert(cases.end(), list.begin(), list.end());
+    }
+    return cases;
+}
+
+} // namespace forefront::test
