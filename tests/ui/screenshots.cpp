@@ -1,6 +1,10 @@
 #include "core/edit/shape_commands.hpp"
+#include "core/io/files.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/picture_spacing.hpp"
+#include "ui/dialogs/recovery.hpp"
+#include "ui/platform/assets.hpp"
 
 #include <doctest/doctest.h>
 
@@ -71,6 +75,27 @@ void showRegions(Driver &driver) {
     context.selection.markers = {0};
 }
 
+/// Opens the dialog for a drawing that is added.
+void importBracket(Driver &driver) {
+    Result<std::unique_ptr<ImportDialog>> dialog = ImportDialog::open(assetFolder() / "samples/bracket.json", {});
+    REQUIRE(dialog.ok());
+    driver.context().dialogs.open(std::move(dialog).value());
+}
+
+/// Offers a drawing that was unsaved when another program crashed.
+void offerRecovery(Driver &driver) {
+    static const testing::TemporaryFolder place;
+    const std::filesystem::path folder = place / "recovery";
+    RecoveryJournal journal(folder, projectText);
+    journal.record(driver.context().document.current(), {}, "Old harbour");
+    journal.flush();
+    const std::filesystem::path file = journal.file();
+    std::filesystem::copy_file(file, folder / ("0" + file.filename().string()),
+                               std::filesystem::copy_options::overwrite_existing);
+    static Recovery recovery(place.path);
+    recovery.offer(driver.context());
+}
+
 struct Scene {
     const char *name;
     std::function<void(Driver &)> show;
@@ -83,6 +108,24 @@ std::vector<Scene> scenes() {
     };
     const auto action = [](const char *id) {
         return [id](Driver &driver) { driver.context().actions.run(id, driver.context()); };
+    };
+    const auto operation = [](const char *id) {
+        return [id](Driver &driver) {
+            Shell &context = driver.context();
+            context.selection.clear();
+            context.selection.shapes = {context.document.current()->shapes.front()->id};
+            driver.settle();
+            context.actions.run(id, context);
+        };
+    };
+    const auto rightClick = [](Vec2 place) {
+        return [place](Driver &driver) {
+            driver.context().selection.clear();
+            const Pixel at = driver.context().view.camera.toPixel(place);
+            driver.moveTo(at);
+            driver.press(at, MouseButton::Right);
+            driver.release(at, MouseButton::Right);
+        };
     };
     const auto preferences = [](const char *page) {
         return [page](Driver &driver) {
@@ -112,7 +155,7 @@ std::vector<Scene> scenes() {
             {"polygon", tool("polygon")},
             {"brush", tool("brush")},
             {"source", tool("source")},
-            {"picture", tool("picture")},
+            {"picture-tool", tool("picture")},
             {"unfolded",
              [](Driver &driver) {
                  driver.click("tool/select");
@@ -129,6 +172,19 @@ std::vector<Scene> scenes() {
              }},
             {"dimensions-selected", inspectShape},
             {"steps", panel("steps")},
+            {"candidates",
+             [](Driver &driver) {
+                 driver.context().run.seek(60);
+                 driver.click("panel/candidates");
+             }},
+            {"histogram",
+             [](Driver &driver) {
+                 driver.context().run.seekEnd();
+                 driver.click("panel/histogram");
+             }},
+            {"probe", panel("probe")},
+            {"adapt", panel("adapt")},
+            {"parameters", panel("parameters")},
             {"statistics", panel("statistics")},
             {"checks", panel("checks")},
             {"log", panel("log")},
@@ -138,9 +194,25 @@ std::vector<Scene> scenes() {
             {"gallery", action("file.samples")},
             {"export", action("file.export")},
             {"film", action("file.exportFilm")},
-            {"picture-spacing", importRings},
+            {"picturespacing", importRings},
             {"glossary", action("glossary.candidates")},
             {"open", action("file.open")},
+            {"openmesh", action("file.openMesh")},
+            {"comparemesh", action("file.compareMesh")},
+            {"save", action("file.saveAs")},
+            {"import", action("file.import")},
+            {"importspacing", action("file.importSpacing")},
+            {"picture", action("file.addPicture")},
+            {"openlesson", action("learn.openLesson")},
+            {"importoptions", importBracket},
+            {"recovery", offerRecovery},
+            {"transform", operation("shape.transform")},
+            {"lineararray", operation("shape.linearArray")},
+            {"polararray", operation("shape.polarArray")},
+            {"fillet", operation("shape.fillet")},
+            {"chamfer", operation("shape.chamfer")},
+            {"offset", operation("shape.offset")},
+            {"scale", action("view.scale")},
             {"preferences", action("edit.preferences")},
             {"preferences-live", preferences("Live meshing")},
             {"preferences-snapping", preferences("Snapping")},
@@ -169,10 +241,21 @@ std::vector<Scene> scenes() {
                  driver.moveTo(driver.context().view.camera.toPixel({7.2, 2.0}));
              },
              true},
-            {"source-box", [](Driver &driver) {
+            {"source-box",
+             [](Driver &driver) {
                  driver.click("tool/select");
                  driver.context().selection.clear();
                  driver.context().selection.sources = {0};
+             }},
+            {"menu-canvas", rightClick({9.6, 7.0}), true},
+            {"menu-shape", rightClick({9.0, 4.0}), true},
+            {"menu-region", rightClick({6.5, 4.5}), true},
+            {"menu-source", rightClick({6.0, 4.1}), true},
+            {"unsaved", action("file.new")},
+            {"lessons", action("learn.lessons")},
+            {"lesson", [](Driver &driver) {
+                 driver.context().document.markSaved({});
+                 driver.click("lessons/1-front");
              }}};
 }
 
@@ -199,6 +282,11 @@ TEST_CASE("Screenshots: panels and dialogs" * doctest::skip()) {
                 write(driver.picture(), std::filesystem::path(folder) /
                                             (std::string(scene.name) + (theme == ThemeKind::Dark ? "-dark" : "-light") +
                                              std::to_string(scale) + ".ppm"));
+                if (driver.has("contextmenu")) {
+                    driver.key(key::kEscape);
+                    driver.settle();
+                }
+                driver.context().dialogs.dismissPreviews(driver.context());
                 driver.context().dialogs.closeAll();
                 driver.context().settings.rulers = false;
                 showLayer(driver.context().layers, "size", true);
