@@ -27,6 +27,7 @@ std::vector<ActionCase> fileCases() {
             {"file.importSpacing", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "importspacing"); }},
             {"file.addPicture", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "picture"); }},
             {"file.export", drawMesh, [](D &d, const B &) { return dialogIs(d, "export"); }},
+            {"file.exportPicture", drawMesh, [](D &d, const B &) { return dialogIs(d, "export"); }},
             {"file.exportFilm", drawMesh, [](D &d, const B &) { return dialogIs(d, "film"); }},
             {"file.quit", [](D &) {}, [](D &d, const B &) { return d.context().quit; }}};
 }
