@@ -184,6 +184,51 @@ Result<Document> overrideParameters(const Document &document, const std::map<std
     return setParameters(document, std::move(parameters));
 }
 
+namespace {
+
+/// Returns what uses a parameter, in words.
+std::vector<std::string> usersOf(const Document &document, const std::string &name) {
+    const auto uses = [&name](const std::string &text) { return renameIn(text, {{name, name + '_'}}) != text; };
+    std::vector<std::string> users;
+    for (const Parameter &parameter : document.parameters) {
+        if (parameter.name != name && uses(parameter.expression)) {
+            users.push_back("the parameter " + parameter.name);
+        }
+    }
+    for (const auto &[address, text] : document.formulas) {
+        if (uses(text)) {
+            users.push_back("the " + numberName(document, address));
+        }
+    }
+    if (document.spacing.expression && uses(*document.spacing.expression)) {
+        users.emplace_back("the spacing expression");
+    }
+    return users;
+}
+
+} // namespace
+
+Result<Document> removeParameter(const Document &document, std::size_t index) {
+    if (index >= document.parameters.size()) {
+        return error("bad-parameter", "parameter not found");
+    }
+    const std::string &name = document.parameters[index].name;
+    const std::vector<std::string> users = usersOf(document, name);
+    if (!users.empty()) {
+        constexpr std::size_t kListed = 3;
+        std::string list;
+        for (std::size_t k = 0; k < std::min(users.size(), kListed); ++k) {
+            list += (k == 0 ? "" : k + 1 == users.size() ? " and " : ", ") + users[k];
+        }
+        list += users.size() > kListed ? " and " + std::to_string(users.size() - kListed) + " more" : "";
+        return error("parameter-in-use", name + " is used by " + list,
+                     users.size() == 1 ? "enter a number there first" : "enter numbers there first");
+    }
+    std::vector<Parameter> parameters = document.parameters;
+    parameters.erase(parameters.begin() + static_cast<std::ptrdiff_t>(index));
+    return setParameters(document, std::move(parameters));
+}
+
 Result<Document> renameParameter(const Document &document, std::size_t index, const std::string &name) {
     if (index >= document.parameters.size()) {
         return error("bad-parameter", "parameter not found");

@@ -66,6 +66,9 @@ Result<Document> setParameters(const Document &document, std::vector<Parameter> 
 /// Replaces the expressions of some parameters, by name. Errors: unknown-parameter, and those of setParameters().
 Result<Document> overrideParameters(const Document &document, const std::map<std::string, std::string> &expressions);
 
+/// Removes a parameter that nothing uses. Errors: bad-parameter if there is none; parameter-in-use names what uses it.
+Result<Document> removeParameter(const Document &document, std::size_t index);
+
 /// Renames a parameter, including in the expressions and formulas that use it. Errors: bad-parameter.
 Result<Document> renameParameter(const Document &document, std::size_t index, const std::string &name);
 

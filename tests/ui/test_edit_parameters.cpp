@@ -1,3 +1,4 @@
+#include "core/edit/formulas.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -92,6 +93,9 @@ TEST_CASE("Parameters: faults are shown beside the row and the field, and the dr
     driver.click("parameters/0/remove"); // the width follows it
     driver.settle();
     CHECK(driver.has("parameters/0/fault"));
+    const Result<Document> removed = removeParameter(driver.document(), 0);
+    REQUIRE_FALSE(removed);
+    CHECK(removed.faults().front().message == "r is used by the width of rectangle 1");
     CHECK(driver.document().parameters.size() == 1);
     driver.fill("inspector/size/x", "3");
     driver.click("parameters/0/remove");

@@ -153,9 +153,7 @@ class ParametersPanel final : public Panel {
     }
 
     void remove(Shell &context, std::size_t index) {
-        std::vector<Parameter> parameters = context.document.current()->parameters;
-        parameters.erase(parameters.begin() + static_cast<std::ptrdiff_t>(index));
-        finish(context, index, setParameters(*context.document.current(), std::move(parameters)), "Remove parameter");
+        finish(context, index, removeParameter(*context.document.current(), index), "Remove parameter");
     }
 
     /// Applies a change, or shows below the row why it is impossible.
@@ -164,7 +162,8 @@ class ParametersPanel final : public Panel {
             rows_[index].fault.clear();
             EditState::apply(context, std::move(next), label);
         } else {
-            rows_[index].fault = next.faults().front().message;
+            const Diagnostic &fault = next.faults().front();
+            rows_[index].fault = fault.message + (fault.code == "parameter-in-use" ? "; " + fault.advice : "");
         }
         context.animate();
     }

@@ -8,10 +8,25 @@
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/widgets.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <string>
 #include <utility>
 
 namespace forefront {
+namespace {
+
+/// Returns twice an expression; twice w/2 is w.
+std::string doubled(const std::string &text) {
+    const bool half = text.ends_with("/2");
+    const std::string whole = half ? text.substr(0, text.size() - 2) : std::string();
+    const bool isName = !whole.empty() && std::all_of(whole.begin(), whole.end(),
+                                                      [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+    return isName ? whole : "2*(" + text + ")";
+}
+
+} // namespace
 
 const char *SlotTool::icon() const {
     return "\xef\x88\x84"; // Font Awesome: toggle-off
@@ -47,7 +62,7 @@ void SlotTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
     keep("length", length_);
     const std::string diameter = entry_.expression(EntryField::Diameter);
     const std::string radius = entry_.expression(EntryField::Radius);
-    const std::string width = !diameter.empty() ? diameter : "2*(" + radius + ")";
+    const std::string width = !diameter.empty() ? diameter : doubled(radius);
     keep("width", usesNames(width) ? width : std::string());
 }
 
