@@ -336,6 +336,19 @@ TEST_CASE("Editor: the palette finds an action by a part of its name") {
     CHECK(driver.context().dialogs.top() == nullptr);
 }
 
+TEST_CASE("Editor: the palette says when nothing matches") {
+    Driver driver;
+    driver.key('P', {Modifiers::kControl});
+    driver.frames(4);
+    CHECK_FALSE(driver.has("palette/none"));
+    driver.type("qqq");
+    driver.frames(2);
+    CHECK(driver.has("palette/none"));
+    driver.key(key::kEnter);
+    driver.frames(2);
+    CHECK(driver.has("palette/none"));
+}
+
 TEST_CASE("Editor: menus open on click, their neighbours on hover; Esc closes them") {
     Driver driver;
     driver.click("menu/View");

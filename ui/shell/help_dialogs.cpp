@@ -152,6 +152,10 @@ class Palette final : public Dialog {
         move(static_cast<int>(found.size()));
         const Action *run = nullptr;
         ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_NoNav);
+        if (found.empty()) {
+            ui::small(context, "No command matches '" + query_ + "', or none that is possible now", true);
+            ui::mark(context, "palette/none");
+        }
         for (std::size_t i = 0; i < found.size(); ++i) {
             const Action &action = *found[i];
             const std::string title = action.dynamic ? action.dynamic(context) : action.title;
