@@ -105,7 +105,7 @@ TEST_CASE("Keys: the brush takes another key for its radius; a conflict is shown
     driver.click("dialog/preferences/key/brush.larger");
     driver.key('V'); // the select tool's
     driver.frames(2);
-    CHECK(driver.has("dialog/preferences/conflict/brush.larger"));
+    CHECK(driver.has("dialog/preferences/conflict/brush.larger/loses")); // the tool comes first
     CHECK(driver.has("dialog/preferences/reset/brush.larger"));
     driver.click("dialog/preferences/reset/brush.larger");
     driver.frames(2);

@@ -60,6 +60,24 @@ void reset(Shell &context, const std::string &action) {
     context.settings.keys.erase(action);
 }
 
+/// Says which of the actions with the same key it runs: the first one that is possible, in their order in the list.
+void drawConflict(Shell &context, const Action &action, const std::vector<const Action *> &others) {
+    const std::vector<Action> &all = context.actions.all();
+    const auto first = std::find_if(all.begin(), all.end(), [&](const Action &candidate) {
+        return candidate.id == action.id || candidate.id == others.front()->id;
+    });
+    const bool wins = first->id == action.id;
+    const std::string more = others.size() > 1 ? " and " + std::to_string(others.size() - 1) + " more" : "";
+    const std::string name = "dialog/preferences/conflict/" + action.id;
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
+    ImGui::TextUnformatted(
+        (wins ? "wins over " + others.front()->title + more : "loses to " + others.front()->title).c_str());
+    ImGui::PopStyleColor();
+    ui::mark(context, name);
+    ui::mark(context, name + (wins ? "/wins" : "/loses"));
+    ui::tooltip(context, "The key runs " + first->title + " whenever that is possible. Give one of them another key.");
+}
+
 } // namespace
 
 /// Assigns the next key pressed: Esc cancels, Backspace removes the key.
@@ -103,12 +121,7 @@ void KeyList::drawRow(Shell &context, const Action &action) {
         if (changed) {
             ImGui::SameLine(0, context.px(8));
         }
-        std::string also = "also " + others.front()->title;
-        also += others.size() > 1 ? " and " + std::to_string(others.size() - 1) + " more" : "";
-        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
-        ImGui::TextUnformatted(also.c_str());
-        ImGui::PopStyleColor();
-        ui::mark(context, "dialog/preferences/conflict/" + action.id);
+        drawConflict(context, action, others);
     } else if (!changed) {
         ImGui::NewLine();
     }
@@ -128,7 +141,8 @@ void KeyList::draw(Shell &context) {
     }
     ui::small(context,
               "Fixed: arrows move the selection, Enter finishes, Esc cancels, Backspace removes the last node, Tab "
-              "goes to the next number, and X, Y, D, Q open a number while you draw.",
+              "goes to the next number, and X, Y, D, Q and the first letters of parameters open a number while you "
+              "draw.",
               true);
     ImGui::Dummy({0, context.px(4)});
     ImGui::BeginChild("keys", {0, 0}, false, ImGuiWindowFlags_NoNav);
