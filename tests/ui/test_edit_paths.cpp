@@ -303,6 +303,22 @@ TEST_CASE("Pen: choosing another tool keeps a path that is too short, and undo b
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{2, 2}, {5, 2}, {2, 6}});
 }
 
+TEST_CASE("Pen: undo does not bring back a discarded path once another tool has begun a shape") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('P');
+    driver.clickPlace({2, 2});
+    driver.clickPlace({4, 2});
+    driver.key(key::kEscape);
+    driver.key('U');
+    driver.clickPlace({3, 5});
+    driver.clickPlace({6, 5});
+    driver.key('R'); // drops the slot
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(std::string(driver.context().tools.current().id()) == "rectangle");
+    CHECK(driver.document().shapes.empty());
+}
+
 TEST_CASE("Select: the end of a line that is dropped on a side becomes a node of both, in one step") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

@@ -192,6 +192,48 @@ TEST_CASE("Typed formulas: a slot keeps width and length, by numbers, formulas a
     CHECK(driver.shape().radius == 0.75);
 }
 
+TEST_CASE("Typed formulas: a parameter's name begins a number while a shape is drawn, not a shortcut") {
+    Parametric driver;
+    const auto tool = [&] { return std::string(driver.context().tools.current().id()); };
+    SUBCASE("slot") {
+        driver.key('U');
+        driver.clickPlace({2, 5});
+        driver.clickPlace({6, 5});
+        CHECK(driver.context().tools.current().typingHint(driver.context()).find("= or a parameter") == 0);
+        driver.keys("w/2");
+        CHECK(tool() == "slot");
+        driver.key(key::kEnter);
+        driver.frames(2);
+        REQUIRE(driver.document().shapes.size() == 1);
+        CHECK(driver.shape().radius == 1.0);
+        CHECK(driver.formula("shape/1/width") == "w");
+    }
+    SUBCASE("circle") {
+        driver.key('C');
+        driver.clickPlace({5, 5});
+        driver.keys("r");
+        driver.key(key::kEnter);
+        driver.frames(2);
+        REQUIRE(driver.document().shapes.size() == 1);
+        CHECK(driver.formula("shape/1/radius") == "r");
+        driver.keys("r"); // nothing is drawn now: the tool for rectangles
+        CHECK(tool() == "rectangle");
+    }
+    SUBCASE("pen") {
+        driver.key('P');
+        driver.clickPlace({2, 2});
+        driver.clickPlace({6, 2});
+        driver.clickPlace({6, 6});
+        driver.keys("w");
+        CHECK(driver.document().shapes.empty());
+        CHECK(tool() == "polygon");
+        driver.key(key::kEscape); // the number, not the path
+        driver.keys("l");         // a line
+        driver.key(key::kEnter);
+        CHECK(driver.document().shapes.size() == 1);
+    }
+}
+
 TEST_CASE("Typed formulas: the length of a segment moves its end, which follows; the inspector says so") {
     Parametric driver;
     driver.polygon({{1, 1}, {4, 1}, {4, 3}});

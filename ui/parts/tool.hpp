@@ -76,6 +76,8 @@ class Tool {
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
     /// Returns a line for the status bar that says what a click does now.
     virtual std::string statusText(const Shell &) const { return {}; }
+    /// Returns what follows statusText() if there is room: how numbers are typed now.
+    virtual std::string typingHint(const Shell &) const { return {}; }
     /// Returns the tool's own commands for a right click at a place; those on the selection and the view follow.
     virtual std::vector<ContextGroup> menu(Shell &, Vec2 place) {
         static_cast<void>(place);

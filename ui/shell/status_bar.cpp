@@ -109,9 +109,15 @@ void addFaults(Cells &cells, Shell &context) {
     }
 }
 
-/// Draws the hint of the current tool at the right if there is room.
+/// Draws the hint of the current tool at the right if there is room, with the hint on typing if that fits too.
 void drawHint(const Cells &cells, const Shell &context, const PixelRect &rect) {
-    const std::string hint = context.tools.current().statusText(context);
+    std::string hint = context.tools.current().statusText(context);
+    const std::string typing = context.tools.current().typingHint(context);
+    if (!hint.empty() && !typing.empty()) {
+        const std::string both = hint + ". " + typing;
+        const double room = rect.x + rect.width - cells.at() - 8.0 - static_cast<double>(context.px(12));
+        hint = static_cast<double>(ImGui::CalcTextSize(both.c_str()).x) < room ? both : hint;
+    }
     if (!hint.empty()) {
         const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
         const double x = rect.x + rect.width - static_cast<double>(size.x) - 12.0 * static_cast<double>(context.scale);

@@ -121,6 +121,7 @@ void DrawingTool::placeTyped(Shell &context) {
     const bool typedNumbers = !entry_.label().empty();
     const std::uint64_t revision = context.document.revision();
     const Vec2 at = pointer_.at;
+    ++state_->placed;
     place(at, context);
     entry_.clear();
     if (!inProgress()) {
@@ -191,7 +192,8 @@ void DrawingTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
 }
 
 bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
-    const NumericEntry::Answer answer = entry_.handle(event, entryFields(), context.document.current()->spacing.names);
+    const NumericEntry::Answer answer =
+        entry_.handle(event, entryFields(), context.document.current()->spacing.names, ownLetters());
     if (answer != NumericEntry::Answer::Unused) {
         CanvasEvent here = event;
         here.place = place_;
@@ -233,6 +235,14 @@ std::span<const EntryField> DrawingTool::entryFields() const {
     static constexpr std::array kPlace{EntryField::X, EntryField::Y};
     static constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
     return inProgress() ? std::span<const EntryField>(kDirection) : std::span<const EntryField>(kPlace);
+}
+
+std::string DrawingTool::typingHint(const Shell &context) const {
+    if (!inProgress() || entryFields().empty()) {
+        return {};
+    }
+    return context.document.current()->parameters.empty() ? "= begins a formula"
+                                                          : "= or a parameter's name begins a formula";
 }
 
 Vec2 DrawingTool::typedPlace(const TypedPair &pair) const {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forefront {
@@ -27,6 +28,7 @@ class DrawingTool : public Tool {
     /// Removes the last node, or cancels a shape that has only one.
     bool undo(Shell &context) override;
     std::string undoLabel(const Shell &) const override { return hasBegun() ? "last point" : ""; }
+    std::string typingHint(const Shell &context) const override;
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:
@@ -57,6 +59,8 @@ class DrawingTool : public Tool {
     virtual Vec2 fitted(Vec2 at) { return at; }
     /// Handles a key that has a meaning of its own while a shape is unfinished. Returns false for other keys.
     virtual bool ownKey(int, Shell &) { return false; }
+    /// Returns the letters that ownKey() handles now, so that they do not begin the name of a parameter.
+    virtual std::string_view ownLetters() const { return {}; }
     /// Called after the pointer has moved or left.
     virtual void pointed(Shell &) {}
     /// Returns true if Shift constrains the angle; false if Shift has another meaning in this tool.

@@ -151,6 +151,14 @@ bool NumericEntry::continuesExpression() const {
     return open_ && !text_.empty() && !parseNumber(text_);
 }
 
+/// Returns true for the key of a letter with which a parameter's name begins, if it has no other meaning now.
+bool NumericEntry::beginsName(const CanvasEvent &event) const {
+    const int letter = event.modifiers.shift() ? event.key : event.key - 'A' + 'a';
+    return !open_ && anchored() && !fields_.empty() &&
+           ownLetters_.find(static_cast<char>(event.key)) == std::string::npos &&
+           std::any_of(names_.begin(), names_.end(), [letter](const auto &name) { return name.first[0] == letter; });
+}
+
 SnapLocks NumericEntry::locks() const {
     const std::optional<double> radius = value(EntryField::Radius);
     return {.x = value(EntryField::X),
@@ -197,9 +205,10 @@ std::vector<EntryField> NumericEntry::visible() const {
 }
 
 NumericEntry::Answer NumericEntry::handle(const CanvasEvent &event, std::span<const EntryField> fields,
-                                          const NamedValues &names) {
+                                          const NamedValues &names, std::string_view ownLetters) {
     fields_.assign(fields.begin(), fields.end());
     names_ = names;
+    ownLetters_ = ownLetters;
     switch (event.kind) {
     case CanvasEvent::Kind::Key:
         return key(event);
@@ -216,7 +225,7 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
         return Answer::Used;
     }
     if (!open_) {
-        const bool begins = isDigit(character) ||
+        const bool begins = isDigit(character) || std::exchange(nameBegins_, false) ||
                             (anchored() && (character == U'.' || character == U'-' || character == U'=')) ||
                             (anchored() && !isScalar() && character == U'@');
         if (!begins || fields_.empty()) {
@@ -262,7 +271,7 @@ NumericEntry::Answer NumericEntry::letter(EntryField field) {
 }
 
 NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
-    skipLetter_ = false;
+    skipLetter_ = nameBegins_ = false;
     if (event.modifiers.control() || event.modifiers.alt()) {
         return Answer::Unused;
     }
@@ -271,7 +280,8 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
         return Answer::Used; // arrives as text
     }
     if (isLetter && isScalar()) {
-        return Answer::Unused;
+        nameBegins_ = beginsName(event);
+        return nameBegins_ ? Answer::Used : Answer::Unused;
     }
     switch (event.key) {
     case 'X':
@@ -290,6 +300,10 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
         break;
     default:
         break;
+    }
+    nameBegins_ = isLetter && beginsName(event);
+    if (nameBegins_) {
+        return Answer::Used; // arrives as text
     }
     if (!open_) {
         // The digits arrive as text; their keys must not run shortcuts meanwhile.

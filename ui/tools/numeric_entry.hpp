@@ -48,8 +48,11 @@ class NumericEntry {
         Place ///< the typed numbers determine the next node: place it
     };
     /// Handles an event. `fields` are those that the tool shows now, in Tab order; X first if there is no node to
-    /// measure from. `names` are the parameters that expressions may use.
-    Answer handle(const CanvasEvent &event, std::span<const EntryField> fields, const NamedValues &names = {});
+    /// measure from. `names` are the parameters that expressions may use; where there is a node to measure from, their
+    /// first letters open a field too, except X, Y, D, Q and those in `ownLetters`, which mean something else to the
+    /// tool.
+    Answer handle(const CanvasEvent &event, std::span<const EntryField> fields, const NamedValues &names = {},
+                  std::string_view ownLetters = {});
 
     /// Returns the value of a field, including the number being typed into it; half the diameter for a radius that was
     /// typed as such.
@@ -86,6 +89,7 @@ class NumericEntry {
     bool byDiameter() const;
     std::vector<EntryField> visible() const;
     bool continuesExpression() const;
+    bool beginsName(const CanvasEvent &event) const;
     void forget(EntryField field);
     std::optional<double> &slot(EntryField field) { return values_[static_cast<std::size_t>(field)]; }
 
@@ -93,10 +97,12 @@ class NumericEntry {
     std::array<std::optional<double>, kEntryFields> values_;
     std::array<std::string, kEntryFields> expressions_; ///< of the values
     NamedValues names_;
+    std::string ownLetters_;
     std::optional<EntryField> open_;
     std::string text_;
     std::string fault_;
     bool byDigit_ = false;    ///< the field was opened by a digit, so a single number may suffice
+    bool nameBegins_ = false; ///< the letter that arrives as text opens a field
     bool skipLetter_ = false; ///< the letter that opened a field arrives as text too
 };
 

@@ -54,6 +54,10 @@ Vec2 PenTool::fitted(Vec2 at) {
     return length(arm) > 0.0 ? centre + (*radius / length(arm)) * arm : centre + *radius * across;
 }
 
+std::string_view PenTool::ownLetters() const {
+    return state_->penMode == PenMode::Corners ? "AL" : "";
+}
+
 bool PenTool::ownKey(int key, Shell &context) {
     if (state_->penMode != PenMode::Corners || (key != 'A' && key != 'L')) {
         return false;

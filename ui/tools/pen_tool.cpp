@@ -263,6 +263,7 @@ void PenTool::discard(Shell &context) {
         discarded_ = std::move(path);
         discardedTyped_ = typedNodes_;
         discardedRevision_ = context.document.revision();
+        discardedPlaced_ = state_->placed;
         warn(context, "The path is discarded; Ctrl Z brings it back");
     }
 }
@@ -282,7 +283,8 @@ std::string PenTool::undoLabel(const Shell &context) const {
 }
 
 bool PenTool::bringsBack(const Shell &context) const {
-    return path_.empty() && !discarded_.empty() && discardedRevision_ == context.document.revision();
+    return path_.empty() && !discarded_.empty() && discardedPlaced_ == state_->placed &&
+           discardedRevision_ == context.document.revision();
 }
 
 std::string PenTool::redoLabel(const Shell &context) const {

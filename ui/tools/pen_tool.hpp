@@ -57,6 +57,7 @@ class PenTool final : public DrawingTool {
     void release(Vec2 at, bool away, Shell &context) override;
     Vec2 fitted(Vec2 at) override;
     bool ownKey(int key, Shell &context) override;
+    std::string_view ownLetters() const override;
     std::span<const EntryField> entryFields() const override;
     PlaceFormula typedFormula(Vec2 at) const override;
     void keepFormulas(const Shape &drawn, const Keep &keep) const override;
@@ -108,8 +109,9 @@ class PenTool final : public DrawingTool {
     std::vector<Node> path_;
     std::vector<Vec2> hand_;      ///< pointer positions while drawing freehand
     std::vector<Node> undone_;    ///< nodes removed by undo, newest last
-    std::vector<Node> discarded_; ///< path dropped by Esc, which undo brings back until the document changes
+    std::vector<Node> discarded_; ///< path dropped by Esc, which undo brings back until anything is drawn
     std::uint64_t discardedRevision_ = 0;
+    std::uint64_t discardedPlaced_ = 0;     ///< EditState::placed then
     std::vector<TypedNode> discardedTyped_; ///< of the dropped path
     std::uint64_t undoneRevision_ = 0;      ///< of the document when a node was last undone
 };

@@ -173,9 +173,8 @@ PlaneMap TransformHandles::map() const {
 
 bool TransformHandles::typed(const CanvasEvent &event, Shell &context) {
     const bool isKey = event.kind == CanvasEvent::Kind::Key;
-    const bool isLetter = isKey && event.key >= 'A' && event.key <= 'Z';
-    if (!active() || (isLetter && !entry_.isOpen())) {
-        return active(); // no shortcut runs during a drag
+    if (!active()) {
+        return false;
     }
     const std::array fields{handle_.rotates ? EntryField::Angle : EntryField::Factor};
     const NumericEntry::Answer answer = entry_.handle(event, fields, start_->spacing.names);
@@ -191,7 +190,7 @@ bool TransformHandles::typed(const CanvasEvent &event, Shell &context) {
     if (answer == NumericEntry::Answer::Place) {
         end();
     }
-    return true;
+    return true; // no shortcut runs during a drag
 }
 
 std::string TransformHandles::measure() const {

@@ -82,6 +82,7 @@ struct EditState {
     std::string sourceSizeFormula, sourceGrowthFormula; ///< expressions of the two numbers; empty: plain numbers
     double gradientSize = 0.0, gradientEndSize = 0.0;   ///< 0: derived from ρ under the pointer
     bool gradientGeometric = false;
+    std::uint64_t placed = 0;         ///< number of places that the drawing tools have taken, to tell what came last
     bool gradientInSelection = false; ///< paint the selected shapes rather than cover the plane
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
