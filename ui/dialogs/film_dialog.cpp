@@ -37,32 +37,40 @@ void secondLabel(Workspace &context, const char *text) {
     ImGui::SameLine();
 }
 
-/// Draws a number field whose value is kept within a range.
+constexpr double kMaxAdvance = 1e9;
+
+/// Draws a field for a number within a range.
 void numberField(Workspace &context, const char *name, double &value, double minimum, double maximum) {
-    ui::inputNumber(context, std::string(kName) + name, value, 70.0F);
-    value = std::clamp(value, minimum, maximum);
+    const std::string field = std::string(kName) + name;
+    double number = value;
+    if (ui::inputNumber(context, field, number, 70.0F) && ui::checkRange(context, field, number, minimum, maximum)) {
+        value = number;
+    }
 }
 
-void wholeField(Workspace &context, const char *name, int &value, int minimum, int maximum) {
-    double number = value;
-    numberField(context, name, number, minimum, maximum);
-    value = static_cast<int>(std::lround(number));
+template <class Whole>
+void wholeField(Workspace &context, const char *name, Whole &value, double minimum, double maximum) {
+    const std::string field = std::string(kName) + name;
+    auto number = static_cast<double>(value);
+    if (ui::inputNumber(context, field, number, 70.0F) && ui::checkWhole(context, field, number, minimum, maximum)) {
+        value = static_cast<Whole>(number);
+    }
 }
 
 /// Draws the field for the last advance; empty: the end of the run.
 void drawEnd(Workspace &context, FilmSettings &settings) {
-    ui::inputOptional(context, std::string(kName) + "to", settings.to, "end", 70.0F);
-    if (settings.to) {
-        settings.to = std::clamp(*settings.to, 0.0, 1e9);
+    const std::string field = std::string(kName) + "to";
+    std::optional<double> to = settings.to;
+    if (ui::inputOptional(context, field, to, "end", 70.0F) &&
+        (!to || ui::checkWhole(context, field, *to, 0.0, kMaxAdvance))) {
+        settings.to = to;
     }
 }
 
 void drawRange(Workspace &context, FilmSettings &settings) {
-    double from = static_cast<double>(settings.plan.from);
     ui::rowLabel(context, "From", kFields);
-    numberField(context, "from", from, 0.0, 1e9);
+    wholeField(context, "from", settings.plan.from, 0.0, kMaxAdvance);
     ui::tooltip(context, "Number of advances done at the first frame");
-    settings.plan.from = static_cast<std::uint64_t>(std::llround(from));
     ImGui::SameLine();
     ui::muted(context, "to");
     ImGui::SameLine();
@@ -111,7 +119,7 @@ FilmPlan planFor(const FilmSettings &settings, const std::filesystem::path &file
     if (moment) {
         plan.steps = 0; // only the start of the range
     } else if (settings.to) {
-        plan.steps = static_cast<std::uint64_t>(std::llround(std::clamp(*settings.to - from, 0.0, 1e9)));
+        plan.steps = static_cast<std::uint64_t>(std::llround(std::max(*settings.to - from, 0.0)));
     }
     return plan;
 }

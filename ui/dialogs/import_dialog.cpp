@@ -124,7 +124,8 @@ void ImportDialog::drawUnit(Shell &context) {
     ui::muted(context, "1 unit in the file =");
     ImGui::SameLine();
     double scale = scale_;
-    if (ui::inputNumber(context, "dialog/importoptions/scale", scale, 100.0F) && scale > 0.0) {
+    if (ui::inputNumber(context, "dialog/importoptions/scale", scale, 100.0F) &&
+        ui::checkPositive(context, "dialog/importoptions/scale", scale)) {
         scale_ = scale;
     }
     ImGui::SameLine();
@@ -153,7 +154,7 @@ void ImportDialog::drawJoining(Shell &context) {
     ui::rowLabel(context, "Weld tolerance", kLabels);
     std::optional<double> tolerance = options_.weldTolerance;
     if (ui::inputOptional(context, "dialog/importoptions/weld", tolerance, arranges_ ? "auto" : "0", 100.0F) &&
-        tolerance.value_or(0.0) >= 0.0) {
+        ui::checkPositive(context, "dialog/importoptions/weld", tolerance.value_or(0.0), true)) {
         options_.weldTolerance = tolerance;
         read();
     }

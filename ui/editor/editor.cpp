@@ -461,6 +461,7 @@ void Editor::frame() {
     const bool busy = c.run.busy();
     p.buildInterface();
     p.followFront(seconds);
+    c.widgets.fields.committed.clear(); // commands that follow are not about it
     p.canvasInput.endFrame(c);
     p.canvas.draw(c);
     applyCursor(c, p.canvasInput.panning());

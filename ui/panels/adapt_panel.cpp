@@ -66,21 +66,33 @@ class AdaptPanel final : public Panel {
         usesValues_ = choice > 0;
     }
 
+    static void drawSize(Shell &context, const char *name, std::optional<double> &size, const char *hint) {
+        std::optional<double> entered = size;
+        if (ui::inputOptional(context, name, entered, hint, form::halfWidth(context)) &&
+            ui::checkPositive(context, name, entered.value_or(0.0), true)) {
+            size = entered;
+        }
+    }
+
     void drawTarget(Shell &context) {
         form::label(context, "Error, %");
         const float half = form::halfWidth(context);
-        ui::inputNumber(context, "adapt/error", percent_, half);
-        percent_ = std::clamp(percent_, kLeastPercent, kMostPercent);
+        if (double percent = percent_; ui::inputNumber(context, "adapt/error", percent, half) &&
+                                       ui::checkRange(context, "adapt/error", percent, kLeastPercent, kMostPercent)) {
+            percent_ = percent;
+        }
         ui::tooltip(context, "Target: estimated error of the gradient, relative to its norm");
         ImGui::SameLine();
-        ui::inputNumber(context, "adapt/rounds", rounds_, half);
-        rounds_ = std::clamp(std::round(rounds_), 1.0, kMaxRounds);
+        if (double rounds = rounds_; ui::inputNumber(context, "adapt/rounds", rounds, half) &&
+                                     ui::checkWhole(context, "adapt/rounds", rounds, 1.0, kMaxRounds)) {
+            rounds_ = rounds;
+        }
         ui::tooltip(context, "Maximum number of new meshes");
         form::label(context, "Size");
-        ui::inputOptional(context, "adapt/minimum", minimum_, "min", half);
+        drawSize(context, "adapt/minimum", minimum_, "min");
         ui::tooltip(context, "Minimum edge length");
         ImGui::SameLine();
-        ui::inputOptional(context, "adapt/maximum", maximum_, "max", half);
+        drawSize(context, "adapt/maximum", maximum_, "max");
         ui::tooltip(context, "Maximum edge length");
     }
 

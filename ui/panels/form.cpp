@@ -33,7 +33,7 @@ bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &v
 
 bool text(Workspace &context, const std::string &name, const char *text, std::string &value, const char *hint) {
     label(context, text);
-    return ui::entry(context, name, value, hint);
+    return ui::inputName(context, name, value, hint);
 }
 
 bool tag(Workspace &context, const std::string &name, const char *text, std::int32_t &value,
@@ -43,7 +43,7 @@ bool tag(Workspace &context, const std::string &name, const char *text, std::int
     const bool changed = ui::inputNumber(context, name, number, 48.0F) && ui::checkTag(context, name, number);
     ImGui::SameLine(0, context.px(6));
     std::string typed = shownName;
-    if (ui::entry(context, name + "/name", typed, "name", -1.0F, true) && typed != shownName) {
+    if (ui::inputName(context, name + "/name", typed, "name", -1.0F, true) && typed != shownName) {
         rename = typed;
     }
     if (changed) {

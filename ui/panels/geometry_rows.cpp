@@ -35,8 +35,9 @@ void drawEllipse(Shell &context, const Shape &shape) {
         EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse");
     }
     Vec2 radii{length(u), length(v)};
-    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, "rx", "ry")) && radii.x > 0.0 &&
-        radii.y > 0.0) {
+    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, "rx", "ry")) &&
+        ui::checkPositive(context, "inspector/radii/x", radii.x) &&
+        ui::checkPositive(context, "inspector/radii/y", radii.y)) {
         Shape next = shape;
         next.nodes[1] = centre + (radii.x / length(u)) * u;
         next.nodes[2] = centre + (radii.y / length(v)) * v;

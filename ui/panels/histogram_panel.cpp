@@ -161,11 +161,11 @@ class HistogramPanel final : public Panel {
         const bool possible = range.from < range.to && range.from >= info.minimum && range.to <= info.maximum &&
                               (!info.logarithmic || range.from > 0.0);
         if ((from || to) && !possible) {
-            context.log.add(Diagnostic{.severity = Severity::Warning,
-                                       .code = "bad-range",
-                                       .message = "colour range " + ui::number(range.from) + " to " +
-                                                  ui::number(range.to) + " is not a range of " + judgement.name,
-                                       .advice = "enter two numbers in increasing order"});
+            ui::refuseCommand(context, {{.severity = Severity::Warning,
+                                         .code = "bad-range",
+                                         .message = "colour range " + ui::number(range.from) + " to " +
+                                                    ui::number(range.to) + " is not a range of " + judgement.name,
+                                         .advice = "enter two numbers in increasing order"}});
         } else if (from || to) {
             context.view.measureRange = range;
             context.animate();

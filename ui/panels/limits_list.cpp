@@ -5,6 +5,7 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -22,9 +23,9 @@ constexpr double kVerdict = 206.0;
 void setLimit(Shell &context, MeshLimit limit, std::optional<double> value) {
     if (value) {
         if (const std::string fault = limitFault(limit, *value); !fault.empty()) {
-            context.log.add(Diagnostic{.severity = Severity::Warning,
-                                       .code = "bad-limit",
-                                       .message = std::string(limitInfo(limit).name) + ": " + fault});
+            ui::refuseCommand(context, {{.severity = Severity::Warning,
+                                         .code = "bad-limit",
+                                         .message = std::string(limitInfo(limit).name) + ": " + fault}});
             return;
         }
     }

@@ -4,6 +4,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -65,7 +66,7 @@ class NamesPanel final : public Panel {
         ImGui::SameLine(context.px(36));
         std::string typed = name;
         const float width = (ImGui::GetContentRegionAvail().x - context.px(34)) / context.scale;
-        if (ui::entry(context, prefix + std::to_string(tag), typed, "name", width, true)) {
+        if (ui::inputName(context, prefix + std::to_string(tag), typed, "name", width, true)) {
             rename(std::move(typed));
         }
     }

@@ -99,20 +99,23 @@ void drawCondition(Shell &context, Breakpoints &breakpoints, StopKind kind) {
     if (ui::checkbox(context, name, stopTitle(kind), on)) {
         breakpoints.set(kind, on);
     }
-    const auto field = [&](double &value) {
+    const auto field = [&](double &value, bool whole) {
         ImGui::SameLine(0, context.px(8));
-        const bool changed = ui::inputNumber(context, name + "/value", value, 64.0F);
+        double entered = value;
+        const bool changed = ui::inputNumber(context, name + "/value", entered, 64.0F) &&
+                             (!whole || ui::checkWhole(context, name + "/value", entered, 0.0, 1e9));
         if (changed) {
+            value = entered;
             breakpoints.set(kind, true);
         }
         return changed;
     };
     if (kind == StopKind::LowAlpha) {
-        field(breakpoints.alphaBelow);
+        field(breakpoints.alphaBelow, false);
     } else if (kind == StopKind::FrontLength) {
         double segments = static_cast<double>(breakpoints.segments);
-        if (field(segments)) {
-            breakpoints.segments = static_cast<std::size_t>(std::clamp(std::round(segments), 0.0, 1e9));
+        if (field(segments, true)) {
+            breakpoints.segments = static_cast<std::size_t>(segments);
         }
     }
 }

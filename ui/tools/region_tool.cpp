@@ -137,7 +137,7 @@ void RegionTool::drawOptions(Shell &context, ui::Flow &flow) {
     ui::tooltip(context, "Tag of the region that a click gives a face");
     flow.item("name");
     std::string name = regionName(document->regionNames, next);
-    if (ui::entry(context, "options/region/name", name, "name", 140.0F, true) &&
+    if (ui::inputName(context, "options/region/name", name, "name", 140.0F, true) &&
         EditState::apply(context, setRegionName(*document, next, name), "Name region")) {
         tag_ = next;
     }

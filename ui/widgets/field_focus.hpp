@@ -19,7 +19,10 @@ class FieldFocus {
         std::string text;
     };
 
-    void beginFrame() { order_.clear(); }
+    void beginFrame() {
+        order_.clear();
+        committed.clear();
+    }
     /// Finds the next field for Tab. Call when all fields of the frame are drawn.
     void endFrame();
     /// Registers a field; Tab stays within its `group`, the window around it.
@@ -41,6 +44,8 @@ class FieldFocus {
     bool leaving() const { return leaving_; }
 
     std::optional<Entry> entry;
+    /// The field whose text was last committed in this frame; empty: none, or the widgets of the frame are drawn.
+    std::string committed;
 
   private:
     struct Field {

@@ -117,6 +117,9 @@ bool entry(WidgetContext &context, std::string_view name, std::string &value, st
     const bool changed = value != being->initial;
     being.reset();
     value = changed ? value : before;
+    if (changed) {
+        context.widgets.fields.committed = name;
+    }
     return changed;
 }
 

@@ -6,6 +6,7 @@
 #include "core/edit/number_address.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <imgui.h>
@@ -101,7 +102,7 @@ std::string EditState::newStroke() {
 
 bool EditState::apply(Workspace &context, Result<Document> next, const std::string &label, const std::string &merge) {
     if (!next) {
-        context.log.add(next.faults());
+        ui::refuseCommand(context, next.faults());
         return false;
     }
     const EnteredFormulas &entered = context.entered;

@@ -132,6 +132,15 @@ void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &f
     context.animate();
 }
 
+void refuseCommand(Workspace &context, const Diagnostics &faults) {
+    const std::string &field = context.widgets.fields.committed;
+    if (field.empty() || faults.empty()) {
+        context.log.add(faults);
+    } else {
+        refuseEntry(context, field, faults, faults.front().message);
+    }
+}
+
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
                 const std::string &addressY) {
     std::optional<std::string> x = drawEntry(context, name + "/x", number(value.x, 6), "", width, addressX);
@@ -170,6 +179,26 @@ bool checkTag(Workspace &context, std::string_view name, double value) {
     if (!good) {
         const std::string reason = "expected a whole number from 1 to 1000000000, got " + number(value, 6);
         refuseEntry(context, name, error("bad-tag", reason, "enter a number such as 3"), reason);
+    }
+    return good;
+}
+
+bool checkRange(Workspace &context, std::string_view name, double value, double minimum, double maximum) {
+    const bool good = value >= minimum && value <= maximum;
+    if (!good) {
+        const std::string range = "a number from " + number(minimum, 10) + " to " + number(maximum, 10);
+        const std::string reason = "expected " + range + ", got " + number(value, 6);
+        refuseEntry(context, name, error("bad-number", reason, "enter " + range), reason);
+    }
+    return good;
+}
+
+bool checkWhole(Workspace &context, std::string_view name, double value, double minimum, double maximum) {
+    const bool good = value >= minimum && value <= maximum && value == std::floor(value);
+    if (!good) {
+        const std::string range = "a whole number from " + number(minimum, 10) + " to " + number(maximum, 10);
+        const std::string reason = "expected " + range + ", got " + number(value, 6);
+        refuseEntry(context, name, error("bad-number", reason, "enter " + range), reason);
     }
     return good;
 }
@@ -213,6 +242,13 @@ bool inputExpression(Workspace &context, std::string_view name, double &value, s
     value = *entered;
     formula = text;
     return changed;
+}
+
+bool inputName(Workspace &context, std::string_view name, std::string &value, std::string_view hint, float width,
+               bool selectAll) {
+    const bool committed = entry(context, name, value, hint, width, selectAll);
+    drawFault(context, name);
+    return committed;
 }
 
 std::optional<std::string> inputChecked(Workspace &context, std::string_view name, const std::string &shown,

@@ -21,9 +21,15 @@ bool inputNumber(Workspace &context, std::string_view name, double &value, float
                  const std::string &address = {});
 /// Reports an entry that cannot be used beside its field, as `reason`, and in the log.
 void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason);
+/// Reports faults in the log, and the first one beside the field that was last committed in this frame, if any.
+void refuseCommand(Workspace &context, const Diagnostics &faults);
 /// Returns true if a number entered in the field is positive, or 0 where `zero` allows that; otherwise it is reported
 /// like a text without a value.
 bool checkPositive(Workspace &context, std::string_view name, double value, bool zero = false);
+/// The same for a number from `minimum` to `maximum`.
+bool checkRange(Workspace &context, std::string_view name, double value, double minimum, double maximum);
+/// The same for a whole number from `minimum` to `maximum`.
+bool checkWhole(Workspace &context, std::string_view name, double value, double minimum, double maximum);
 /// The same as inputNumber() for an optional number; without one, the field is empty and shows the hint.
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width = -1.0F, const std::string &address = {});
@@ -43,6 +49,9 @@ bool inputExpression(Workspace &context, std::string_view name, double &value, s
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
                 const std::string &addressY);
 
+/// Draws an entry() beside which refuseEntry() and refuseCommand() can report.
+bool inputName(Workspace &context, std::string_view name, std::string &value, std::string_view hint = {},
+               float width = -1.0F, bool selectAll = false);
 /// Draws a field for a text that the caller checks and may refuse, see refuseEntry(). Returns the new text when one was
 /// committed.
 std::optional<std::string> inputChecked(Workspace &context, std::string_view name, const std::string &shown,
