@@ -33,7 +33,6 @@ class RegionTool final : public DrawingTool {
     void place(Vec2 at, Shell &context) override;
     void drawSketch(CanvasPainter &painter, Shell &context) override;
     bool snaps() const override { return false; }
-    bool showsSelection() const override { return true; }
     void pointed(Shell &context) override;
 
   private:
