@@ -1,5 +1,8 @@
 #include "core/edit/slot.hpp"
 
+#include "core/edit/references.hpp"
+#include "core/edit/shape_commands.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -94,6 +97,45 @@ bool isSlot(const Shape &shape) {
     }
     return std::fabs(distance(shape.nodes[0], shape.nodes[1]) - distance(shape.nodes[2], shape.nodes[3])) <=
            kSame * distance(shape.nodes[0], shape.nodes[2]);
+}
+
+Shape slotLike(const Shape &path) {
+    const auto centreOf = [&](std::size_t k) {
+        const auto numbers = path.curves[k].numbers();
+        return Vec2{numbers[0], numbers[1]};
+    };
+    const std::size_t first = path.curves[0].kind() == CurveKind::Arc ? 0 : 1;
+    Shape slot = path;
+    slot.kind = ShapeKind::Slot;
+    slot.nodes = {centreOf(first + 2), centreOf(first)};
+    slot.radius = 0.5 * distance(path.nodes[first], path.nodes[(first + 1) % 4]);
+    slot.curves.clear();
+    slot.cuts.clear();
+    slot.nodeSizes.clear();
+    const Outline outline = slotOutline(slot), before = outlineOf(path);
+    for (std::size_t k = 0; k < slot.segmentTags.size(); ++k) {
+        const Vec2 middle = outline.curve(k).point(0.5);
+        std::size_t nearest = 0;
+        for (std::size_t s = 1; s < 4; ++s) {
+            const auto gap = [&](std::size_t segment) { return distance(before.curve(segment).point(0.5), middle); };
+            nearest = gap(s) < gap(nearest) ? s : nearest;
+        }
+        slot.segmentTags[k] = segmentTag(path, static_cast<std::uint32_t>(nearest));
+    }
+    return slot;
+}
+
+Result<Document> convertToSlot(const Document &document, std::uint32_t id) {
+    const Shape *const shape = findShape(document, id);
+    if (shape == nullptr || !isPath(*shape) || !isSlot(*shape)) {
+        return error("not-possible", "the shape has not the form of a slot",
+                     "select a path of two parallel sides and two half circles");
+    }
+    if (!shape->nodeSizes.empty()) {
+        return error("not-possible", displayName(*shape) + " has element sizes at nodes, which a slot cannot have",
+                     "remove them, or give its boundary part a size");
+    }
+    return replaceShape(document, slotLike(*shape));
 }
 
 } // namespace forefront

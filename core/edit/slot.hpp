@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/result.hpp"
 #include "core/edit/plane_map.hpp"
 #include "core/edit/shape_geometry.hpp"
 
@@ -15,6 +16,14 @@ bool isSlot(const Shape &shape);
 
 /// Returns true if a slot has a finite width above 0, and centres far enough apart for a direction.
 bool isSoundSlot(const Shape &slot);
+
+/// Returns the slot with the form of a path, as slots of older projects are; the path must have that form. Sizes at its
+/// nodes are left out.
+Shape slotLike(const Shape &path);
+
+/// Converts a path with the form of a slot to a slot, which is edited by its width and length. Error: not-possible for
+/// another shape, and for one with element sizes at nodes.
+Result<Document> convertToSlot(const Document &document, std::uint32_t shape);
 
 /// Returns the outline of a sound slot.
 Outline slotOutline(const Shape &slot);

@@ -330,3 +330,39 @@ TEST_CASE("Slot: one without a direction or a width is a single place, which val
         CHECK(dimensionsOf(document).size() <= 2);
     }
 }
+
+TEST_CASE("convertToSlot: a path with the form of a slot becomes one, with the same outline and tags") {
+    Shape slot = slotAround({1, 1}, {4, 5}, 0.5);
+    slot.segmentTags = {1, 2, 3, 4};
+    for (const bool mirrored : {false, true}) {
+        CAPTURE(mirrored);
+        Document document = documentOf({slot});
+        document = *convertToPath(document, 1);
+        if (mirrored) { // runs clockwise, and begins with an end
+            document = *transformSelection(document, selected({1}), PlaneMap::reflection(0.0, {}));
+            Shape turned = *document.shapes[0];
+            std::rotate(turned.nodes.begin(), turned.nodes.begin() + 1, turned.nodes.end());
+            std::rotate(turned.curves.begin(), turned.curves.begin() + 1, turned.curves.end());
+            std::rotate(turned.segmentTags.begin(), turned.segmentTags.begin() + 1, turned.segmentTags.end());
+            document = *replaceShape(document, turned);
+        }
+        const Result<Document> result = convertToSlot(document, 1);
+        REQUIRE(result.ok());
+        const Shape &made = *result->shapes[0];
+        CHECK(made.kind == ShapeKind::Slot);
+        CHECK(made.radius == doctest::Approx(0.5));
+        CHECK(areaOf(made) == doctest::Approx(areaOf(slot)));
+        const Outline before = outlineOf(*document.shapes[0]), after = outlineOf(made);
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            for (std::uint32_t s = 0; s < 4; ++s) {
+                if (distance(before.curve(k).point(0.5), after.curve(s).point(0.5)) < 1e-9) {
+                    CHECK(segmentTag(*document.shapes[0], k) == segmentTag(made, s));
+                }
+            }
+        }
+    }
+    Document sized = *convertToPath(documentOf({slotAround({1, 1}, {4, 5}, 0.5)}), 1);
+    CHECK(codeOf(convertToSlot(documentOf({square({0, 0}, 2)}), 1)) == "not-possible");
+    sized = *setNodeSize(sized, {{1, 0}}, PartSize{0.1, 0.2});
+    CHECK(codeOf(convertToSlot(sized, 1)) == "not-possible");
+}

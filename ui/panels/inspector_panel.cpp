@@ -3,6 +3,7 @@
 #include "core/edit/path_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/element_count_row.hpp"
 #include "ui/panels/form.hpp"
@@ -185,6 +186,13 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
         }
         ui::tooltip(context, closed ? "Turn the polygon into an open polyline" : "Join the two ends");
         ImGui::SameLine();
+        if (isSlot(shape)) {
+            if (ui::button(context, "inspector/toslot", "To slot")) {
+                EditState::apply(context, convertToSlot(document, shape.id), "Convert to slot");
+            }
+            ui::tooltip(context, "Edit it by its width and the centres of its ends");
+            ImGui::SameLine();
+        }
     }
     if (ui::button(context, "inspector/duplicate", "Duplicate")) {
         context.actions.run("edit.duplicate", context);
