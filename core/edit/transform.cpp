@@ -412,8 +412,8 @@ Result<Document> linearArray(const Document &document, const Selection &selectio
                      "enter the distance from one copy to the next");
     }
     std::vector<PlaneMap> maps;
-    for (double k = 1.0; k < count; ++k) {
-        maps.push_back(PlaneMap::translation(k * step));
+    for (int k = 1; k < count; ++k) {
+        maps.push_back(PlaneMap::translation(1.0 * k * step));
     }
     return copySelection(document, selection, maps, copies);
 }
@@ -430,7 +430,7 @@ Result<Document> polarArray(const Document &document, const Selection &selection
     const double step = degrees / (std::fabs(degrees) == 360.0 ? count : count - 1.0);
     const Vec2 middle = boundsOf(document, selection).centre();
     std::vector<PlaneMap> maps;
-    for (double k = 1.0; k < count; ++k) {
+    for (int k = 1; k < count; ++k) {
         const PlaneMap turn = PlaneMap::rotation(k * step, centre);
         maps.push_back(turns ? turn : PlaneMap::translation(turn(middle) - middle));
     }

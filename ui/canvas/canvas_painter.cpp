@@ -70,8 +70,9 @@ void CanvasPainter::dashed(Vec2 a, Vec2 b, Colour colour, double width, double d
         list_.AddLine(im(p), im(q), colour, im(width * scale_));
         return;
     }
-    for (double at = 0.0; at < whole; at += stride) {
-        const double end = std::min(at + 0.5 * stride, whole);
+    const int dashes = static_cast<int>(std::ceil(whole / stride));
+    for (int k = 0; k < dashes; ++k) {
+        const double at = stride * k, end = std::min(at + 0.5 * stride, whole);
         list_.AddLine(im(glm::mix(p, q, at / whole)), im(glm::mix(p, q, end / whole)), colour, im(width * scale_));
     }
 }

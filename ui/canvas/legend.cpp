@@ -63,7 +63,9 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
                                      map(to), map(from));
     }
     list.PushClipRect(im(x, y), im(x + hatchedTo * bar, y + barHeight), true);
-    for (double at = -barHeight; at < hatchedTo * bar; at += 5.0 * s) {
+    const int strokes = static_cast<int>(std::ceil((hatchedTo * bar + barHeight) / (5.0 * s)));
+    for (int k = 0; k < strokes; ++k) {
+        const double at = 5.0 * s * k - barHeight;
         list.AddLine(im(x + at, y + barHeight), im(x + at + barHeight, y), theme.bad, static_cast<float>(1.5 * s));
     }
     list.PopClipRect();

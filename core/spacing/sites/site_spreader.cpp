@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
@@ -139,8 +140,9 @@ class SiteSpreader : SiteTreeWriter {
     void alongSite(const SizeSite &s, int level, const Visit &visit) const {
         const double cell = static_cast<double>(1U << level);
         const Places places = placesOf(s, cell);
-        for (double k = 0.0; k <= places.steps; k += 1.0) {
-            const double part = places.steps > 0.0 ? k / places.steps : 0.0;
+        const auto steps = static_cast<std::int64_t>(places.steps);
+        for (std::int64_t k = 0; k <= steps; ++k) {
+            const double part = steps > 0 ? static_cast<double>(k) / places.steps : 0.0;
             const Vec2 p = tree_.toUnits_ * (places.from + part * places.ab - tree_.corner_);
             for (unsigned corner = 0; corner < 4; ++corner) {
                 const double x = p.x + ((corner & 1U) != 0 ? 0.5 : -0.5) * cell;

@@ -33,8 +33,9 @@ std::optional<Diagnostics> faultOf(const PaintedSpacing &paint) {
         }
         for (std::size_t n = 0; tile && n < tile->size(); ++n) {
             if (!((*tile)[n] >= 0.0F) || !std::isfinite((*tile)[n])) {
-                const Vec2 node{static_cast<double>(key.first) * kTileSpan + static_cast<double>(n % kTileSpan),
-                                static_cast<double>(key.second) * kTileSpan + static_cast<double>(n / kTileSpan)};
+                const std::size_t column = n % kTileSpan, row = n / kTileSpan;
+                const Vec2 node{static_cast<double>(key.first) * kTileSpan + static_cast<double>(column),
+                                static_cast<double>(key.second) * kTileSpan + static_cast<double>(row)};
                 return badPaint("invalid painted spacing; expected finite numbers above 0",
                                 paint.origin + paint.pitch * node);
             }
