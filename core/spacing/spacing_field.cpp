@@ -35,6 +35,11 @@ class FieldBuilder {
         parts_.cap = std::numeric_limits<double>::infinity();
         parts_.minimum = input_.minimum;
         parts_.words.gradation = input_.gradation;
+        parts_.words.boundaryNames = domain.boundaryNames;
+        parts_.words.segmentTags.reserve(domain.segments.size());
+        for (const DomainSegment &segment : domain.segments) {
+            parts_.words.segmentTags.push_back(segment.tag);
+        }
     }
 
     Result<std::shared_ptr<const SpacingField>> run() {

@@ -251,7 +251,7 @@ TEST_CASE("Inspector: fields do not move as the pointer approaches them") {
     driver.key('V');
     driver.key(key::kEscape);
     driver.settle();
-    driver.moveToPlace({3.25, 2.95}); // "automatic: length of boundary segment N" takes two lines
+    driver.moveToPlace({3.25, 2.95}); // "automatic: length of a segment of 'boundary_1' at ..." takes two lines
     driver.frames(3);
     const double over = driver.context().widgets.find("spacing/size")->rect.y;
     driver.moveTo({1150, 100});

@@ -81,7 +81,7 @@ TEST_CASE("Elements across gaps: a channel gets the number with a given size, an
     specs[0].elementsAcross = 4.0;
     const auto field = fieldOf(domain, specs[0]);
     CHECK(field->at({5.0, 4.0}) == doctest::Approx(5.0)); // the basins stay coarse
-    CHECK(field->sample({50.0, 15.2}).describe == "narrow channel at boundary segment 2");
+    CHECK(field->sample({50.0, 15.2}).describe == "narrow channel beside 'boundary_1' at (50, 15)");
 }
 
 TEST_CASE("Elements across gaps: walls of short segments, slanted and curved walls") {

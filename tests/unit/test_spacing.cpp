@@ -120,7 +120,7 @@ TEST_CASE("SpacingField: the lengths of all boundary segments are one rule, with
         const auto field = built(spec, rectangle(10, 10, pieces, pieces));
         for (const Vec2 p : {Vec2{5, 0.1}, Vec2{0.3, 0.2}, Vec2{9.9, 7}}) {
             const SpacingSample sample = field->sample(p);
-            CHECK(sample.describe.starts_with("length of boundary segment "));
+            CHECK(sample.describe.starts_with("length of a segment of 'boundary_1' at ("));
             REQUIRE(sample.runnerUp);
             CHECK(sample.runnerUp->rho == 5.0);
             CHECK(sample.runnerUp->describe == "constant");

@@ -1,6 +1,7 @@
 #include "core/spacing/sites/site_words.hpp"
 
 #include "core/base/number_text.hpp"
+#include "core/domain/domain.hpp"
 
 namespace forefront {
 namespace {
@@ -21,8 +22,13 @@ std::string reachedFrom(const SiteLabel &label, const SiteWords &words) {
     }
 }
 
-std::string describe(const SiteLabel &label, const SiteWords &words) {
-    const std::string number = std::to_string(label.index);
+/// Returns "'pier' at (3, 4)".
+std::string boundaryAt(const SiteLabel &label, const SiteWords &words, Vec2 at) {
+    return "'" + boundaryName(words.boundaryNames, words.segmentTags[label.index]) + "' at " + placeText(at);
+}
+
+/// Describes the demand of a site whose nearest place is `at`.
+std::string describe(const SiteLabel &label, const SiteWords &words, Vec2 at) {
     switch (label.reason) {
     case SiteReason::Source:
         return sourceWords(words, label.index);
@@ -33,15 +39,15 @@ std::string describe(const SiteLabel &label, const SiteWords &words) {
     case SiteReason::NodeSize:
         return "size at " + words.nodes[label.index];
     case SiteReason::SegmentLength:
-        return "length of boundary segment " + number;
+        return "length of a segment of " + boundaryAt(label, words, at);
     case SiteReason::Bend:
-        return "bend of the curve at boundary segment " + number;
+        return "bend of " + boundaryAt(label, words, at);
     case SiteReason::Channel:
-        return "narrow channel at boundary segment " + number;
+        return "narrow channel beside " + boundaryAt(label, words, at);
     case SiteReason::Corner:
-        return "sharp corner at boundary segment " + number;
+        return "sharp corner of " + boundaryAt(label, words, at);
     case SiteReason::LonePoint:
-        return "near point " + number;
+        return "near the point " + placeText(at);
     default:
         return {};
     }
@@ -55,14 +61,14 @@ std::string sourceWords(const SiteWords &words, std::uint32_t source) {
 }
 
 SpacingSample sampleSite(const SizeSite &site, const SiteLabel &label, const SiteWords &words, Vec2 p) {
+    const Vec2 from = site.nearest(p);
     if (const std::string origin = reachedFrom(label, words); !origin.empty()) {
-        const Vec2 from = site.nearest(p);
         return {site.at(p), SpacingOrigin::Gradation, label.index,
-                "limited by gradation " + numberText(words.gradation, 4) + " from " + origin + " at (" +
-                    numberText(from.x, 4) + ", " + numberText(from.y, 4) + ")"};
+                "limited by gradation " + numberText(words.gradation, 4) + " from " + origin + " at " +
+                    placeText(from)};
     }
     const char *const prefix = label.origin == SpacingOrigin::Automatic ? "automatic: " : "";
-    return {site.at(p), label.origin, label.index, prefix + describe(label, words)};
+    return {site.at(p), label.origin, label.index, prefix + describe(label, words, from)};
 }
 
 } // namespace forefront
