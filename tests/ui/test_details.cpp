@@ -186,13 +186,13 @@ TEST_CASE("Recent files: a file given on the command line becomes one of them") 
     CHECK(missing.context().settings.recentFiles.empty());
 }
 
-TEST_CASE("Dialogs: they do not begin in the folder of the samples after one was opened") {
+TEST_CASE("Files: samples are not among the recent files, so dialogs do not begin in their folder") {
     Draughtsman driver;
     const std::vector<Sample> gallery = samples();
     REQUIRE_FALSE(gallery.empty());
     openDocument(driver.context(), gallery.front().path);
     driver.settle();
-    REQUIRE(driver.context().settings.recentFiles.front() == gallery.front().path.string());
+    CHECK(driver.context().settings.recentFiles.empty());
     CHECK(startFolder(driver.context()).empty());
     driver.context().settings.recentFiles.emplace_back("/bay/lake.forefront");
     CHECK(startFolder(driver.context()) == "/bay");

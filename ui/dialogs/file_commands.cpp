@@ -161,13 +161,9 @@ std::filesystem::path startFolder(const Shell &context) {
     if (!context.document.path().empty()) {
         return context.document.path().parent_path();
     }
-    const std::vector<Sample> gallery = samples();
-    for (const std::filesystem::path file : context.settings.recentFiles) {
-        if (std::none_of(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; })) {
-            return file.parent_path();
-        }
-    }
-    return {}; // the working folder
+    const std::vector<std::string> &recent = context.settings.recentFiles;
+    return recent.empty() ? std::filesystem::path() // the working folder
+                          : std::filesystem::path(recent.front()).parent_path();
 }
 
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
@@ -204,6 +200,10 @@ void showOpened(Shell &context, const Document &document, const ImportNotes &not
 void rememberFile(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
+    const std::vector<Sample> gallery = samples(); // which have a menu of their own
+    if (std::any_of(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == name; })) {
+        return;
+    }
     std::vector<std::string> &recent = context.settings.recentFiles;
     std::erase(recent, name);
     recent.insert(recent.begin(), name);
