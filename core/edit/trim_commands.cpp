@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -150,8 +151,7 @@ struct Stretch {
     double from = 0.0, to = 0.0;
 };
 
-Result<Stretch> stretchAround(const Document &document, const Path &path, Vec2 at) {
-    const std::vector<double> crossings = crossingsAlong(document, path);
+Result<Stretch> stretchAround(const Path &path, std::span<const double> crossings, Vec2 at) {
     const bool closed = path.outline.closed;
     if (crossings.size() < (closed ? 2U : 1U)) {
         return error("not-possible",
@@ -241,9 +241,15 @@ Curve continued(const Document &document, const Curve &segment) {
 
 } // namespace
 
-Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t shape, Vec2 at) {
+Result<std::vector<double>> crossingsAlong(const Document &document, std::uint32_t shape) {
     const Result<Path> path = pathOf(document, shape);
-    const Result<Stretch> stretch = path ? stretchAround(document, *path, at) : path.faults();
+    return path ? Result(crossingsAlong(document, *path)) : path.faults();
+}
+
+Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t shape, Vec2 at,
+                                      std::span<const double> crossings) {
+    const Result<Path> path = pathOf(document, shape);
+    const Result<Stretch> stretch = path ? stretchAround(*path, crossings, at) : path.faults();
     if (!stretch) {
         return stretch.faults();
     }
@@ -255,7 +261,7 @@ Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t sh
 
 Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) {
     const Result<Path> path = pathOf(document, shape);
-    const Result<Stretch> stretch = path ? stretchAround(document, *path, at) : path.faults();
+    const Result<Stretch> stretch = path ? stretchAround(*path, crossingsAlong(document, *path), at) : path.faults();
     if (!stretch) {
         return stretch.faults();
     }

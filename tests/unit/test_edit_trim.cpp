@@ -35,12 +35,16 @@ std::string codeOf(const Result<T> &result) {
     return result ? "" : result.faults().front().code;
 }
 
+Result<std::vector<Curve>> partAt(const Document &document, std::uint32_t shape, Vec2 at) {
+    return partToTrim(document, shape, at, *crossingsAlong(document, shape));
+}
+
 } // namespace
 
 TEST_CASE("trimAt: removes the middle, the beginning or the end of a line, and joins what is left to the others") {
     const Document document =
         *addShapes({}, {line({{0, 0}, {10, 0}}), line({{3, -2}, {3, 2}}), line({{7, -2}, {7, 2}})});
-    CHECK(lengthOfAll(*partToTrim(document, 1, {5, 0})) == doctest::Approx(4));
+    CHECK(lengthOfAll(*partAt(document, 1, {5, 0})) == doctest::Approx(4));
     const Result<Document> middle = trimAt(document, 1, {5, 0.1});
     REQUIRE(middle.ok());
     REQUIRE(middle->shapes.size() == 4);
@@ -58,11 +62,11 @@ TEST_CASE("trimAt: removes the middle, the beginning or the end of a line, and j
 
 TEST_CASE("trimAt: lines that end on another one but for rounding, and touches at a node, are one place") {
     const Document joint = *addShapes({}, {line({{0, 0}, {10, 0}}), line({{5, 1e-16}, {5, 5}})});
-    CHECK(lengthOfAll(*partToTrim(joint, 1, {7, 0})) == doctest::Approx(5));
+    CHECK(lengthOfAll(*partAt(joint, 1, {7, 0})) == doctest::Approx(5));
     // A tip that touches a closed path at one of its nodes: not enough to trim between.
     const Document touched = *addShapes(
         {}, {makeShape(ShapeKind::Polygon, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}), line({{1 + 5e-11, 1 + 5e-11}, {2, 2}})});
-    CHECK(codeOf(partToTrim(touched, 1, {0.5, 0})) == "not-possible");
+    CHECK(codeOf(partAt(touched, 1, {0.5, 0})) == "not-possible");
 }
 
 TEST_CASE("trimAt: closed outlines open; circles stay arcs, tags stay with their segments, and parts run over nodes") {

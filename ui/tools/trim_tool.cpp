@@ -19,10 +19,20 @@ const char *TrimTool::icon() const {
 
 void TrimTool::deactivate(Shell &) {
     change_.reset();
+    crossed_ = {};
 }
 
-std::optional<TrimTool::Change> TrimTool::changeAt(Vec2 place, Shell &context) const {
-    const PickIndex &index = *state_->index(context);
+const std::vector<double> &TrimTool::crossingsOf(const std::shared_ptr<const PickIndex> &index, std::uint32_t shape) {
+    if (crossed_.index != index || crossed_.shape != shape) {
+        Result<std::vector<double>> places = crossingsAlong(index->document(), shape);
+        crossed_ = {index, shape, places ? *std::move(places) : std::vector<double>()};
+    }
+    return crossed_.places;
+}
+
+std::optional<TrimTool::Change> TrimTool::changeAt(Vec2 place, Shell &context) {
+    const std::shared_ptr<const PickIndex> shared = state_->index(context);
+    const PickIndex &index = *shared;
     const Document &document = index.document();
     const auto isFree = [](const Shape &shape) { return !shape.locked; };
     const auto node = index.node(place, EditState::reach(context, 8.0),
@@ -40,7 +50,8 @@ std::optional<TrimTool::Change> TrimTool::changeAt(Vec2 place, Shell &context) c
         return std::nullopt;
     }
     Change change{segment->ref.shape, {}, segment->at, {}, {}};
-    if (Result<std::vector<Curve>> removed = partToTrim(document, change.shape, change.at)) {
+    if (Result<std::vector<Curve>> removed =
+            partToTrim(document, change.shape, change.at, crossingsOf(shared, change.shape))) {
         change.curves = *std::move(removed);
     } else {
         change.fault = fault.empty() ? removed.faults().front().message : fault;

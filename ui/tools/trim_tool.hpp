@@ -38,11 +38,19 @@ class TrimTool final : public Tool {
         std::vector<Curve> curves; ///< removed or added; empty: not possible
         std::string fault;         ///< why
     };
-    std::optional<Change> changeAt(Vec2 place, Shell &context) const;
+    /// Where the shape under the pointer meets others; found once for each shape of a document.
+    struct Crossed {
+        std::shared_ptr<const PickIndex> index;
+        std::uint32_t shape = 0;
+        std::vector<double> places;
+    };
+    std::optional<Change> changeAt(Vec2 place, Shell &context);
+    const std::vector<double> &crossingsOf(const std::shared_ptr<const PickIndex> &index, std::uint32_t shape);
     void apply(const Change &change, Shell &context) const;
 
     std::shared_ptr<EditState> state_;
     std::optional<Change> change_; ///< under the pointer
+    Crossed crossed_;
 };
 
 } // namespace forefront
