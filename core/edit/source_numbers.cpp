@@ -45,6 +45,10 @@ std::optional<double> sourceNumber(const SizeSource &source, const std::string &
 }
 
 Status setSourceNumber(SizeSource &source, const std::string &name, double value) {
+    if (name == "angle" && source.shape == SourceShape::Box) {
+        turnBox(source, value);
+        return {};
+    }
     if (!isExtent(source, name)) {
         *storedNumber(source, name) = value;
         return {};

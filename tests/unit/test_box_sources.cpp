@@ -247,6 +247,24 @@ TEST_CASE("Box sources: width and height are numbers, along the angle and across
     CHECK(wide.b == Vec2{6, 2});
 }
 
+TEST_CASE("Box sources: a new angle turns the box about its centre, and its sides stay") {
+    Document document;
+    document.spacing.sources = {boxSource({1, 2}, {4, 3}, 0.1, 0.2, 0.0)};
+    const Vec2 centre{2.5, 2.5};
+    for (const double angle : {30.0, 60.0, 90.0, -135.0, 0.0}) {
+        CAPTURE(angle);
+        REQUIRE(setNumber(document, *parseAddress("source/0/angle"), angle).empty());
+        const SizeSource &box = document.spacing.sources[0];
+        CHECK(box.angle == angle);
+        CHECK(distance(SourceBox(box).centre(), centre) < 1e-12);
+        CHECK(boxExtent(box).x == doctest::Approx(3.0));
+        CHECK(boxExtent(box).y == doctest::Approx(1.0));
+        const Vec2 along = unitVector(angle);
+        CHECK(SourceBox(box).distanceTo(centre + 2.5 * along) == doctest::Approx(1.0));
+    }
+    CHECK(distance(document.spacing.sources[0].a, {1, 2}) < 1e-12);
+}
+
 TEST_CASE("Box sources: the box of a selected one holds its radius") {
     SizeSource box = boxSource({0, 0}, {4, 2});
     box.radius = 1.0;

@@ -40,7 +40,11 @@ void inspectSource(Shell &context, std::uint32_t index) {
             resizeBox(source, extent);
             changed = true;
         }
-        changed = form::number(context, "inspector/angle", "Angle", source.angle, address("angle")) || changed;
+        double angle = source.angle;
+        if (form::number(context, "inspector/angle", "Angle", angle, address("angle"))) {
+            turnBox(source, angle);
+            changed = true;
+        }
     } else if (source.shape == SourceShape::Line) {
         changed = form::pair(context, "inspector/a", "From", source.a, {address("x"), address("y")}) || changed;
         changed = form::pair(context, "inspector/b", "To", source.b, {address("x2"), address("y2")}) || changed;

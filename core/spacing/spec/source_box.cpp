@@ -53,6 +53,15 @@ void resizeBox(SizeSource &source, Vec2 extent) {
                std::copysign(extent.y, cross(along, diagonal)) * leftNormal(along);
 }
 
+void turnBox(SizeSource &source, double degrees) {
+    const Vec2 turn = unitVector(degrees - source.angle), centre = midpoint(source.a, source.b);
+    for (Vec2 *const corner : {&source.a, &source.b}) {
+        const Vec2 arm = *corner - centre;
+        *corner = centre + arm.x * turn + arm.y * leftNormal(turn);
+    }
+    source.angle = degrees;
+}
+
 double boxAngle(double degrees) {
     const double turn = std::remainder(degrees, 90.0); // in [-45, 45]
     return turn == -45.0 ? 45.0 : turn;

@@ -36,6 +36,9 @@ Vec2 boxExtent(const SizeSource &source);
 /// Gives a box source other lengths of its sides; SizeSource::a and the angle stay.
 void resizeBox(SizeSource &source, Vec2 extent);
 
+/// Turns a box source about its centre to an angle in degrees; the lengths of its sides stay.
+void turnBox(SizeSource &source, double degrees);
+
 /// Returns an angle that gives the same box, in (-45, 45] degrees.
 double boxAngle(double degrees);
 
