@@ -10,9 +10,10 @@
 namespace forefront {
 namespace {
 
-constexpr int kUnit = 8;           ///< distances to edges are stored in fractions of a pixel
-constexpr int kDiagonal = 11;      ///< of a pixel, in these units
-constexpr int kReach = 25 * kUnit; ///< greater distances are not told apart
+constexpr int kUnit = 8;      ///< distances to edges are stored in fractions of a pixel
+constexpr int kDiagonal = 11; ///< of a pixel, in these units
+constexpr int kReachPixels = 25;
+constexpr int kReach = kReachPixels * kUnit; ///< greater distances are not told apart
 constexpr std::uint16_t kBare = 0xffff;
 constexpr double kCurveTolerance = 0.25; ///< pixels
 
@@ -95,11 +96,13 @@ class FacePicture {
             right = edge.left;
         }
         // Rows whose middle y + 0.5 lies in [p.y, q.y).
-        const double first = std::max(0.0, std::ceil(p.y - 0.5)),
-                     last = std::min(static_cast<double>(height_), std::ceil(q.y - 0.5));
-        for (double row = first; row < last; row += 1.0) {
+        const auto rowFrom = [&](double y) {
+            return static_cast<int>(std::min(static_cast<double>(height_), std::max(0.0, std::ceil(y - 0.5))));
+        };
+        const int end = rowFrom(q.y);
+        for (int row = rowFrom(p.y); row < end; ++row) {
             const double x = p.x + (row + 0.5 - p.y) / (q.y - p.y) * (q.x - p.x);
-            crossings_.push_back({static_cast<int>(row), x, right});
+            crossings_.push_back({row, x, right});
         }
     }
 
@@ -122,11 +125,10 @@ class FacePicture {
             std::int16_t &distance = distance_[at(row, k)];
             distance = static_cast<std::int16_t>(std::clamp(kUnit * pixels, 0.0, static_cast<double>(distance)));
         };
-        constexpr double kPixels = kReach / kUnit;
-        for (int k = first; k <= last && k - from < kPixels; ++k) {
+        for (int k = first; k <= last && k - from < kReachPixels; ++k) {
             reach(k, k + 0.5 - from);
         }
-        for (int k = last; k >= first && to - k < kPixels; --k) {
+        for (int k = last; k >= first && to - k < kReachPixels; --k) {
             reach(k, to - k - 0.5);
         }
     }

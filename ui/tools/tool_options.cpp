@@ -6,6 +6,7 @@
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/number_text.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "core/edit/document.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 
 namespace forefront {
 
+struct EditState;
 struct Workspace;
 
 namespace ui {
