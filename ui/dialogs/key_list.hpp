@@ -3,6 +3,7 @@
 #include "ui/parts/action.hpp"
 
 #include <string>
+#include <utility>
 
 namespace forefront {
 
@@ -10,6 +11,10 @@ namespace forefront {
 /// are marked, since only the first of them that is enabled runs.
 class KeyList {
   public:
+    KeyList() = default;
+    /// Lists only the commands that contain a text.
+    explicit KeyList(std::string query) : query_(std::move(query)) {}
+
     void draw(Shell &context);
     /// Returns true while waiting for a key.
     bool capturing() const { return !capturing_.empty(); }

@@ -82,7 +82,7 @@ std::string sizeField(const Shell &context) {
     }
     return !selection.segments.empty()  ? "inspector/partsize"
            : !selection.sources.empty() ? "inspector/size"
-                                        : "inspector/maxarea";
+                                        : "inspector/regionsize";
 }
 
 void enterSize(Shell &context) {

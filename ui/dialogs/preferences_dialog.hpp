@@ -3,11 +3,18 @@
 #include "ui/dialogs/key_list.hpp"
 #include "ui/parts/dialog.hpp"
 
+#include <string>
+#include <utility>
+
 namespace forefront {
 
 /// Edits the settings. Every change takes effect at once.
 class PreferencesDialog final : public Dialog {
   public:
+    PreferencesDialog() = default;
+    /// Opens the page of keys, with the commands that contain a text.
+    explicit PreferencesDialog(std::string command) : page_(kKeys), keys_(std::move(command)) {}
+
     const char *id() const override { return "preferences"; }
     std::string title() const override { return "Preferences"; }
     float width() const override { return 640.0F; }
@@ -17,6 +24,8 @@ class PreferencesDialog final : public Dialog {
 
   private:
     void drawAppearance(Shell &context);
+
+    static constexpr int kKeys = 4;
 
     int page_ = 0;
     double percent_ = 0.0; ///< scale being dragged

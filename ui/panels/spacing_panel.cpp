@@ -103,6 +103,13 @@ void drawKeepAutomatic(Shell &context) {
                             "the spacing.");
 }
 
+void selectSource(Shell &context, std::uint32_t source) {
+    context.selection.clear();
+    context.selection.sources.insert(source);
+    context.naming.row.reset(); // F2 renames the source, not a row of the Shapes panel
+    context.tools.choose("select", context);
+}
+
 void SpacingPanel::drawSources(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     const std::vector<SizeSource> &sources = document->spacing.sources;
@@ -124,9 +131,11 @@ void SpacingPanel::drawSources(Shell &context) {
     for (std::uint32_t k = 0; k < shown; ++k) {
         if (ui::selectable(context, "spacing/source/" + std::to_string(k), displayName(sources[k], k),
                            context.selection.sources.contains(k), sizeText(sources[k]))) {
-            context.selection.clear();
-            context.selection.sources.insert(k);
-            context.tools.choose("select", context);
+            selectSource(context, k);
+        }
+        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+            selectSource(context, k);
+            context.menu.open(selectionMenu());
         }
     }
     ImGui::EndChild();

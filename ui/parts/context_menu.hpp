@@ -14,7 +14,7 @@ namespace forefront {
 /// A command of a context menu: an action of the program, or one for what was clicked.
 struct ContextItem {
     std::string action{}; ///< id of an action, shown with its key; left out of the menu while it is disabled
-    MenuEntry own{};      ///< if `action` is empty
+    MenuEntry own{};      ///< if `action` is empty; without `run`, a heading
     bool checked = false; ///< of `own`
 };
 
@@ -53,6 +53,11 @@ inline ContextGroup actionsOf(std::initializer_list<const char *> ids) {
 inline ContextItem commandOf(std::string id, std::string title, std::function<void(Shell &)> run,
                              std::string detail = {}) {
     return {.own = {std::move(id), std::move(title), std::move(detail), std::move(run)}};
+}
+
+/// Returns a line that says what the commands below it are for; it cannot be chosen.
+inline ContextItem headingOf(std::string title) {
+    return {.own = {{}, std::move(title), {}, {}}};
 }
 
 /// Returns the item of a command that copies a text to the clipboard.

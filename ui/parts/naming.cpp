@@ -2,6 +2,7 @@
 
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
+#include "core/edit/spacing_commands.hpp"
 #include "core/edit/tag_runs.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -88,6 +89,8 @@ bool NamedThing::existsIn(const Document &document) const {
                });
     case Kind::Region:
         return marker < document.regionMarkers.size();
+    case Kind::Source:
+        return source < document.spacing.sources.size();
     }
     return false;
 }
@@ -105,6 +108,8 @@ std::string NamedThing::name(const Document &document) const {
         return marker < document.regionMarkers.size()
                    ? regionName(document.regionNames, document.regionMarkers[marker].tag)
                    : std::string();
+    case Kind::Source:
+        return source < document.spacing.sources.size() ? document.spacing.sources[source].name : std::string();
     }
     return {};
 }
@@ -121,6 +126,10 @@ std::string NamedThing::title(const Document &document) const {
         return partTitle(document, part);
     case Kind::Region:
         return "Name of the region";
+    case Kind::Source:
+        return "Name of " + (source < document.spacing.sources.size()
+                                 ? displayName(document.spacing.sources[source], source)
+                                 : std::string("the source"));
     }
     return {};
 }
@@ -163,6 +172,14 @@ Result<Document> NamedThing::renamed(const Document &document, const std::string
     }
     case Kind::Region:
         return nameRegionOf(document, marker, name);
+    case Kind::Source: {
+        if (source >= document.spacing.sources.size()) {
+            return document;
+        }
+        SizeSource renamed = document.spacing.sources[source];
+        renamed.name = name;
+        return replaceSource(document, source, std::move(renamed));
+    }
     }
     return document;
 }
@@ -186,7 +203,8 @@ void Naming::openOnCanvas(NamedThing what, Pixel place, const DocumentStore &sto
 }
 
 void applyName(Shell &context, const NamedThing &thing, const std::string &name) {
-    static constexpr const char *kLabels[] = {"Name shape", "Rename boundary", "Name boundary", "Name region"};
+    static constexpr const char *kLabels[] = {"Name shape", "Rename boundary", "Name boundary", "Name region",
+                                              "Name source"};
     EditState::apply(context, thing.renamed(*context.document.current(), name),
                      kLabels[static_cast<std::size_t>(thing.kind)]);
     if (std::optional<NamedThing> &row = context.naming.row; row && row->same(thing)) {
@@ -232,6 +250,9 @@ Selection selectionOf(const Document &document, const NamedThing &thing) {
     case NamedThing::Kind::Region:
         selection.markers.insert(thing.marker);
         break;
+    case NamedThing::Kind::Source:
+        selection.sources.insert(thing.source);
+        break;
     }
     selection.prune(document);
     return selection;
@@ -258,6 +279,9 @@ std::optional<NamedThing> namedThing(const Document &document, const Selection &
     }
     if (selection.size() == 1 && selection.markers.size() == 1) {
         return NamedThing{.kind = NamedThing::Kind::Region, .marker = *selection.markers.begin()};
+    }
+    if (selection.size() == 1 && selection.sources.size() == 1) {
+        return NamedThing{.kind = NamedThing::Kind::Source, .source = *selection.sources.begin()};
     }
     return boundaryPartOf(document, selection);
 }

@@ -16,20 +16,23 @@ struct Shell;
 /// Something that can be given a name.
 struct NamedThing {
     enum class Kind : std::uint8_t {
-        Shape, ///< `shape`
-        Tag,   ///< boundary tag `tag`, wherever it is used
-        Part,  ///< `part` of the boundary; other parts keep their tags
-        Region ///< of region marker `marker`
+        Shape,  ///< `shape`
+        Tag,    ///< boundary tag `tag`, wherever it is used
+        Part,   ///< `part` of the boundary; other parts keep their tags
+        Region, ///< of region marker `marker`
+        Source  ///< size source `source`
     };
     Kind kind = Kind::Shape;
     std::uint32_t shape = 0; ///< Shape::id
     std::int32_t tag = 0;    ///< of Kind::Part: the tag of its first segment
     std::uint32_t marker = 0;
+    std::uint32_t source = 0; ///< index in SpacingSpec::sources
     BoundaryPart part{};
 
     /// Returns true for the same thing, whatever it is called now.
     bool same(const NamedThing &other) const {
-        return kind == other.kind && shape == other.shape && tag == other.tag && marker == other.marker;
+        return kind == other.kind && shape == other.shape && tag == other.tag && marker == other.marker &&
+               source == other.source;
     }
     /// Returns false once it was deleted, or has another tag.
     bool existsIn(const Document &document) const;
@@ -67,7 +70,8 @@ struct Naming {
 
 /// Gives the thing a name, as one step of the history.
 void applyName(Shell &context, const NamedThing &thing, const std::string &name);
-/// Returns what F2 renames in a selection: a shape, the boundary part of several shapes or segments, or a region.
+/// Returns what F2 renames in a selection: a shape, the boundary part of several shapes or segments, a region or a size
+/// source.
 std::optional<NamedThing> namedThing(const Document &document, const Selection &selection);
 /// Returns what the label of a boundary part or region at a pixel of the canvas names.
 std::optional<NamedThing> labelAt(const Shell &context, Pixel pixel);

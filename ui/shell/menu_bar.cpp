@@ -161,6 +161,10 @@ void drawMenuBar(Shell &context, const PixelRect &rect) {
     ImGui::PopStyleVar();
     ImGui::SetCursorPosY((height - ImGui::GetFontSize()) / 2);
     drawRightEnd(context, rect);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        context.menu.open({actionsOf({"view.panels", "view.rulers", "view.hints", "view.theme"}),
+                           actionsOf({"view.palette", "edit.preferences"})});
+    }
     const float y = static_cast<float>(rect.y + rect.height) - 1.0F;
     ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);
     ImGui::End();

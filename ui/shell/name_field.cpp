@@ -63,7 +63,8 @@ void drawEntry(Shell &context, const Document &document) {
     }
     ui::small(context, naming.thing->title(document));
     const std::string before = naming.text;
-    const bool entered = ui::inputText(context, "naming/name", naming.text, "name or tag",
+    const bool entered = ui::inputText(context, "naming/name", naming.text,
+                                       naming.thing->kind == NamedThing::Kind::Source ? "name" : "name or tag",
                                        static_cast<float>(kNameWidth), true, false, true);
     if (naming.text != before) {
         naming.edited = true;

@@ -5,6 +5,9 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace forefront::shell {
 
@@ -129,6 +132,23 @@ void drawHint(const Cells &cells, const Shell &context, const PixelRect &rect) {
     }
 }
 
+/// Returns the menu of the status bar.
+std::vector<ContextGroup> statusMenu(const Shell &context) {
+    const SessionSnapshot &run = context.run.now();
+    ContextGroup copies;
+    if (run.quality.elements > 0) {
+        copies.push_back(copyCommand("status/counts", "Copy numbers of triangles and nodes",
+                                     std::to_string(run.quality.elements) + '\t' + std::to_string(run.quality.nodes)));
+        copies.push_back(copyCommand("status/quality", "Copy shape factor and smallest angle",
+                                     ui::format("%.6g\t%.6g", run.quality.alphaMean, run.quality.minAngle)));
+    }
+    if (run.complete && run.meshHash != 0) {
+        copies.push_back(copyCommand("status/hash", "Copy mesh hash", toHex(run.meshHash)));
+    }
+    return {std::move(copies), actionsOf({"view.firstFault"}),
+            actionsOf({"view.panels", "view.rulers", "edit.preferences"})};
+}
+
 } // namespace
 
 void drawStatusBar(Shell &context, const PixelRect &rect) {
@@ -146,6 +166,9 @@ void drawStatusBar(Shell &context, const PixelRect &rect) {
     addFaults(cells, context);
     drawHint(cells, context, rect);
     ImGui::PopFont();
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        context.menu.open(statusMenu(context));
+    }
     ImGui::End();
 }
 

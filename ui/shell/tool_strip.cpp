@@ -1,3 +1,4 @@
+#include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -6,10 +7,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 
 namespace forefront::shell {
 
 namespace {
+
+/// Opens the menu of a tool's button.
+void openToolMenu(Shell &context, const Tool &tool) {
+    const std::string id = tool.id(), action = "tool." + id;
+    const Action *const known = context.actions.find(action);
+    const std::string keys =
+        known != nullptr && !known->shortcuts.empty() ? toString(known->shortcuts.front()) : std::string();
+    context.menu.open({{headingOf(tool.name()),
+                        commandOf(
+                            "tool/choose", "Choose this tool", [id](Shell &c) { c.tools.choose(id, c); }, keys)},
+                       {commandOf("tool/key", "Change key\xe2\x80\xa6",
+                                  [title = std::string("Tool: ") + tool.name()](Shell &c) {
+                                      c.dialogs.open(std::make_unique<PreferencesDialog>(title));
+                                  }),
+                        actionOf("help.shortcuts")}});
+}
 
 constexpr double kGap = 3.0, kPadX = 6.0, kPadY = 8.0, kButton = 34.0, kMinButton = 27.0; // design pixels
 
@@ -50,6 +69,9 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
         if (ui::iconButton(context, std::string("tool/") + tool.id(), tool.icon(), tip, i == context.tools.active, true,
                            static_cast<float>(strip.button))) {
             context.tools.choose(tool.id(), context);
+        }
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+            openToolMenu(context, tool);
         }
     }
     ImGui::PopStyleVar();

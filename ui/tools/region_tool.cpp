@@ -5,6 +5,7 @@
 #include "core/edit/region_fill.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/tools/region_menu.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
@@ -14,20 +15,9 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
-
-namespace {
-
-/// Returns the faces of the document: those of the preview, unless it is behind.
-std::shared_ptr<const FaceMap> currentFaces(const Shell &context) {
-    if (context.preview->faces && context.preview->revision == context.document.revision()) {
-        return context.preview->faces;
-    }
-    return faceMapOf(std::make_shared<const Domain>(toDomain(*context.document.current())));
-}
-
-} // namespace
 
 const char *RegionTool::icon() const {
     return icon::kFlag;
@@ -83,16 +73,18 @@ void RegionTool::place(Vec2 at, Shell &context) {
 }
 
 std::vector<ContextGroup> RegionTool::menu(Shell &context, Vec2 place) {
-    if (currentFaces(context)->faceAt(place) == kNoIndex) {
+    ContextGroup group = regionMenu(context, place, true, tagOfNext(context));
+    if (group.empty()) {
         return {};
     }
-    const auto name = [this, place](Shell &c) {
+    std::erase_if(group, [](const ContextItem &item) { return item.own.id == "region/rename"; }); // as the next one
+    group.push_back(commandOf("nameFace", "Name this face\xe2\x80\xa6", [this, place](Shell &c) {
         const std::optional<std::int32_t> chosen = std::exchange(tag_, std::nullopt); // the face keeps its region
         this->place(place, c);
         tag_ = chosen;
         c.actions.run("edit.rename", c);
-    };
-    return {{commandOf("nameFace", "Name this face\xe2\x80\xa6", name)}};
+    }));
+    return {std::move(group)};
 }
 
 /// Returns the name of the region that a face has or would get, and its area.

@@ -26,7 +26,7 @@ class RegionTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &context) const override;
-    /// Names the face at a place, which becomes a region if it is none.
+    /// Offers to name the face at a place, which becomes a region if it is none, and the commands on its region.
     std::vector<ContextGroup> menu(Shell &context, Vec2 place) override;
 
   protected:

@@ -180,30 +180,6 @@ bool SelectTool::pressLabel(const CanvasEvent &event, Shell &context) {
     return true;
 }
 
-/// Selects the item under the pointer, unless it already is selected, and requests the menu of the selection.
-void SelectTool::openMenu(const CanvasEvent &event, Shell &context) {
-    start_ = context.document.current();
-    const Hit hit = hitAt(event.place, context);
-    const bool free = hit.kind == Hit::Kind::Nothing || hit.kind == Hit::Kind::Inside;
-    if (const std::optional<NamedThing> label = labelAt(context, event.pixel); label && free) {
-        context.selection = selectionOf(*start_, *label);
-    } else if (!isSelected(hit, context.selection)) {
-        select(hit, false, context.selection);
-    }
-    const Shape *const shape = hit.kind == Hit::Kind::Segment ? findShape(*start_, hit.shape) : nullptr;
-    start_.reset();
-    std::vector<ContextGroup> groups = selectionMenu();
-    if (shape != nullptr && context.selection.shapes.contains(hit.shape) && taggedSegments(*shape) > 1) {
-        const auto name = [segment = hit.segment->ref](Shell &c) {
-            c.selection.clear();
-            c.selection.segments.insert(segment);
-            c.actions.run("edit.setTag", c);
-        };
-        groups.front().push_back(commandOf("segmentTag", "Set tag of this segment\xe2\x80\xa6", name));
-    }
-    context.menu.open(std::move(groups));
-}
-
 void SelectTool::insertAt(const Hit &hit, Shell &context) {
     if (!EditState::apply(context, insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
         mode_ = Mode::Idle;

@@ -1,6 +1,7 @@
 #include "ui/widgets/field_focus.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -36,7 +37,24 @@ bool FieldFocus::inSight(std::string_view name) const {
     return std::any_of(order_.begin(), order_.end(), [&](const Field &field) { return field.name == name; });
 }
 
+void FieldFocus::replace(std::string_view name, std::string text) {
+    replaced_ = name;
+    with_ = std::move(text);
+    framesToReplace_ = kMaxFrames;
+}
+
+std::optional<std::string> FieldFocus::replacement(std::string_view name) {
+    if (replaced_.empty() || replaced_ != name) {
+        return std::nullopt;
+    }
+    replaced_.clear();
+    return std::exchange(with_, {});
+}
+
 void FieldFocus::endFrame() {
+    if (--framesToReplace_ <= 0) {
+        replaced_.clear();
+    }
     leaving_ = false;
     if (entry && !inSight(entry->name)) {
         entry.reset(); // its field is gone

@@ -47,6 +47,20 @@ class FieldFocus {
     /// The field whose text was last committed in this frame; empty: none, or the widgets of the frame are drawn.
     std::string committed;
 
+    /// A field that was clicked with the right button, for the menu that opens there.
+    struct Clicked {
+        std::string name;
+        std::string text;
+        std::string value;              ///< of the formula in the field; empty: it holds none
+        std::size_t begin = 0, end = 0; ///< selected part of the text; all of it if nothing was selected
+    };
+    std::optional<Clicked> clicked;
+
+    /// Gives a field another text when it is drawn within the next frames, as if it had been typed.
+    void replace(std::string_view name, std::string text);
+    /// Returns the text that replaces that of a field, once.
+    std::optional<std::string> replacement(std::string_view name);
+
   private:
     struct Field {
         std::string name;
@@ -58,9 +72,12 @@ class FieldFocus {
     std::vector<Field> order_; ///< fields of this frame as they were drawn
     std::optional<std::string> tabbed_;
     bool back_ = false;
-    std::string wanted_; ///< empty: none
-    bool asked_ = false; ///< Dear ImGui was asked to give it the focus
-    int framesLeft_ = 0; ///< frames until the request is dropped
+    std::string wanted_;   ///< empty: none
+    bool asked_ = false;   ///< Dear ImGui was asked to give it the focus
+    int framesLeft_ = 0;   ///< frames until the request is dropped
+    std::string replaced_; ///< field that gets another text; empty: none
+    std::string with_;
+    int framesToReplace_ = 0;
     bool leaving_ = false;
 };
 

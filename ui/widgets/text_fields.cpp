@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace forefront::ui {
@@ -39,8 +40,25 @@ class RedoByShiftZ {
     bool swapped_;
 };
 
+/// Notes that the field just drawn was clicked with the right button, and which part of its text is selected.
+void noteRightClick(FieldFocus &fields, std::string_view name, const std::string &text, ImGuiID id) {
+    if (!ImGui::IsItemHovered() || !ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        return;
+    }
+    std::size_t begin = 0, end = text.size();
+    const ImGuiInputTextState *const state = ImGui::GetActiveID() == id ? ImGui::GetInputTextState(id) : nullptr;
+    if (state != nullptr && state->HasSelection()) {
+        const auto [low, high] = std::minmax(state->Stb.select_start, state->Stb.select_end);
+        const ImWchar *const letters = state->TextW.Data; // the selection counts letters, the text has bytes
+        begin = std::min(end, static_cast<std::size_t>(ImTextCountUtf8BytesFromStr(letters, letters + low)));
+        end = std::min(end, static_cast<std::size_t>(ImTextCountUtf8BytesFromStr(letters, letters + high)));
+    }
+    fields.clicked = {std::string(name), text, {}, begin, end};
+}
+
 struct Drawn {
     bool returned = false; ///< returned by Dear ImGui
+    bool replaced = false; ///< a command of the menu of the field has given it another text
     bool held = false;     ///< the field had the focus in the last frame, so its text was typed
     bool holds = false;    ///< the field has the focus now
 };
@@ -63,6 +81,12 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
     }
     ImGui::PopID();
     mark(context, name);
+    noteRightClick(fields, name, value, id);
+    if (std::optional<std::string> text = fields.replacement(name)) {
+        value = *std::move(text);
+        drawn.replaced = true;
+        context.animate();
+    }
     if (const ImGuiWindow *window = ImGui::GetCurrentWindowRead(); !window->SkipItems) {
         fields.drawn(name, window->RootWindow->ID);
     }
@@ -91,7 +115,8 @@ bool inputText(WidgetContext &context, std::string_view name, std::string &value
                bool onEnter, bool focus, bool selectAll) {
     const int enter = onEnter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None;
     const int all = selectAll ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
-    return drawField(context, name, value, hint, width, enter | all, focus).returned;
+    const Drawn drawn = drawField(context, name, value, hint, width, enter | all, focus);
+    return drawn.returned || (drawn.replaced && !onEnter);
 }
 
 bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
@@ -101,6 +126,13 @@ bool entry(WidgetContext &context, std::string_view name, std::string &value, st
                                   selectAll ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None, false);
     std::optional<FieldFocus::Entry> &being = context.widgets.fields.entry;
     const bool mine = being && being->name == name;
+    if (drawn.replaced) {
+        const bool changed = value != (mine ? being->initial : before);
+        if (mine) {
+            being.reset();
+        }
+        return changed;
+    }
     if (drawn.holds) {
         if (!mine) {
             being = {std::string(name), before, value};

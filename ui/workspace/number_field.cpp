@@ -98,15 +98,25 @@ void drawFault(Workspace &context, std::string_view name) {
     mark(context, std::string(name) + (fault.note ? "/note" : "/fault"));
 }
 
+/// Shows the value of a formula beside the field just drawn, and offers it in the menu of the field.
+void offerValue(Workspace &context, std::string_view name, const std::string &formula, const std::string &value) {
+    if (formula.empty()) {
+        return;
+    }
+    tooltip(context, formula + " = " + value);
+    std::optional<FieldFocus::Clicked> &clicked = context.widgets.fields.clicked;
+    if (clicked && clicked->name == name) {
+        clicked->value = value;
+    }
+}
+
 /// Draws the field. Returns the new text when one was committed.
 std::optional<std::string> drawEntry(Workspace &context, std::string_view name, const std::string &plain,
                                      const char *hint, float width, const std::string &address) {
     const std::string formula = formulaAt(context, address);
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, hint, width, true);
-    if (!formula.empty()) {
-        tooltip(context, formula + " = " + plain);
-    }
+    offerValue(context, name, formula, plain);
     drawFault(context, name);
     return committed ? std::optional(typed) : std::nullopt;
 }
@@ -229,9 +239,7 @@ bool inputExpression(Workspace &context, std::string_view name, double &value, s
     const std::string plain = number(value, 6);
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, "", width, true);
-    if (!formula.empty()) {
-        tooltip(context, formula + " = " + plain);
-    }
+    offerValue(context, name, formula, plain);
     drawFault(context, name);
     const std::optional<double> entered = committed ? typedNumber(context, name, typed) : std::nullopt;
     if (!entered) {
