@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <map>
+#include <string>
+
 namespace forefront::test {
 
 TEST_CASE(
@@ -60,6 +63,36 @@ TEST_CASE("Column: the names of layers do not reach into the next column") {
             // The eye is 24 pixels wide; letters of the small font are at most 9 pixels wide, on average below 7.
             CHECK(eye->rect.width >=
                   (24.0 + 5.5 * static_cast<double>(std::string_view(slot.layer->name()).size())) * scale);
+        }
+    }
+}
+
+TEST_CASE("Column: the tabs stay under the pointer, whichever is chosen, and no row holds a single one") {
+    for (const double scale : {1.0, 2.0}) {
+        Driver driver({}, {1280, 800}, scale);
+        std::map<std::string, Pixel> places;
+        std::map<double, int> rows;
+        for (const auto &panel : driver.context().panels) {
+            if (panel->place() == PanelPlace::Tabbed) {
+                const std::string tab = std::string("panel/") + panel->id();
+                const auto *widget = driver.context().widgets.find(tab);
+                REQUIRE(widget != nullptr);
+                places[tab] = widget->rect.centre();
+                ++rows[widget->rect.y];
+            }
+        }
+        for (const auto &[y, count] : rows) {
+            CHECK(count >= 3);
+        }
+        for (const auto &chosen : places) {
+            driver.clickAt(chosen.second);
+            driver.settle();
+            CAPTURE(chosen.first);
+            CHECK("panel/" + driver.context().settings.tab == chosen.first);
+            for (const auto &[tab, place] : places) {
+                CAPTURE(tab);
+                CHECK(driver.context().widgets.find(tab)->rect.centre() == place);
+            }
         }
     }
 }

@@ -81,7 +81,6 @@ class ShapesPanel final : public Panel {
     const char *id() const override { return "shapes"; }
     const char *title() const override { return "Shapes"; }
     PanelPlace place() const override { return PanelPlace::Tabbed; }
-    double tabHeight() const override { return 336.0; }
     void draw(Shell &context) override;
 
   private:

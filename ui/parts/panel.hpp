@@ -25,9 +25,6 @@ class Panel {
     virtual PanelPlace place() const { return PanelPlace::Stacked; }
     /// Returns the height of a stacked panel in design pixels; 0: as high as its content.
     virtual double height() const { return 0.0; }
-    /// Returns the height that the tabs get for this panel, in design pixels, until the user drags their edge; 0: that
-    /// of the other tabs.
-    virtual double tabHeight() const { return 0.0; }
     /// Returns true if a stacked panel is folded in a low window until the user unfolds it.
     virtual bool foldsInLowWindow() const { return false; }
     /// Draws the content with Dear ImGui and ui/widgets/widgets.hpp; the width is ImGui::GetContentRegionAvail().x.

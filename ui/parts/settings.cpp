@@ -61,6 +61,20 @@ Enum choiceIn(const Json &json, const char *name, Enum fallback) {
     return fromWord<Enum>(textIn(json, name)).value_or(fallback);
 }
 
+/// Returns the texts of an array, at most `limit` of them.
+std::vector<std::string> textsIn(const Json &json, const char *name, std::size_t limit) {
+    std::vector<std::string> texts;
+    const auto array = json.find(name);
+    if (array != json.end() && array->is_array()) {
+        for (const Json &entry : *array) {
+            if (entry.is_string() && texts.size() < limit) {
+                texts.push_back(entry.get<std::string>());
+            }
+        }
+    }
+    return texts;
+}
+
 /// Calls take(key, value) for each member of an object.
 template <class Take>
 void forMembers(const Json &json, const char *name, Take take) {
@@ -82,11 +96,6 @@ void readMaps(const Json &json, Settings &settings) {
     forMembers(json, "layers", [&](const std::string &layer, const Json &visible) {
         if (visible.is_boolean()) {
             settings.layers[layer] = visible.get<bool>();
-        }
-    });
-    forMembers(json, "tabHeights", [&](const std::string &panel, const Json &height) {
-        if (height.is_number()) {
-            settings.tabHeights[panel] = std::clamp(height.get<double>(), kMinTabs, kMaxTabs);
         }
     });
     forMembers(json, "folded", [&](const std::string &panel, const Json &folded) {
@@ -156,15 +165,11 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.newPerTurn = sizeIn(json, "newPerTurn", true);
     settings.newAcross = sizeIn(json, "newAcross", true);
     readMaps(json, settings);
+    const std::vector<std::string> hidden = textsIn(json, "hiddenTabs", 100);
+    settings.hiddenTabs = {hidden.begin(), hidden.end()};
+    settings.tabOrder = textsIn(json, "tabOrder", 100);
+    settings.recentFiles = textsIn(json, "recentFiles", 12);
     settings.window = placeIn(json);
-    const auto recent = json.find("recentFiles");
-    if (recent != json.end() && recent->is_array()) {
-        for (const Json &entry : *recent) {
-            if (entry.is_string() && settings.recentFiles.size() < 12) {
-                settings.recentFiles.push_back(entry.get<std::string>());
-            }
-        }
-    }
     return settings;
 }
 
@@ -173,13 +178,14 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"scale", settings.scale},
               {"panelWidth", settings.panelWidth},
               {"tabsHeight", settings.tabsHeight},
-              {"tabHeights", settings.tabHeights},
               {"hints", settings.hints},
               {"rulers", settings.rulers},
               {"live", settings.live},
               {"liveBudget", settings.liveBudget},
               {"panels", settings.panels},
               {"tab", settings.tab},
+              {"hiddenTabs", settings.hiddenTabs},
+              {"tabOrder", settings.tabOrder},
               {"exportFormat", settings.exportFormat},
               {"newMethod", wordOf(settings.newMethod)},
               {"newImprove", wordOf(settings.newImprove)},

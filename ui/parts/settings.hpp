@@ -34,21 +34,22 @@ struct LessonProgress {
 /// The settings that the program saves between runs.
 struct Settings {
     ThemeKind theme = ThemeKind::Dark;
-    double scale = 1.0;        ///< interface scale set by the user, 0.75 to 3; multiplies the monitor's scale
-    double panelWidth = 304.0; ///< width of the right column, design pixels
-    double tabsHeight = 220.0; ///< height of the tabs at its bottom, design pixels
-    std::map<std::string, double> tabHeights; ///< instead, of panels with a height of their own, by id
-    bool hints = true;                        ///< show the hint strip
-    bool rulers = false;                      ///< show rulers along the canvas
-    bool live = true;                         ///< mesh after every edit
-    double liveBudget = 25'000.0;             ///< see RunControl::liveBudget
-    std::optional<WindowPlace> window;        ///< position when the program last ended
+    double scale = 1.0;                ///< interface scale set by the user, 0.75 to 3; multiplies the monitor's scale
+    double panelWidth = 304.0;         ///< width of the right column, design pixels
+    double tabsHeight = 220.0;         ///< height of the tabs at its bottom, design pixels
+    bool hints = true;                 ///< show the hint strip
+    bool rulers = false;               ///< show rulers along the canvas
+    bool live = true;                  ///< mesh after every edit
+    double liveBudget = 25'000.0;      ///< see RunControl::liveBudget
+    std::optional<WindowPlace> window; ///< position when the program last ended
     std::vector<std::string> recentFiles;
     std::map<std::string, SavedView> views; ///< last view of each recent file
     std::map<std::string, bool> layers;     ///< visibility by id, of those that differ from the default
     std::map<std::string, bool> folded;     ///< panels that the user folded or unfolded, by id
     bool panels = true;                     ///< show the right column
     std::string tab;                        ///< id of the panel shown in the tabs; empty: the first
+    std::set<std::string> hiddenTabs;       ///< ids of panels without a tab
+    std::vector<std::string> tabOrder;      ///< ids of panels; others follow them
     Snapping snapping;
     Method newMethod = Method::Fast; ///< of new documents, like the next
     ImproveLevel newImprove = ImproveLevel::Default;
@@ -61,7 +62,7 @@ struct Settings {
     friend bool operator==(const Settings &, const Settings &) = default;
 };
 
-/// Range of Settings::tabsHeight and of Settings::tabHeights.
+/// Range of Settings::tabsHeight.
 inline constexpr double kMinTabs = 90.0, kMaxTabs = 900.0;
 /// Range of Settings::liveBudget.
 inline constexpr double kMinLiveBudget = 1e3, kMaxLiveBudget = 1e6;

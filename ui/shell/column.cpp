@@ -4,6 +4,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,7 +79,7 @@ void panelMenu(Shell &context, Panel &panel, float top, float bottom) {
     const float y = ImGui::GetMousePos().y;
     const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Right) && y >= top && y < bottom &&
                          ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
-    if (!clicked || context.menu.opens) {
+    if (!clicked || context.menu.opens || context.widgets.fields.clicked) {
         return;
     }
     std::vector<ContextGroup> groups = panel.menu(context);
@@ -162,14 +165,28 @@ void drawStacked(Shell &context, float height) {
     ImGui::EndChild();
 }
 
-std::vector<Panel *> tabsOf(const Shell &context) {
+/// Returns the panels with tabs, hidden or not, in the order that the user gave them.
+std::vector<Panel *> orderedTabs(const Shell &context) {
     std::vector<Panel *> tabs;
     for (const auto &panel : context.panels) {
         if (panel->place() == PanelPlace::Tabbed) {
             tabs.push_back(panel.get());
         }
     }
+    const std::vector<std::string> &order = context.settings.tabOrder;
+    std::stable_sort(tabs.begin(), tabs.end(), [&order](const Panel *a, const Panel *b) {
+        return std::find(order.begin(), order.end(), a->id()) < std::find(order.begin(), order.end(), b->id());
+    });
     return tabs;
+}
+
+/// Returns the panels whose tabs are shown. A hidden one is shown while something has chosen it, such as a lesson.
+std::vector<Panel *> tabsOf(const Shell &context) {
+    std::vector<Panel *> tabs = orderedTabs(context);
+    std::erase_if(tabs, [&context](const Panel *tab) {
+        return context.settings.hiddenTabs.contains(tab->id()) && tab->id() != context.settings.tab;
+    });
+    return tabs.empty() ? orderedTabs(context) : tabs;
 }
 
 /// Returns the index of the panel shown in the tabs.
@@ -179,26 +196,142 @@ std::size_t chosenTab(const Shell &context, const std::vector<Panel *> &tabs) {
     return last == tabs.end() ? 0 : static_cast<std::size_t>(last - tabs.begin());
 }
 
-const Panel *shownTab(const Shell &context) {
-    const std::vector<Panel *> tabs = tabsOf(context);
-    return tabs.empty() ? nullptr : tabs[chosenTab(context, tabs)];
+/// Moves a tab in front of another one.
+void moveTab(Shell &context, const std::string &from, const std::string &before) {
+    std::vector<std::string> order;
+    for (const Panel *tab : orderedTabs(context)) {
+        if (tab->id() == before) {
+            order.push_back(from);
+        }
+        if (tab->id() != from) {
+            order.emplace_back(tab->id());
+        }
+    }
+    context.settings.tabOrder = std::move(order);
 }
 
-/// Returns the height of the tabs in design pixels, after the user has dragged their edge up by `change`. A panel with
-/// a height of its own does not change that of the others.
-double tabsHeight(Shell &context, double change = 0.0) {
-    const Panel *const shown = shownTab(context);
-    const bool own = shown != nullptr && shown->tabHeight() > 0.0;
-    auto &heights = context.settings.tabHeights;
-    const auto known = own ? heights.find(shown->id()) : heights.end();
-    const double before = known != heights.end() ? known->second
-                          : own                  ? shown->tabHeight()
-                                                 : context.settings.tabsHeight;
-    const double after = std::clamp(before + change, kMinTabs, kMaxTabs);
-    if (change != 0.0) {
-        (own ? heights[shown->id()] : context.settings.tabsHeight) = after;
+/// Opens the menu of the tab at an index: it hides or moves the tab, and shows or hides others.
+void openTabMenu(Shell &context, const std::vector<Panel *> &tabs, std::size_t index) {
+    const std::string id = tabs[index]->id();
+    const auto swap = [](std::string from, std::string before) {
+        return [from = std::move(from), before = std::move(before)](Shell &c) { moveTab(c, from, before); };
+    };
+    ContextGroup own, shown{headingOf("Tabs")};
+    if (index > 0) {
+        own.push_back(commandOf("tab/left", "Move left", swap(id, tabs[index - 1]->id())));
     }
-    return after;
+    if (index + 1 < tabs.size()) {
+        own.push_back(commandOf("tab/right", "Move right", swap(tabs[index + 1]->id(), id)));
+    }
+    for (const Panel *tab : orderedTabs(context)) {
+        const std::string other = tab->id();
+        const bool on = !context.settings.hiddenTabs.contains(other);
+        if (on && tabs.size() == 1) {
+            continue; // the last one stays
+        }
+        shown.push_back(switchOf("tab/show/" + other, tab->title(), on, [other, on](Shell &c) {
+            on ? static_cast<void>(c.settings.hiddenTabs.insert(other))
+               : static_cast<void>(c.settings.hiddenTabs.erase(other));
+            c.settings.tab = on && c.settings.tab == other ? std::string() : c.settings.tab;
+        }));
+    }
+    ContextGroup reset{commandOf("tab/reset", "Show all tabs",
+                                 [](Shell &c) {
+                                     c.settings.hiddenTabs.clear();
+                                     c.settings.tabOrder.clear();
+                                 }),
+                       actionOf("view.panels")};
+    context.menu.open({std::move(own), std::move(shown), std::move(reset)});
+}
+
+/// Divides tabs of these widths into as few rows as fit into `room`, of about equal width. Returns the first tab of
+/// each row, and the number of tabs.
+std::vector<std::size_t> rowsOf(const std::vector<float> &widths, float room) {
+    const auto divide = [&widths](float limit) {
+        std::vector<std::size_t> firsts{0};
+        float used = 0.0F;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            if (used > 0.0F && used + widths[i] > limit) {
+                firsts.push_back(i);
+                used = 0.0F;
+            }
+            used += widths[i];
+        }
+        firsts.push_back(widths.size());
+        return firsts;
+    };
+    const std::size_t fewest = divide(room).size();
+    float low = 0.0F, high = room; // bisect for the narrowest rows; else the last one may hold a single tab
+    for (int k = 0; k < 12; ++k) {
+        const float middle = (low + high) / 2.0F;
+        (divide(middle).size() <= fewest ? high : low) = middle;
+    }
+    return divide(high);
+}
+
+/// Draws a tab. Returns true if it was clicked.
+bool drawTab(Shell &context, const Panel &tab, const PixelRect &rect, bool chosen) {
+    const std::string name = std::string("panel/") + tab.id();
+    const ImVec2 min{static_cast<float>(rect.x), static_cast<float>(rect.y)};
+    const ImVec2 max{min.x + static_cast<float>(rect.width), min.y + static_cast<float>(rect.height)};
+    ImGui::SetCursorScreenPos(min);
+    const bool clicked =
+        ImGui::InvisibleButton(name.c_str(), {static_cast<float>(rect.width), static_cast<float>(rect.height)});
+    const bool hovered = ImGui::IsItemHovered();
+    ui::mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const Theme &theme = context.theme;
+    list.AddRectFilled(min, max,
+                       chosen    ? theme.pressed
+                       : hovered ? theme.hovered
+                                 : theme.raised,
+                       context.px(3), ImDrawFlags_RoundCornersTop);
+    if (chosen) {
+        list.AddRectFilled({min.x, max.y - context.px(2)}, max, theme.accent);
+    }
+    const ImVec2 size = ImGui::CalcTextSize(tab.title());
+    list.AddText({std::round((min.x + max.x - size.x) / 2), std::round((min.y + max.y - size.y) / 2)},
+                 chosen || hovered ? theme.text : theme.muted, tab.title());
+    return clicked;
+}
+
+/// Draws the tabs in rows that are filled, and returns the index of the chosen one.
+std::size_t drawTabRows(Shell &context, const std::vector<Panel *> &tabs) {
+    std::size_t chosen = chosenTab(context, tabs);
+    ImGui::PushFont(context.fonts.small);
+    constexpr double kLowTabs = 200.0; // design pixels; the rows of headings leave room to the tab
+    const bool low = ImGui::GetContentRegionAvail().y < context.px(kLowTabs);
+    const float height = context.px(low ? 15 : 22), gap = context.px(1);
+    std::vector<float> widths;
+    widths.reserve(tabs.size());
+    for (const Panel *tab : tabs) {
+        widths.push_back(ImGui::CalcTextSize(tab->title()).x + context.px(3) + gap);
+    }
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x + gap;
+    const std::vector<std::size_t> rows = rowsOf(widths, room);
+    float y = at.y;
+    for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
+        const auto first = widths.begin() + static_cast<std::ptrdiff_t>(rows[row]);
+        const auto last = widths.begin() + static_cast<std::ptrdiff_t>(rows[row + 1]);
+        const float wider = (room - std::accumulate(first, last, 0.0F)) / static_cast<float>(last - first);
+        float x = at.x;
+        for (std::size_t i = rows[row]; i < rows[row + 1]; ++i) {
+            const float width = std::max(widths[i] + wider - gap, 1.0F);
+            if (drawTab(context, *tabs[i], {x, y, width, height}, chosen == i)) {
+                chosen = i;
+                context.settings.tab = tabs[i]->id();
+            }
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+                openTabMenu(context, tabs, i);
+            }
+            x += width + gap;
+        }
+        y += height + gap;
+    }
+    ImGui::PopFont();
+    ImGui::SetCursorScreenPos({at.x, y + gap});
+    return chosen;
 }
 
 void drawTabs(Shell &context) {
@@ -206,47 +339,7 @@ void drawTabs(Shell &context) {
     if (tabs.empty()) {
         return;
     }
-    std::size_t chosen = chosenTab(context, tabs);
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    ImGui::PushFont(context.fonts.heading);
-    constexpr double kLowTabs = 200.0; // design pixels; the rows of headings leave room to the tab
-    const bool low = ImGui::GetContentRegionAvail().y < context.px(kLowTabs);
-    const float height = context.px(low ? 20 : 24);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
-                        {ImGui::GetStyle().ItemSpacing.x, low ? 0.0F : ImGui::GetStyle().ItemSpacing.y});
-    float words = 0.0F;
-    for (const Panel *tab : tabs) {
-        words += ImGui::CalcTextSize(tab->title()).x + context.px(2);
-    }
-    const float room = ImGui::GetContentRegionAvail().x - words;
-    const float gap =
-        std::clamp(room / std::max(1.0F, static_cast<float>(tabs.size()) - 1.0F), context.px(5), context.px(16));
-    for (std::size_t i = 0; i < tabs.size(); ++i) {
-        const std::string title = tabs[i]->title();
-        const ImVec2 size = ImGui::CalcTextSize(title.c_str());
-        if (i > 0) { // in a narrow column the tabs take a second row
-            ImGui::SameLine(0, gap);
-            if (ImGui::GetContentRegionAvail().x < size.x) {
-                ImGui::NewLine();
-            }
-        }
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const std::string name = std::string("panel/") + tabs[i]->id();
-        if (ImGui::InvisibleButton(name.c_str(), {size.x + context.px(2), height})) {
-            chosen = i;
-            context.settings.tab = tabs[i]->id();
-        }
-        ui::mark(context, name);
-        const bool here = chosen == i;
-        const Colour colour = here || ImGui::IsItemHovered() ? context.theme.text : context.theme.muted;
-        list.AddText({at.x, at.y + (height - size.y) / 2}, colour, title.c_str());
-        if (here) {
-            list.AddRectFilled({at.x, at.y + height - context.px(2)}, {at.x + size.x, at.y + height},
-                               context.theme.accent, context.px(1));
-        }
-    }
-    ImGui::PopStyleVar();
-    ImGui::PopFont();
+    const std::size_t chosen = drawTabRows(context, tabs);
     ImGui::BeginChild("tabcontent", {0, 0}, false, ImGuiWindowFlags_NoNav);
     tabs[chosen]->draw(context);
     const float top = ImGui::GetWindowPos().y;
@@ -265,11 +358,11 @@ void drawColumn(Shell &context, const PixelRect &rect) {
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
                                         {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     const double scale = static_cast<double>(context.scale);
-    // In a low window the panels above the tabs keep more than half of the column, unless the tabs show a long list.
-    const double share = shownTab(context) != nullptr && shownTab(context)->tabHeight() > 0.0 ? 0.66 : 0.4;
+    // In a low window the panels above the tabs keep nearly half of the column. The height is the same for all tabs, so
+    // that they stay under the pointer that chooses one.
     const double limit =
-        std::min(rect.height - 80.0 * scale, std::max(share * rect.height, rect.height - 240.0 * scale));
-    const double tabs = std::clamp(tabsHeight(context) * scale, 60.0, std::max(60.0, limit));
+        std::min(rect.height - 80.0 * scale, std::max(0.56 * rect.height, rect.height - 240.0 * scale));
+    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, limit));
     const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
     drawStacked(context, stacked);
     const double splitY = rect.y + rect.height - tabs - 5.0 * scale;
@@ -278,7 +371,10 @@ void drawColumn(Shell &context, const PixelRect &rect) {
                                         context.theme.line);
     const float dragged =
         splitter(context, "splitter/tabs", {rect.x + 6 * scale, splitY, rect.width - 6 * scale, 6.0 * scale}, false);
-    tabsHeight(context, -static_cast<double>(dragged) / scale);
+    if (dragged != 0.0F) {
+        context.settings.tabsHeight =
+            std::clamp(tabs / scale - static_cast<double>(dragged) / scale, kMinTabs, kMaxTabs);
+    }
     ImGui::SetCursorScreenPos({edge + context.px(12), line + context.px(3)});
     ImGui::BeginChild("tabs", {static_cast<float>(rect.width) - context.px(24), 0}, false, ImGuiWindowFlags_NoNav);
     drawTabs(context);
