@@ -66,6 +66,8 @@ class CanvasPainter {
     void reserve(const Outline &outline);
     /// Keeps labels off a place, such as a handle; the radius is in design pixels.
     void reserve(Vec2 place, double radius);
+    /// Keeps labels off the line from a to b.
+    void reserveLine(Vec2 a, Vec2 b) { space_.takeLine(camera_.toPixel(a), camera_.toPixel(b)); }
     /// Draws text without a plate, centred on the place.
     void text(Vec2 at, std::string_view text, Colour colour, ImFont *font = nullptr);
 

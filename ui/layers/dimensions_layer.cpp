@@ -181,10 +181,14 @@ class DimensionsLayer final : public Layer {
         bool drawn = false;
         if (dimension.kind == DimensionKind::Radius && room.contains(dimension.to)) {
             const Pixel back = -0.5 * (frame.camera.zoom * dimension.value / frame.scale) * way;
-            drawn = write(
-                painter, frame, dimension.to,
-                std::array{offsetBeside(size, way), back + offsetBeside(size, side), back + offsetBeside(size, -side)},
-                text);
+            std::vector<Pixel> offsets{offsetBeside(size, way), back + offsetBeside(size, side),
+                                       back + offsetBeside(size, -side)};
+            for (const double away : {16.0, 32.0, 48.0, 64.0}) { // clear of the handles of a selected circle
+                for (const Pixel aside : {Pixel{}, away * side, -away * side}) {
+                    offsets.push_back(offsetBeside(size, way) + away * way + aside);
+                }
+            }
+            drawn = write(painter, frame, dimension.to, offsets, text);
         } else if (const auto part = partInside(room, dimension.from, dimension.to)) {
             drawn = write(painter, frame, midpoint(part->first, part->second),
                           std::array{offsetBeside(size, side), offsetBeside(size, -side)}, text);

@@ -41,6 +41,7 @@ class BoundaryLayer final : public Layer {
 
     void drawLive(const LayerFrame &frame) override {
         update(frame);
+        halo_.draw(frame.gl, frame.camera, {.width = 4.25 * frame.scale});
         constraints_.draw(frame.gl, frame.camera, {.width = 1.75 * frame.scale});
         boundary_.draw(frame.gl, frame.camera, {.width = 2.25 * frame.scale});
         points_.draw(frame.gl, frame.camera, {.width = 6.0 * frame.scale});
@@ -64,6 +65,7 @@ class BoundaryLayer final : public Layer {
         const double tolerance = 0.2 * std::exp2(-zoom);
         boundary_.clear();
         constraints_.clear();
+        halo_.clear();
         points_.clear();
         const bool hides = std::any_of(frame.document.shapes.begin(), frame.document.shapes.end(),
                                        [](const auto &shape) { return shape->hidden; });
@@ -75,6 +77,9 @@ class BoundaryLayer final : public Layer {
             Vec2 from = domain.nodes[segment.a];
             for (const Vec2 to : alongSegment(domain, segment, tolerance)) {
                 (outer ? boundary_ : constraints_).add(from, to, colour);
+                if (!outer) { // colours of values may be as dark or as light as the line
+                    halo_.add(from, to, fade(frame.theme.domain, 0.7));
+                }
                 from = to;
             }
         }
@@ -106,6 +111,7 @@ class BoundaryLayer final : public Layer {
     }
 
     LineBatch boundary_, constraints_, points_;
+    LineBatch halo_;       ///< below the constraints
     int zoom_ = 0;         ///< exponent of the zoom that the curves are fine enough for
     Box2 detailed_;        ///< where they are
     bool partial_ = false; ///< curves reach beyond it

@@ -141,7 +141,7 @@ class LabelsLayer final : public Layer {
                 continue;
             }
             painter.dot(nodes[i], 2.0, frame.theme.muted);
-            painter.freeLabel(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.2),
+            painter.freeLabel(nodes[i], {6, 3}, std::to_string(i), frame.theme.text, fade(frame.theme.popup, 0.82),
                               frame.fonts.small);
         }
     }

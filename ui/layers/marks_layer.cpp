@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -17,8 +19,9 @@ namespace forefront {
 namespace {
 
 /// Maximum number of marks drawn in view, and of labels; more would be clutter.
-constexpr int kMaxSpacingMarks = 600;
-constexpr int kMaxSpacingLabels = 40;
+constexpr std::size_t kMaxSpacingMarks = 600;
+constexpr std::size_t kMaxSpacingLabels = 40;
+constexpr double kMarkRing = 6.5; ///< radius, design pixels
 
 /// Draws size sources, sizes at nodes and region markers.
 class MarksLayer final : public Layer {
@@ -28,25 +31,33 @@ class MarksLayer final : public Layer {
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
         const Box2 visible = frame.camera.visible();
-        int drawn = 0;
         const std::vector<SizeSource> &sources = frame.document.spacing.sources;
-        for (std::size_t k = 0; k < sources.size() && drawn < kMaxSpacingMarks; ++k) {
+        const std::vector<RegionMarker> &markers = frame.document.regionMarkers;
+        std::vector<std::size_t> seenSources, seenMarkers;
+        for (std::size_t k = 0; k < sources.size() && seenSources.size() < kMaxSpacingMarks; ++k) {
             if (boxOfSource(sources[k]).overlaps(visible)) {
-                drawSource(painter, frame, k, drawn++ < kMaxSpacingLabels);
+                seenSources.push_back(k);
+                drawSource(painter, frame, sources[k]);
             }
         }
-        drawn = 0;
+        for (std::size_t k = 0; k < markers.size() && seenMarkers.size() < kMaxSpacingMarks; ++k) {
+            if (visible.contains(markers[k].at)) {
+                seenMarkers.push_back(k);
+                drawMarker(painter, frame, markers[k]);
+            }
+        }
+        // All marks come first, so that none is drawn across the label of another one.
+        for (std::size_t k = 0; k < std::min(seenSources.size(), kMaxSpacingLabels); ++k) {
+            labelSource(painter, frame, seenSources[k]);
+        }
+        std::size_t drawn = 0;
         for (const auto &shape : frame.document.shapes) {
             if (!shape->nodeSizes.empty() && !shape->hidden && drawn < kMaxSpacingMarks) {
                 drawNodeSizes(painter, frame, *shape, drawn);
             }
         }
-        drawn = 0;
-        for (std::size_t k = 0; k < frame.document.regionMarkers.size(); ++k) {
-            const RegionMarker &marker = frame.document.regionMarkers[k];
-            if (visible.contains(marker.at) && drawn < kMaxSpacingMarks) {
-                drawMarker(painter, frame, marker, k, drawn++ < kMaxSpacingLabels);
-            }
+        for (std::size_t k = 0; k < std::min(seenMarkers.size(), kMaxSpacingLabels); ++k) {
+            labelMarker(painter, frame, seenMarkers[k]);
         }
     }
 
@@ -83,25 +94,28 @@ class MarksLayer final : public Layer {
         painter.polyline(outline, true, colour, 1.0);
     }
 
-    static void drawSource(CanvasPainter &painter, const LayerFrame &frame, std::size_t index, bool labelled) {
-        const SizeSource &source = frame.document.spacing.sources[index];
+    /// Returns the place of the mark and the label of a source.
+    static Vec2 placeOf(const SizeSource &source) {
+        return source.shape == SourceShape::Box ? SourceBox(source).centre() : source.a;
+    }
+
+    /// Draws a source and keeps labels off its mark and its line.
+    static void drawSource(CanvasPainter &painter, const LayerFrame &frame, const SizeSource &source) {
         const Colour colour = frame.theme.brush;
         if (source.shape == SourceShape::Line) {
             painter.line(source.a, source.b, fade(colour, 0.8), 2.0);
+            painter.reserveLine(source.a, source.b);
             painter.dot(source.b, 3.0, colour);
             if (source.radius > 0.0) {
                 drawReach(painter, {source.a, source.b}, source.radius, fade(colour, 0.5));
             }
-            if (labelled && source.endSize) {
-                painter.ring(source.b, 6.5, fade(colour, 0.8), 1.25);
-                painter.freeLabel(source.b, {10.0, -18.0}, ui::format("\xcf\x81=%.3g", *source.endSize),
-                                  frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
+            if (source.endSize) {
+                painter.ring(source.b, kMarkRing, fade(colour, 0.8), 1.25);
+                painter.reserve(source.b, kMarkRing);
             }
         }
-        Vec2 at = source.a;
         if (source.shape == SourceShape::Box) {
             const SourceBox box(source);
-            at = box.centre();
             for (std::size_t k = 0; k < box.corners().size(); ++k) {
                 painter.dashed(box.corners()[k], box.corners()[(k + 1) % 4], fade(colour, 0.8), 1.5);
             }
@@ -112,16 +126,27 @@ class MarksLayer final : public Layer {
         } else if (source.radius > 0.0 && source.shape != SourceShape::Line) {
             painter.dashedCircle(source.a, source.radius, fade(colour, 0.8), 1.5);
         }
+        const Vec2 at = placeOf(source);
         painter.dot(at, 3.0, colour);
-        painter.ring(at, 6.5, fade(colour, 0.8), 1.25);
-        if (labelled) {
-            const std::string text = ui::format("%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
-            painter.freeLabel(at, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
-                              frame.fonts.small);
+        painter.ring(at, kMarkRing, fade(colour, 0.8), 1.25);
+        painter.reserve(at, kMarkRing);
+    }
+
+    static void labelSource(CanvasPainter &painter, const LayerFrame &frame, std::size_t index) {
+        const SizeSource &source = frame.document.spacing.sources[index];
+        const std::string text = ui::format("%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
+        writeBeside(painter, frame, placeOf(source), text);
+        if (source.shape == SourceShape::Line && source.endSize) {
+            writeBeside(painter, frame, source.b, ui::format("\xcf\x81=%.3g", *source.endSize));
         }
     }
 
-    static void drawNodeSizes(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape, int &drawn) {
+    /// Writes a text beside a mark: on the usual side, or wherever there is room.
+    static void writeBeside(CanvasPainter &painter, const LayerFrame &frame, Vec2 at, const std::string &text) {
+        painter.freeLabel(at, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.82), frame.fonts.small);
+    }
+
+    static void drawNodeSizes(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape, std::size_t &drawn) {
         const Box2 visible = frame.camera.visible();
         const std::vector<Vec2> handles = handlesOf(shape);
         for (const auto &[node, part] : shape.nodeSizes) {
@@ -136,17 +161,19 @@ class MarksLayer final : public Layer {
         }
     }
 
-    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker,
-                           std::size_t index, bool labelled) {
+    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker) {
+        painter.dot(marker.at, 8.0, fade(frame.theme.popup, 0.82)); // the colours below may be those of the marker
         painter.dot(marker.at, 3.5, frame.theme.accent);
-        painter.ring(marker.at, 6.0, fade(frame.theme.accent, 0.6), 1.25);
-        if (!labelled) {
-            return;
-        }
+        painter.ring(marker.at, kMarkRing, frame.theme.accent, 1.25);
+        painter.reserve(marker.at, kMarkRing);
+    }
+
+    static void labelMarker(CanvasPainter &painter, const LayerFrame &frame, std::size_t index) {
+        const RegionMarker &marker = frame.document.regionMarkers[index];
         const std::string name = regionName(frame.document.regionNames, marker.tag);
         if (painter.freeLabel(
                 marker.at, regionLabelOffsets(painter, frame.preview.faces.get(), marker.at, name, frame.fonts.small),
-                name, frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small)) {
+                name, frame.theme.text, fade(frame.theme.popup, 0.82), frame.fonts.small)) {
             painter.nameLabel("label/region/" + std::to_string(index));
         }
     }
