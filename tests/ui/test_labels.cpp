@@ -1,9 +1,12 @@
+#include "core/edit/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront::test {
@@ -112,6 +115,67 @@ TEST_CASE("Labels: words at the pointer move aside at the edge of the canvas, an
         checkApart(driver, driver.editor().canvas().labels());
         driver.key(key::kEscape);
     }
+}
+
+TEST_CASE("Labels: those of sources and regions cover neither marks nor the lines of sources") {
+    Draughtsman driver;
+    Document drawing = driver.document();
+    Shape plate;
+    plate.kind = ShapeKind::Rectangle;
+    plate.nodes = {{0, 0}, {10, 8}};
+    drawing = *addShape(drawing, plate);
+    drawing.spacing.sources = {
+        {.shape = SourceShape::Line, .a = {2, 6}, .b = {8, 6.8}, .size = 0.1, .endSize = 0.4},
+        {.shape = SourceShape::Point, .a = {2.2, 5.7}, .size = 0.1},
+        {.shape = SourceShape::Point, .a = {2.9, 5.9}, .size = 0.2},
+    };
+    drawing.regionMarkers = {{{3.4, 5.6}, 2}};
+    driver.context().document.apply(std::move(drawing), "Draw");
+    driver.settle();
+    const Labels labels = driver.editor().canvas().labels();
+    CHECK(labels.size() >= 4);
+    checkApart(driver, labels);
+    for (const CanvasPainter::Placed &label : labels) {
+        CAPTURE(label.text);
+        for (const Vec2 mark : {Vec2{2, 6}, Vec2{8, 6.8}, Vec2{2.2, 5.7}, Vec2{2.9, 5.9}, Vec2{3.4, 5.6}}) {
+            CHECK_FALSE(label.rect.contains(driver.pixel(mark)));
+        }
+        for (int k = 0; k <= 400; ++k) {
+            CHECK_FALSE(label.rect.contains(driver.pixel(Vec2{2, 6} + k / 400.0 * Vec2{6, 0.8})));
+        }
+    }
+}
+
+TEST_CASE("Labels: the radius of a selected hole is written clear of its handles") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    Shape hole;
+    hole.kind = ShapeKind::Circle;
+    hole.nodes = {{5, 4}, {5.6, 4}};
+    driver.context().document.apply(*addShape(driver.document(), hole), "Hole");
+    showLayer(driver.context().layers, "dimensions", true);
+    driver.key('V');
+    driver.context().selection.clear();
+    driver.context().selection.shapes = {driver.document().shapes[1]->id};
+    driver.settle();
+    const Labels labels = driver.editor().canvas().labels();
+    CHECK(std::any_of(labels.begin(), labels.end(), [](const auto &label) { return label.text == "R 0.6"; }));
+}
+
+TEST_CASE("Labels: the legend of the element size ends at the largest size in the domain") {
+    Draughtsman driver;
+    Shape disc;
+    disc.kind = ShapeKind::Circle;
+    disc.nodes = {{5, 5}, {7, 5}};
+    Document drawing = *addShape(driver.document(), disc);
+    drawing.spacing.sources = {{.shape = SourceShape::Point, .a = {5, 5}, .size = 0.1, .growth = 0.1}};
+    drawing.spacing.keepAutomatic = false;
+    driver.context().document.apply(std::move(drawing), "Draw");
+    driver.settle();
+    const DocumentPreview &preview = *driver.context().preview;
+    REQUIRE(preview.spacing);
+    CHECK(preview.spacing->maximum() > 0.36); // in the corners of the box
+    CHECK(preview.largestSpacing == doctest::Approx(0.3).epsilon(0.02));
 }
 
 } // namespace forefront::test

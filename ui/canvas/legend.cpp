@@ -31,7 +31,7 @@ std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick
             return left >= other.left + other.width + gap || other.left >= left + width + gap;
         });
         if (free) {
-            labels.push_back({left, width, tick.text});
+            labels.push_back({left, width, tick.text, tick.at});
         }
     };
     if (!ticks.empty()) {
@@ -69,11 +69,9 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
         list.AddLine(im(x + at, y + barHeight), im(x + at + barHeight, y), theme.bad, static_cast<float>(1.5 * s));
     }
     list.PopClipRect();
-    for (const LegendTick &tick : ticks) {
-        const double at = x + tick.at * bar;
-        list.AddLine(im(at, y + barHeight), im(at, y + barHeight + 3.0 * s), theme.muted);
-    }
     for (const LegendLabel &label : legendLabels(fonts.small, ticks, bar, 6.0 * s)) {
+        const double at = x + label.at * bar; // a tick whose number has no room is left out with it
+        list.AddLine(im(at, y + barHeight), im(at, y + barHeight + 3.0 * s), theme.muted);
         list.AddText(fonts.small, fonts.small->FontSize, im(x + label.left, y + barHeight + 3.0 * s), theme.text,
                      label.text.c_str());
     }

@@ -29,6 +29,7 @@ struct LegendTick {
 struct LegendLabel {
     double left = 0.0, width = 0.0;
     std::string text;
+    double at = 0.0; ///< of the tick
 };
 
 /// Lays out the labels of ticks along a bar of `bar` pixels, each below its tick but within the bar and at least `gap`

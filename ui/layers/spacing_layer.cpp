@@ -70,7 +70,10 @@ class SpacingLayer final : public Layer {
         }
         // The range is that of the whole domain, not of the part in view, so that colours do not change while panning.
         minimum_ = frame.preview.spacing->minimum();
-        maximum_ = frame.preview.spacing->maximum();
+        maximum_ = frame.preview.spacing->maximum(); // often that of a corner outside the domain
+        if (frame.preview.largestSpacing > 0.0) {
+            maximum_ = std::max(minimum_, std::min(maximum_, frame.preview.largestSpacing));
+        }
         uniform_ = maximum_ < 1.02 * minimum_;
         if (uniform_) {
             minimum_ *= 0.5; // one colour, from the middle of the map

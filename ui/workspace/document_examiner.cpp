@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <new>
+#include <vector>
 
 namespace forefront {
 
@@ -70,6 +71,29 @@ namespace {
 /// Drawings with more segments and without regions get no map of their faces, which would delay the preview.
 constexpr std::size_t kMaxMapped = 50000;
 
+/// Returns the largest spacing at places in the faces and on the outlines of a domain; 0 if there are none. The bound
+/// of the field is that of a box, corners outside the domain included.
+double largestSpacingIn(const Domain &domain, const FaceMap &faces, const SpacingField &field) {
+    constexpr int kSteps = 64; // along each side of the box
+    constexpr std::size_t kMaxNodes = 4096;
+    std::vector<Vec2> places;
+    const Box2 box = domain.bounds();
+    for (int row = 0; row < kSteps; ++row) {
+        for (int column = 0; column < kSteps; ++column) {
+            const Vec2 p = box.min + Vec2{(column + 0.5) / kSteps * box.size().x, (row + 0.5) / kSteps * box.size().y};
+            if (faces.faceAt(p) != kNoIndex) {
+                places.push_back(p);
+            }
+        }
+    }
+    for (std::size_t k = 0; k < std::min(domain.segments.size(), kMaxNodes); ++k) {
+        places.push_back(domain.nodes[domain.segments[k].a]);
+    }
+    std::vector<double> rho(places.size());
+    field.atMany(places, rho);
+    return rho.empty() ? 0.0 : *std::max_element(rho.begin(), rho.end());
+}
+
 } // namespace
 
 std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document &document, std::uint64_t revision,
@@ -95,6 +119,9 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document 
         return preview;
     }
     preview->spacing = *field;
+    if (preview->faces && !preview->faces->faces().empty()) {
+        preview->largestSpacing = largestSpacingIn(*domain, *preview->faces, **field);
+    }
     if (!hasErrors(preview->faults)) {
         // The estimate needs only the faces, so the segments are not divided.
         if (const Result<DiscreteDomain> outline =

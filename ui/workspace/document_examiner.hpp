@@ -28,6 +28,7 @@ struct DocumentPreview {
     Diagnostics faults;                          ///< in the domain and the spacing
     std::shared_ptr<const FaceMap> faces;        ///< of the domain; null: none, or it has too many segments
     double estimatedElements = 0.0;              ///< see estimateElements(); 0: unknown
+    double largestSpacing = 0.0;                 ///< found in the faces of the domain; 0: unknown
 };
 
 /// ρ sampled at the cell centres of a lattice over a box, row by row from the bottom; 0 outside the field.
