@@ -50,8 +50,16 @@ bool isCurveEnd(double t) {
 void addEnds(const Curve &first, const CurvePart &a, const Curve &second, const CurvePart &b, double tolerance,
              std::vector<CurveCrossing> &found) {
     constexpr double kStep = 1.0 / 16.0;
+    Box2 around;
+    for (const Vec2 corner : a.hull()) {
+        around.add(corner);
+    }
+    around = around.grown(tolerance + a.noise);
     for (const double u : {b.t0, b.t1}) {
         const Vec2 place = second.point(u);
+        if (!around.contains(place)) {
+            continue;
+        }
         const double t = first.nearest(place, a.t0, a.t1);
         if (distance(first.point(t), place) <= tolerance &&
             (isCurveEnd(u) || isCurveEnd(t) || !runsAlong(second, u, kStep * (b.t1 - b.t0), first, tolerance))) {

@@ -20,6 +20,14 @@ const char *TrimTool::icon() const {
 void TrimTool::deactivate(Shell &) {
     change_.reset();
     crossed_ = {};
+    extended_.reset();
+}
+
+const Result<Curve> &TrimTool::extensionOf(const std::shared_ptr<const PickIndex> &index, NodeRef end) {
+    if (!extended_ || extended_->index != index || extended_->end != end) {
+        extended_ = Extended{index, end, extensionAt(index->document(), end)};
+    }
+    return extended_->added;
 }
 
 const std::vector<double> &TrimTool::crossingsOf(const std::shared_ptr<const PickIndex> &index, std::uint32_t shape) {
@@ -39,7 +47,7 @@ std::optional<TrimTool::Change> TrimTool::changeAt(Vec2 place, Shell &context) {
                                  [](const Shape &shape) { return !shape.locked && shape.kind == ShapeKind::Polyline; });
     std::string fault;
     if (node && isEnd(*findShape(document, node->ref.shape), node->ref.node)) {
-        if (Result<Curve> added = extensionAt(document, node->ref)) {
+        if (const Result<Curve> &added = extensionOf(shared, node->ref)) {
             return Change{node->ref.shape, node->ref, node->at, {*added}, {}};
         } else {
             fault = added.faults().front().message;

@@ -44,13 +44,21 @@ class TrimTool final : public Tool {
         std::uint32_t shape = 0;
         std::vector<double> places;
     };
+    /// What extending the end under the pointer adds; also found once.
+    struct Extended {
+        std::shared_ptr<const PickIndex> index;
+        NodeRef end;
+        Result<Curve> added;
+    };
     std::optional<Change> changeAt(Vec2 place, Shell &context);
+    const Result<Curve> &extensionOf(const std::shared_ptr<const PickIndex> &index, NodeRef end);
     const std::vector<double> &crossingsOf(const std::shared_ptr<const PickIndex> &index, std::uint32_t shape);
     void apply(const Change &change, Shell &context) const;
 
     std::shared_ptr<EditState> state_;
     std::optional<Change> change_; ///< under the pointer
     Crossed crossed_;
+    std::optional<Extended> extended_;
 };
 
 } // namespace forefront
