@@ -118,7 +118,8 @@ void drawPlaying(D &d) {
 std::vector<ActionCase> runCases() {
     return {{"run.mesh", drawTriangle, [](D &d, const B &b) { return d.run().run > b.run && d.run().complete; }},
             {"run.live", [](D &) {}, [](D &d, const B &b) { return d.context().settings.live != b.settings.live; }},
-            {"run.play", drawPart, [](D &d, const B &) { return d.context().run.playing(); }},
+            {"run.play", drawPart, // which may be over before the window comes to rest
+             [](D &d, const B &b) { return d.context().run.playing() || d.run().advance > b.advance; }},
             {"run.cancel", drawPlaying,
              [](D &d, const B &) { return d.context().run.cancelling() || !d.context().run.busy(); }},
             {"run.forward", drawPart, [](D &d, const B &b) { return d.run().advance == b.advance + 1; }},
