@@ -1,28 +1,12 @@
 #include "ui/gl/face_fill.hpp"
 
-#include "ui/gl/shader.hpp"
+#include "ui/gl/textured_view.hpp"
 
 #include <glad/gl.h>
 
 #include <cmath>
 
 namespace forefront {
-
-struct FaceFill::Parts {
-    ShaderProgram program{"faces"};
-    unsigned texture = 0, emptyArray = 0;
-
-    Parts() {
-        glGenTextures(1, &texture);
-        glGenVertexArrays(1, &emptyArray);
-    }
-    ~Parts() {
-        glDeleteTextures(1, &texture);
-        glDeleteVertexArrays(1, &emptyArray);
-    }
-    Parts(const Parts &) = delete;
-    Parts &operator=(const Parts &) = delete;
-};
 
 FaceFill::FaceFill() = default;
 
@@ -31,7 +15,7 @@ FaceFill::~FaceFill() = default;
 void FaceFill::draw(const std::shared_ptr<const FaceMap> &map, const std::vector<FaceTint> &tints, const Camera &camera,
                     double scale, double rimWidth) {
     if (!parts_) {
-        parts_ = std::make_unique<Parts>();
+        parts_ = std::make_unique<TexturedView>("faces");
     }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, parts_->texture);

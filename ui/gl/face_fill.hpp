@@ -8,6 +8,8 @@
 
 namespace forefront {
 
+struct TexturedView;
+
 /// Tints faces over the canvas. The tints are drawn into a texture, one texel per design pixel, which is kept until
 /// the view or the tints change.
 class FaceFill {
@@ -23,8 +25,7 @@ class FaceFill {
               double scale, double rimWidth);
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_; ///< null until first used, since most drawings have no regions
+    std::unique_ptr<TexturedView> parts_; ///< null until first used, since most drawings have no regions
     std::shared_ptr<const FaceMap> map_;
     std::vector<FaceTint> tints_;
     Camera camera_;

@@ -1,26 +1,10 @@
 #include "ui/gl/picture_texture.hpp"
 
-#include "ui/gl/shader.hpp"
+#include "ui/gl/textured_view.hpp"
 
 #include <glad/gl.h>
 
 namespace forefront {
-
-struct PictureTexture::Parts {
-    ShaderProgram program{"picture"};
-    unsigned texture = 0, emptyArray = 0;
-
-    Parts() {
-        glGenTextures(1, &texture);
-        glGenVertexArrays(1, &emptyArray);
-    }
-    ~Parts() {
-        glDeleteTextures(1, &texture);
-        glDeleteVertexArrays(1, &emptyArray);
-    }
-    Parts(const Parts &) = delete;
-    Parts &operator=(const Parts &) = delete;
-};
 
 PictureTexture::PictureTexture() = default;
 
@@ -36,7 +20,7 @@ void PictureTexture::update(const std::shared_ptr<const Picture> &picture) {
         return;
     }
     if (!parts_) {
-        parts_ = std::make_unique<Parts>();
+        parts_ = std::make_unique<TexturedView>("picture");
     }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, parts_->texture);

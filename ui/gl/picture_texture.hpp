@@ -8,6 +8,8 @@
 
 namespace forefront {
 
+struct TexturedView;
+
 /// A picture in the memory of the graphics card, with smaller copies for when it is seen from afar.
 class PictureTexture {
   public:
@@ -22,8 +24,7 @@ class PictureTexture {
     void draw(const Camera &camera, const Box2 &box, double opacity);
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_; ///< null until the first picture, since most drawings have none
+    std::unique_ptr<TexturedView> parts_; ///< null until the first picture, since most drawings have none
     std::shared_ptr<const Picture> uploaded_;
 };
 
