@@ -2,6 +2,7 @@
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "tests/ui/two_faces.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/gl/face_raster.hpp"
 #include "ui/style/measure_colours.hpp"
@@ -30,13 +31,7 @@ constexpr Modifiers kCtrl{Modifiers::kControl};
 class TwoFaces : public Draughtsman {
   public:
     TwoFaces() {
-        rectangle({1, 1}, {9, 8});
-        Shape inner;
-        inner.kind = ShapeKind::Rectangle;
-        inner.use = ShapeUse::Constraint;
-        inner.nodes = {{2, 3}, {5, 7}};
-        inner.tag = 2;
-        context().document.apply(*addShape(document(), inner), "Inner");
+        drawTwoFaces(*this);
         showLayer(context().layers, "size", false);
         showLayer(context().layers, "mesh", false);
         moveTo({4, 790});

@@ -2,7 +2,7 @@
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "tests/ui/edit_driver.hpp"
+#include "tests/ui/two_faces.hpp"
 
 #include <doctest/doctest.h>
 #include <imgui.h>
@@ -42,15 +42,8 @@ class RightClicker : public Draughtsman {
         key(key::kEscape);
         settle();
     }
-    /// Draws a rectangle, and another one in it that is a constraint.
     void twoFaces() {
-        rectangle({1, 1}, {9, 8});
-        Shape inner;
-        inner.kind = ShapeKind::Rectangle;
-        inner.use = ShapeUse::Constraint;
-        inner.nodes = {{2, 3}, {5, 7}};
-        inner.tag = 2;
-        context().document.apply(*addShape(document(), inner), "Inner");
+        drawTwoFaces(*this);
         context().selection.clear();
         settle();
     }
