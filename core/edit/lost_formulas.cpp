@@ -9,7 +9,7 @@ namespace forefront {
 
 std::vector<std::string> lostFormulas(const Document &before, const Document &after) {
     std::vector<std::string> lost;
-    if (after.formulas.size() >= before.formulas.size()) { // as after nearly every change
+    if (after.formulas == before.formulas) { // nearly always
         return lost;
     }
     for (const auto &[address, text] : before.formulas) {

@@ -78,4 +78,9 @@ TEST_CASE("scaleDocument: removes the formulas that no longer fit") {
     REQUIRE(lost == std::vector<std::string>{"region/0/area", "shape/1/radius"});
     CHECK(numberName(document, lost[0]) == "maximum area of region marker 1");
     CHECK(numberName(document, lost[1]) == "radius of circle 1");
+    Document others = *scaled; // as many as before
+    others.spacing.size = 4.0;
+    others.formulas["spacing/size"] = "r";
+    others.formulas["shape/1/y/0"] = "r + 6";
+    CHECK(lostFormulas(document, others) == lost);
 }
