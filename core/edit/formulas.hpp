@@ -18,7 +18,7 @@ namespace forefront {
 // Parameters, and the numbers of a document that depend on them.
 //
 // Document::formulas holds expressions by the address of their number; see number_address.hpp. A formula holds as long
-// as the number equals its value: a number that is edited directly loses its formula. Shapes, sources and markers that
+// as the number equals its value; a number that is edited directly loses its formula. Shapes, sources and markers that
 // are moved as a whole take the formulas of their coordinates along: see shift_formulas.hpp.
 
 /// Maximum number of parameters in a document.

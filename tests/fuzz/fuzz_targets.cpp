@@ -109,7 +109,7 @@ void runFormat(const Format &format, std::string_view bytes) {
             checkDomain(*domain);
         }
     }
-    if (format.readDomain == readSvg) { // as pasted
+    if (format.readDomain == readSvg) { // the clipboard reads drawings as shapes
         if (const auto shapes = readWith(readSvgShapes, bytes)) {
             checkDomain(*shapes);
             checkDocument(fromDomain(*shapes));

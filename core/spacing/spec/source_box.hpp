@@ -12,7 +12,7 @@ namespace forefront {
 /// 90 degrees.
 class SourceBox {
   public:
-    /// Takes the corners and the angle of a source, whatever its shape is.
+    /// Takes the corners and the angle of a source of any shape.
     explicit SourceBox(const SizeSource &source);
 
     /// Returns the corners in order around the box: SizeSource::a first, SizeSource::b third.

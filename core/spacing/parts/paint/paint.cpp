@@ -179,7 +179,7 @@ PaintedSpacing adjusted(const PaintedSpacing &before, const Dab &dab) {
     const bool extends = dab.mode == DabMode::Finer; // also changes unpainted nodes
     const double ambient = extends && dab.ambient > 0.0 && std::isfinite(dab.ambient) ? dab.ambient : 0.0;
     const double octaves = (dab.mode == DabMode::Finer ? -strength : strength) / kDabsPerOctave;
-    constexpr double kReach = 1.0 / 3.0; // of a mean, as a fraction of the radius
+    constexpr double kReach = 1.0 / 3.0; // how far the nodes of a mean are apart, as a fraction of the radius
     const std::int32_t reach = std::max(1, static_cast<std::int32_t>(dab.around ? kReach * disc->radius : 1.0));
     const bool mayCreate = ambient > 0.0 || dab.around;
     std::optional<StartingLogs> logs;

@@ -162,7 +162,8 @@ void RegionPart::addSites(double gradation, double givenGradation, SiteSet &site
         }
         std::stable_sort(rules.begin(), rules.end(),
                          [](const Reach &a, const Reach &b) { return a.rule->size < b.rule->size; });
-        double gentlest = std::numeric_limits<double>::infinity(); // of finer rules, which hide those that grow more
+        // A rule is nowhere the smallest if another one has a smaller size and grows no faster.
+        double gentlest = std::numeric_limits<double>::infinity(); // growth of the rules so far
         for (const Reach &reach : rules) {
             const Rule &rule = *reach.rule;
             if (rule.marker == kNoIndex || !(reach.growth < gentlest)) {
