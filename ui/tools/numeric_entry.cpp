@@ -309,6 +309,10 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
         // The digits arrive as text; their keys must not run shortcuts meanwhile.
         return isDigitKey(event.key) || (anchored() && isNumberKey(event.key)) ? Answer::Used : Answer::Unused;
     }
+    return edit(event);
+}
+
+NumericEntry::Answer NumericEntry::edit(const CanvasEvent &event) {
     switch (event.key) {
     case key::kEnter:
     case key::kKeypadEnter:

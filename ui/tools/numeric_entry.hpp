@@ -77,6 +77,8 @@ class NumericEntry {
 
   private:
     Answer key(const CanvasEvent &event);
+    /// Handles a key while a field is open.
+    Answer edit(const CanvasEvent &event);
     Answer text(char32_t character);
     Answer letter(EntryField field);
     Answer accept();
