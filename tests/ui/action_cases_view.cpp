@@ -112,7 +112,7 @@ void drawPlaying(D &d) {
     d.settle();
     d.context().run.setSpeed(0.1);
     d.context().run.togglePlay();
-    d.frames(3);
+    d.until([&d] { return d.context().run.playing(); }); // else waiting for rest would wait for the whole run
 }
 
 std::vector<ActionCase> runCases() {
