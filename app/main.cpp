@@ -2,13 +2,17 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/options.hpp"
 #include "app/editor_entry.hpp"
+#include "core/base/free_memory.hpp"
 #include "core/base/version.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace forefront {
 
@@ -62,25 +66,28 @@ int editorCommand(int /*argc*/, const char *const * /*argv*/, bool /*view*/) {
 }
 #endif
 
+using Command = int (*)(int, const char *const *);
+
+/// Returns the batch command of this name; null if there is none.
+Command batchCommand(std::string_view name) {
+    constexpr std::pair<std::string_view, Command> kCommands[] = {{"mesh", meshCommand},
+                                                                  {"check", checkCommand},
+                                                                  {"adapt", adaptCommand},
+                                                                  {"film", filmCommand},
+                                                                  {"tables", tablesCommand}};
+    const auto *const found =
+        std::find_if(std::begin(kCommands), std::end(kCommands), [&](const auto &c) { return c.first == name; });
+    return found != std::end(kCommands) ? found->second : nullptr;
+}
+
 int dispatch(int argc, const char *const *argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
     if (command == "view") {
         return editorCommand(argc - 1, argv + 1, true);
     }
-    if (command == "mesh") {
-        return meshCommand(argc - 1, argv + 1);
-    }
-    if (command == "check") {
-        return checkCommand(argc - 1, argv + 1);
-    }
-    if (command == "adapt") {
-        return adaptCommand(argc - 1, argv + 1);
-    }
-    if (command == "film") {
-        return filmCommand(argc - 1, argv + 1);
-    }
-    if (command == "tables") {
-        return tablesCommand(argc - 1, argv + 1);
+    if (const Command batch = batchCommand(command)) {
+        keepFreedMemory();
+        return batch(argc - 1, argv + 1);
     }
     if (command == "--version") {
         std::printf("forefront %s\n", version());

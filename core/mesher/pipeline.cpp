@@ -108,6 +108,9 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
 
     std::unique_ptr<Mesher> mesher = Mesher::create(outcome.boundary, outcome.spacing, job.options);
     mesher->reserve(static_cast<std::uint64_t>(Mesher::kReserve * prepared->estimatedElements) + 1024);
+    if (job.options.threads > 1) {
+        releaseFreeMemory();
+    }
     if (job.options.threads > 1 &&
         !mesher->advanceInParallel(job.options.threads, progress, prepared->estimatedElements)) {
         return cancelled("meshing");

@@ -2,6 +2,7 @@
 //   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]
 //                   [--repeat N] [SCENE SIZE]...
 #include "core/base/cpu_clock.hpp"
+#include "core/base/free_memory.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"
@@ -117,6 +118,7 @@ bool parse(int argc, char **argv, Settings &settings) {
 } // namespace
 
 int main(int argc, char **argv) {
+    keepFreedMemory();
     Settings settings;
     if (!parse(argc, argv, settings)) {
         std::fprintf(stderr,
