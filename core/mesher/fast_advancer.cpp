@@ -5,6 +5,8 @@
 #include "core/mesher/instantiate.hpp"
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 namespace forefront {
 
@@ -23,21 +25,47 @@ constexpr double kLong = 1.2;
 /// Segments that share a node differ in length by less than this factor.
 constexpr double kSimilar = 2.0;
 
-} // namespace
+bool isSegmentIn(const GenerationFront &front, SlotId id, const Box2 &box) {
+    return front[id].alive && !front.isolated(id) && holds(box, front.start(id)) && holds(box, front.end(id));
+}
 
-void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box) {
-    std::vector<SlotId> slots;
+/// Offers segments, sorted by their nodes so that slots do not matter.
+void offerSorted(WalkOrder &order, const GenerationFront &front, std::span<const SlotId> slots) {
     std::vector<std::uint64_t> nodes;
-    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
-        const SlotId id{i};
-        if (front[id].alive && !front.isolated(id) && holds(box, front.start(id)) && holds(box, front.end(id))) {
-            slots.push_back(id);
-            nodes.push_back(pairKey(front[id].node, front[front.next(id)].node));
-        }
+    nodes.reserve(slots.size());
+    for (const SlotId id : slots) {
+        nodes.push_back(pairKey(front[id].node, front[front.next(id)].node));
     }
     for (const std::uint32_t i : orderByKeys(nodes)) {
         order.offer(front, slots[i]);
     }
+}
+
+/// Returns the segments of Γ inside the strips of a phase, by strip.
+std::vector<std::vector<SlotId>> segmentsByStrip(const GenerationFront &front, const FrontStrips &strips,
+                                                 std::size_t phase) {
+    const std::size_t first = strips.phases[phase];
+    std::vector<std::vector<SlotId>> lists(strips.phases[phase + 1] - first);
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const SlotId id{i};
+        const std::size_t strip = strips.stripAt(phase, front.start(id));
+        if (isSegmentIn(front, id, strips.boxes[strip])) {
+            lists[strip - first].push_back(id);
+        }
+    }
+    return lists;
+}
+
+} // namespace
+
+void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box) {
+    std::vector<SlotId> slots;
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        if (isSegmentIn(front, SlotId{i}, box)) {
+            slots.push_back(SlotId{i});
+        }
+    }
+    offerSorted(order, front, slots);
 }
 
 template <class Grid, class Trace>
@@ -72,13 +100,25 @@ SlotId FastAdvancer<Grid, Trace>::nextBase() {
     SlotId base = state_.walkOrder.take(state_.front);
     while (base == kNoSlot && state_.strip + 1 < state_.stripEnd) {
         ++state_.strip;
-        offerAll(state_.walkOrder, state_.front, state_.strips->boxes[state_.strip]);
+        offerStrip();
         base = state_.walkOrder.take(state_.front);
     }
     if (base != kNoSlot) {
         state_.walk.level = state_.walkOrder.level(state_.front[base].length);
     }
     return base;
+}
+
+/// Offers the segments in the current strip.
+template <class Grid, class Trace>
+void FastAdvancer<Grid, Trace>::offerStrip() {
+    const FrontStrips &strips = *state_.strips;
+    const std::size_t phase = strips.phaseOf(state_.strip);
+    if (inStrips_.empty() || phaseOfLists_ != phase) {
+        inStrips_ = segmentsByStrip(state_.front, strips, phase);
+        phaseOfLists_ = phase;
+    }
+    offerSorted(state_.walkOrder, state_.front, inStrips_[state_.strip - strips.phases[phase]]);
 }
 
 template <class Grid, class Trace>

@@ -40,6 +40,7 @@ class FastAdvancer {
     enum class Outcome : std::uint8_t { Done, LeftToLaterStrip };
 
     SlotId nextBase();
+    void offerStrip();
     Outcome tryBase(SlotId slotA, AdvanceDelta &delta);
     bool trySimple(const Base &base, AdvanceDelta &delta, Vec2 &apex);
     bool tryFan(SlotId first, unsigned segments, AdvanceDelta &delta, Vec2 &apex);
@@ -58,6 +59,10 @@ class FastAdvancer {
     ApexSearch<Grid, Trace> search_;
     FrontUpdate<Grid> update_;
     const SpacingField &spacing_;
+    /// The segments of Γ inside each strip of a phase, so that not every strip has to look at all of Γ. Advances in
+    /// other strips of the phase do not change them. Empty until the first strip is entered.
+    std::vector<std::vector<SlotId>> inStrips_;
+    std::size_t phaseOfLists_ = 0;
 };
 
 /// Offers the segments of Γ that lie in the box to the order, sorted by their nodes so that slots do not matter.

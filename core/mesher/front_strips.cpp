@@ -149,4 +149,15 @@ FrontStrips::FrontStrips(const DiscreteDomain &domain, const SpacingField &spaci
     phases.push_back(boxes.size());
 }
 
+std::size_t FrontStrips::phaseOf(std::size_t strip) const {
+    return static_cast<std::size_t>(std::upper_bound(phases.begin(), phases.end(), strip) - phases.begin()) - 1;
+}
+
+std::size_t FrontStrips::stripAt(std::size_t phase, Vec2 place) const {
+    const auto first = boxes.begin() + static_cast<std::ptrdiff_t>(phases[phase]);
+    const auto last = boxes.begin() + static_cast<std::ptrdiff_t>(phases[phase + 1]) - 1;
+    const auto before = [&](const Box2 &box) { return !(place.x < box.max.x && place.y < box.max.y); };
+    return static_cast<std::size_t>(std::partition_point(first, last, before) - boxes.begin());
+}
+
 } // namespace forefront

@@ -30,16 +30,16 @@ struct FrontStrips {
     static constexpr double kPerStrip = 62'500.0;
 
     bool last(std::size_t strip) const { return strip + 1 == boxes.size(); }
+    /// Returns the index of the phase of a strip.
+    std::size_t phaseOf(std::size_t strip) const;
+    /// Returns the strip of a phase that may hold a place: no other one of the phase does.
+    std::size_t stripAt(std::size_t phase, Vec2 place) const;
     /// Returns true if the phase of coarse segments leaves a base of this length at this place to a later strip.
     bool tooFine(std::size_t strip, Vec2 middle, double length) const {
         if (strip > 0 || boxes.size() == 1) {
             return false;
         }
-        std::size_t later = phases[1];
-        while (!holds(boxes[later], middle)) {
-            ++later;
-        }
-        return length < minCoarse[later - phases[1]];
+        return length < minCoarse[stripAt(1, middle) - phases[1]];
     }
 };
 

@@ -80,6 +80,9 @@ TEST_CASE("FrontStrips: few elements make one strip, many make strips that cover
                 holding += holds(found.boxes[k], Vec2{x, 0.0}) ? 1U : 0U;
             }
             REQUIRE(holding == 1);
+            const std::size_t strip = found.stripAt(phase, {x, 0.0});
+            REQUIRE(holds(found.boxes[strip], Vec2{x, 0.0}));
+            REQUIRE(found.phaseOf(strip) == phase);
         }
     }
 }
