@@ -28,15 +28,13 @@ class PinnedLines {
 
     SnappedLines run(const std::stop_token &stop) {
         SnappedLines result = Snapper(lines_, {}, radius_).run(stop);
-        for (int attempt = 0; result.finished && attempt < kMaxAttempts; ++attempt) {
-            const std::size_t before = pins_.size();
-            result.displacement = measure(result);
-            if (pins_.size() == before) {
-                return result;
-            }
-            result = runPinned(stop);
-        }
         result.displacement = measure(result);
+        for (int attempt = 0; result.finished && attempt < kMaxAttempts && keepNewPins(); ++attempt) {
+            const std::size_t passes = result.passes;
+            result = runPinned(stop);
+            result.passes += passes;
+            result.displacement = measure(result);
+        }
         return result;
     }
 
@@ -54,8 +52,10 @@ class PinnedLines {
         return comesBefore(given.b, given.a) ? SnapLine{given.b, given.a} : given;
     }
 
-    /// Returns the maximum distance between a line and its path, and pins lines where it is beyond the radius.
+    /// Returns the maximum distance between a line and its path, and finds pins for lines where it is beyond the
+    /// radius.
     double measure(const SnappedLines &snapped) {
+        found_.clear();
         double maximum = 0.0;
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
             std::uint32_t node = snapped.first[i];
@@ -76,15 +76,22 @@ class PinnedLines {
             if (farthest > kSlack * radius_) {
                 const SnapLine line = ordered(i);
                 const Vec2 along = line.b - line.a;
-                pins_.push_back({i, dot(worst - line.a, along) / lengthSquared(along)});
+                found_.push_back({i, dot(worst - line.a, along) / lengthSquared(along)});
             }
         }
         return maximum;
     }
 
-    SnappedLines runPinned(const std::stop_token &stop) {
+    /// Adds the pins found last. Returns false if all of them were known: then joining again would change nothing.
+    bool keepNewPins() {
+        const std::size_t before = pins_.size();
+        pins_.insert(pins_.end(), found_.begin(), found_.end());
         std::sort(pins_.begin(), pins_.end());
         pins_.erase(std::unique(pins_.begin(), pins_.end()), pins_.end());
+        return pins_.size() > before;
+    }
+
+    SnappedLines runPinned(const std::stop_token &stop) {
         std::vector<SnapLine> parts;
         std::vector<std::uint8_t> pinned;
         std::vector<std::size_t> partStarts;
@@ -123,7 +130,8 @@ class PinnedLines {
 
     std::span<const SnapLine> lines_;
     double radius_;
-    std::vector<Pin> pins_;
+    std::vector<Pin> pins_;  ///< sorted
+    std::vector<Pin> found_; ///< of the last result, by line
 };
 
 } // namespace
@@ -163,7 +171,9 @@ SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const 
     SnappedLines result;
     double radius = tolerance;
     do {
+        const std::size_t passes = result.passes;
         result = PinnedLines(lines, radius).run(stop);
+        result.passes += passes;
         result.radius = radius;
         radius *= 0.5;
     } while (result.finished && result.displacement > kSlack * tolerance);

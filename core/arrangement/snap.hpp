@@ -3,6 +3,7 @@
 #include "core/base/vec2.hpp"
 #include "core/geometry/plane_sweep.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stop_token>
@@ -26,6 +27,7 @@ struct SnappedLines {
     std::vector<std::uint32_t> first;  ///< per line: the node that its first end became
     double radius = 0.0;               ///< maximum distance at which things were joined
     double displacement = 0.0;         ///< maximum distance between a line and its path
+    std::size_t passes = 0;            ///< number of times all lines were joined; a measure of the work
     bool finished = true;              ///< false if asked to stop
 };
 

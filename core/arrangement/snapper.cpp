@@ -380,6 +380,7 @@ SnappedLines Snapper::run(const std::stop_token &stop) {
         fresh = end;
     }
     SnappedLines result = collect();
+    result.passes = 1;
     result.finished = finished;
     return result;
 }

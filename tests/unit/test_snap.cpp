@@ -202,3 +202,13 @@ TEST_CASE("snapLines: random lines keep clear of each other in any order, and a 
         CHECK(edgeSet(snapLines(lines, tolerance)) == edgeSet(snapped));
     }
 }
+
+TEST_CASE("snapLines: does not join again once no line needs a new pin") {
+    // The first line ends up farther away than the radius, also when it is pinned there; half the radius is needed.
+    const std::vector<SnapLine> lines{
+        {{0.316, 0.765}, {0.816, 0.085}}, {{0.847, 0.040}, {0.225, 0.458}}, {{0.316, 0.765}, {0.937, 0.015}}};
+    const SnappedLines snapped = snapLines(lines, 0.05);
+    checkSound(lines, snapped);
+    CHECK(snapped.radius == 0.025);
+    CHECK(snapped.passes == 3);
+}
