@@ -1,5 +1,6 @@
 #include "core/arrangement/chord_cuts.hpp"
 
+#include "core/base/key_order.hpp"
 #include "core/geometry/box_tree.hpp"
 #include "core/geometry/curve_contacts.hpp"
 #include "core/geometry/polygon.hpp"
@@ -24,6 +25,18 @@ class CutFinder {
     CutFinder(std::span<const Chord> chords, double tolerance) : chords_(chords), tolerance_(tolerance) {}
 
     ChordCuts run(const std::stop_token &stop) {
+        const std::vector<Box2> boxes = boxesOfChords();
+        const BoxTree tree(boxes);
+        const auto fresh = std::count_if(chords_.begin(), chords_.end(), [](const Chord &chord) { return chord.fresh; });
+        // Comparing all chords at once is several times as fast as one query for each.
+        constexpr std::size_t kMany = 4;
+        result_.finished = kMany * static_cast<std::size_t>(fresh) > chords_.size() ? compareAll(tree, stop)
+                                                                                    : compareFresh(tree, boxes, stop);
+        return std::move(result_);
+    }
+
+  private:
+    std::vector<Box2> boxesOfChords() const {
         std::vector<Box2> boxes;
         boxes.reserve(chords_.size());
         for (const Chord &chord : chords_) {
@@ -33,14 +46,17 @@ class CutFinder {
             }
             boxes.push_back(box.grown(2.0 * std::max(tolerance_, chord.part.noise)));
         }
-        const BoxTree tree(boxes);
+        return boxes;
+    }
+
+    /// Compares each fresh chord with all others. Returns false if asked to stop.
+    bool compareFresh(const BoxTree &tree, std::span<const Box2> boxes, const std::stop_token &stop) {
         for (std::uint32_t i = 0; i < chords_.size(); ++i) {
             if (!chords_[i].fresh) {
                 continue;
             }
             if (stop.stop_requested()) {
-                result_.finished = false;
-                break;
+                return false;
             }
             checkLoop(i);
             tree.query(boxes[i], [&](std::uint32_t j) {
@@ -50,10 +66,51 @@ class CutFinder {
                 }
             });
         }
-        return std::move(result_);
+        return true;
     }
 
-  private:
+    /// Does the same, and brings what it finds into the same order.
+    bool compareAll(const BoxTree &tree, const std::stop_token &stop) {
+        std::vector<std::uint32_t> place(chords_.size());
+        for (std::uint32_t k = 0; k < place.size(); ++k) {
+            place[tree.items()[k]] = k + 1;
+        }
+        std::vector<std::uint64_t> cutKeys, meetingKeys;
+        const auto key = [&](std::uint32_t i, std::uint32_t behind) {
+            cutKeys.resize(result_.cuts.size(), pairKey(i, behind));
+            meetingKeys.resize(result_.meetings.size(), pairKey(i, behind));
+        };
+        for (std::uint32_t i = 0; i < chords_.size(); ++i) {
+            if (chords_[i].fresh) {
+                checkLoop(i);
+                key(i, 0);
+            }
+        }
+        std::size_t visits = 0;
+        const bool finished = tree.joinSelf(0.0, [&](std::uint32_t m, std::uint32_t n) {
+            const bool first = chords_[m].fresh && (m < n || !chords_[n].fresh);
+            const std::uint32_t i = first ? m : n, j = first ? n : m;
+            if (chords_[i].fresh) {
+                compare(i, j);
+                key(i, place[j]);
+            }
+            return ++visits % 65536 != 0 || !stop.stop_requested();
+        });
+        sortByKeys(cutKeys, result_.cuts);
+        sortByKeys(meetingKeys, result_.meetings);
+        return finished;
+    }
+
+    template <class Item>
+    static void sortByKeys(std::span<const std::uint64_t> keys, std::vector<Item> &items) {
+        std::vector<Item> sorted;
+        sorted.reserve(items.size());
+        for (const std::uint32_t k : orderByKeys(keys)) {
+            sorted.push_back(items[k]);
+        }
+        items = std::move(sorted);
+    }
+
     bool small(const Chord &chord, double tolerance) const { return chord.part.size() <= kSmall * tolerance; }
 
     void cut(std::uint32_t chord, double t, Vec2 at) {

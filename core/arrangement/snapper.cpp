@@ -138,40 +138,34 @@ void Snapper::index(std::uint32_t firstEdge) {
     layers_.push_back(layerOf(edges));
 }
 
-/// Visits the edges whose boxes come near an edge.
-template <class Visit>
-void Snapper::visitNear(std::uint32_t edge, const Visit &visit) const {
-    const Vec2 a = turned(places_[edges_[edge].a]), b = turned(places_[edges_[edge].b]), ab = b - a;
+/// Compares the edges of the last layer with one another and with all others. Returns false if asked to stop.
+bool Snapper::findCuts(const std::stop_token &stop) {
     // Boxes of slanting edges are cut, and boxes are turned, with rounding; the radius is larger than that.
     const double reach = 2.0 * radius_;
-    const Box2 around = boxOf(a, b).grown(reach);
-    const double width = std::fabs(ab.x), height = std::fabs(ab.y), margin = reach * (width + height);
-    const auto meets = [&](const Box2 &box) {
-        if (!box.overlaps(around)) {
+    const Layer &fresh = layers_.back();
+    std::size_t visits = 0;
+    for (const Layer &layer : layers_) {
+        const auto visit = [&](std::uint32_t mine, std::uint32_t theirs) {
+            const std::uint32_t edge = fresh.edge[mine], other = layer.edge[theirs];
+            if (edge != other && edges_[other].child == edges_[other].end) {
+                compare(edge, other);
+            }
+            return ++visits % 65536 != 0 || !stop.stop_requested();
+        };
+        const bool finished =
+            &layer == &fresh ? fresh.tree.joinSelf(reach, visit) : fresh.tree.join(layer.tree, reach, visit);
+        if (!finished) {
             return false;
         }
-        const Vec2 half = 0.5 * box.size();
-        return std::fabs(cross(ab, box.centre() - a)) <= width * half.y + height * half.x + 2.0 * margin;
-    };
-    for (const Layer &layer : layers_) {
-        layer.tree.search(meets, [&](std::uint32_t item) {
-            visit(layer.edge[item]);
-            return true;
-        });
     }
-}
-
-void Snapper::findCuts(std::uint32_t edge, std::uint32_t firstFresh) {
-    visitNear(edge, [&](std::uint32_t other) {
-        const bool fromOther = other >= firstFresh && other < edge; // a pair of fresh edges is compared once
-        if (other != edge && !fromOther && edges_[other].child == edges_[other].end) {
-            compare(edge, other);
-        }
-    });
+    return !stop.stop_requested();
 }
 
 void Snapper::compare(std::uint32_t edge, std::uint32_t other) {
     const Edge e = edges_[edge], f = edges_[other];
+    if (apart(e, f) || apart(f, e)) {
+        return;
+    }
     bool near = false;
     for (const std::uint32_t node : {f.a, f.b}) {
         near = cutNear(edge, node) || near;
@@ -204,6 +198,15 @@ void Snapper::compare(std::uint32_t edge, std::uint32_t other) {
     case SegmentMeeting::SharedEnd:
         break;
     }
+}
+
+/// Returns true if the second edge is surely on one side of the line of the first, farther away than the radius.
+bool Snapper::apart(const Edge &e, const Edge &f) const {
+    constexpr double kFar = 2.0; // radii; far more than rounding adds to a distance
+    const Vec2 a = places_[e.a], ab = places_[e.b] - a;
+    const double c = cross(ab, places_[f.a] - a), d = cross(ab, places_[f.b] - a);
+    const double nearest = std::min(std::fabs(c), std::fabs(d));
+    return (c > 0.0) == (d > 0.0) && nearest * nearest > kFar * kFar * radius_ * radius_ * lengthSquared(ab);
 }
 
 /// Routes the edge through the node if the node is near its interior and both parts become shorter than the edge.
@@ -368,13 +371,7 @@ SnappedLines Snapper::run(const std::stop_token &stop) {
     for (std::uint32_t fresh = 0; fresh < edges_.size() && finished;) {
         index(fresh);
         const auto end = static_cast<std::uint32_t>(edges_.size());
-        for (std::uint32_t e = fresh; e < end; ++e) {
-            if (e % 1024 == 0 && stop.stop_requested()) {
-                finished = false;
-                break;
-            }
-            findCuts(e, fresh);
-        }
+        finished = findCuts(stop);
         addCrossings();
         splitEdges();
         fresh = end;

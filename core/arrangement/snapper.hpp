@@ -41,10 +41,9 @@ class Snapper {
     std::uint32_t halfEdge(std::uint32_t from, std::uint32_t to);
     Layer layerOf(std::span<const std::uint32_t> edges) const;
     void index(std::uint32_t firstEdge);
-    template <class Visit>
-    void visitNear(std::uint32_t edge, const Visit &visit) const;
-    void findCuts(std::uint32_t edge, std::uint32_t firstFresh);
+    bool findCuts(const std::stop_token &stop);
     void compare(std::uint32_t edge, std::uint32_t other);
+    bool apart(const Edge &e, const Edge &f) const;
     bool cutNear(std::uint32_t edge, std::uint32_t node);
     void addCrossing(std::uint32_t edge, std::uint32_t other);
     std::uint32_t nodeWithin(Vec2 at) const;

@@ -22,6 +22,8 @@ class BoxTree {
     explicit BoxTree(std::span<const Box2> boxes);
 
     std::size_t size() const { return items_.size(); }
+    /// Returns the items in the order in which queries visit them.
+    const std::vector<std::uint32_t> &items() const { return items_; }
 
     /// Calls visit(item) for every item whose box meets `box`.
     template <class Visit>
@@ -38,6 +40,29 @@ class BoxTree {
     template <class Meets, class Visit>
     bool search(const Meets &meets, const Visit &visit) const {
         return levels_.empty() || descend(levels_.size() - 1, 0, levels_.back().size(), meets, visit);
+    }
+
+    /// Calls visit(mine, theirs) for every item of this tree and every item of another whose boxes are within `reach`
+    /// of each other in both directions, until visit returns false. Descends both trees together, which is several
+    /// times as fast as one query per item. Returns false if a visit stopped the search.
+    template <class Visit>
+    bool join(const BoxTree &other, double reach, const Visit &visit) const {
+        for (std::size_t k = 0; k < rootCount(); ++k) {
+            for (std::size_t m = 0; m < other.rootCount(); ++m) {
+                const Node mine{topLevel(), k}, theirs{other.topLevel(), m};
+                if (boxOf(mine).grown(reach).overlaps(other.boxOf(theirs)) &&
+                    !joinNodes(mine, other, theirs, reach, visit)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /// Does the same for pairs of different items of this tree; each pair is found once.
+    template <class Visit>
+    bool joinSelf(double reach, const Visit &visit) const {
+        return levels_.empty() || joinAmong(topLevel(), 0, rootCount(), reach, visit);
     }
 
     /// Returns the item nearest to p by distance(item), which must be at least the distance to the item's box. Items
@@ -67,6 +92,53 @@ class BoxTree {
             }
             if (level == 0 ? !visit(items_[k]) : !descend(level - 1, k * kFan, lastChild(level, k), meets, visit)) {
                 return false;
+            }
+        }
+        return true;
+    }
+
+    /// A box of the tree.
+    struct Node {
+        std::size_t level = 0, index = 0;
+    };
+
+    std::size_t topLevel() const { return levels_.size() - 1; }
+    std::size_t rootCount() const { return levels_.empty() ? 0 : levels_.back().size(); }
+    const Box2 &boxOf(Node node) const { return levels_[node.level][node.index]; }
+
+    /// Joins the items below a node with those below a node of another tree, which is within reach.
+    template <class Visit>
+    bool joinNodes(Node mine, const BoxTree &other, Node theirs, double reach, const Visit &visit) const {
+        if (mine.level == 0 && theirs.level == 0) {
+            return visit(items_[mine.index], other.items_[theirs.index]);
+        }
+        const bool splitMine = mine.level >= theirs.level;
+        const Node whole = splitMine ? mine : theirs;
+        const BoxTree &tree = splitMine ? *this : other;
+        const Box2 around = (splitMine ? other.boxOf(theirs) : boxOf(mine)).grown(reach);
+        const std::size_t last = tree.lastChild(whole.level, whole.index);
+        for (std::size_t k = whole.index * kFan; k < last; ++k) {
+            const Node part{whole.level - 1, k};
+            if (around.overlaps(tree.boxOf(part)) &&
+                !joinNodes(splitMine ? part : mine, other, splitMine ? theirs : part, reach, visit)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Joins the items below the nodes of a level from `first` up to `last` with each other.
+    template <class Visit>
+    bool joinAmong(std::size_t level, std::size_t first, std::size_t last, double reach, const Visit &visit) const {
+        for (std::size_t k = first; k < last; ++k) {
+            if (level > 0 && !joinAmong(level - 1, k * kFan, lastChild(level, k), reach, visit)) {
+                return false;
+            }
+            const Box2 around = boxOf({level, k}).grown(reach);
+            for (std::size_t m = k + 1; m < last; ++m) {
+                if (around.overlaps(boxOf({level, m})) && !joinNodes({level, k}, *this, {level, m}, reach, visit)) {
+                    return false;
+                }
             }
         }
         return true;
