@@ -6,6 +6,7 @@
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -25,17 +26,29 @@ class CutFinder {
     CutFinder(std::span<const Chord> chords, double tolerance) : chords_(chords), tolerance_(tolerance) {}
 
     ChordCuts run(const std::stop_token &stop) {
+        markTiny();
         const std::vector<Box2> boxes = boxesOfChords();
         const BoxTree tree(boxes);
-        const auto fresh = std::count_if(chords_.begin(), chords_.end(), [](const Chord &chord) { return chord.fresh; });
+        const auto fresh =
+            std::count_if(chords_.begin(), chords_.end(), [](const Chord &chord) { return chord.fresh; });
         // Comparing all chords at once is several times as fast as one query for each.
         constexpr std::size_t kMany = 4;
-        result_.finished = kMany * static_cast<std::size_t>(fresh) > chords_.size() ? compareAll(tree, stop)
+        result_.finished = kMany * static_cast<std::size_t>(fresh) > chords_.size() ? compareAll(tree, boxes, stop)
                                                                                     : compareFresh(tree, boxes, stop);
         return std::move(result_);
     }
 
   private:
+    /// Marks chords that no other marked one divides. There may be very many at one place: parts of curves that meet
+    /// there within the tolerance, each of which is near all others.
+    void markTiny() {
+        tiny_.reserve(chords_.size());
+        for (const Chord &chord : chords_) {
+            const bool flat = !chord.follows() || chord.part.sagitta <= kFlat * tolerance_;
+            tiny_.push_back(flat && small(chord, tolerance_) ? 1 : 0);
+        }
+    }
+
     std::vector<Box2> boxesOfChords() const {
         std::vector<Box2> boxes;
         boxes.reserve(chords_.size());
@@ -70,7 +83,7 @@ class CutFinder {
     }
 
     /// Does the same, and brings what it finds into the same order.
-    bool compareAll(const BoxTree &tree, const std::stop_token &stop) {
+    bool compareAll(const BoxTree &tree, std::span<const Box2> boxes, const std::stop_token &stop) {
         std::vector<std::uint32_t> place(chords_.size());
         for (std::uint32_t k = 0; k < place.size(); ++k) {
             place[tree.items()[k]] = k + 1;
@@ -86,19 +99,37 @@ class CutFinder {
                 key(i, 0);
             }
         }
-        std::size_t visits = 0;
-        const bool finished = tree.joinSelf(0.0, [&](std::uint32_t m, std::uint32_t n) {
+        const bool finished = joinChords(boxes, stop, [&](std::uint32_t m, std::uint32_t n) {
             const bool first = chords_[m].fresh && (m < n || !chords_[n].fresh);
             const std::uint32_t i = first ? m : n, j = first ? n : m;
             if (chords_[i].fresh) {
                 compare(i, j);
                 key(i, place[j]);
             }
-            return ++visits % 65536 != 0 || !stop.stop_requested();
         });
         sortByKeys(cutKeys, result_.cuts);
         sortByKeys(meetingKeys, result_.meetings);
         return finished;
+    }
+
+    /// Visits all pairs of chords whose boxes overlap, unless both are tiny. Returns false if asked to stop.
+    template <class Visit>
+    bool joinChords(std::span<const Box2> boxes, const std::stop_token &stop, const Visit &visit) const {
+        std::array<std::vector<std::uint32_t>, 2> chords; // large ones and tiny ones
+        std::array<std::vector<Box2>, 2> boxesOf;
+        for (std::uint32_t i = 0; i < chords_.size(); ++i) {
+            chords[tiny_[i]].push_back(i);
+            boxesOf[tiny_[i]].push_back(boxes[i]);
+        }
+        std::size_t visits = 0;
+        const auto visitAs = [&](std::size_t kind) {
+            return [&, kind](std::uint32_t m, std::uint32_t n) {
+                visit(chords[0][m], chords[kind][n]);
+                return ++visits % 65536 != 0 || !stop.stop_requested();
+            };
+        };
+        const BoxTree large(boxesOf[0]), tiny(boxesOf[1]);
+        return large.joinSelf(0.0, visitAs(0)) && large.join(tiny, 0.0, visitAs(1)) && !stop.stop_requested();
     }
 
     template <class Item>
@@ -135,6 +166,10 @@ class CutFinder {
     }
 
     void compare(std::uint32_t i, std::uint32_t j) {
+        if (tiny_[i] != 0 && tiny_[j] != 0) {
+            return;
+        }
+        ++result_.comparisons;
         const Chord &first = chords_[i], &second = chords_[j];
         const double tolerance = std::max({tolerance_, first.part.noise, second.part.noise});
         if ((!first.follows() && !second.follows()) || apart(first.part, second.part, 2.0 * tolerance) ||
@@ -269,6 +304,7 @@ class CutFinder {
 
     std::span<const Chord> chords_;
     double tolerance_;
+    std::vector<std::uint8_t> tiny_; ///< per chord
     ChordCuts result_;
 };
 

@@ -3,6 +3,7 @@
 #include "core/arrangement/change.hpp"
 #include "core/geometry/curve_part.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stop_token>
@@ -39,7 +40,8 @@ struct ChordMeeting {
 struct ChordCuts {
     std::vector<ChordCut> cuts;
     std::vector<ChordMeeting> meetings;
-    bool finished = true; ///< false if asked to stop
+    std::size_t comparisons = 0; ///< pairs of chords looked at; a measure of the work
+    bool finished = true;        ///< false if asked to stop
 };
 
 /// Finds where chords have to be divided so that they meet as their curves do: where curves cross, or touch within the
