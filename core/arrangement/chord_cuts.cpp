@@ -44,8 +44,7 @@ class CutFinder {
     void markTiny() {
         tiny_.reserve(chords_.size());
         for (const Chord &chord : chords_) {
-            const bool flat = !chord.follows() || chord.part.sagitta <= kFlat * tolerance_;
-            tiny_.push_back(flat && small(chord, tolerance_) ? 1 : 0);
+            tiny_.push_back(small(chord, tolerance_) && !bent(chord, tolerance_) ? 1 : 0);
         }
     }
 
@@ -142,6 +141,9 @@ class CutFinder {
         items = std::move(sorted);
     }
 
+    static bool bent(const Chord &chord, double tolerance) {
+        return chord.follows() && chord.part.sagitta > kFlat * tolerance;
+    }
     bool small(const Chord &chord, double tolerance) const { return chord.part.size() <= kSmall * tolerance; }
 
     void cut(std::uint32_t chord, double t, Vec2 at) {
@@ -233,15 +235,20 @@ class CutFinder {
     /// Halves curves that have the same ends, and so the same chord, although something lies between them.
     void separate(std::uint32_t i, std::uint32_t j, double tolerance) {
         constexpr int kParts = 4;
+        const bool bentFirst = bent(chords_[i], tolerance), bentSecond = bent(chords_[j], tolerance);
+        if (!bentFirst && !bentSecond) {
+            return;
+        }
         const CurvePart &first = chords_[i].part, &second = chords_[j].part;
         for (int k = 1; k < kParts; ++k) {
             const Vec2 p = first.curve.point(std::lerp(first.t0, first.t1, k / double{kParts}));
             const double t = second.curve.nearest(p, second.t0, second.t1);
             if (distance(p, second.curve.point(t)) > tolerance) {
-                for (const std::uint32_t chord : {i, j}) {
-                    if (chords_[chord].follows() && chords_[chord].part.sagitta > kFlat * tolerance) {
-                        halve(chord);
-                    }
+                if (bentFirst) {
+                    halve(i);
+                }
+                if (bentSecond) {
+                    halve(j);
                 }
                 return;
             }
@@ -269,6 +276,9 @@ class CutFinder {
             return;
         }
         const bool nearChord = distanceToSegment(chord.a, chord.b, node) <= tolerance;
+        if (nearChord && !bent(chord, tolerance)) {
+            return; // joining handles the node
+        }
         const double t = part.curve.nearest(node, part.t0, part.t1);
         const Vec2 foot = part.curve.point(t);
         const double gap = distance(node, foot);
@@ -280,7 +290,7 @@ class CutFinder {
             }
             return;
         }
-        if (part.sagitta > kFlat * tolerance && (nearChord || between(node, chord))) {
+        if (bent(chord, tolerance) && (nearChord || between(node, chord))) {
             const bool nearEnd = distance(foot, chord.a) <= tolerance || distance(foot, chord.b) <= tolerance;
             nearEnd ? halve(j) : cut(j, t, foot);
         }
