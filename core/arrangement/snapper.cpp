@@ -259,21 +259,24 @@ void Snapper::addCrossing(std::uint32_t edge, std::uint32_t other) {
     addCut(second, through);
 }
 
-/// Returns the nearest node within the radius, or kNoIndex.
-std::uint32_t Snapper::nodeWithin(Vec2 at) const {
-    std::uint32_t best = kNoIndex;
-    for (const Layer &layer : layers_) {
-        layer.tree.query(boxAround(turned(at), 2.0 * radius_), [&](std::uint32_t item) {
-            const Edge &e = edges_[layer.edge[item]];
-            for (const std::uint32_t node : {e.a, e.b}) {
-                const double gap = distance(places_[node], at);
-                const double limit = best == kNoIndex ? radius_ : distance(places_[best], at);
-                if (gap < limit || (gap == limit && (best == kNoIndex || comesBefore(places_[node], places_[best])))) {
-                    best = node;
-                }
-            }
-        });
+/// Returns the nearest node of an edge within the radius, or kNoIndex.
+std::uint32_t Snapper::nodeWithin(Vec2 at) {
+    if (!grid_) { // many passes find no crossing
+        grid_.emplace(2.0 * radius_, 2 * edges_.size());
     }
+    for (; inGrid_ < edges_.size(); ++inGrid_) {
+        for (const std::uint32_t node : {edges_[inGrid_].a, edges_[inGrid_].b}) {
+            grid_->add(node, places_[node]);
+        }
+    }
+    std::uint32_t best = kNoIndex;
+    grid_->visitNear(at, [&](std::uint32_t node) {
+        const double gap = distance(places_[node], at);
+        const double limit = best == kNoIndex ? radius_ : distance(places_[best], at);
+        if (gap < limit || (gap == limit && (best == kNoIndex || comesBefore(places_[node], places_[best])))) {
+            best = node;
+        }
+    });
     return best;
 }
 
@@ -303,21 +306,25 @@ void Snapper::addCrossings() {
 }
 
 void Snapper::splitEdges() {
-    std::sort(cuts_.begin(), cuts_.end(), [&](const Cut &s, const Cut &t) {
-        if (s.edge != t.edge || s.along != t.along) {
-            return std::tie(s.edge, s.along) < std::tie(t.edge, t.along);
-        }
-        return s.node != t.node && comesBefore(places_[s.node], places_[t.node]);
-    });
+    std::vector<std::uint64_t> keys;
+    keys.reserve(cuts_.size());
+    for (const Cut &cut : cuts_) {
+        keys.push_back(cut.edge);
+    }
+    const std::vector<std::uint32_t> order = orderByKeys(keys);
     std::vector<Cut> ofEdge;
-    for (std::size_t i = 0; i < cuts_.size();) {
+    for (std::size_t i = 0; i < order.size();) {
         ofEdge.clear();
-        const std::uint32_t edge = cuts_[i].edge;
-        for (; i < cuts_.size() && cuts_[i].edge == edge; ++i) {
-            if (ofEdge.empty() || ofEdge.back().node != cuts_[i].node) {
-                ofEdge.push_back(cuts_[i]);
-            }
+        const std::uint32_t edge = cuts_[order[i]].edge;
+        for (; i < order.size() && cuts_[order[i]].edge == edge; ++i) {
+            ofEdge.push_back(cuts_[order[i]]);
         }
+        std::sort(ofEdge.begin(), ofEdge.end(), [&](const Cut &s, const Cut &t) {
+            return s.along != t.along ? s.along < t.along
+                                      : s.node != t.node && comesBefore(places_[s.node], places_[t.node]);
+        });
+        const auto sameNode = [](const Cut &s, const Cut &t) { return s.node == t.node; };
+        ofEdge.erase(std::unique(ofEdge.begin(), ofEdge.end(), sameNode), ofEdge.end());
         split(edge, ofEdge);
     }
     cuts_.clear();

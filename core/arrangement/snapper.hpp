@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/arrangement/node_grid.hpp"
 #include "core/arrangement/snap.hpp"
 #include "core/geometry/box_tree.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <unordered_map>
 
 namespace forefront {
@@ -46,7 +49,7 @@ class Snapper {
     bool apart(const Edge &e, const Edge &f) const;
     bool cutNear(std::uint32_t edge, std::uint32_t node);
     void addCrossing(std::uint32_t edge, std::uint32_t other);
-    std::uint32_t nodeWithin(Vec2 at) const;
+    std::uint32_t nodeWithin(Vec2 at);
     void addCut(std::uint32_t edge, std::uint32_t node);
     void addCrossings();
     void splitEdges();
@@ -68,6 +71,8 @@ class Snapper {
     std::vector<Layer> layers_;                               ///< edges of each round; split ones are skipped
     Vec2 axis_{1.0, 0.0};                                     ///< boxes lie along it
     double boxLength_ = 0.0;                                  ///< longer slanting edges have several boxes
+    std::optional<NodeGrid> grid_;                            ///< nodes of the edges before inGrid_
+    std::size_t inGrid_ = 0;
     std::vector<Cut> cuts_;
     std::vector<Crossing> crossings_;
 };
