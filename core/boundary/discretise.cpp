@@ -5,6 +5,7 @@
 #include "core/base/number_text.hpp"
 #include "core/boundary/curve_cuts.hpp"
 #include "core/boundary/meeting_parts.hpp"
+#include "core/boundary/narrow_tips.hpp"
 #include "core/boundary/spacing_integral.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/geometry/polygon.hpp"
@@ -42,8 +43,9 @@ Diagnostics tooMany(double estimate, Vec2 at) {
 
 class Discretiser {
   public:
-    Discretiser(const Domain &domain, const SpacingField &spacing, bool keepBoundary, const Progress &progress)
-        : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary),
+    Discretiser(const Domain &domain, const SpacingField &spacing, bool keepBoundary, NarrowTips narrowTips,
+                const Progress &progress)
+        : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary), narrowTips_(narrowTips),
           longest_(domain.bounds().diagonal() * kLongestStep) {}
 
     /// `known`: the faces of the domain, or null to find them.
@@ -66,6 +68,9 @@ class Discretiser {
             }
             if (Status faults = refuseAbsurd(); !faults.empty()) {
                 return faults;
+            }
+            if (narrowTips_ == NarrowTips::Whole) {
+                narrowEnds_ = findNarrowEnds(domain_, spacing_, left_, right_);
             }
         }
         // Rounding may push an inserted node across a part that is closer than the last digits: such segments are cut
@@ -319,6 +324,9 @@ class Discretiser {
             const std::uint32_t asked = segment.elements;
             count_[s] = std::min(most_[s], asked > 0 ? asked : static_cast<std::uint32_t>(integral_.pieces()));
             integral_.cut(count_[s], fractions_);
+            if (asked == 0) {
+                dropCutsInTips(s, forward);
+            }
         }
         std::uint32_t from = number(segment.a);
         for (std::size_t i = 0; i < fractions_.size(); ++i) {
@@ -329,6 +337,17 @@ class Discretiser {
         }
         addPiece(from, number(segment.b), s);
         return {};
+    }
+
+    /// Removes the cuts of a segment that lie in narrow tips. `forward`: fractions count from its first node.
+    void dropCutsInTips(std::uint32_t s, bool forward) {
+        const auto before = [](const NarrowEnd &end, std::uint32_t segment) { return end.segment < segment; };
+        auto end = std::lower_bound(narrowEnds_.begin(), narrowEnds_.end(), s, before);
+        const double span = distance(domain_.nodes[domain_.segments[s].a], domain_.nodes[domain_.segments[s].b]);
+        for (; end != narrowEnds_.end() && end->segment == s; ++end) {
+            const double part = end->length / span;
+            std::erase_if(fractions_, [&](double t) { return end->atA == forward ? t < part : t > 1.0 - part; });
+        }
     }
 
     void addPiece(std::uint32_t a, std::uint32_t b, std::uint32_t source) {
@@ -379,6 +398,7 @@ class Discretiser {
     const SpacingField &spacing_;
     const Progress &progress_;
     bool keepBoundary_;
+    NarrowTips narrowTips_;
     double longest_; // without evaluating the spacing
     DiscreteDomain result_;
     std::optional<CurveCuts> curves_;         // unless the boundary is kept
@@ -390,6 +410,7 @@ class Discretiser {
     std::vector<std::uint32_t> pointBelow_;   // likewise: the domain segment directly below
     std::vector<std::uint32_t> most_, count_; // per domain segment: pieces allowed and made
     std::vector<double> rho_;                 // at the nodes of the domain
+    std::vector<NarrowEnd> narrowEnds_;       // by segment
     std::vector<double> fractions_;
     SpacingIntegral integral_;
 };
@@ -413,8 +434,8 @@ Box2 DiscreteDomain::bounds() const {
 }
 
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
-                                  const Progress &progress, const DomainFaces *faces) {
-    return Discretiser(domain, spacing, keepBoundary, progress).run(faces);
+                                  const Progress &progress, const DomainFaces *faces, NarrowTips narrowTips) {
+    return Discretiser(domain, spacing, keepBoundary, narrowTips, progress).run(faces);
 }
 
 } // namespace forefront

@@ -53,6 +53,13 @@ struct DiscreteDomain {
     Box2 bounds() const;
 };
 
+/// What becomes of tips of less than 20 degrees, straight and between nothing but the outside, where they are narrower
+/// than 1/4 of the spacing.
+enum class NarrowTips : std::uint8_t {
+    Divided, ///< divided like other parts
+    Whole,   ///< left undivided: one long element instead of many thin ones
+};
+
 /// Divides the segments of a validated domain so that their lengths follow the spacing, or keeps them exactly as given,
 /// and finds the faces and their regions. The number of pieces is DomainSegment::elements, or follows from ∫ds/ρ, with
 /// nodes at equal fractions of it.
@@ -67,6 +74,7 @@ struct DiscreteDomain {
 ///
 /// Errors: cancelled, too-many-nodes, invalid-domain.
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
-                                  const Progress &progress = {}, const DomainFaces *faces = nullptr);
+                                  const Progress &progress = {}, const DomainFaces *faces = nullptr,
+                                  NarrowTips narrowTips = NarrowTips::Divided);
 
 } // namespace forefront

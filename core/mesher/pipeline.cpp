@@ -43,7 +43,10 @@ Result<std::shared_ptr<const SpacingField>> spacingOf(const MeshingJob &job, con
 Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
                                 std::shared_ptr<const SpacingField> spacing, const Progress &progress) {
     progress("discretising the boundary", 0.0);
-    Result<DiscreteDomain> boundary = discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces);
+    // Sizes that were asked for are kept everywhere, sizes chosen automatically only where they help.
+    const bool automatic = job.spacing.usesAutomatic() && !job.spacing.maximum;
+    Result<DiscreteDomain> boundary = discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces,
+                                                 automatic ? NarrowTips::Whole : NarrowTips::Divided);
     if (!boundary) {
         return boundary.faults();
     }

@@ -70,11 +70,74 @@ TEST_CASE("Automatic spacing: two elements fit across a channel, and open water 
         {{0, 0}, {4, 0}, {4, 1.9}, {6, 1.9}, {6, 0}, {10, 0}, {10, 4}, {6, 4}, {6, 2.0}, {4, 2.0}, {4, 4}, {0, 4}});
     const auto field = automatic(domain);
     for (double x = 4.05; x < 6.0; x += 0.1) {
-        CHECK(field->at({x, 1.95}) <= 0.064);
+        CHECK(field->at({x, 1.95}) <=
+              1.001 * (0.1 / std::sqrt(3.0) + 0.25 * 0.05)); // two rows of equilateral triangles
         CHECK(field->at({x, 1.95}) >= 0.045);
     }
     CHECK(field->at({1.5, 1}) == doctest::Approx(field->maximum()));
     CHECK(field->sample({5, 1.95}).describe.find("narrow channel") != std::string::npos);
+    // No edge leads from one side to the other.
+    MeshingJob job;
+    job.domain = domain;
+    const auto outcome = meshDomain(job);
+    REQUIRE(outcome);
+    const Mesh &mesh = outcome->mesh;
+    for (const Element &element : mesh.elements) {
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 a = mesh.nodes[index(element[k])], b = mesh.nodes[index(element[(k + 1) % 3])];
+            const bool inChannel = a.x > 4.1 && a.x < 5.9 && b.x > 4.1 && b.x < 5.9;
+            CHECK_FALSE((inChannel && std::fabs(a.y - b.y) > 0.099));
+        }
+    }
+}
+
+TEST_CASE("Automatic spacing: sizes follow the width of a long wedge, so that its elements are regular") {
+    MeshingJob job;
+    job.domain = loopOf({{0, 0}, {100, 0}, {100, 1}}); // 0.57 degrees
+    const auto outcome = meshDomain(job);
+    REQUIRE(outcome);
+    CHECK(measure(outcome->mesh, nullptr).alphaGeometricMean > 0.97);
+    CHECK(outcome->mesh.elements.size() < 2000);
+}
+
+TEST_CASE("Automatic spacing: a narrow tip is one long element, unless a size is given or something is beyond it") {
+    const auto shortestAtTip = [](MeshingJob job) {
+        const auto outcome = meshDomain(job);
+        REQUIRE(outcome);
+        const Mesh &mesh = outcome->mesh;
+        double shortest = 1e9;
+        for (const TaggedEdge &edge : mesh.edges) {
+            const Vec2 a = mesh.nodes[index(edge.a)], b = mesh.nodes[index(edge.b)];
+            shortest = a == Vec2{} || b == Vec2{} ? std::min(shortest, distance(a, b)) : shortest;
+        }
+        return shortest;
+    };
+    MeshingJob job;
+    job.domain = loopOf({{0, 0}, {100, 0}, {100, 1}});
+    CHECK(shortestAtTip(job) > 5.0);
+    MeshingJob turned = job; // the other order and direction of segments, the other ends
+    turned.domain = loopOf({{100, 1}, {0, 0}, {100, 0}});
+    CHECK(shortestAtTip(turned) == shortestAtTip(job));
+    MeshingJob sized = job;
+    sized.spacing.size = 0.5;
+    CHECK(shortestAtTip(sized) < 0.51);
+    MeshingJob limited = job;
+    limited.spacing.maximum = 1.0;
+    CHECK(shortestAtTip(limited) < 1.01);
+    MeshingJob neighboured = job; // with a region on the other side of one segment
+    neighboured.domain.nodes.push_back({0, -50});
+    neighboured.domain.segments.push_back({0, 3, 1});
+    neighboured.domain.segments.push_back({3, 1, 1});
+    neighboured.domain.segments[0].role = SegmentRole::Constraint;
+    CHECK(shortestAtTip(neighboured) < 2.5);
+    MeshingJob shared = job; // a tip at a node where four segments meet
+    for (const Vec2 node : {Vec2{-100, 0}, Vec2{-100, -1}}) {
+        shared.domain.nodes.push_back(node);
+    }
+    shared.domain.segments.push_back({0, 3, 1});
+    shared.domain.segments.push_back({3, 4, 1});
+    shared.domain.segments.push_back({4, 0, 1});
+    CHECK(shortestAtTip(shared) > 5.0);
 }
 
 TEST_CASE("Automatic spacing: ignores gaps outside the domain") {

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kAcross = 45.0;          ///< elements along the diagonal of the domain's box
 constexpr double kCurvedGradation = 0.18; ///< of curved domains; a steeper one leaves worse shapes beside bends
-constexpr double kAcrossGap = 2.0;        ///< elements across a narrow place
-constexpr double kGapElements = 3.0e4;    ///< approximate number of elements to spend on narrow places ...
-constexpr double kGapElementsEach = 8.0;  ///< ... plus this many per domain segment
+/// Sizes across a narrow place, √3: it takes two rows of equilateral triangles.
+constexpr double kAcrossGap = 1.7320508075688772;
+constexpr double kGapElements = 3.0e4;   ///< approximate number of elements to spend on narrow places ...
+constexpr double kGapElementsEach = 8.0; ///< ... plus this many per domain segment
 
 /// Returns the number of elements in the half of a gap beside its part of a segment, if their size is at least `floor`.
 double elementsFor(const Gap &gap, double floor) {

@@ -17,6 +17,9 @@ constexpr double kNeedle = 0.9396926207859084; ///< cosine of 20 degrees
 /// fine the elements, some remain poor, and finer elements only add to their number: a needle of angle θ and elements
 /// of one size has about 2/θ.
 constexpr double kNegligibleGap = 1.0 / 32.0;
+/// The width may vary by this factor along a part. Sizes that follow the width in coarser steps alternate between two
+/// rows of elements and more, with irregular ones in between.
+constexpr double kSameWidth = 1.05;
 constexpr double kRounding = 4e-15; ///< of the coordinates, in distances between segments
 constexpr double kLongGap = 12.0;   ///< in widths; a shorter gap, between two tips, costs few elements
 
@@ -207,8 +210,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
                 return false;
             }
             // A side between two rounded corners is narrow at both ends alone.
-            return std::max(atA, atB) > 2.0 * narrowest ||
-                   (own.besideCurve && widthAt(midpoint(a, b)) > 2.0 * narrowest);
+            return std::max(atA, atB) > kSameWidth * narrowest ||
+                   (own.besideCurve && widthAt(midpoint(a, b)) > kSameWidth * narrowest);
         };
         if (nearest.tip || varies()) {
             const double middle = 0.5 * (from + to);

@@ -44,7 +44,7 @@ struct GapRules {
 ///
 /// For each part of a boundary or constraint, looks for the part of the domain that faces it within GapRules::across
 /// times the longest useful element, at most 60 degrees off the normal. Divides parts until the width along each varies
-/// by less than a factor of 2, or they are no longer than `shortest`. Decides inside and outside by even-odd counting
+/// by at most 5 %, or they are no longer than that width or `shortest`. Decides inside and outside by even-odd counting
 /// in floating point, which is good enough for sizes under either inside rule. Leaves out long gaps, and tips of
 /// corners below 20 degrees, that are narrower than 1/32 of the longest useful element: finer elements would add to
 /// their number, not to their quality. With GapRules::everywhere, it leaves out only corners of 20 degrees or more,

@@ -1,0 +1,152 @@
+#include "core/boundary/narrow_tips.hpp"
+
+#include "core/base/ids.hpp"
+#include "core/boundary/discretise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr double kSharp = 0.8830222215594891; ///< square of the cosine of 20 degrees
+constexpr double kNarrow = 0.25;              ///< width of a tip in units of the spacing
+constexpr double kStep = 0.25;                ///< between places where the width is compared, likewise
+
+/// A segment that starts or ends at a node, seen from there.
+struct Arm {
+    std::uint32_t segment = 0;
+    bool fromA = true;
+    Vec2 along; ///< to its other end
+};
+
+class TipFinder {
+  public:
+    TipFinder(const Domain &domain, const SpacingField &spacing, std::span<const std::uint32_t> left,
+              std::span<const std::uint32_t> right)
+        : domain_(domain), spacing_(spacing), left_(left), right_(right) {}
+
+    std::vector<NarrowEnd> run() {
+        listSegments();
+        for (std::uint32_t node = 0; node < domain_.nodes.size(); ++node) {
+            const auto [first, second] = pair_[node];
+            if (second == kNoIndex || second == kMany) {
+                continue;
+            }
+            const Arm arm = armOf(first, node), next = armOf(second, node);
+            consider(node, arm, next);
+            consider(node, next, arm);
+        }
+        considerBranches();
+        std::sort(ends_.begin(), ends_.end(), [](const NarrowEnd &p, const NarrowEnd &q) {
+            return p.segment != q.segment ? p.segment < q.segment : p.atA && !q.atA;
+        });
+        return std::move(ends_);
+    }
+
+  private:
+    static constexpr std::uint32_t kMany = kNoIndex - 1; ///< marks a node of more than two segments
+
+    void listSegments() {
+        pair_.assign(domain_.nodes.size(), {kNoIndex, kNoIndex});
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            for (const std::uint32_t node : {domain_.segments[s].a, domain_.segments[s].b}) {
+                auto &[first, second] = pair_[node];
+                if (first == kNoIndex) {
+                    first = s;
+                } else {
+                    second = second == kNoIndex ? s : kMany;
+                }
+            }
+        }
+    }
+
+    Arm armOf(std::uint32_t s, std::uint32_t node) const {
+        const DomainSegment &segment = domain_.segments[s];
+        const bool fromA = segment.a == node;
+        return {s, fromA, domain_.nodes[fromA ? segment.b : segment.a] - domain_.nodes[node]};
+    }
+
+    /// Considers the wedges between neighbouring segments where more than two meet.
+    void considerBranches() {
+        std::vector<std::pair<std::uint32_t, Arm>> branches; // by node
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            for (const std::uint32_t node : {domain_.segments[s].a, domain_.segments[s].b}) {
+                if (pair_[node][1] == kMany) {
+                    branches.emplace_back(node, armOf(s, node));
+                }
+            }
+        }
+        const auto angle = [](const Arm &arm) { return std::atan2(arm.along.y, arm.along.x); };
+        std::sort(branches.begin(), branches.end(), [&](const auto &p, const auto &q) {
+            return p.first != q.first ? p.first < q.first : angle(p.second) < angle(q.second);
+        });
+        for (std::size_t begin = 0, end = 0; begin < branches.size(); begin = end) {
+            const std::uint32_t node = branches[begin].first;
+            while (end < branches.size() && branches[end].first == node) {
+                ++end;
+            }
+            for (std::size_t k = begin; k < end; ++k) {
+                consider(node, branches[k].second, branches[k + 1 < end ? k + 1 : begin].second);
+            }
+        }
+    }
+
+    /// Considers the wedge left of the first arm, up to the second.
+    void consider(std::uint32_t node, const Arm &first, const Arm &second) {
+        const double cosine = dot(first.along, second.along);
+        if (!(cosine > 0.0) ||
+            !(cosine * cosine > kSharp * dot(first.along, first.along) * dot(second.along, second.along)) ||
+            !(cross(first.along, second.along) > 0.0) || follows(first) || follows(second)) {
+            return;
+        }
+        const auto leftOf = [&](const Arm &arm) { return (arm.fromA ? left_ : right_)[arm.segment]; };
+        const auto rightOf = [&](const Arm &arm) { return (arm.fromA ? right_ : left_)[arm.segment]; };
+        if (leftOf(first) == kOutside || rightOf(first) != kOutside || leftOf(second) != kOutside) {
+            return;
+        }
+        const double tip = tipLength(domain_.nodes[node], first.along, second.along);
+        for (const Arm &arm : {first, second}) {
+            if (tip > 0.0) {
+                ends_.push_back({arm.segment, arm.fromA, tip});
+            }
+        }
+    }
+
+    bool follows(const Arm &arm) const { return domain_.segments[arm.segment].stretch.follows(); }
+
+    /// Returns how far from the corner the tip is narrow.
+    double tipLength(Vec2 corner, Vec2 first, Vec2 second) const {
+        const double lengthA = length(first), lengthB = length(second), longest = std::min(lengthA, lengthB);
+        const Vec2 directionA = (1.0 / lengthA) * first, directionB = (1.0 / lengthB) * second;
+        const Vec2 middle = 0.5 * (directionA + directionB);
+        const double opening = length(directionB - directionA);
+        double narrow = 0.0;
+        for (double x = 0.0; narrow < longest;) {
+            const double rho = spacing_.at(corner + x * middle);
+            if (!(x * opening < kNarrow * rho) || !(x + kStep * rho > x)) {
+                break;
+            }
+            narrow = x;
+            x = std::min(longest, x + kStep * rho);
+        }
+        return narrow;
+    }
+
+    const Domain &domain_;
+    const SpacingField &spacing_;
+    std::span<const std::uint32_t> left_, right_;
+    std::vector<std::array<std::uint32_t, 2>> pair_; // per node: its segments
+    std::vector<NarrowEnd> ends_;
+};
+
+} // namespace
+
+std::vector<NarrowEnd> findNarrowEnds(const Domain &domain, const SpacingField &spacing,
+                                      std::span<const std::uint32_t> left, std::span<const std::uint32_t> right) {
+    return TipFinder(domain, spacing, left, right).run();
+}
+
+} // namespace forefront
