@@ -250,7 +250,7 @@ double Assembler::areaChange() const {
     std::vector<std::uint8_t> known(input_.contours.size(), 0);
     std::vector<CompensatedSum> given(input_.contours.size()), change(input_.contours.size());
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
-        if (pieceOf(i).role != PieceRole::Outline) {
+        if (pieceOf(i).role != PieceRole::Outline || input_.ofClip(pieceOf(i))) {
             continue;
         }
         const std::uint32_t contour = pieceOf(i).contour;

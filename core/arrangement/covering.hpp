@@ -31,8 +31,8 @@ class IndexBag {
 
 /// Winding numbers while walking from face to face, and which shapes and features cover the place.
 ///
-/// Only shapes and clips around the place are touched when a clip begins or ends, so that a clip of many shapes costs no
-/// more than the shapes that lie on its outline.
+/// Only shapes and clips around the place are touched when a clip begins or ends, so that a clip of many shapes costs
+/// no more than the shapes that lie on its outline.
 class Covering {
   public:
     explicit Covering(const ArrangementInput &input);
