@@ -80,7 +80,8 @@ TEST_CASE("SVG clips: clip paths of groups, copies and nested drawings meet in t
     const std::string clips = kHalf + "<clipPath id=\"n\"><rect y=\"2\" width=\"10\" height=\"4\"/></clipPath>"
                                       "<rect id=\"s\" width=\"10\" height=\"10\"/>";
     const auto inside = [&](const std::string &content) { return areaOf("<defs>" + clips + "</defs>" + content); };
-    CHECK(inside("<g clip-path=\"url(#m)\"><g clip-path=\"url(#n)\"><use href=\"#s\"/></g></g>") == doctest::Approx(20));
+    CHECK(inside("<g clip-path=\"url(#m)\"><g clip-path=\"url(#n)\"><use href=\"#s\"/></g></g>") ==
+          doctest::Approx(20));
     CHECK(inside("<g clip-path=\"url(#m)\"><use href=\"#s\" clip-path=\"url(#n)\"/></g>") == doctest::Approx(20));
     CHECK(inside("<svg clip-path=\"url(#m)\"><use href=\"#s\"/></svg>") == doctest::Approx(50));
     CHECK(inside("<use href=\"#s\" x=\"2\" clip-path=\"url(#m)\"/>") == doctest::Approx(50)); // moves with the copy
@@ -100,9 +101,10 @@ TEST_CASE("SVG clips: clip paths hold copies, transforms and parts of the elemen
     const std::string box = "<clipPath id=\"m\" clipPathUnits=\"objectBoundingBox\">"
                             "<rect x=\".5\" width=\".5\" height=\".25\"/></clipPath>";
     CHECK(leftBy(box) == doctest::Approx(12.5));
-    CHECK(areaOf("<defs>" + box + "</defs><g clip-path=\"url(#m)\" transform=\"translate(3) scale(2)\">"
-                                  "<rect x=\"1\" width=\"1\" height=\"4\"/><circle cx=\"4\" cy=\"7\" r=\"1\"/></g>"
-                                  "<rect x=\"50\" width=\"1\" height=\"1\"/>") == doctest::Approx(1));
+    CHECK(areaOf("<defs>" + box +
+                 "</defs><g clip-path=\"url(#m)\" transform=\"translate(3) scale(2)\">"
+                 "<rect x=\"1\" width=\"1\" height=\"4\"/><circle cx=\"4\" cy=\"7\" r=\"1\"/></g>"
+                 "<rect x=\"50\" width=\"1\" height=\"1\"/>") == doctest::Approx(1));
     const double cap = 4.0 * std::numbers::pi / 3.0 - std::sqrt(3.0); // of the box of the curve, not of its nodes
     CHECK(areaOf("<defs>" + box + "</defs><circle r=\"2\" clip-path=\"url(#m)\"/>") ==
           doctest::Approx(0.5 * cap).epsilon(0.01));
@@ -133,10 +135,11 @@ TEST_CASE("SVG clips: clip paths and masks that refer to themselves are ignored 
                 "svg-mask"));
     std::string bomb = "<clipPath id=\"c0\"><rect width=\"1\" height=\"1\"/></clipPath>";
     for (int k = 1; k < 40; ++k) {
-        const std::string below = "<path d=\"M0 0h1v1z\" transform=\"scale(2)\" clip-path=\"url(#c" +
-                                  std::to_string(k - 1) + ")\"/>";
+        const std::string below =
+            "<path d=\"M0 0h1v1z\" transform=\"scale(2)\" clip-path=\"url(#c" + std::to_string(k - 1) + ")\"/>";
         bomb += "<clipPath id=\"c" + std::to_string(k) + "\">" + below +
-                "<path d=\"M0 0h1v1z\" transform=\"translate(1)\" clip-path=\"url(#c" + std::to_string(k - 1) + ")\"/></clipPath>";
+                "<path d=\"M0 0h1v1z\" transform=\"translate(1)\" clip-path=\"url(#c" + std::to_string(k - 1) +
+                ")\"/></clipPath>";
     }
     const std::string text = drawing(bomb + "<rect width=\"1\" height=\"1\" clip-path=\"url(#c39)\"/>");
     const auto domain = readSvg(sourceOf(text));
@@ -150,8 +153,8 @@ TEST_CASE("SVG clips: light shapes of a mask show, black ones hide what was pain
           doctest::Approx(64 - 16 + 4));
     CHECK(maskedBy("<rect id=\"r\" width=\"3\" height=\"3\"/><mask id=\"m\" fill=\"#fff\"><use href=\"#r\"/></mask>") ==
           doctest::Approx(9));
-    CHECK(maskedBy("<g fill=\"#fff\"><mask id=\"m\"><g><path d=\"" + kRing + "\" fill-rule=\"evenodd\"/></g></mask></g>") ==
-          doctest::Approx(72));
+    CHECK(maskedBy("<g fill=\"#fff\"><mask id=\"m\"><g><path d=\"" + kRing +
+                   "\" fill-rule=\"evenodd\"/></g></mask></g>") == doctest::Approx(72));
     for (const char *black : {"black", "#000", "#000000ff", "rgb(0, 0, 0)", "rgb(0%,0%,0%)", "currentColor"}) {
         CAPTURE(black);
         CHECK(maskedBy("<mask id=\"m\"><rect width=\"8\" height=\"8\" fill=\"red\"/><rect width=\"4\" height=\"4\" "
@@ -163,8 +166,9 @@ TEST_CASE("SVG clips: light shapes of a mask show, black ones hide what was pain
 
 TEST_CASE("SVG clips: every painted shape of an alpha mask shows") {
     for (const char *type : {"mask-type=\"alpha\"", "style=\"mask-type:alpha\""}) {
-        CHECK(maskedBy("<mask id=\"m\" " + std::string(type) +
-                       "><rect width=\"3\" height=\"3\"/><rect x=\"5\" width=\"3\" height=\"3\" fill=\"none\"/></mask>") ==
+        CHECK(maskedBy(
+                  "<mask id=\"m\" " + std::string(type) +
+                  "><rect width=\"3\" height=\"3\"/><rect x=\"5\" width=\"3\" height=\"3\" fill=\"none\"/></mask>") ==
               doctest::Approx(9));
     }
 }
@@ -212,22 +216,39 @@ TEST_CASE("SVG clips: boundary parts along a clip have the name of its shape, or
           std::set<std::string>{"square", "c"});
     CHECK(namesIn("<clipPath id=\"c\"><rect id=\"half\" width=\"5\" height=\"9\"/></clipPath>" + square) ==
           std::set<std::string>{"square", "half"});
-    CHECK(namesIn("<clipPath id=\"c\"><rect id=\"wide\" x=\"-1\" y=\"-1\" width=\"50\" height=\"90\"/></clipPath>" + square) ==
-          std::set<std::string>{"square"});
+    CHECK(namesIn("<clipPath id=\"c\"><rect id=\"wide\" x=\"-1\" y=\"-1\" width=\"50\" height=\"90\"/></clipPath>" +
+                  square) == std::set<std::string>{"square"});
 }
 
 TEST_CASE("SVG clips: lines are cut at their clip") {
-    const Domain domain = domainOf(kHalf + "<rect width=\"10\" height=\"10\"/><path id=\"l\" d=\"M1 3H9\" fill=\"none\" "
-                                           "stroke=\"red\" clip-path=\"url(#m)\"/>");
+    const Domain domain =
+        domainOf(kHalf + "<rect width=\"10\" height=\"10\"/><path id=\"l\" d=\"M1 3H9\" fill=\"none\" "
+                         "stroke=\"red\" clip-path=\"url(#m)\"/>");
     double length = 0.0;
     for (const DomainSegment &segment : domain.segments) {
-        length += segment.role == SegmentRole::Constraint
-                      ? distance(domain.nodes[segment.a], domain.nodes[segment.b])
-                      : 0.0;
+        length +=
+            segment.role == SegmentRole::Constraint ? distance(domain.nodes[segment.a], domain.nodes[segment.b]) : 0.0;
     }
     CHECK(length == doctest::Approx(4));
     CHECK(areaOf(kHalf + "<g clip-path=\"url(#m)\"><path fill=\"none\" stroke=\"red\" d=\"M1 1H7V7H1Z\"/></g>") ==
           doctest::Approx(24)); // closed lines are outlines
+}
+
+TEST_CASE("SVG clips: shapes that are imported apart are not clipped, and a note says so") {
+    const std::string text = drawing(kHalf + "<mask id=\"k\"/><rect width=\"9\" height=\"9\" clip-path=\"url(#m)\"/>"
+                                             "<rect x=\"20\" width=\"9\" height=\"9\" mask=\"url(#k)\"/>");
+    ImportNotes found;
+    SourceText source = sourceOf(text, "drawing.svg");
+    source.notes = &found;
+    const auto shapes = readSvgShapes(source);
+    REQUIRE(shapes.ok());
+    CHECK(areas(*shapes).at(1) == doctest::Approx(162));
+    std::set<std::string> codes;
+    for (const ImportNote &note : found.entries()) {
+        codes.insert(note.code);
+    }
+    CHECK(codes.count("svg-clip-path") == 1);
+    CHECK(codes.count("svg-mask") == 1);
 }
 
 TEST_CASE("SVG clips: a nested drawing ends at its viewport unless it overflows visibly") {
@@ -239,9 +260,8 @@ TEST_CASE("SVG clips: a nested drawing ends at its viewport unless it overflows 
 }
 
 TEST_CASE("SVG: fully transparent paint is no paint") {
-    for (const char *transparent :
-         {"opacity=\"0\"", "fill-opacity=\"0\"", "style=\"fill-opacity:0%\"", "fill=\"rgba(9,9,9,0)\"",
-          "fill=\"#12345600\"", "fill=\"transparent\""}) {
+    for (const char *transparent : {"opacity=\"0\"", "fill-opacity=\"0\"", "style=\"fill-opacity:0%\"",
+                                    "fill=\"rgba(9,9,9,0)\"", "fill=\"#12345600\"", "fill=\"transparent\""}) {
         CAPTURE(transparent);
         const std::string group = "<g " + std::string(transparent) + "><rect x=\"4\" width=\"3\" height=\"3\"/></g>";
         CHECK(areaOf("<rect width=\"2\" height=\"2\"/>" + group) == doctest::Approx(4));

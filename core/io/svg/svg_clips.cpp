@@ -11,9 +11,9 @@ namespace forefront {
 
 namespace {
 
-constexpr double kHides = 0.02;   ///< greatest luminance that counts as black in a mask
-constexpr double kVisible = 0.5;  ///< least opacity or luminance that a mask is expected to show with
-constexpr double kBeyond = 1e-3;  ///< part of a viewport by which rounding may exceed it
+constexpr double kHides = 0.02;  ///< greatest luminance that counts as black in a mask
+constexpr double kVisible = 0.5; ///< least opacity or luminance that a mask is expected to show with
+constexpr double kBeyond = 1e-3; ///< part of a viewport by which rounding may exceed it
 
 Box2 common(const Box2 &s, const Box2 &t) {
     return {{std::max(s.min.x, t.min.x), std::max(s.min.y, t.min.y)},
@@ -173,10 +173,8 @@ SvgDrawer::Visit SvgDrawer::clipContents(const pugi::xml_node &target, const Aff
 std::uint32_t SvgDrawer::maskRegion(const pugi::xml_node &mask, const Visit &referrer, std::uint32_t within,
                                     ElementBox &box) {
     const bool user = std::string_view(mask.attribute("maskUnits").value()) == "userSpaceOnUse";
-    constexpr std::pair<const char *, SvgExtent> kSides[] = {{"x", SvgExtent::Width},
-                                                             {"y", SvgExtent::Height},
-                                                             {"width", SvgExtent::Width},
-                                                             {"height", SvgExtent::Height}};
+    constexpr std::pair<const char *, SvgExtent> kSides[] = {
+        {"x", SvgExtent::Width}, {"y", SvgExtent::Height}, {"width", SvgExtent::Width}, {"height", SvgExtent::Height}};
     constexpr double kDefault[] = {-0.1, -0.1, 1.2, 1.2};
     double side[4] = {};
     bool given = false;
@@ -255,7 +253,8 @@ bool SvgDrawer::drawnInClip(const Visit &visit, std::string_view name) const {
     }
     if (reports_) {
         note(visit.node, "svg-element",
-             '<' + std::string(name) + "> is ignored: a clip path consists of shapes and <use> elements that draw shapes");
+             '<' + std::string(name) +
+                 "> is ignored: a clip path consists of shapes and <use> elements that draw shapes");
     }
     return false;
 }
@@ -280,7 +279,8 @@ void SvgDrawer::keepPart(const Visit &visit, SvgPath path) {
     const bool removesLittle = path.removes && alpha < 1.0 - kHides;
     const bool showsLittle = alpha > 0.0 && !path.removes && alpha * shade < kVisible;
     const bool filtered = alpha > 0.0 && !styles_.value(visit.node, "filter").empty();
-    if (reports_ && (paint.strokeAlpha() > 0.0 || (alpha > 0.0 && !plain) || removesLittle || showsLittle || filtered)) {
+    if (reports_ &&
+        (paint.strokeAlpha() > 0.0 || (alpha > 0.0 && !plain) || removesLittle || showsLittle || filtered)) {
         note(visit.node, "svg-mask",
              "masks are read as clips: what gradients, images, filters and partial shades in a mask paint is shown in "
              "full, and strokes in a mask are ignored");

@@ -78,9 +78,8 @@ SvgColour parseColour(std::string_view text, const SvgColour &current) {
         return open < close && close != text.npos ? functionColour(text.substr(open + 1, close - open - 1)) : kWhite;
     }
     constexpr std::pair<std::string_view, double> kDark[] = {
-        {"black", 0.0},  {"navy", 0.04},  {"blue", 0.07},   {"maroon", 0.11}, {"purple", 0.14},
-        {"red", 0.21},   {"green", 0.36}, {"teal", 0.39},   {"olive", 0.47},  {"dimgray", 0.41},
-        {"dimgrey", 0.41}};
+        {"black", 0.0},  {"navy", 0.04}, {"blue", 0.07},  {"maroon", 0.11},  {"purple", 0.14}, {"red", 0.21},
+        {"green", 0.36}, {"teal", 0.39}, {"olive", 0.47}, {"dimgray", 0.41}, {"dimgrey", 0.41}};
     const auto *const found =
         std::find_if(std::begin(kDark), std::end(kDark), [&](const auto &dark) { return dark.first == text; });
     return found == std::end(kDark) ? kWhite : SvgColour{found->second, 1.0, true};
