@@ -1,6 +1,7 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/arrangement/assembler.hpp"
 #include "core/arrangement/joined_lines.hpp"
+#include "core/base/ids.hpp"
 #include "core/domain/coordinate_range.hpp"
 
 #include <algorithm>
@@ -77,8 +78,18 @@ std::uint32_t ArrangementInput::addFeature(std::int32_t regionTag, std::string n
     return static_cast<std::uint32_t>(features.size() - 1);
 }
 
-std::uint32_t ArrangementInput::addShape(std::uint32_t feature, std::string name) {
-    shapes.push_back({feature, std::move(name)});
+std::uint32_t ArrangementInput::addShape(std::uint32_t feature, std::string name, std::uint32_t limit) {
+    shapes.push_back({feature, std::move(name), limit});
+    return static_cast<std::uint32_t>(shapes.size() - 1);
+}
+
+std::uint32_t ArrangementInput::addClip(std::uint32_t within) {
+    clips.push_back({within});
+    return static_cast<std::uint32_t>(clips.size() - 1);
+}
+
+std::uint32_t ArrangementInput::addClipPart(std::uint32_t clip, std::uint32_t limit, bool removes) {
+    shapes.push_back({kNoIndex, {}, limit, clip, removes});
     return static_cast<std::uint32_t>(shapes.size() - 1);
 }
 
@@ -98,12 +109,12 @@ void ArrangementInput::addRing(std::uint32_t contour, std::span<const Vec2> node
     }
 }
 
-void ArrangementInput::addChain(std::span<const Vec2> nodes, std::int32_t tag,
-                                std::span<const CurveStretch> stretches) {
+void ArrangementInput::addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches,
+                                std::uint32_t limit) {
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (nodes[k - 1] != nodes[k]) {
             pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint,
-                              k - 1 < stretches.size() ? stretches[k - 1] : CurveStretch{}});
+                              k - 1 < stretches.size() ? stretches[k - 1] : CurveStretch{}, limit});
         }
     }
 }

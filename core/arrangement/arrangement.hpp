@@ -31,6 +31,9 @@ enum class PieceRole : std::uint8_t {
     Point       ///< a node that the mesh must contain; both ends are the same
 };
 
+/// Marks a shape or line that no clip limits.
+inline constexpr std::uint32_t kNoClip = 0xffffffffU;
+
 /// A straight piece of a drawing with its labels.
 struct ArrangementPiece {
     Vec2 a;
@@ -42,6 +45,7 @@ struct ArrangementPiece {
     /// that part, and segments along the piece follow the corresponding parts of the curve. The ends of the piece must
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
+    std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
 };
 
 /// The rule that decides which winding numbers count as inside.
@@ -54,10 +58,21 @@ struct ArrangementContour {
     bool hole = false; ///< the area it encloses is removed from its shape
 };
 
-/// The area of one path or polygon: everything inside at least one of its outer contours and inside none of its holes.
+/// The area of one path or polygon: everything inside at least one of its outer contours and inside none of its holes,
+/// as far as its clip shows it. Either a part of the domain or a part of a clip.
 struct ArrangementShape {
-    std::uint32_t feature = 0;
-    std::string name = {}; ///< for messages; may be empty
+    std::uint32_t feature = 0;      ///< unused if it is a part of a clip
+    std::string name = {};          ///< for messages; may be empty
+    std::uint32_t limit = kNoClip;  ///< the clip that limits it
+    std::uint32_t partOf = kNoClip; ///< the clip that it is a part of
+    bool removes = false;           ///< as a part of a clip: hides what it covers
+};
+
+/// An area that shapes are limited to. Its parts are painted in the order of their indices: a place belongs to the clip
+/// if the last part that covers it does not remove it. A clip without parts is empty. No clip may depend on itself by
+/// `within` or by the limits of its parts.
+struct ArrangementClip {
+    std::uint32_t within = kNoClip; ///< another clip that limits it, such as that of the group around
 };
 
 /// Shapes that belong together; a face belongs to one feature.
@@ -67,23 +82,32 @@ struct ArrangementFeature {
 };
 
 struct ArrangementInput {
-    // The next three return the index of what they add.
+    // The next five return the index of what they add.
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
-    std::uint32_t addShape(std::uint32_t feature, std::string name = {});
+    std::uint32_t addShape(std::uint32_t feature, std::string name = {}, std::uint32_t limit = kNoClip);
+    std::uint32_t addClip(std::uint32_t within = kNoClip);
+    /// Adds a shape to the parts of a clip and returns its index among the shapes.
+    std::uint32_t addClipPart(std::uint32_t clip, std::uint32_t limit = kNoClip, bool removes = false);
     std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
     /// Adds a closed loop to a contour; its first node is not repeated at the end. Nodes equal to the previous one are
     /// skipped. The stretches, if given, belong to the pieces that begin at the nodes; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
-    /// Adds a line that the mesh must contain.
-    void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {});
+    /// Adds a line that the mesh must contain, as far as a clip shows it.
+    void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {},
+                  std::uint32_t limit = kNoClip);
     void addPoint(Vec2 at, std::int32_t tag);
+    /// Returns true for a piece of the outline of a clip.
+    bool ofClip(const ArrangementPiece &piece) const {
+        return piece.role == PieceRole::Outline && shapes[contours[piece.contour].shape].partOf != kNoClip;
+    }
 
     std::vector<Curve> curves; ///< that pieces are chords of
     std::vector<ArrangementPiece> pieces;
     std::vector<ArrangementContour> contours;
     std::vector<ArrangementShape> shapes;
     std::vector<ArrangementFeature> features;
+    std::vector<ArrangementClip> clips;
     /// Nodes, segments and curves closer than this are joined, in domain units. The minimum is the resolution of
     /// doubles at these coordinates, and a few times as much where pieces follow curves.
     double tolerance = 0.0;
@@ -115,6 +139,8 @@ struct Arrangement {
 /// Builds a domain from labelled pieces as their planar arrangement: crossings, contacts and overlaps are found
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
 /// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
+/// - Outlines of clips appear only where they bound what a shape covers. Where they cross or touch other pieces, and
+///   where joining moves them, is not reported.
 /// - Where pieces follow curves, the curves count, not their chords. Nodes at crossings lie on both curves to rounding.
 ///   Every crossing is found, unless the curves stay within the tolerance of each other beyond it. Curves that touch,
 ///   or come within the tolerance of each other, are joined where they are closest. Chords are divided as far as

@@ -15,7 +15,11 @@ Assembler::Assembler(const ArrangementInput &input, const JoinedLines &joined, F
 
 Arrangement Assembler::run() {
     collectRuns();
-    cover_ = coverFaces(input_, snapped_.nodes, snapped_.edges, runs_, faces_);
+    std::vector<ClippedLine> lines = clippedLines();
+    cover_ = coverFaces(input_, snapped_.nodes, snapped_.edges, runs_, faces_, lines);
+    for (const ClippedLine &line : lines) {
+        (line.shown ? isLine_ : hidden_)[line.edge] = 1;
+    }
     decideFates();
     chooseTags();
     buildDomain();
@@ -42,7 +46,7 @@ void Assembler::collectRuns() {
     forEach([&](const ArrangementPiece &piece, std::uint32_t way) {
         if (piece.role == PieceRole::Outline) {
             ++starts[way / 2 + 1];
-        } else {
+        } else if (piece.limit == kNoClip) {
             isLine_[way / 2] = 1;
         }
     });
@@ -67,6 +71,23 @@ void Assembler::collectRuns() {
         }
         runs_.starts.push_back(static_cast<std::uint32_t>(runs_.runs.size()));
     }
+}
+
+/// Returns the lines that clips limit, by the edges they run along.
+std::vector<ClippedLine> Assembler::clippedLines() {
+    std::vector<ClippedLine> lines;
+    if (input_.clips.empty()) {
+        return lines;
+    }
+    hidden_.assign(snapped_.edges.size(), 0);
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        const ArrangementPiece &piece = pieceOf(i);
+        for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1] && piece.limit != kNoClip; ++k) {
+            lines.push_back({snapped_.ways[k] / 2, piece.limit});
+        }
+    }
+    std::sort(lines.begin(), lines.end(), [](const ClippedLine &s, const ClippedLine &t) { return s.edge < t.edge; });
+    return lines;
 }
 
 Assembler::Fate Assembler::fateOf(std::uint32_t edge) const {
@@ -95,11 +116,26 @@ void Assembler::decideFates() {
         if (fate_[e] == Fate::Inner && folded) {
             fate_[e] = Fate::Folded;
         }
+        if (!input_.clips.empty() && !kept(e)) {
+            fate_[e] = clippedFate(e, fate_[e]);
+        }
     }
 }
 
+/// Returns the reason why an edge is dropped if that has to do with clips, else the given one.
+Assembler::Fate Assembler::clippedFate(std::uint32_t edge, Fate fate) const {
+    bool ofShape = false, limited = hidden_[edge] != 0;
+    for (std::uint32_t k = runs_.starts[edge]; k < runs_.starts[edge + 1]; ++k) {
+        const ArrangementShape &shape = input_.shapes[input_.contours[runs_.runs[k].contour].shape];
+        ofShape = ofShape || shape.partOf == kNoClip;
+        limited = limited || (shape.partOf == kNoClip && shape.limit != kNoClip && !inside(faces_.left[edge]));
+    }
+    const bool isLine = isLine_[edge] != 0;
+    return isLine || (ofShape && !limited) ? fate : limited ? Fate::Clipped : Fate::OfClip;
+}
+
 /// Chooses the tag of each edge: that of the last constraint line along it or else of the first outline that bounds the
-/// feature on either side.
+/// feature on either side, or else of the first outline of a clip.
 void Assembler::chooseTags() {
     enum Rank : std::uint8_t { None, Any, Bounding, Line };
     std::vector<Rank> rank(snapped_.edges.size(), None);
@@ -108,12 +144,12 @@ void Assembler::chooseTags() {
         const ArrangementPiece &piece = pieceOf(i);
         for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
             const std::uint32_t edge = snapped_.ways[k] / 2;
-            Rank own = Line;
+            Rank own = isLine_[edge] != 0 ? Line : None; // none: a line that is clipped away
             if (piece.role == PieceRole::Outline) {
                 const std::uint32_t feature = input_.shapes[input_.contours[piece.contour].shape].feature;
                 const bool bounds =
                     cover_.owner[faces_.left[edge]] == feature || cover_.owner[faces_.right[edge]] == feature;
-                own = bounds ? Bounding : Any;
+                own = bounds && !input_.ofClip(piece) ? Bounding : Any;
             }
             if (own > rank[edge] || own == Line) {
                 rank[edge] = own;
@@ -214,7 +250,7 @@ double Assembler::areaChange() const {
     std::vector<std::uint8_t> known(input_.contours.size(), 0);
     std::vector<CompensatedSum> given(input_.contours.size()), change(input_.contours.size());
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
-        if (pieceOf(i).role != PieceRole::Outline) {
+        if (pieceOf(i).role != PieceRole::Outline || input_.ofClip(pieceOf(i))) {
             continue;
         }
         const std::uint32_t contour = pieceOf(i).contour;

@@ -21,11 +21,13 @@ class Assembler {
 
   private:
     /// The role of an edge in the domain, or the reason why it is dropped.
-    enum class Fate : std::uint8_t { Boundary, Constraint, Inner, Folded, Outside };
+    enum class Fate : std::uint8_t { Boundary, Constraint, Inner, Folded, Outside, Clipped, OfClip };
 
     void collectRuns();
+    std::vector<ClippedLine> clippedLines();
     void decideFates();
     Fate fateOf(std::uint32_t edge) const;
+    Fate clippedFate(std::uint32_t edge, Fate fate) const;
     void chooseTags();
     void buildDomain();
     void takeCurves();
@@ -38,6 +40,7 @@ class Assembler {
     void markRegions();
     double areaChange() const;
     void report();
+    std::vector<std::uint8_t> clipPieces() const;
     void reportLine(std::uint32_t line);
     void reportOverlaps();
     void reportVanished();
@@ -56,7 +59,8 @@ class Assembler {
     Faces faces_;
     EdgeRuns runs_;
     FaceCover cover_;
-    std::vector<std::uint8_t> isLine_;   ///< per edge: a constraint runs along it
+    std::vector<std::uint8_t> isLine_;   ///< per edge: a constraint runs along it and is not clipped away
+    std::vector<std::uint8_t> hidden_;   ///< per edge: a constraint along it is clipped away; empty without clips
     std::vector<Fate> fate_;             ///< per edge
     std::vector<std::int32_t> tag_;      ///< per edge
     std::vector<std::uint8_t> added_;    ///< per edge: it is in the domain

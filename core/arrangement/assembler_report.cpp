@@ -8,7 +8,7 @@
 namespace forefront {
 
 void Assembler::report() {
-    noteJoining(joined_, changes_);
+    noteJoining(joined_, changes_, clipPieces());
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
         reportLine(i);
     }
@@ -18,6 +18,15 @@ void Assembler::report() {
     for (ArrangementChange &change : result_.changes) {
         change.piece = joined_.source[change.piece];
     }
+}
+
+/// Returns, per piece, whether it is of the outline of a clip; empty without clips.
+std::vector<std::uint8_t> Assembler::clipPieces() const {
+    std::vector<std::uint8_t> ofClip(input_.clips.empty() ? 0 : input_.pieces.size(), 0);
+    for (std::size_t piece = 0; piece < ofClip.size(); ++piece) {
+        ofClip[piece] = input_.ofClip(input_.pieces[piece]) ? 1 : 0;
+    }
+    return ofClip;
 }
 
 /// Records the edges along a line that are not in the domain.
@@ -40,8 +49,12 @@ void Assembler::reportLine(std::uint32_t line) {
         case Fate::Outside:
             changes_.add(ChangeKind::OutsideLines, middle, 0.0, line);
             break;
+        case Fate::Clipped:
+            changes_.add(ChangeKind::ClippedSegments, middle, 0.0, line);
+            break;
         case Fate::Boundary:
         case Fate::Constraint:
+        case Fate::OfClip:
             break;
         }
     }
@@ -89,12 +102,18 @@ void Assembler::reportVanished() {
         const std::uint32_t shape = input_.contours[piece.contour].shape;
         return single ? shape : input_.shapes[shape].feature;
     };
+    const auto ofShape = [&](const ArrangementPiece &piece) {
+        return piece.role == PieceRole::Outline && !input_.ofClip(piece);
+    };
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
         for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1] && single; ++k) {
-            if (pieceOf(i).role == PieceRole::Outline && kept(snapped_.ways[k] / 2)) {
+            if (ofShape(pieceOf(i)) && kept(snapped_.ways[k] / 2)) {
                 left[unit(pieceOf(i))] = 1;
             }
         }
+    }
+    for (std::size_t shape = 0; shape < cover_.clipBounds.size() && single; ++shape) {
+        left[shape] = cover_.clipBounds[shape] != 0 ? 1 : left[shape];
     }
     for (const std::uint32_t owner : cover_.owner) {
         if (!single && owner != kNoIndex) {
@@ -103,7 +122,7 @@ void Assembler::reportVanished() {
     }
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
-        if (pieceOf(i).role == PieceRole::Outline && left[unit(pieceOf(i))] == 0) {
+        if (ofShape(pieceOf(i)) && left[unit(pieceOf(i))] == 0) {
             const std::uint32_t gone = unit(pieceOf(i));
             left[gone] = 1; // counts once
             changes_.add(ChangeKind::VanishedShapes, pieceOf(i).a, 0.0, i);

@@ -196,10 +196,10 @@ class CutFinder {
         }
         addContacts(i, j, tolerance);
         for (const Vec2 node : {first.a, first.b}) {
-            checkNode(node, j, tolerance);
+            checkNode(node, i, j, tolerance);
         }
         for (const Vec2 node : {second.a, second.b}) {
-            checkNode(node, i, tolerance);
+            checkNode(node, j, i, tolerance);
         }
     }
 
@@ -264,11 +264,12 @@ class CutFinder {
             cut(j, contact.second, contact.onSecond);
             const ChangeKind kind = contact.crossing ? ChangeKind::CrossingSegments : ChangeKind::TouchingCurves;
             result_.meetings.push_back(
-                {kind, contact.onFirst, distance(contact.onFirst, contact.onSecond), std::min(i, j)});
+                {kind, contact.onFirst, distance(contact.onFirst, contact.onSecond), std::min(i, j), std::max(i, j)});
         }
     }
 
-    void checkNode(Vec2 node, std::uint32_t j, double tolerance) {
+    /// Divides chord `j` near an end of chord `i`.
+    void checkNode(Vec2 node, std::uint32_t i, std::uint32_t j, double tolerance) {
         const Chord &chord = chords_[j];
         const CurvePart &part = chord.part;
         if (!chord.follows() || distance(node, chord.a) <= tolerance || distance(node, chord.b) <= tolerance ||
@@ -286,7 +287,7 @@ class CutFinder {
             if (!nearChord) {
                 cut(j, t, foot);
                 const ChangeKind kind = gap <= part.noise ? ChangeKind::TouchingSegments : ChangeKind::BentSegments;
-                result_.meetings.push_back({kind, node, kind == ChangeKind::BentSegments ? gap : 0.0, j});
+                result_.meetings.push_back({kind, node, kind == ChangeKind::BentSegments ? gap : 0.0, j, i});
             }
             return;
         }

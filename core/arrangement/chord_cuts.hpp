@@ -35,6 +35,7 @@ struct ChordMeeting {
     Vec2 at;
     double gap = 0.0; ///< between the curves, or the curve and the node
     std::uint32_t chord = 0;
+    std::uint32_t other = 0; ///< the chord that it meets, or of the node
 };
 
 struct ChordCuts {

@@ -1,98 +1,15 @@
 #include "core/arrangement/cover.hpp"
 
+#include "core/arrangement/covering.hpp"
 #include "core/base/ids.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <span>
-#include <utility>
 
 namespace forefront {
 
 namespace {
-
-/// Winding numbers while walking from face to face, and which shapes and features cover the place.
-class Covering {
-  public:
-    explicit Covering(const ArrangementInput &input)
-        : input_(input), winding_(input.contours.size(), 0), outer_(input.shapes.size(), 0),
-          hole_(input.shapes.size(), 0), ofFeature_(input.features.size(), 0), place_(input.features.size(), 0),
-          isListed_(input.features.size(), 0) {}
-
-    /// Crosses an outline to the side where the winding number is greater by `change`.
-    void add(std::uint32_t contour, std::int32_t change) {
-        const bool before = inside(contour);
-        winding_[contour] += change;
-        const bool after = inside(contour);
-        if (before == after) {
-            return;
-        }
-        const ArrangementContour &about = input_.contours[contour];
-        const bool covered = covers(about.shape);
-        std::uint32_t &count = about.hole ? hole_[about.shape] : outer_[about.shape];
-        after ? ++count : --count;
-        if (covered != covers(about.shape)) {
-            setShape(about.shape, !covered);
-        }
-    }
-
-    std::uint32_t shapes() const { return shapes_; }
-    bool covers(std::uint32_t shape) const { return outer_[shape] > 0 && hole_[shape] == 0; }
-    const std::vector<std::uint32_t> &features() const { return features_; }
-    bool coversFeature(std::uint32_t feature) const { return ofFeature_[feature] > 0; }
-
-    /// Returns the features that started or ceased to cover the place since the last call, or did both.
-    std::vector<std::uint32_t> takeSwitched() {
-        for (const std::uint32_t feature : switched_) {
-            isListed_[feature] = 0;
-        }
-        return std::exchange(switched_, {});
-    }
-
-  private:
-    bool inside(std::uint32_t contour) const {
-        const std::int32_t winding = winding_[contour];
-        return input_.contours[contour].rule == FillRule::NonZero ? winding != 0 : winding % 2 != 0;
-    }
-
-    void setShape(std::uint32_t shape, bool covered) {
-        const std::uint32_t feature = input_.shapes[shape].feature;
-        if (covered) {
-            ++shapes_;
-            if (ofFeature_[feature]++ == 0) {
-                place_[feature] = static_cast<std::uint32_t>(features_.size());
-                features_.push_back(feature);
-                listSwitched(feature);
-            }
-        } else {
-            --shapes_;
-            if (--ofFeature_[feature] == 0) {
-                const std::uint32_t last = features_.back();
-                features_[place_[feature]] = last;
-                place_[last] = place_[feature];
-                features_.pop_back();
-                listSwitched(feature);
-            }
-        }
-    }
-
-    void listSwitched(std::uint32_t feature) {
-        if (isListed_[feature] == 0) {
-            isListed_[feature] = 1;
-            switched_.push_back(feature);
-        }
-    }
-
-    const ArrangementInput &input_;
-    std::vector<std::int32_t> winding_;       // per contour
-    std::vector<std::uint32_t> outer_, hole_; // per shape: contours that the place is inside of
-    std::uint32_t shapes_ = 0;
-    std::vector<std::uint32_t> ofFeature_; // per feature: shapes that cover the place
-    std::vector<std::uint32_t> features_;  // that do so
-    std::vector<std::uint32_t> place_;     // in features_
-    std::vector<std::uint32_t> switched_;  // see takeSwitched()
-    std::vector<std::uint8_t> isListed_;   // per feature: in switched_
-};
 
 /// Finds which features cover all faces of a feature, by going from face to face. Looks only at the features that
 /// differ from one face to the next, so that deep nesting costs no more than a list of the features that cover each
@@ -155,8 +72,8 @@ class HolderFinder {
 class CoverFinder {
   public:
     CoverFinder(const ArrangementInput &input, const std::vector<Vec2> &nodes, const std::vector<PlaneEdge> &edges,
-                const EdgeRuns &runs, const Faces &faces)
-        : input_(input), nodes_(nodes), edges_(edges), runs_(runs), faces_(faces), covering_(input),
+                const EdgeRuns &runs, const Faces &faces, std::vector<ClippedLine> &lines)
+        : input_(input), nodes_(nodes), edges_(edges), runs_(runs), faces_(faces), lines_(lines), covering_(input),
           holders_(input.features.size()) {}
 
     FaceCover run() {
@@ -204,6 +121,7 @@ class CoverFinder {
         result_.shapes.assign(faces_.count, 0);
         result_.owner.assign(faces_.count, kNoIndex);
         result_.ends.assign(edges_.size(), 0);
+        result_.clipBounds.assign(input_.clips.empty() ? 0 : input_.shapes.size(), 0);
         std::vector<std::uint8_t> known(faces_.count, 0);
         struct Step {
             std::uint32_t face, by, next;
@@ -227,6 +145,9 @@ class CoverFinder {
             if (fromLeft && other != step.face) {
                 countEnds(e);
             }
+            if (fromLeft && !lines_.empty()) {
+                showLines(e);
+            }
             if (known[other] == 0) {
                 known[other] = 1;
                 cross(e, other);
@@ -248,6 +169,10 @@ class CoverFinder {
         touched_.clear();
         for (std::uint32_t k = runs_.starts[edge]; k < runs_.starts[edge + 1]; ++k) {
             const std::uint32_t shape = input_.contours[runs_.runs[k].contour].shape;
+            if (input_.shapes[shape].partOf != kNoClip) {
+                countClippedEnds(edge);
+                return;
+            }
             if (covering_.covers(shape) && std::find(touched_.begin(), touched_.end(), shape) == touched_.end()) {
                 touched_.push_back(shape);
             }
@@ -260,6 +185,35 @@ class CoverFinder {
             result_.ends[edge] += covering_.covers(shape) ? 0U : 1U;
         }
         cross(edge, faces_.left[edge]);
+    }
+
+    /// Does the same for an edge along the outline of a clip, where shapes end that have no outline there.
+    void countClippedEnds(std::uint32_t edge) {
+        const bool inside = covering_.shapes() > 0;
+        covering_.watchShapes();
+        cross(edge, faces_.right[edge]);
+        const bool bounds = inside != (covering_.shapes() > 0);
+        for (const std::uint32_t shape : covering_.takeWatched()) {
+            result_.ends[edge] += covering_.covers(shape) ? 0U : 1U;
+            result_.clipBounds[shape] = bounds ? 1 : result_.clipBounds[shape];
+        }
+        cross(edge, faces_.left[edge]);
+    }
+
+    /// Finds out whether clips show the lines along an edge. Starts in the left face of the edge.
+    void showLines(std::uint32_t edge) {
+        const auto before = [](const ClippedLine &s, const ClippedLine &t) { return s.edge < t.edge; };
+        const auto [first, last] = std::equal_range(lines_.begin(), lines_.end(), ClippedLine{edge, 0}, before);
+        const auto look = [&, first = first, last = last] {
+            std::for_each(first, last,
+                          [&](ClippedLine &line) { line.shown = line.shown || covering_.shows(line.clip); });
+        };
+        look();
+        if (first != last && faces_.left[edge] != faces_.right[edge]) {
+            cross(edge, faces_.right[edge]);
+            look();
+            cross(edge, faces_.left[edge]);
+        }
     }
 
     void visit(std::uint32_t face) {
@@ -350,6 +304,7 @@ class CoverFinder {
     const std::vector<PlaneEdge> &edges_;
     const EdgeRuns &runs_;
     const Faces &faces_;
+    std::vector<ClippedLine> &lines_;
     Covering covering_;
     HolderFinder holders_;
     std::vector<std::uint32_t> starts_, around_; // edges of each face
@@ -373,8 +328,8 @@ bool FaceCover::nested(std::uint32_t inner, std::uint32_t outer) const {
 }
 
 FaceCover coverFaces(const ArrangementInput &input, const std::vector<Vec2> &nodes, const std::vector<PlaneEdge> &edges,
-                     const EdgeRuns &runs, const Faces &faces) {
-    return CoverFinder(input, nodes, edges, runs, faces).run();
+                     const EdgeRuns &runs, const Faces &faces, std::vector<ClippedLine> &lines) {
+    return CoverFinder(input, nodes, edges, runs, faces, lines).run();
 }
 
 } // namespace forefront

@@ -100,6 +100,7 @@ void LineDivision::leave(std::span<const ChordCut> cuts) {
 void LineDivision::apply(ChordCuts found) {
     for (ChordMeeting &meeting : found.meetings) {
         meeting.chord = source_[meeting.chord];
+        meeting.other = source_[meeting.other];
         meetings_.push_back(meeting);
     }
     std::sort(found.cuts.begin(), found.cuts.end(), [](const ChordCut &s, const ChordCut &t) {
@@ -239,6 +240,7 @@ bool LineDivision::divideAfter(const SnappedLines &snapped, const std::stop_toke
     }
     for (ChordMeeting &meeting : found.meetings) {
         meeting.chord = part[meeting.chord];
+        meeting.other = part[meeting.other];
     }
     if (!found.finished || found.cuts.empty()) {
         return false;

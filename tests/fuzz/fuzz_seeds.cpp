@@ -87,6 +87,19 @@ const char *const kStyledSvg =
     "</symbol><use id=\"u\" href=\"#s\" x=\"1\" width=\"3\" height=\"2\"/><g id=\"r\"><use href=\"#u\" y=\"4\"/></g>"
     "<switch><g requiredExtensions=\"x\"/><line x2=\"3\" style=\"visibility : hidden\"/></switch>"
     "<line x1=\"5\" x2=\"6\" y2=\"1\"/><text>t</text></svg>";
+const char *const kClippedSvg =
+    "<svg viewBox=\"0 0 9 9\"><clipPath id=\"c\" clip-path=\"url(#d)\" clip-rule=\"evenodd\"><path d=\"M0 0h6v6h-6zM2 "
+    "2h2v2z\"/>"
+    "<use href=\"#r\" x=\"1\"/></clipPath><clipPath id=\"d\" clipPathUnits=\"objectBoundingBox\"><circle "
+    "r=\".8\"/></clipPath>"
+    "<mask id=\"m\" fill=\"#fff\" x=\".1\" width=\"50%\"><use href=\"#r\"/><circle r=\"1\" fill=\"black\"/></mask>"
+    "<mask id=\"a\" style=\"mask-type:alpha\" maskUnits=\"userSpaceOnUse\" maskContentUnits=\"objectBoundingBox\">"
+    "<g opacity=\".3\"><path d=\"M0 0h.5v.5z\" fill=\"url(#g)\" clip-path=\"url(#c)\"/></g></mask>"
+    "<rect id=\"r\" width=\"5\" height=\"4\" mask=\"url(#m)\"/><g clip-path=\"url(#c)\"><circle r=\"4\" "
+    "mask=\"url(#a)\"/>"
+    "<line x2=\"9\" y2=\"8\" stroke=\"rgba(1 2 3 / 4%)\"/><svg width=\"3\" height=\"3\"><rect width=\"4\" "
+    "height=\"1\"/></svg>"
+    "</g></svg>";
 const char *const kLines =
     "{\"type\": \"MultiLineString\", \"crs\": {}, \"coordinates\": [[[0,0],[4,0],[4,3]],[[4,3,1],[0,3],[0,0]],"
     "[[0,0],[4,3]]]}";
@@ -178,8 +191,9 @@ std::vector<std::string> handMade(std::string_view id) {
         return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};
     }
     static const std::map<std::string_view, std::vector<std::string>> kTexts = {
-        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},    {"svg", {kSvg, kStyledSvg}}, {"triangle", {kTriangle}},
-        {"netgen", {kNetgen}},           {"vtu", {kVtuAscii}}, {"esri", {kEsriGrid}},
+        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},     {"svg", {kSvg, kStyledSvg, kClippedSvg}},
+        {"triangle", {kTriangle}},       {"netgen", {kNetgen}}, {"vtu", {kVtuAscii}},
+        {"esri", {kEsriGrid}},
     };
     const auto found = kTexts.find(id);
     return found != kTexts.end() ? found->second : std::vector<std::string>();

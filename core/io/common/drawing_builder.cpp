@@ -17,8 +17,10 @@ constexpr double kDefaultTolerance = 1e-6; ///< fraction of the diagonal: the er
 Box2 boundsOf(const ArrangementInput &input) {
     Box2 box;
     for (const ArrangementPiece &piece : input.pieces) {
-        box.add(piece.a);
-        box.add(piece.b);
+        if (!input.ofClip(piece)) { // a clip may be much larger than what it shows
+            box.add(piece.a);
+            box.add(piece.b);
+        }
     }
     return box;
 }
@@ -63,8 +65,9 @@ void DrawingBuilder::addRing(std::uint32_t contour, std::span<const Vec2> nodes,
     }
 }
 
-void DrawingBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches) {
-    input_.addChain(nodes, tag, stretches);
+void DrawingBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches,
+                              std::uint32_t limit) {
+    input_.addChain(nodes, tag, stretches, limit);
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (nodes[k - 1] != nodes[k]) {
             places_.insert(places_.end(), {offset(k - 1), offset(k)});
@@ -75,6 +78,12 @@ void DrawingBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag, std
 void DrawingBuilder::addPoint(Vec2 at, std::int32_t tag) {
     input_.addPoint(at, tag);
     places_.insert(places_.end(), {offset(0), offset(0)});
+}
+
+bool DrawingBuilder::hasOutlines() const {
+    return std::any_of(input_.contours.begin(), input_.contours.end(), [&](const ArrangementContour &contour) {
+        return input_.shapes[contour.shape].partOf == kNoClip;
+    });
 }
 
 Result<Domain> DrawingBuilder::finish() {

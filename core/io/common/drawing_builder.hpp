@@ -20,8 +20,13 @@ class DrawingBuilder {
     /// Sets the byte offsets in the text of the nodes added next; nodes beyond the list get its last offset.
     void from(std::vector<std::size_t> offsets) { offsets_ = std::move(offsets); }
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
-    std::uint32_t addShape(std::uint32_t feature, std::string name = {}) {
-        return input_.addShape(feature, std::move(name));
+    std::uint32_t addShape(std::uint32_t feature, std::string name = {}, std::uint32_t limit = kNoClip) {
+        return input_.addShape(feature, std::move(name), limit);
+    }
+    /// Adds a clip that shapes and lines may be limited to.
+    std::uint32_t addClip(std::uint32_t within = kNoClip) { return input_.addClip(within); }
+    std::uint32_t addClipPart(std::uint32_t clip, std::uint32_t limit, bool removes) {
+        return input_.addClipPart(clip, limit, removes);
     }
     std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
     /// Adds curves and renumbers the stretches that refer to them.
@@ -31,12 +36,14 @@ class DrawingBuilder {
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
     /// Adds a line; where it lies on an outline, the outline takes the tag of the line.
-    void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {});
+    void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {},
+                  std::uint32_t limit = kNoClip);
     void addPoint(Vec2 at, std::int32_t tag);
     /// Puts region markers into the domain; without them all elements have the tag 1.
     void markRegions() { input_.markRegions = true; }
 
-    bool hasOutlines() const { return !input_.contours.empty(); }
+    /// Returns true if there are outlines of shapes, apart from those of clips.
+    bool hasOutlines() const;
 
     /// Arranges everything. Lines that form closed loops bound the domain if there are no outlines. Faults: those of
     /// arrange(); empty-domain; with ImportOptions::strict, every change that would be needed.

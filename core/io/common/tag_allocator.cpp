@@ -18,4 +18,9 @@ std::int32_t TagAllocator::of(const std::string &name) {
     return tag;
 }
 
+std::optional<std::int32_t> TagAllocator::find(const std::string &name) const {
+    const auto known = tags_.find(name);
+    return known == tags_.end() ? std::nullopt : std::optional(known->second);
+}
+
 } // namespace forefront

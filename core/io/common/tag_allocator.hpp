@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -13,6 +14,8 @@ class TagAllocator {
     void reserve(std::int32_t tag) { taken_.insert(tag); }
     /// Returns the tag of a name. The empty name has a tag too, without an entry in names().
     std::int32_t of(const std::string &name);
+    /// Returns the tag of a name if it has one.
+    std::optional<std::int32_t> find(const std::string &name) const;
     const std::map<std::int32_t, std::string> &names() const { return names_; }
     void name(std::int32_t tag, const std::string &name) { names_.emplace(tag, name); }
 

@@ -97,7 +97,7 @@ std::vector<SvgStyles::Declaration> SvgStyles::declarationsOf(std::string_view t
             declaration.important = true;
             value = trimmed(value.substr(0, mark));
         }
-        declaration.value = lower(value);
+        declaration.value = std::string(value);
         declarations.push_back(std::move(declaration));
     }
     return declarations;
@@ -168,8 +168,12 @@ void SvgStyles::addSheet(std::string_view css, const std::function<void(const st
 }
 
 std::string SvgStyles::value(const pugi::xml_node &node, std::string_view property) const {
+    return lower(valueAsWritten(node, property));
+}
+
+std::string SvgStyles::valueAsWritten(const pugi::xml_node &node, std::string_view property) const {
     constexpr int kAttribute = -1, kInline = 1'000'000, kImportant = 10'000'000;
-    std::string result = lower(trimmed(node.attribute(std::string(property).c_str()).value()));
+    std::string result(trimmed(node.attribute(std::string(property).c_str()).value()));
     int best = result.empty() ? kAttribute - 1 : kAttribute;
     const auto offer = [&](const std::vector<Declaration> &declarations, int weight) {
         for (const Declaration &declaration : declarations) {

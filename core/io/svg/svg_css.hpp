@@ -18,6 +18,8 @@ class SvgStyles {
 
     /// Returns the value of a property as given for this element itself, in lower case; empty: not given.
     std::string value(const pugi::xml_node &node, std::string_view property) const;
+    /// Returns the same as it is written, for values that name an id.
+    std::string valueAsWritten(const pugi::xml_node &node, std::string_view property) const;
 
   private:
     struct Selector {

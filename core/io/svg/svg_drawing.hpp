@@ -5,8 +5,11 @@
 #include "core/geometry/curve.hpp"
 #include "core/io/source/source.hpp"
 #include "core/io/svg/svg_paint.hpp"
+#include "core/io/svg/svg_transform.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,16 +21,39 @@ struct SvgPath {
     std::vector<Curve> curves;
     std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
-    bool isLine = false; ///< of a <line> or <polyline>
-    SvgPaint paint;
+    bool isLine = false;     ///< of a <line> or <polyline>
+    SvgPaint paint;          ///< transparent paint counts as none
     std::size_t element = 0; ///< number of the element that it is a subpath of
     std::string name;
-    std::size_t offset = 0; ///< of its element in the text
+    std::size_t offset = 0;        ///< of its element in the text
+    std::uint32_t limit = kNoClip; ///< the clip that limits it, in SvgPaths::clips
+    bool removes = false;          ///< as a part of a mask: hides what it covers
+
+    /// Returns the box of the nodes.
+    Box2 box() const;
+};
+
+enum class SvgClipKind : std::uint8_t {
+    ClipPath,
+    LuminanceMask,
+    AlphaMask,
+    Viewport ///< the rectangle of a nested <svg>, a <symbol> or a mask
+};
+
+/// The area that a clip path or mask leaves visible, as an ArrangementClip: of its parts, the last one that covers a
+/// place decides.
+struct SvgClip {
+    std::uint32_t within = kNoClip; ///< the clip around it; has a smaller index
+    SvgClipKind kind = SvgClipKind::ClipPath;
+    std::vector<SvgPath> parts = {};
+    AffineMap frame = {};  ///< of a Viewport: maps the unit square to it
+    std::string name = {}; ///< of parts without a name
 };
 
 struct SvgPaths {
     std::vector<SvgPath> paths;
-    double size = 0.0; ///< diagonal of the drawing's box
+    std::vector<SvgClip> clips;
+    double size = 0.0; ///< diagonal of the box of what is visible
 };
 
 /// Returns the visible shapes of an SVG drawing as polylines, those drawn by <use> included, in the order of painting.

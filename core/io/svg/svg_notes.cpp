@@ -9,12 +9,6 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
         const std::string value = styles.value(node, property);
         return !value.empty() && value != "none";
     };
-    if (given("clip-path")) {
-        source.note("svg-clip-path", "clip paths are ignored: clipped shapes are read in full", offsetOf(node));
-    }
-    if (given("mask")) {
-        source.note("svg-mask", "masks are ignored: masked shapes are read in full", offsetOf(node));
-    }
     // The attribute is read; the property of CSS, which overrides it, is not.
     const bool attribute = !node.attribute("transform").empty();
     const bool inStyle = std::string_view(node.attribute("style").value()).find("transform") != std::string_view::npos;

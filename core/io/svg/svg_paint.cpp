@@ -5,22 +5,30 @@
 namespace forefront {
 
 SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgPaint &inherited) {
-    const auto given = [&](const char *property) {
-        const std::string value = styles.value(node, property);
-        return value == "inherit" ? std::string() : value;
-    };
-    const auto paints = [](const std::string &value) { return value != "none" && value != "transparent"; };
     SvgPaint paint = inherited;
-    if (const std::string fill = given("fill"); !fill.empty()) {
-        paint.filled = paints(fill);
+    const auto take = [&](const char *property, const auto &use) {
+        if (const std::string value = styles.value(node, property); !value.empty() && value != "inherit") {
+            use(value);
+        }
+    };
+    take("color", [&](const std::string &value) { paint.current = parseColour(value, inherited.current); });
+    take("fill", [&](const std::string &value) {
+        paint.filled = value != "none";
         paint.fillGiven = true;
-    }
-    if (const std::string stroke = given("stroke"); !stroke.empty()) {
-        paint.stroked = paints(stroke);
-    }
-    if (const std::string rule = given("fill-rule"); !rule.empty()) {
-        paint.rule = rule == "evenodd" ? FillRule::EvenOdd : FillRule::NonZero;
-    }
+        paint.fill = parseColour(value, paint.current);
+    });
+    take("stroke", [&](const std::string &value) {
+        paint.stroked = value != "none";
+        paint.stroke = parseColour(value, paint.current);
+    });
+    const auto ruleOf = [](const std::string &value) {
+        return value == "evenodd" ? FillRule::EvenOdd : FillRule::NonZero;
+    };
+    take("fill-rule", [&](const std::string &value) { paint.rule = ruleOf(value); });
+    take("clip-rule", [&](const std::string &value) { paint.clipRule = ruleOf(value); });
+    take("fill-opacity", [&](const std::string &value) { paint.fillOpacity = parseOpacity(value); });
+    take("stroke-opacity", [&](const std::string &value) { paint.strokeOpacity = parseOpacity(value); });
+    take("opacity", [&](const std::string &value) { paint.opacity *= parseOpacity(value); });
     return paint;
 }
 

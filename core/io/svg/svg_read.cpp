@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,15 +35,21 @@ enum class Part : std::uint8_t { Painted, Outline, Line, Nothing };
 class SvgBuilder {
   public:
     SvgBuilder(SvgPaths drawing, const SourceText &source)
-        : source_(source), paths_(std::move(drawing.paths)), builder_(source) {
+        : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source) {
         for (SvgPath &path : paths_) {
             joinEnds(path, kSameNode * drawing.size);
+        }
+        for (SvgClip &clip : clips_) {
+            for (SvgPath &part : clip.parts) {
+                joinEnds(part, kSameNode * drawing.size);
+            }
         }
         anyPainted_ = std::any_of(paths_.begin(), paths_.end(), isPainted);
     }
 
     Result<Domain> run() {
         const std::uint32_t feature = builder_.addFeature(1);
+        addClips();
         for (SvgPath &path : paths_) {
             const std::int32_t tag = path.nodes.size() < 2 ? 0 : tags_.of(path.name);
             builder_.from({path.offset});
@@ -52,19 +60,15 @@ class SvgBuilder {
             case Part::Painted:
                 if (painted_ != path.element) {
                     painted_ = path.element;
-                    contour_ = builder_.addContour(builder_.addShape(feature, path.name), path.paint.rule);
+                    contour_ = builder_.addContour(builder_.addShape(feature, path.name, path.limit), path.paint.rule);
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 if (path.paint.stroked && !path.closed) {
-                    builder_.addChain(path.nodes, tag, path.stretches);
+                    builder_.addChain(path.nodes, tag, path.stretches, path.limit);
                 }
                 break;
             case Part::Outline:
-                if (painted_ == kNone) { // all of them are one shape
-                    painted_ = path.element;
-                    contour_ = builder_.addContour(builder_.addShape(feature), FillRule::EvenOdd);
-                }
-                builder_.addRing(contour_, path.nodes, tag, path.stretches);
+                builder_.addRing(outlineContour(feature, path.limit), path.nodes, tag, path.stretches);
                 break;
             case Part::Line:
                 addLine(path, tag);
@@ -75,7 +79,7 @@ class SvgBuilder {
         }
         Result<Domain> domain = builder_.finish();
         if (domain) {
-            domain->boundaryNames = tags_.names();
+            domain->boundaryNames = usedNames(*domain);
             domain->curveTolerance = source_.options.curveTolerance;
         }
         return domain;
@@ -99,6 +103,7 @@ class SvgBuilder {
                     continue;
                 }
                 noteReading(paths_[k], parts[k]);
+                noteClips(paths_[k]);
                 if (parts[k] == Part::Nothing) {
                     continue;
                 }
@@ -159,6 +164,89 @@ class SvgBuilder {
 
     static constexpr auto kNone = static_cast<std::size_t>(-1);
 
+    /// Adds the clips that limit something, with the indices that the paths refer to.
+    void addClips() {
+        std::vector<std::uint8_t> used(clips_.size(), 0);
+        std::vector<std::uint32_t> open;
+        const auto use = [&](std::uint32_t clip) {
+            if (clip != kNoClip && std::exchange(used[clip], 1) == 0) {
+                open.push_back(clip);
+            }
+        };
+        std::for_each(paths_.begin(), paths_.end(), [&](const SvgPath &path) { use(path.limit); });
+        while (!open.empty()) {
+            const SvgClip &clip = clips_[open.back()];
+            open.pop_back();
+            use(clip.within);
+            std::for_each(clip.parts.begin(), clip.parts.end(), [&](const SvgPath &part) { use(part.limit); });
+        }
+        for (const SvgClip &clip : clips_) {
+            builder_.addClip(clip.within);
+        }
+        for (std::uint32_t clip = 0; clip < clips_.size(); ++clip) {
+            if (used[clip] != 0) {
+                addParts(clip);
+            }
+        }
+    }
+
+    void addParts(std::uint32_t clip) {
+        std::size_t element = kNone;
+        std::uint32_t contour = 0;
+        for (SvgPath &part : clips_[clip].parts) {
+            if (part.nodes.size() < 3) {
+                continue;
+            }
+            builder_.from({part.offset});
+            builder_.addCurves(part.curves, part.stretches);
+            if (std::exchange(element, part.element) != part.element) {
+                contour = builder_.addContour(builder_.addClipPart(clip, part.limit, part.removes), part.paint.rule);
+            }
+            const std::int32_t tag = tags_.of(part.name);
+            clipTags_.insert(tag);
+            builder_.addRing(contour, part.nodes, tag, part.stretches);
+        }
+    }
+
+    /// Returns the contour of all outlines that a clip limits; they are one shape.
+    std::uint32_t outlineContour(std::uint32_t feature, std::uint32_t limit) {
+        const auto [known, added] = outlineContours_.try_emplace(limit, 0);
+        if (added) {
+            known->second = builder_.addContour(builder_.addShape(feature, {}, limit), FillRule::EvenOdd);
+        }
+        return known->second;
+    }
+
+    /// Returns the names of boundary parts, without those of clips that bound nothing.
+    std::map<std::int32_t, std::string> usedNames(const Domain &domain) const {
+        std::set<std::int32_t> unused = clipTags_;
+        for (const SvgPath &path : paths_) {
+            if (const auto tag = tags_.find(path.name)) {
+                unused.erase(*tag);
+            }
+        }
+        for (const DomainSegment &segment : domain.segments) {
+            unused.erase(segment.tag);
+        }
+        std::map<std::int32_t, std::string> names = tags_.names();
+        for (const std::int32_t tag : unused) {
+            names.erase(tag);
+        }
+        return names;
+    }
+
+    /// Reports, for shapes that are kept apart, that clips do not limit them.
+    void noteClips(const SvgPath &path) {
+        for (std::uint32_t limit = path.limit; limit != kNoClip; limit = clips_[limit].within) {
+            if (clips_[limit].kind == SvgClipKind::ClipPath) {
+                source_.note("svg-clip-path", "clip paths are ignored: clipped shapes are imported in full",
+                             path.offset);
+            } else if (clips_[limit].kind != SvgClipKind::Viewport) {
+                source_.note("svg-mask", "masks are ignored: masked shapes are imported in full", path.offset);
+            }
+        }
+    }
+
     /// Returns true if a path is painted. Lines are often drawn without fill="none".
     static bool isPainted(const SvgPath &path) {
         const bool drawnLine = path.isLine && !path.closed && !path.paint.fillGiven;
@@ -211,17 +299,20 @@ class SvgBuilder {
         if (path.closed && nodes.size() > 2) {
             nodes.push_back(nodes.front());
         }
-        builder_.addChain(nodes, tag, path.stretches);
+        builder_.addChain(nodes, tag, path.stretches, path.limit);
     }
 
     const SourceText &source_;
     std::vector<SvgPath> paths_;
+    std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
     TagAllocator tags_;
     bool anyPainted_ = false;
     std::size_t painted_ = kNone; ///< the element of the last contour
     std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;
+    std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
+    std::set<std::int32_t> clipTags_;
 };
 
 } // namespace

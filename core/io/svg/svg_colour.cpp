@@ -1,0 +1,97 @@
+#include "core/io/svg/svg_colour.hpp"
+
+#include "core/io/svg/svg_pen.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+constexpr SvgColour kWhite{1.0, 1.0, true};
+
+/// Luminance of a colour with components from 0 to 1, with the weights of SVG masks.
+double luminanceOf(double red, double green, double blue) {
+    return 0.2125 * red + 0.7154 * green + 0.0721 * blue;
+}
+
+int hexDigit(char c) {
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+SvgColour hexColour(std::string_view digits) {
+    const bool shortForm = digits.size() == 3 || digits.size() == 4;
+    if ((!shortForm && digits.size() != 6 && digits.size() != 8) ||
+        std::any_of(digits.begin(), digits.end(), [](char c) { return hexDigit(c) < 0; })) {
+        return kWhite;
+    }
+    std::array<double, 4> part{0.0, 0.0, 0.0, 1.0};
+    for (std::size_t k = 0; k < digits.size() / (shortForm ? 1 : 2); ++k) {
+        const int high = hexDigit(digits[shortForm ? k : 2 * k]), low = hexDigit(digits[shortForm ? k : 2 * k + 1]);
+        part[k] = (16 * high + low) / 255.0;
+    }
+    return {luminanceOf(part[0], part[1], part[2]), part[3], true};
+}
+
+/// Reads the arguments of rgb(), rgba(): numbers up to 255 or percentages, and the opacity as a number up to 1.
+SvgColour functionColour(std::string_view arguments) {
+    std::array<double, 4> part{0.0, 0.0, 0.0, 1.0};
+    SvgNumbers numbers(arguments);
+    for (std::size_t k = 0; k < part.size() && !numbers.atEnd(); ++k) {
+        if (numbers.peek() == '/') {
+            numbers.skip();
+        }
+        double value = 0.0;
+        if (!numbers.number(value)) {
+            return kWhite;
+        }
+        const bool percent = !numbers.atEnd() && numbers.peek() == '%';
+        if (percent) {
+            numbers.skip();
+        }
+        part[k] = std::clamp(value / (percent ? 100.0 : k < 3 ? 255.0 : 1.0), 0.0, 1.0);
+    }
+    return {luminanceOf(part[0], part[1], part[2]), part[3], true};
+}
+
+} // namespace
+
+SvgColour parseColour(std::string_view text, const SvgColour &current) {
+    if (text == "currentcolor") {
+        return current;
+    }
+    if (text == "transparent") {
+        return {0.0, 0.0, true};
+    }
+    if (text.starts_with("url(")) {
+        return {1.0, 1.0, false};
+    }
+    if (text.starts_with('#')) {
+        return hexColour(text.substr(1));
+    }
+    if (text.starts_with("rgb")) {
+        const std::size_t open = text.find('('), close = text.find(')');
+        return open < close && close != text.npos ? functionColour(text.substr(open + 1, close - open - 1)) : kWhite;
+    }
+    constexpr std::pair<std::string_view, double> kDark[] = {
+        {"black", 0.0},  {"navy", 0.04}, {"blue", 0.07},  {"maroon", 0.11},  {"purple", 0.14}, {"red", 0.21},
+        {"green", 0.36}, {"teal", 0.39}, {"olive", 0.47}, {"dimgray", 0.41}, {"dimgrey", 0.41}};
+    const auto *const found =
+        std::find_if(std::begin(kDark), std::end(kDark), [&](const auto &dark) { return dark.first == text; });
+    return found == std::end(kDark) ? kWhite : SvgColour{found->second, 1.0, true};
+}
+
+double parseOpacity(std::string_view text) {
+    SvgNumbers numbers(text);
+    double value = 1.0;
+    if (!numbers.number(value)) {
+        return 1.0;
+    }
+    return std::clamp(!numbers.atEnd() && numbers.peek() == '%' ? value / 100.0 : value, 0.0, 1.0);
+}
+
+} // namespace forefront

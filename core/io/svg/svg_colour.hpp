@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+namespace forefront {
+
+/// What masks and opacity need to know about a colour.
+struct SvgColour {
+    double luminance = 0.0; ///< from 0 (black) to 1 (white)
+    double alpha = 1.0;
+    bool plain = true; ///< false for gradients and patterns, which have no single luminance
+};
+
+/// Reads a colour in lower case: #rgb and its longer forms, rgb(), rgba(), currentcolor, and names, of which only dark
+/// ones matter. Anything unknown counts as white. `current`: the property `color`.
+SvgColour parseColour(std::string_view text, const SvgColour &current);
+
+/// Reads an opacity: a number or a percentage, limited to 0 to 1; 1 if malformed.
+double parseOpacity(std::string_view text);
+
+} // namespace forefront

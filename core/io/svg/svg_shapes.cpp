@@ -1,0 +1,129 @@
+#include "core/io/common/names.hpp"
+#include "core/io/svg/svg_drawer.hpp"
+#include "core/io/svg/svg_elements.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+/// Returns true for an arc that a transformation has pressed into a line, which the chords along it follow exactly.
+bool isFlat(const Curve &curve) {
+    const std::array<double, 8> n = curve.numbers();
+    return curve.kind() == CurveKind::Arc && cross({n[2], n[3]}, {n[4], n[5]}) == 0.0;
+}
+
+} // namespace
+
+void SvgDrawer::shape(const Visit &visit, std::string_view name) {
+    const pugi::xml_node &node = visit.node;
+    const double stretch = visit.map.stretch();
+    SvgPen pen(tolerance_ && stretch > 0.0 ? std::optional(*tolerance_ / stretch) : std::nullopt);
+    std::optional<SvgFault> fault;
+    const char *attribute = "";
+    if (name == "path") {
+        attribute = "d";
+        fault = drawPath(node.attribute("d").value(), pen);
+    } else if (name == "polygon" || name == "polyline") {
+        attribute = "points";
+        std::vector<Vec2> points;
+        fault = readPoints(node.attribute("points").value(), points);
+        for (const Vec2 p : points) {
+            pen.down() ? pen.lineTo(p) : pen.moveTo(p);
+        }
+        if (name == "polygon") {
+            pen.close();
+        }
+    } else if (name == "line") {
+        pen.moveTo({length(visit, "x1", SvgExtent::Width), length(visit, "y1", SvgExtent::Height)});
+        pen.lineTo({length(visit, "x2", SvgExtent::Width), length(visit, "y2", SvgExtent::Height)});
+    } else {
+        roundShape(visit, name, pen);
+    }
+    if (fault) {
+        fail(node, attribute, fault->offset, "bad-path", fault->message);
+        return;
+    }
+    for (SvgSubpath &subpath : pen.take()) {
+        keep(visit, name, std::move(subpath));
+    }
+    ++elementCount_;
+}
+
+void SvgDrawer::roundShape(const Visit &visit, std::string_view name, SvgPen &pen) {
+    const auto across = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Width); };
+    const auto down = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Height); };
+    if (name == "rect" || name == "image") {
+        const Vec2 size{across("width"), down("height")};
+        const bool hasX = !visit.node.attribute("rx").empty(), hasY = !visit.node.attribute("ry").empty();
+        const double rx = hasX ? across("rx") : down("ry"), ry = hasY ? down("ry") : across("rx");
+        if (size.x > 0.0 && size.y > 0.0) {
+            pen.rectangle({across("x"), down("y")}, size, rx, ry);
+        }
+    } else if (name == "circle" || name == "ellipse") {
+        const bool circle = name == "circle";
+        const double rx = circle ? length(visit, "r", SvgExtent::Diagonal) : across("rx");
+        const double ry = circle ? rx : down("ry");
+        if (rx > 0.0 && ry > 0.0) {
+            pen.ellipse({across("cx"), down("cy")}, rx, ry);
+        }
+    }
+}
+
+/// Returns the name of a shape: the label or id of the <use> that draws it, else its own.
+std::string SvgDrawer::nameOf(const Visit &visit) {
+    for (const pugi::xml_node &node : {visit.named, visit.node}) {
+        for (const char *attribute : {"inkscape:label", "id"}) {
+            if (const pugi::xml_attribute name = node.attribute(attribute); *name.value() != '\0') {
+                return cleanName(name.value());
+            }
+        }
+    }
+    return {};
+}
+
+void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath subpath) {
+    SvgPath path;
+    path.closed = subpath.closed;
+    path.nodes = std::move(subpath.nodes);
+    for (Vec2 &p : path.nodes) {
+        p = visit.map(p);
+        if (!isFinite(p)) {
+            fail(visit.node, "", 0, "non-finite", "a coordinate of the path is out of range");
+            return;
+        }
+    }
+    for (Curve &curve : subpath.curves) {
+        curve = curve.mapped(visit.map);
+    }
+    for (CurveStretch &stretch : subpath.stretches) {
+        if (stretch.follows() && isFlat(subpath.curves[stretch.curve])) {
+            stretch = {};
+        }
+    }
+    path.curves = std::move(subpath.curves);
+    path.stretches = std::move(subpath.stretches);
+    nodeCount_ += path.nodes.size();
+    if (nodeCount_ > kSpareNodes + kNodesPerByte * source_.text.size()) {
+        fail(visit.node, "", 0, "too-large", "the curves need too many nodes", "give a larger tolerance");
+        return;
+    }
+    path.isLine = element == "line" || element == "polyline";
+    path.paint = visit.paint;
+    path.paint.filled = visit.paint.fillAlpha() > 0.0;
+    path.paint.stroked = visit.paint.strokeAlpha() > 0.0;
+    path.limit = visit.limit;
+    path.element = elementCount_;
+    path.name = nameOf(visit);
+    path.offset = offsetOf(visit.named ? visit.named : visit.node);
+    if (visit.partOf == kNoClip) {
+        paths_.push_back(std::move(path));
+    } else {
+        keepPart(visit, std::move(path));
+    }
+}
+
+} // namespace forefront
