@@ -89,7 +89,7 @@ void SvgDrawer::limitBy(Visit &visit, std::vector<Visit> &open) {
     };
     follow(visit);
     while (!referrers.empty() && faults_.empty()) {
-        const Visit referrer = std::move(referrers.back());
+        const Visit referrer = referrers.back();
         referrers.pop_back();
         ++visited_;
         follow(referrer);
