@@ -20,6 +20,9 @@ constexpr double kNegligibleGap = 1.0 / 32.0;
 /// The width may vary by this factor along a part. Sizes that follow the width in coarser steps alternate between two
 /// rows of elements and more, with irregular ones in between.
 constexpr double kSameWidth = 1.05;
+/// Likewise beside curves. There the width grows faster and faster, and sizes that follow it closely leave irregular
+/// elements where a cusp begins.
+constexpr double kSameWidthAtCurve = 1.2;
 constexpr double kRounding = 4e-15; ///< of the coordinates, in distances between segments
 constexpr double kLongGap = 12.0;   ///< in widths; a shorter gap, between two tips, costs few elements
 
@@ -202,16 +205,16 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
     if (length(b - a) > 2.0 * floor && (nearest.tip || !wide)) {
         const auto varies = [&] {
             // Widths beyond twice the narrowest are all the same here.
-            const double limit = std::min(rules_.across * reach, 2.0 * nearest.width + rounding_);
-            const auto widthAt = [&](Vec2 p) { return facing(position, p, p, limit, sides).width; };
+            const double farthest = std::min(rules_.across * reach, 2.0 * nearest.width + rounding_);
+            const auto widthAt = [&](Vec2 p) { return facing(position, p, p, farthest, sides).width; };
             const double atA = widthAt(a), atB = widthAt(b);
             const double narrowest = std::min(nearest.width, std::min(atA, atB));
             if (!(length(b - a) > narrowest)) {
                 return false;
             }
             // A side between two rounded corners is narrow at both ends alone.
-            return std::max(atA, atB) > kSameWidth * narrowest ||
-                   (own.besideCurve && widthAt(midpoint(a, b)) > kSameWidth * narrowest);
+            const double limit = (own.besideCurve ? kSameWidthAtCurve : kSameWidth) * narrowest;
+            return std::max(atA, atB) > limit || (own.besideCurve && widthAt(midpoint(a, b)) > limit);
         };
         if (nearest.tip || varies()) {
             const double middle = 0.5 * (from + to);
