@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/no_branch.hpp"
 #include "core/base/vec2.hpp"
 
 #include <algorithm>
@@ -37,10 +38,10 @@ struct SizeSite {
     double distanceTo(Vec2 p) const {
         const double x = p.x - a.x;
         const double y = p.y - a.y;
-        const double t = std::min(1.0, std::max(0.0, (x * ab.x + y * ab.y) * inverse)); // no branch
+        const double t = clampedToUnit((x * ab.x + y * ab.y) * inverse);
         const double dx = x - t * ab.x;
         const double dy = y - t * ab.y;
-        return std::max(0.0, std::sqrt(dx * dx + dy * dy) - radius);
+        return notNegative(std::sqrt(dx * dx + dy * dy) - radius);
     }
     double at(Vec2 p) const { return size + growth * distanceTo(p); }
 };
