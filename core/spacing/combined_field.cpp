@@ -117,7 +117,13 @@ CombinedField::CombinedField(FieldParts parts, const Box2 &box) : parts_(std::mo
 void CombinedField::atMany(std::span<const Vec2> points, std::span<double> rho) const {
     FOREFRONT_ASSERT(points.size() == rho.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        rho[i] = inlineAt(points[i]);
+        rho[i] = withoutTree(points[i]);
+    }
+    if (parts_.tree) {
+        parts_.tree->lowerMany(points, rho);
+    }
+    for (double &value : rho) {
+        value = std::max(value, parts_.minimum);
     }
 }
 

@@ -123,15 +123,19 @@ class CombinedField final : public SpacingField {
     /// Returns the smallest size at p of all rules but one.
     std::optional<SpacingRunnerUp> runnerUp(Vec2 p, const SiteLabel &winner) const;
     double inlineAt(Vec2 p) const {
+        double rho = withoutTree(p);
+        if (parts_.tree) {
+            rho = std::min(rho, parts_.tree->at(p));
+        }
+        return std::max(rho, parts_.minimum);
+    }
+    double withoutTree(Vec2 p) const {
         double rho = parts_.cap;
         for (const SizeSite &site : parts_.few.sites) {
             rho = std::min(rho, site.at(p));
         }
         forPoints([&](const auto &part) { rho = std::min(rho, part.at(p)); });
-        if (parts_.tree) {
-            rho = std::min(rho, parts_.tree->at(p));
-        }
-        return std::max(rho, parts_.minimum);
+        return rho;
     }
 
     FieldParts parts_;
