@@ -4,8 +4,9 @@
 #include <bit>
 #include <cstdint>
 
-/// Limits of numbers for hot loops whose data are in no order. For std::max and std::min with a constant, compilers emit
-/// branches, which are mispredicted there at a cost of several evaluations; these work on the bits instead. Not for NaN.
+/// Limits of numbers for hot loops whose data are in no order. For std::max and std::min with a constant, compilers
+/// emit branches, which are mispredicted there at a cost of several evaluations; these work on the bits instead. Not
+/// for NaN.
 namespace forefront {
 
 static_assert(sizeof(double) == sizeof(std::int64_t));

@@ -6,11 +6,14 @@
 #include "core/improve/restructure.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/swap_pass.hpp"
+#include "core/mesh/log_product.hpp"
 #include "core/mesh/quality.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace forefront {
 
@@ -36,17 +39,24 @@ constexpr Round kBestRounds[] = {
 constexpr std::size_t kNodesPerSpare = 32; ///< one spare node is reserved for this many nodes
 constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
 constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
+/// A mesh whose geometric mean of α stays below this is improved further: it is irregular, or most of it lies at its
+/// boundary, so that adding and removing nodes pays off. Below kHopelessMean, narrow places of the domain are the
+/// cause.
+constexpr double kPoorMean = 0.95, kHopelessMean = 0.93;
+constexpr double kWorthwhileGain = 5e-4; ///< of that mean, each time
+constexpr int kMostTimes = 4;
+constexpr double kFurtherFloor = 0.8; ///< the shapes that level Default has reached are kept
 
 class Improvement {
   public:
-    Improvement(Mesh &mesh, const ImproveOptions &options, const Progress &progress)
-        : options_(options), progress_(progress), pool_(options.threads),
-          work_(mesh, pool_, progress.stop,
-                options.level == ImproveLevel::Best ? mesh.nodes.size() / kNodesPerSpare : 0) {}
+    /// No element falls below `leastFloor`, nor below the floor of a round.
+    Improvement(Mesh &mesh, ImproveLevel level, double leastFloor, const ImproveOptions &options,
+                const Progress &progress)
+        : best_(level == ImproveLevel::Best), leastFloor_(leastFloor), options_(options), progress_(progress),
+          pool_(options.threads), work_(mesh, pool_, progress.stop, best_ ? mesh.nodes.size() / kNodesPerSpare : 0) {}
 
     ImproveReport run() {
-        const bool best = options_.level == ImproveLevel::Best;
-        const std::span<const Round> rounds = best ? std::span<const Round>(kBestRounds)
+        const std::span<const Round> rounds = best_ ? std::span<const Round>(kBestRounds)
                                               : work_.mesh.elements.size() <= kSmallMesh ? kSmallRounds
                                                                                          : kDefaultRounds;
         stages_ = 1;
@@ -69,7 +79,7 @@ class Improvement {
         smoother.reset(); // frees its memory
         if (proceeding) {
             const CleanupCounts cleaned =
-                cleanUpWorst(work_, best ? kBestGoal : kDefaultGoal, report_.alphaMinBefore, progress_);
+                cleanUpWorst(work_, best_ ? kBestGoal : kDefaultGoal, report_.alphaMinBefore, progress_);
             report_.swaps += cleaned.swaps;
             report_.moves += cleaned.moves;
             proceeding = next();
@@ -92,9 +102,11 @@ class Improvement {
         return !progress_.cancelled();
     }
 
+    /// Elements below the floor may only rise, and none falls below it, so the minimum α never falls.
+    double floorOf(const Round &round) const { return std::max({round.floor, report_.alphaMinBefore, leastFloor_}); }
+
     bool swapAndSmooth(const Round &round, std::optional<NodeSmoother> &smoother) {
-        // Elements below the floor may only rise, and none falls below it, so the minimum α never falls.
-        const double floor = std::max(round.floor, report_.alphaMinBefore);
+        const double floor = floorOf(round);
         report_.swaps += swapEdges(work_, {true, floor}, progress_);
         if (!next()) {
             return false;
@@ -116,8 +128,7 @@ class Improvement {
         if (progress_.cancelled()) {
             return false;
         }
-        const RestructureCounts counts =
-            restructure(work_, std::move(rho), std::max(round.floor, report_.alphaMinBefore), progress_);
+        const RestructureCounts counts = restructure(work_, std::move(rho), floorOf(round), progress_);
         report_.swaps += counts.swapped;
         report_.merges += counts.merged;
         report_.divisions += counts.divided;
@@ -126,6 +137,8 @@ class Improvement {
     }
 
     CpuClock clock_;
+    bool best_;
+    double leastFloor_;
     const ImproveOptions &options_;
     const Progress &progress_;
     ThreadPool pool_;
@@ -144,6 +157,38 @@ double minAlpha(const Mesh &mesh) {
     return minimum;
 }
 
+double geometricMeanAlpha(const Mesh &mesh) {
+    LogProduct product;
+    for (const Element &n : mesh.elements) {
+        product.multiply(shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
+    }
+    return std::exp(product.logarithm() / static_cast<double>(mesh.elements.size()));
+}
+
+/// Adds the report of further improvement.
+void append(ImproveReport &report, const ImproveReport &further) {
+    report.swaps += further.swaps;
+    report.moves += further.moves;
+    report.merges += further.merges;
+    report.divisions += further.divisions;
+    report.alphaMinAfter = std::max(report.alphaMinAfter, further.alphaMinAfter);
+    report.seconds += further.seconds;
+}
+
+/// Improves a poor mesh as with level Best, again and again as long as that pays off.
+void improveFurther(Mesh &mesh, const ImproveOptions &options, const Progress &progress, ImproveReport &report) {
+    double mean = geometricMeanAlpha(mesh);
+    double gain = mean < kHopelessMean ? 0.0 : 1.0;
+    for (int time = 0; time < kMostTimes && mean < kPoorMean && gain >= kWorthwhileGain; ++time) {
+        append(report, Improvement(mesh, ImproveLevel::Best, kFurtherFloor, options, progress).run());
+        if (progress.cancelled()) {
+            return;
+        }
+        const double before = std::exchange(mean, geometricMeanAlpha(mesh));
+        gain = mean - before;
+    }
+}
+
 } // namespace
 
 ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress &progress) {
@@ -156,7 +201,11 @@ ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress 
         report.alphaMinBefore = report.alphaMinAfter = minAlpha(mesh);
         return report;
     }
-    return Improvement(mesh, options, progress).run();
+    ImproveReport report = Improvement(mesh, options.level, 0.0, options, progress).run();
+    if (options.level == ImproveLevel::Default && !progress.cancelled()) {
+        improveFurther(mesh, options, progress, report);
+    }
+    return report;
 }
 
 } // namespace forefront

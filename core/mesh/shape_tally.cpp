@@ -6,18 +6,6 @@
 
 namespace forefront {
 
-void ShapeTally::LogProduct::multiply(double factor) {
-    if (product_ < 1e-100 || factor < 1e-100) {
-        sum_ += std::log(product_);
-        product_ = 1.0;
-    }
-    product_ *= factor;
-}
-
-double ShapeTally::LogProduct::logarithm() const {
-    return sum_ + std::log(product_);
-}
-
 void ShapeTally::AngleRange::add(Vec2 a, Vec2 b, Vec2 c) {
     const double twiceArea = cross(b - a, c - a);
     if (!(twiceArea > 0.0)) {

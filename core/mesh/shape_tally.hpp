@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/log_product.hpp"
 #include "core/mesh/quality.hpp"
 
 #include <limits>
@@ -16,17 +17,6 @@ class ShapeTally {
     void into(MeshQuality &quality) const;
 
   private:
-    /// The logarithm of a product of many factors in (0, 1], with few calls of log.
-    class LogProduct {
-      public:
-        void multiply(double factor);
-        double logarithm() const;
-
-      private:
-        double product_ = 1.0;
-        double sum_ = 0.0;
-    };
-
     /// The extreme angles, kept as cotangents, which fall as the angle grows.
     class AngleRange {
       public:

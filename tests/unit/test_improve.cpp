@@ -51,10 +51,7 @@ TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of
                 CHECK(report.alphaMinBefore == measure(before, nullptr).alphaMin);
                 CHECK(report.alphaMinAfter == minimum);
                 CHECK(minimum >= report.alphaMinBefore);
-                if (seed % 2 == 0) {
-                    CHECK(mesh.nodes.size() == before.nodes.size());
-                    CHECK(mesh.elements.size() == before.elements.size());
-                }
+                CHECK(mesh.nodes.size() == before.nodes.size() + report.divisions - report.merges);
                 REQUIRE(mesh.edges.size() == before.edges.size());
                 for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
                     CHECK(mesh.edges[i].tag == before.edges[i].tag);
@@ -83,6 +80,17 @@ TEST_CASE("improve: a distorted square grid with random diagonals becomes a good
         CHECK(q.alphaGeometricMean > 0.96);
         CHECK(q.alphaMin > 0.7);
     }
+}
+
+TEST_CASE("improve: level Default adds and removes nodes only in a mesh that is still poor") {
+    Mesh good = samples::square(60, 60, 0.24);
+    const ImproveReport once = improve(good);
+    CHECK(once.merges + once.divisions == 0);
+    Mesh poor = samples::constrainedSquare(40, 0.0, {}, 4);
+    const ImproveReport further = improve(poor);
+    CHECK(further.merges + further.divisions > 0);
+    CHECK(measure(poor, nullptr).alphaGeometricMean > 0.945);
+    CHECK(measure(poor, nullptr).alphaMin > 0.75);
 }
 
 TEST_CASE("improve: improving again does not lower the minimum α") {

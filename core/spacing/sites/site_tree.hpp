@@ -83,10 +83,10 @@ class SiteTree {
 
     /// A point on its way down from the table.
     struct Place {
-        double u = 0.0, v = 0.0;       ///< in units from the corner, limited to the box
-        std::uint32_t ix = 0, iy = 0;  ///< whole units
-        std::uint32_t slot = 0;        ///< of the cell
-        std::uint32_t level = kBits;   ///< of the cell
+        double u = 0.0, v = 0.0;      ///< in units from the corner, limited to the box
+        std::uint32_t ix = 0, iy = 0; ///< whole units
+        std::uint32_t slot = 0;       ///< of the cell
+        std::uint32_t level = kBits;  ///< of the cell
 
         void descend(std::uint32_t cell) {
             --level;
