@@ -17,7 +17,8 @@ inline void preferLargePages(void *begin, std::size_t bytes) {
     const auto from = reinterpret_cast<std::uintptr_t>(begin);
     const std::uintptr_t first = (from + kPage - 1) / kPage * kPage, last = (from + bytes) / kPage * kPage;
     if (first < last) {
-        madvise(reinterpret_cast<void *>(first), last - first, MADV_HUGEPAGE); // a hint; failure is harmless
+        void *const page = static_cast<std::byte *>(begin) + (first - from);
+        madvise(page, last - first, MADV_HUGEPAGE); // a hint; failure is harmless
     }
 #else
     static_cast<void>(begin);
