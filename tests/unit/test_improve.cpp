@@ -52,6 +52,7 @@ TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of
                 CHECK(report.alphaMinAfter == minimum);
                 CHECK(minimum >= report.alphaMinBefore);
                 CHECK(mesh.nodes.size() == before.nodes.size() + report.divisions - report.merges);
+                CHECK(mesh.elements.size() == before.elements.size() + 2 * report.divisions - 2 * report.merges);
                 REQUIRE(mesh.edges.size() == before.edges.size());
                 for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
                     CHECK(mesh.edges[i].tag == before.edges[i].tag);

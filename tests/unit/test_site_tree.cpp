@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -27,6 +28,8 @@ Accuracy accuracyOf(const std::vector<SizeSite> &sites, unsigned seed) {
     std::uniform_real_distribution<double> x(kBox.min.x, kBox.max.x), y(kBox.min.y, kBox.max.y), near(-3.0, 3.0);
     constexpr int kPlaces = 6000;
     Accuracy accuracy;
+    std::vector<Vec2> places;
+    std::vector<double> values;
     for (int i = 0; i < kPlaces; ++i) {
         Vec2 p{x(random), y(random)};
         if (i % 2 == 0) { // near a site, where leaves are small
@@ -35,12 +38,20 @@ Accuracy accuracyOf(const std::vector<SizeSite> &sites, unsigned seed) {
             p = {std::clamp(p.x, kBox.min.x, kBox.max.x), std::clamp(p.y, kBox.min.y, kBox.max.y)};
         }
         const double value = tree->at(p), ratio = value / tree->sites()[tree->winner(p)].at(p);
+        places.push_back(p);
+        values.push_back(value);
         accuracy.low = std::min(accuracy.low, ratio);
         accuracy.high = std::max(accuracy.high, ratio);
         accuracy.shareOver5 += ratio > 1.05 ? 1.0 / kPlaces : 0.0;
         REQUIRE(value >= tree->minimum() * (1.0 - 1e-6));
         REQUIRE(value <= tree->maximum() * (1.0 + 1e-6));
     }
+    std::vector<double> together(places.size(), std::numeric_limits<double>::infinity());
+    tree->lowerMany(places, together);
+    CHECK(together == values);
+    std::fill(together.begin(), together.end(), 0.5 * tree->minimum());
+    tree->lowerMany(places, together);
+    CHECK(together == std::vector<double>(places.size(), 0.5 * tree->minimum()));
     return accuracy;
 }
 

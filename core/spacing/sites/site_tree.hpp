@@ -49,8 +49,8 @@ class SiteTree {
         }
         return valueIn(cell, place);
     }
-    /// Lowers each rho[i] to the value at points[i] if that is smaller. Several times as fast as one by one where the
-    /// tree does not fit the caches.
+    /// Lowers each rho[i] to the value at points[i] if that is smaller. Faster than one by one where the tree does not
+    /// fit the caches.
     void lowerMany(std::span<const Vec2> points, std::span<double> rho) const;
     /// Returns the site with the smallest value at p (the first of equals) by checking all of them.
     std::size_t winner(Vec2 p) const;
