@@ -44,8 +44,7 @@ struct CheckArguments {
     std::string inputFormat;
     std::optional<std::filesystem::path> domain;
     std::map<std::string, std::string> parameters; ///< of the projects; expressions by name, from --set
-    std::optional<double> weldTolerance;           ///< of the domain
-    OverlapRule overlap = OverlapRule::Later;
+    DrawingArguments drawing;                      ///< of the domain
     bool repair = false;
     std::optional<double> size;
     std::optional<std::string> expression;
@@ -84,8 +83,7 @@ void addLengths(const Domain &domain, double factor, std::map<std::int32_t, doub
 
 /// Returns the differences between a mesh and the domain it was made from.
 Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Input &input) {
-    input.options.weldTolerance = arguments.weldTolerance;
-    input.options.overlap = arguments.overlap;
+    arguments.drawing.applyTo(input.options);
     Result<Domain> domain = readDomain(input.path, input.options);
     if (!domain) {
         return domain.faults();
@@ -93,7 +91,7 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     std::optional<Repaired> repaired;
     std::map<std::int32_t, double> changes; // in the lengths of boundary parts
     if (arguments.repair) {
-        Result<Repaired> result = repair(*domain, arguments.weldTolerance.value_or(0.0));
+        Result<Repaired> result = repair(*domain, arguments.drawing.weldTolerance.value_or(0.0));
         if (!result) {
             return locateFaults(input.path, result.faults(), input.options);
         }
@@ -159,7 +157,7 @@ int check(CheckArguments &arguments) {
             printFaults(domain.faults());
             return kRefused;
         }
-        std::string wrong = checkWeld(arguments.weldTolerance, *domain, arguments.repair);
+        std::string wrong = checkWeld(arguments.drawing.weldTolerance, *domain, arguments.repair);
         // If only --limits names a project, the parameters are those of that project.
         if (wrong.empty() && (domain->isProject() || !arguments.savedLimits)) {
             wrong = setParameters(*domain, arguments.parameters);
@@ -192,7 +190,7 @@ int checkCommand(int argc, const char *const *argv) {
         ->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");
-    addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
+    addDrawingOptions(app, arguments.drawing);
     addParameterOption(app, arguments.parameters);
     app.add_flag("--repair", arguments.repair, "repair the domain first, as mesh --repair does");
     auto *spacing = app.add_option_group("Spacing", "report how closely the mesh follows this spacing; at most one");

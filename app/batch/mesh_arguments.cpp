@@ -77,7 +77,7 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
 
 void addImportOptions(CLI::App &app, MeshArguments &arguments) {
     addParameterOption(app, arguments.parameters);
-    addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
+    addDrawingOptions(app, arguments.drawing);
     app.add_flag("--strict", arguments.strict, "refuse input that would need changes")
         ->excludes(app.get_option("--repair"));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/arrangement/overlap_rule.hpp"
+#include "app/batch/options.hpp"
 #include "core/io/inner_edges.hpp"
 #include "core/io/source/picture_sizes.hpp"
 #include "core/mesher/options.hpp"
@@ -34,8 +34,7 @@ struct MeshArguments {
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;
     bool repair = false;
-    std::optional<double> weldTolerance; ///< absent: the default of the input's format
-    OverlapRule overlap = OverlapRule::Later;
+    DrawingArguments drawing;
     bool strict = false;
     std::optional<Method> method;
     std::optional<ImproveLevel> improve;

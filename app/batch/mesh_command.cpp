@@ -64,7 +64,7 @@ std::string checkPicture(const MeshArguments &arguments, const Input &file) {
 /// Sets the parameters of the input. Returns what is wrong with options that depend on the formats of the files; empty
 /// if nothing is.
 std::string checkFiles(const MeshArguments &arguments, Input &input, const std::optional<Input> &spacingFile) {
-    std::string wrong = checkWeld(arguments.weldTolerance, input, arguments.repair);
+    std::string wrong = checkWeld(arguments.drawing.weldTolerance, input, arguments.repair);
     wrong = wrong.empty() ? setParameters(input, arguments.parameters) : wrong;
     return wrong.empty() && spacingFile ? checkPicture(arguments, *spacingFile) : wrong;
 }
@@ -136,7 +136,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
 /// Repairs the domain of a job and records in `sources` where its parts come from.
 Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, Domain &domain,
                          std::optional<Repaired> &sources) {
-    Result<Repaired> repaired = repair(domain, arguments.weldTolerance.value_or(0.0), progress.stop);
+    Result<Repaired> repaired = repair(domain, arguments.drawing.weldTolerance.value_or(0.0), progress.stop);
     if (!repaired) {
         return locateFaults(input.path, repaired.faults(), input.options);
     }
@@ -198,8 +198,7 @@ int runMesh(const MeshArguments &arguments) {
         bar.clear();
         return wrongUsage("forefront mesh", wrong);
     }
-    input->options.weldTolerance = arguments.weldTolerance;
-    input->options.overlap = arguments.overlap;
+    arguments.drawing.applyTo(input->options);
     input->options.strict = arguments.strict;
     Result<ReadJob> read = readJob(arguments, *input);
     Diagnostics faults = read ? applySpacing(arguments, spacingFile, *read) : read.faults();

@@ -227,17 +227,25 @@ void addParameterOption(CLI::App &app, std::map<std::string, std::string> &param
         ->type_name("NAME=EXPR");
 }
 
-void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap) {
+void DrawingArguments::applyTo(ImportOptions &options) const {
+    options.weldTolerance = weldTolerance;
+    options.overlap = overlap;
+    options.beyondPage = beyondPage;
+}
+
+void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
     app.add_option(
-           "--weld", weldTolerance,
+           "--weld", arguments.weldTolerance,
            "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps, less "
            "if that changes their area by over 0.1 %; 0 for other files, which are joined only with --repair)")
         ->check(nonNegativeNumber())
         ->type_name("T");
-    addWordOption<OverlapRule>(app, "--overlap", overlap,
+    addWordOption<OverlapRule>(app, "--overlap", arguments.overlap,
                                "which polygon of a map wins where two overlap: later (default) or smaller; a polygon "
                                "inside another always keeps its area")
         ->type_name("RULE");
+    app.add_flag("--beyond-page", arguments.beyondPage,
+                 "keep what filled shapes of an SVG drawing have outside the page (the view box)");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

@@ -3,6 +3,7 @@
 #include "core/arrangement/overlap_rule.hpp"
 #include "core/base/enum_words.hpp"
 #include "core/io/inner_edges.hpp"
+#include "core/io/source/import_options.hpp"
 #include "core/io/source/picture_sizes.hpp"
 
 #include <CLI/CLI.hpp>
@@ -49,8 +50,16 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
 /// Adds --set, which may be repeated: expressions for parameters of a project, by name.
 void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters);
 
-/// Adds the options --weld and --overlap.
-void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap);
+/// How a drawing or map is read; see ImportOptions.
+struct DrawingArguments {
+    std::optional<double> weldTolerance; ///< absent: the default of the input's format
+    OverlapRule overlap = OverlapRule::Later;
+    bool beyondPage = false;
+
+    void applyTo(ImportOptions &options) const;
+};
+/// Adds the options --weld, --overlap and --beyond-page.
+void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after
 /// printing help, 2 after printing a usage error.

@@ -52,7 +52,7 @@ constexpr Words kWords[] = {
     {ChangeKind::InnerOutlines, "inner-outlines", "dropped 1 outline segment with the same feature on both sides",
      "dropped %zu outline segments with the same feature on both sides", false},
     {ChangeKind::ClippedSegments, "clipped-segments", "dropped 1 segment that a clip path or mask hides",
-     "dropped %zu segments that clip paths or masks hide", false},
+     "dropped %zu segments that clip paths, masks or the page hide", false},
     {ChangeKind::OutsideLines, "segment-outside", "dropped 1 segment of a line outside the domain",
      "dropped %zu segments of lines outside the domain", true},
     {ChangeKind::OutsidePoints, "point-outside", "dropped 1 point outside the domain",

@@ -499,6 +499,15 @@ class Imports(Case):
         self.assertIn("expected a number of at least 0, got '-1'",
                       self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "-1", code=2).stderr)
 
+    def test_a_drawing_ends_at_its_page_unless_asked_otherwise(self):
+        self.write("wide.svg", '<svg viewBox="0 0 10 10">\n<rect x="-5" width="9" height="6"/></svg>')
+        self.assertIn("wide.svg:1:2: note: shapes are cut off at the page (the view box)",
+                      self.call("mesh", "wide.svg", "-o", "cut.msh").stderr)
+        self.call("check", "cut.msh", "--domain", "wide.svg")
+        self.assertEqual(self.call("mesh", "wide.svg", "-o", "whole.msh", "-q", "--beyond-page").stderr, "")
+        self.call("check", "whole.msh", "--domain", "wide.svg", "--beyond-page")
+        self.call("check", "whole.msh", "--domain", "wide.svg", code=1)
+
     def test_the_maximum_area_of_a_region_is_kept(self):
         text = poly([SQUARE]).rstrip() + "\n1\n1 2 1 1 "
         counts = []

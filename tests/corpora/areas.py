@@ -23,22 +23,21 @@ def area_of(path):
 def area_painted(text):
     """Returns the area that librsvg paints, in units of the drawing: the sum of the coverage of all pixels.
 
-    The view is widened so that nothing is clipped.
+    What lies outside of the view box is not painted.
     """
     from PIL import Image, ImageStat  # pylint: disable=import-outside-toplevel
 
     root = xml.fromstring(text)
     x, y, width, height = (float(word) for word in re.split(r"[\s,]+", root.attrib["viewBox"].strip()))
-    margin = 0.125 * max(width, height)
-    root.set("viewBox", f"{x - margin} {y - margin} {width + 2 * margin} {height + 2 * margin}")
+    root.set("viewBox", f"{x} {y} {width} {height}")
     for name in ("width", "height"):
         root.attrib.pop(name, None)
-    scale = PIXELS / (max(width, height) + 2 * margin)
-    columns, rows = round((width + 2 * margin) * scale), round((height + 2 * margin) * scale)
+    scale = PIXELS / max(width, height)
+    columns, rows = round(width * scale), round(height * scale)
     png = subprocess.run(["rsvg-convert", f"--width={columns}", f"--height={rows}", "--format=png"],
                          input=xml.tostring(root), check=True, capture_output=True).stdout
     coverage = Image.open(io.BytesIO(png)).convert("RGBA").getchannel("A")
-    return ImageStat.Stat(coverage).mean[0] / 255.0 * (width + 2 * margin) * (height + 2 * margin)
+    return ImageStat.Stat(coverage).mean[0] / 255.0 * width * height
 
 
 def winding(lines, place):

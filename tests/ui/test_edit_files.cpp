@@ -375,6 +375,24 @@ TEST_CASE("Import: the weld tolerance closes gaps of a map, and the dialog says 
     CHECK(driver.logHas("welded-nodes"));
 }
 
+TEST_CASE("Import: a drawing that leaves its page can be read in full") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "wide.svg") << R"(<svg viewBox="0 0 10 10"><rect x="-5" width="9" height="6"/></svg>)";
+    Draughtsman driver;
+    driver.key('I', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "import", place.path / "wide.svg");
+    REQUIRE(driver.has("dialog/importoptions/page"));
+    CHECK(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/page");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
+    CHECK(driver.has("dialog/importoptions/page"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    CHECK(boundsOf(driver.document()).size() == Vec2{9, 6});
+}
+
 TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
     const TemporaryFolder place;
     std::ofstream(place.path / "gap.poly")

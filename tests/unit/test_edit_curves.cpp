@@ -145,7 +145,7 @@ TEST_CASE("fromDomain: a curve of one chord keeps it, also in a project file") {
 TEST_CASE("Curved drawings: paths keep the curves of the file exactly") {
     const TemporaryFolder folder;
     const Drawing drop{"drop", R"svg(<g transform="scale(2)"><path d="M1 2C3 4 5 -6 7 2A3 2 0 0 1 1 2z"/></g>)svg"};
-    const Result<Document> document = readDocument(fileOf(drop, folder));
+    const Result<Document> document = readDocument(fileOf(drop, folder), {.beyondPage = true});
     REQUIRE(document.ok());
     REQUIRE(document->shapes.size() == 1);
     const Shape &shape = *document->shapes[0];

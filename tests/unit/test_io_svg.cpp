@@ -23,6 +23,7 @@ std::string drawing(const std::string &content, const std::string &attributes = 
 Domain domainOf(const std::string &text, double tolerance = 0.0) {
     SourceText source = sourceOf(text);
     source.options.curveTolerance = tolerance;
+    source.options.beyondPage = true;
     const auto domain = readSvg(source);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     return *domain;

@@ -23,6 +23,7 @@ Domain domainOf(const std::string &content, ImportNotes *notes = nullptr) {
     const std::string text = drawing(content);
     SourceText source = sourceOf(text, "drawing.svg");
     source.notes = notes;
+    source.options.beyondPage = true;
     const auto domain = readSvg(source);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     return *domain;

@@ -21,6 +21,7 @@ std::string drawing(const std::string &content, const std::string &attributes = 
 Domain domainOf(const std::string &text, ImportNotes *notes = nullptr) {
     SourceText source = sourceOf(text, "drawing.svg");
     source.notes = notes;
+    source.options.beyondPage = true;
     const auto domain = readSvg(source);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     return *domain;

@@ -11,6 +11,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -81,6 +82,8 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     }
     const FileFormat *const format = fileFormatOf(file);
     dialog->arranges_ = format != nullptr && format->arranges;
+    dialog->leavesPage_ = std::any_of(dialog->notes_.begin(), dialog->notes_.end(),
+                                      [](const Diagnostic &note) { return note.code == kPageNote; });
     return dialog;
 }
 
@@ -173,6 +176,11 @@ void ImportDialog::drawJoining(Shell &context) {
             options_.overlap = rule == 1 ? OverlapRule::Smaller : OverlapRule::Later;
             read();
         }
+    }
+    bool cuts = !options_.beyondPage;
+    if (leavesPage_ && ui::checkbox(context, "dialog/importoptions/page", "Cut off at the page", cuts)) {
+        options_.beyondPage = !cuts;
+        read();
     }
     for (const Diagnostic &fault : faults_) {
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);

@@ -13,6 +13,9 @@
 
 namespace FOREFRONT_API forefront {
 
+/// The code of the note that a drawing was cut off at its page.
+inline constexpr char kPageNote[] = "svg-page";
+
 /// Options for reading a file.
 struct ImportOptions {
     /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
@@ -23,6 +26,7 @@ struct ImportOptions {
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later;    ///< between features of a map
     bool strict = false;                         ///< refuse a drawing or map that would have to be changed
+    bool beyondPage = false; ///< keep what filled shapes of an SVG drawing have outside its page (its view box)
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};

@@ -1,7 +1,5 @@
 #include "core/io/svg/svg_axes.hpp"
 
-#include "core/io/svg/svg_viewport.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <string_view>
@@ -34,6 +32,16 @@ Vec2 physicalScale(const ViewBox &box, const SvgLength &width, const std::option
     return scale;
 }
 
+/// Returns the part of user space that a view box shows in a document of that size: more than the box where the
+/// proportions differ, and less with "slice".
+ViewBox shown(const ViewBox &box, Vec2 size, std::string_view preserveAspectRatio) {
+    if (!(size.x > 0.0 && size.y > 0.0)) {
+        return box;
+    }
+    const AffineMap map = viewBoxMap(box, size, preserveAspectRatio);
+    return {{-map.e / map.a, -map.f / map.d}, {size.x / map.a, size.y / map.d}};
+}
+
 } // namespace
 
 SvgAxes axesOf(const pugi::xml_node &root) {
@@ -45,12 +53,16 @@ SvgAxes axesOf(const pugi::xml_node &root) {
     if (const auto box = parseViewBox(root.attribute("viewBox").value())) {
         axes.map.f = 2.0 * box->corner.y + box->size.y;
         axes.viewport = box->size;
+        axes.page = shown(*box, {pixels(width), pixels(height)}, root.attribute("preserveAspectRatio").value());
         if (isPhysical(width)) {
             scale = physicalScale(*box, *width, height, root.attribute("preserveAspectRatio").value());
         }
     } else {
         axes.viewport = {pixels(width), pixels(height)};
         axes.map.f = axes.viewport.y;
+        if (axes.viewport.x > 0.0 && axes.viewport.y > 0.0) {
+            axes.page = ViewBox{{}, axes.viewport};
+        }
         scale.x = scale.y = isPhysical(width) ? 1.0 / *pixelsPer(width->unit) : 1.0;
     }
     axes.map = AffineMap{scale.x, 0, 0, scale.y, 0, 0} * axes.map;

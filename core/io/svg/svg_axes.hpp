@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/base/vec2.hpp"
-#include "core/io/svg/svg_transform.hpp"
+#include "core/io/svg/svg_viewport.hpp"
 
 #include <pugixml.hpp>
 
+#include <optional>
 #include <string>
 
 namespace forefront {
@@ -14,6 +15,7 @@ struct SvgAxes {
     AffineMap map;    ///< from user space to the domain
     Vec2 viewport;    ///< size of the outermost viewport in user units; 0 if unknown
     std::string unit; ///< "mm" or the like, if the document's size changes the unit of coordinates
+    std::optional<ViewBox> page = {}; ///< what a renderer shows, in user units; absent if the document gives no size
 };
 
 /// Returns the axes of the root element. The y axis of a domain points up, so the drawing is flipped within its view

@@ -88,6 +88,9 @@ class SvgDrawer {
     Box2 boxOf(const Visit &visit);
     bool drawnInClip(const Visit &visit, std::string_view name) const;
     void keepPart(const Visit &visit, SvgPath path);
+    std::vector<Box2> clipBoxes() const;
+    void choosePage();
+    void notePage() const;
     Box2 visibleBox() const;
     void dropWideViewports();
 
@@ -103,6 +106,7 @@ class SvgDrawer {
     std::vector<Use> uses_;
     AffineMap axes_;
     Vec2 viewport_;
+    std::optional<AffineMap> page_; ///< maps the unit square to what is shown; absent: everything is
     std::optional<double> tolerance_; ///< of the curves; absent: only measure
     bool reports_ = false;
     bool measuresBox_ = false; ///< of an element, without its clips

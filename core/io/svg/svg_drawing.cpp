@@ -18,6 +18,21 @@ Box2 SvgPath::box() const {
     return box;
 }
 
+Box2 SvgPath::bounds() const {
+    Box2 box = this->box();
+    for (const CurveStretch &stretch : stretches) {
+        if (stretch.follows()) {
+            box.add(curves[stretch.curve].bounds(stretch.t0, stretch.t1));
+        }
+    }
+    return box;
+}
+
+bool SvgPath::painted() const {
+    const bool drawnLine = isLine && !closed && !paint.fillGiven;
+    return paint.filled && nodes.size() > 2 && !drawnLine;
+}
+
 Result<SvgPaths> SvgDrawer::run() {
     const pugi::xml_parse_result parsed = xml_.load_buffer(source_.text.data(), source_.text.size());
     if (!parsed) {
@@ -31,6 +46,7 @@ Result<SvgPaths> SvgDrawer::run() {
     collect();
     placeAxes();
     walk(std::nullopt);
+    choosePage();
     const double size = visibleBox().diagonal();
     constexpr double kFineness = 2000.0;
     const double requested = source_.options.curveTolerance;
@@ -44,6 +60,9 @@ Result<SvgPaths> SvgDrawer::run() {
     }
     if (!faults_.empty()) {
         return faults_;
+    }
+    if (page_) {
+        notePage();
     }
     dropWideViewports();
     return SvgPaths{std::move(paths_), std::move(clips_), size};
@@ -106,6 +125,10 @@ void SvgDrawer::addSheet(const pugi::xml_node &node) {
 void SvgDrawer::placeAxes() {
     const SvgAxes axes = axesOf(root_);
     axes_ = axes.map;
+    if (axes.page && !source_.options.beyondPage) {
+        const Vec2 corner = axes.page->corner, size = axes.page->size;
+        page_ = axes.map * AffineMap{size.x, 0, 0, size.y, corner.x, corner.y};
+    }
     viewport_ = axes.viewport;
     if (!axes.unit.empty()) {
         note(root_, "svg-units", "coordinates are in " + unitName(axes.unit) + ", the unit of the document's size");
@@ -121,6 +144,10 @@ void SvgDrawer::walk(std::optional<double> tolerance) {
     clipOf_.clear();
     visited_ = nodeCount_ = 0;
     std::vector<Visit> open = {{root_, axes_, viewport_}};
+    if (page_ && tolerance) {
+        open.front().limit = addViewport(root_, *page_, kNoClip);
+        clips_.front().parts.front().name = "page";
+    }
     visitAll(open);
 }
 

@@ -31,13 +31,17 @@ struct SvgPath {
 
     /// Returns the box of the nodes.
     Box2 box() const;
+    /// Returns the box of the nodes and curves.
+    Box2 bounds() const;
+    /// Returns true if the path is filled. Lines are often drawn without fill="none".
+    bool painted() const;
 };
 
 enum class SvgClipKind : std::uint8_t {
     ClipPath,
     LuminanceMask,
     AlphaMask,
-    Viewport ///< the rectangle of a nested <svg>, a <symbol> or a mask
+    Viewport ///< the rectangle of the page, a nested <svg>, a <symbol> or a mask
 };
 
 /// The area that a clip path or mask leaves visible, as an ArrangementClip: of its parts, the last one that covers a

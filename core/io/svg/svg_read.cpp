@@ -44,7 +44,7 @@ class SvgBuilder {
                 joinEnds(part, kSameNode * drawing.size);
             }
         }
-        anyPainted_ = std::any_of(paths_.begin(), paths_.end(), isPainted);
+        anyPainted_ = std::any_of(paths_.begin(), paths_.end(), [](const SvgPath &path) { return path.painted(); });
     }
 
     Result<Domain> run() {
@@ -247,19 +247,13 @@ class SvgBuilder {
         }
     }
 
-    /// Returns true if a path is painted. Lines are often drawn without fill="none".
-    static bool isPainted(const SvgPath &path) {
-        const bool drawnLine = path.isLine && !path.closed && !path.paint.fillGiven;
-        return path.paint.filled && path.nodes.size() > 2 && !drawnLine;
-    }
-
     /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
     /// strokes are outlines.
     Part partOf(const SvgPath &path) {
         if (path.nodes.size() < 2) {
             return Part::Nothing;
         }
-        if (isPainted(path)) {
+        if (path.painted()) {
             return Part::Painted;
         }
         const bool loop = path.closed && path.nodes.size() > 2;
@@ -330,7 +324,9 @@ Result<Domain> readSvg(const SourceText &source) {
 }
 
 Result<Domain> readSvgShapes(const SourceText &source) {
-    Result<SvgPaths> drawing = drawnPaths(source);
+    SourceText whole = source;
+    whole.options.beyondPage = true;
+    Result<SvgPaths> drawing = drawnPaths(whole);
     if (!drawing) {
         return drawing.faults();
     }

@@ -1,0 +1,108 @@
+#include "core/io/svg/svg.hpp"
+#include "tests/unit/arrangement_support.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+#include <set>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// What is read from a drawing, and the codes of the notes.
+struct Reading {
+    Domain domain;
+    std::set<std::string> notes;
+
+    double area() const { return areas(domain).at(1); }
+};
+
+Reading read(const std::string &root, const std::string &content, bool beyondPage = false) {
+    const std::string text = "<svg " + root + ">\n" + content + "\n</svg>\n";
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "drawing.svg");
+    source.notes = &notes;
+    source.options.beyondPage = beyondPage;
+    auto domain = readSvg(source);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    Reading reading{std::move(*domain), {}};
+    for (const ImportNote &note : notes.entries()) {
+        reading.notes.insert(note.code);
+    }
+    return reading;
+}
+
+const std::string kTen = "viewBox=\"0 0 10 10\"";
+const std::string kWide = "<rect id=\"wide\" x=\"-5\" y=\"2\" width=\"9\" height=\"6\"/>";
+
+} // namespace
+
+TEST_CASE("SVG page: filled shapes end at the view box, and a note says so") {
+    const Reading cut = read(kTen, kWide);
+    CHECK(cut.area() == doctest::Approx(24));
+    CHECK(cut.notes.count(kPageNote) == 1);
+    std::set<std::string> names;
+    for (const DomainSegment &segment : cut.domain.segments) {
+        names.insert(boundaryName(cut.domain.boundaryNames, segment.tag));
+    }
+    CHECK(names == std::set<std::string>{"wide", "page"});
+    const Reading whole = read(kTen, kWide, true);
+    CHECK(whole.area() == doctest::Approx(54));
+    CHECK(whole.notes.empty());
+}
+
+TEST_CASE("SVG page: what lies within it is read as if there were none") {
+    const std::string inside = "<rect width=\"10\" height=\"4\"/><circle cx=\"7\" cy=\"7\" r=\"3\"/>";
+    const Reading cut = read(kTen, inside), whole = read(kTen, inside, true);
+    CHECK(cut.domain.nodes == whole.domain.nodes);
+    CHECK(cut.domain.boundaryNames == whole.domain.boundaryNames);
+    CHECK(cut.notes == whole.notes);
+    // Rounding beyond the edge is no reason to cut, and what a clip path hides is not there.
+    CHECK(read(kTen, "<rect x=\"-.001\" width=\"4\" height=\"4\"/>").notes.empty());
+    const Reading clipped = read(kTen, "<clipPath id=\"c\"><rect width=\"3\" height=\"10\"/></clipPath><g "
+                                       "clip-path=\"url(#c)\">" +
+                                           kWide + "</g>");
+    CHECK(clipped.area() == doctest::Approx(18));
+    CHECK(clipped.notes.count(kPageNote) == 0);
+}
+
+TEST_CASE("SVG page: a curve whose nodes lie on the page is cut where it leaves it") {
+    const Reading half = read(kTen, "<path d=\"M1 0A4 4 0 0 1 9 0V3H1Z\"/>");
+    CHECK(half.area() == doctest::Approx(24).epsilon(1e-3));
+    CHECK(half.notes.count(kPageNote) == 1);
+    CHECK(read(kTen, "<circle cx=\"10\" cy=\"5\" r=\"4\"/>").area() == doctest::Approx(8 * kPi).epsilon(2e-3));
+}
+
+TEST_CASE("SVG page: it is what a renderer shows of the document's size") {
+    const std::string huge = "<rect x=\"-99\" y=\"-99\" width=\"300\" height=\"300\"/>";
+    CHECK(read("width=\"20\" height=\"5\"", huge).area() == doctest::Approx(100));
+    CHECK(read("width=\"20mm\" height=\"5mm\"", huge).area() == doctest::Approx(100)); // read in millimetres
+    CHECK(read("viewBox=\"0 0 10 10\" width=\"100%\" height=\"100%\"", huge).area() == doctest::Approx(100));
+    CHECK(read("viewBox=\"2 -3 10 10\" width=\"20\" height=\"20\"", huge).area() == doctest::Approx(100));
+    // A document twice as wide as its view box shows as much again beside it, or half of its height.
+    CHECK(read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\"", huge).area() == doctest::Approx(200));
+    CHECK(read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\" preserveAspectRatio=\"xMidYMid slice\"", huge)
+              .area() == doctest::Approx(50));
+    CHECK(read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\" preserveAspectRatio=\"none\"", huge).area() ==
+          doctest::Approx(100));
+    CHECK(read("id=\"sizeless\"", huge).area() == doctest::Approx(90000));
+}
+
+TEST_CASE("SVG page: drawings of outlines, drawings beside the page and pasted shapes are read in full") {
+    const std::string outline = "<path fill=\"none\" stroke=\"red\" d=\"M-5 0H5V4H-5Z\"/>";
+    CHECK(read(kTen, outline).area() == doctest::Approx(40));
+    CHECK(read(kTen, outline).notes.count(kPageNote) == 0);
+    const Reading beside = read(kTen, "<rect x=\"20\" width=\"3\" height=\"3\"/>");
+    CHECK(beside.area() == doctest::Approx(9));
+    CHECK(beside.notes == std::set<std::string>{"svg-off-page"});
+    const std::string text = "<svg " + kTen + ">" + kWide + "</svg>";
+    const auto pasted = readSvgShapes(sourceOf(text));
+    REQUIRE(pasted.ok());
+    CHECK(areas(*pasted).at(1) == doctest::Approx(54));
+}
