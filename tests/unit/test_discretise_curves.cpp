@@ -234,6 +234,27 @@ TEST_CASE("discretise: imperceptible bends do not cause a run of ever shorter ed
     }
 }
 
+TEST_CASE("discretise: beside a bend at the end of a curve, edges grow gradually by the automatic spacing") {
+    // Turns by a right angle, nearly all of it within a tenth of its length.
+    const Curve hook = Curve::cubic({0, 0}, {0, 1.55}, {21.3, 0.16}, {23.3, 0.16});
+    const Domain domain =
+        curvedDomain({{hook, Curve::line({23.3, 0.16}, {250, 0.16}), Curve::line({250, 0.16}, {250, -250}),
+                       Curve::line({250, -250}, {0, -250}), Curve::line({0, -250}, {0, 0})}},
+                     2.0);
+    const auto spacing = SpacingField::build({}, domain);
+    REQUIRE(spacing.ok());
+    const auto discrete = discretise(domain, **spacing, false);
+    REQUIRE(discrete.ok());
+    std::vector<double> lengths;
+    for (const DiscreteSegment &piece : discrete->segments) {
+        lengths.push_back(distance(discrete->nodes[piece.a], discrete->nodes[piece.b]));
+    }
+    for (std::size_t s = 0; s < lengths.size(); ++s) {
+        const double next = lengths[(s + 1) % lengths.size()];
+        CHECK(std::max(lengths[s], next) < 5.0 * std::min(lengths[s], next));
+    }
+}
+
 TEST_CASE("discretise: a dot far smaller than the spacing keeps its shape") {
     Domain domain = circleDomain();
     const Domain dot = curvedDomain({{Curve::circle({0.2, 0.1}, {0.201, 0.1})}}, 1e-3);

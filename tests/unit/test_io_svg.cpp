@@ -152,7 +152,8 @@ TEST_CASE("SVG: faults are located inside the attribute") {
     CHECK(faultOf("<html/>").code == "not-svg");
     CHECK(faultOf(drawing("<g transform=\"scale(1e200)\"><g transform=\"scale(1e200)\"><rect width=\"1\" "
                           "height=\"1\"/></g></g>"))
-              .code == "non-finite");
+              .code == "out-of-range");
+    CHECK(faultOf(drawing("<path transform=\"scale(1e70)\" d=\"M0 0C1 0 1 1 0 1z\"/>")).code == "out-of-range");
 }
 
 TEST_CASE("SVG: deep nesting and exponential entities are handled safely") {

@@ -87,8 +87,9 @@ TEST_CASE("SVG page: it is what a renderer shows of the document's size") {
     CHECK(read("viewBox=\"2 -3 10 10\" width=\"20\" height=\"20\"", huge).area() == doctest::Approx(100));
     // A document twice as wide as its view box shows as much again beside it, or half of its height.
     CHECK(read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\"", huge).area() == doctest::Approx(200));
-    CHECK(read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\" preserveAspectRatio=\"xMidYMid slice\"", huge)
-              .area() == doctest::Approx(50));
+    CHECK(
+        read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\" preserveAspectRatio=\"xMidYMid slice\"", huge).area() ==
+        doctest::Approx(50));
     CHECK(read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\" preserveAspectRatio=\"none\"", huge).area() ==
           doctest::Approx(100));
     CHECK(read("id=\"sizeless\"", huge).area() == doctest::Approx(90000));

@@ -37,7 +37,7 @@ class ImportDialog final : public Dialog {
 
     std::filesystem::path file_;
     ImportOptions options_;
-    bool arranges_ = false; ///< the format is a drawing or map, whose lines may cross and overlap
+    bool arranges_ = false;   ///< the format is a drawing or map, whose lines may cross and overlap
     bool leavesPage_ = false; ///< the filled shapes of a drawing reach beyond its page
     Document drawing_;
     Diagnostics notes_; ///< what reading ignored and changed

@@ -24,8 +24,8 @@ struct ImportOptions {
     /// the diagonal, or less where that would change the areas of outlines by more than 0.1 %. Other formats are read
     /// as they are.
     std::optional<double> weldTolerance = {};
-    OverlapRule overlap = OverlapRule::Later;    ///< between features of a map
-    bool strict = false;                         ///< refuse a drawing or map that would have to be changed
+    OverlapRule overlap = OverlapRule::Later; ///< between features of a map
+    bool strict = false;                      ///< refuse a drawing or map that would have to be changed
     bool beyondPage = false; ///< keep what filled shapes of an SVG drawing have outside its page (its view box)
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.

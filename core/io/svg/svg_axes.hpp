@@ -12,9 +12,9 @@ namespace forefront {
 
 /// The map from the coordinates of a drawing to those of the domain.
 struct SvgAxes {
-    AffineMap map;    ///< from user space to the domain
-    Vec2 viewport;    ///< size of the outermost viewport in user units; 0 if unknown
-    std::string unit; ///< "mm" or the like, if the document's size changes the unit of coordinates
+    AffineMap map;                    ///< from user space to the domain
+    Vec2 viewport;                    ///< size of the outermost viewport in user units; 0 if unknown
+    std::string unit;                 ///< "mm" or the like, if the document's size changes the unit of coordinates
     std::optional<ViewBox> page = {}; ///< what a renderer shows, in user units; absent if the document gives no size
 };
 

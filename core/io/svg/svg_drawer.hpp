@@ -106,7 +106,7 @@ class SvgDrawer {
     std::vector<Use> uses_;
     AffineMap axes_;
     Vec2 viewport_;
-    std::optional<AffineMap> page_; ///< maps the unit square to what is shown; absent: everything is
+    std::optional<AffineMap> page_;   ///< maps the unit square to what is shown; absent: everything is
     std::optional<double> tolerance_; ///< of the curves; absent: only measure
     bool reports_ = false;
     bool measuresBox_ = false; ///< of an element, without its clips

@@ -1,3 +1,4 @@
+#include "core/domain/coordinate_range.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/svg/svg_drawer.hpp"
 #include "core/io/svg/svg_elements.hpp"
@@ -91,8 +92,9 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
     path.nodes = std::move(subpath.nodes);
     for (Vec2 &p : path.nodes) {
         p = visit.map(p);
-        if (!isFinite(p)) {
-            fail(visit.node, "", 0, "non-finite", "a coordinate of the path is out of range");
+        if (!isFinite(p) || tooLarge(p)) {
+            fail(visit.node, "", 0, "out-of-range", "a coordinate of the path is beyond 1e60 in magnitude",
+                 "scale the drawing down");
             return;
         }
     }

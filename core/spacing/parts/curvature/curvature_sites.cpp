@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kVisible = 1.0 / 5000.0; ///< smallest visible distance from a curve, as a fraction of the diagonal
 constexpr double kAreaError = 0.002;      ///< fraction of the area that all edges together may cut off
+constexpr double kEven = 0.3;             ///< turning of a part, in radians, that is not worth dividing
+constexpr double kUneven = 2.0;           ///< ratio of the radii of the halves of a part that bends unevenly
 constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
 
 /// Returns the area inside, from the chords; std::nullopt if segments cross, or after a stop request.
@@ -49,6 +51,32 @@ double invisibleDistance(const Domain &domain, const CurveChains &chains, const 
     return area && *area > 0.0 ? std::min(distance, 1.5 * kAreaError * *area / along) : distance;
 }
 
+/// Visits the parts of a stretch of a curve along which it bends about evenly, with their mean radii: at a point, the
+/// radius may be zero. Parts no longer than `shortest` are not divided.
+template <class Visit>
+void forEachBend(const Curve &curve, CurveStretch stretch, double shortest, const Visit &visit) {
+    struct Part {
+        double t0, t1, length, turning;
+        double radius() const { return length / turning; }
+    };
+    const auto part = [&](double t0, double t1) { return Part{t0, t1, curve.length(t0, t1), curve.turning(t0, t1)}; };
+    std::vector<Part> open = {part(stretch.t0, stretch.t1)};
+    while (!open.empty()) {
+        const Part whole = open.back();
+        open.pop_back();
+        if (whole.turning > kEven && whole.length > shortest) {
+            const double middle = 0.5 * (whole.t0 + whole.t1);
+            const Part first = part(whole.t0, middle), second = part(middle, whole.t1);
+            const double a = first.radius(), b = second.radius();
+            if (std::max(a, b) > kUneven * std::min(a, b)) {
+                open.insert(open.end(), {second, first});
+                continue;
+            }
+        }
+        visit(whole.t0, whole.t1, whole.radius());
+    }
+}
+
 } // namespace
 
 void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
@@ -57,6 +85,7 @@ void addCurvatureSites(const Domain &domain, const CurveChains &chains, double s
     if (chains.list.empty()) {
         return;
     }
+    const double shortest = kVisible * domain.bounds().diagonal();
     const double invisible = visibleOnly ? invisibleDistance(domain, chains, progress) : 0.0;
     for (const CurveChain &chain : chains.list) {
         if (progress.cancelled()) {
@@ -68,17 +97,18 @@ void addCurvatureSites(const Domain &domain, const CurveChains &chains, double s
         const Curve &curve = domain.curves[chain.curve];
         for (const std::uint32_t s : chain.segments) {
             const DomainSegment &segment = domain.segments[s];
-            // The mean curvature along the chord: at a point it may be infinite.
-            const double turning = curve.turning(segment.stretch.t0, segment.stretch.t1);
-            const double radius = curve.length(segment.stretch.t0, segment.stretch.t1) / turning;
-            if (!(radius > kCorner * invisible) || !std::isfinite(radius)) {
-                continue;
-            }
-            const double size =
-                std::max(2.0 * std::numbers::pi * radius / segmentsPerTurn, std::sqrt(8.0 * invisible * radius));
-            const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
-            sites.add(limited(SizeSite::segment(a, b, size, gradation), minimum, gradation),
-                      {origin, SiteReason::Bend, s});
+            const Vec2 ends[] = {domain.nodes[segment.a], domain.nodes[segment.b]};
+            forEachBend(curve, segment.stretch, shortest, [&](double t0, double t1, double radius) {
+                if (!(radius > kCorner * invisible) || !std::isfinite(radius)) {
+                    return;
+                }
+                const double size =
+                    std::max(2.0 * std::numbers::pi * radius / segmentsPerTurn, std::sqrt(8.0 * invisible * radius));
+                const Vec2 a = t0 == segment.stretch.t0 ? ends[0] : curve.point(t0);
+                const Vec2 b = t1 == segment.stretch.t1 ? ends[1] : curve.point(t1);
+                sites.add(limited(SizeSite::segment(a, b, size, gradation), minimum, gradation),
+                          {origin, SiteReason::Bend, s});
+            });
         }
     }
 }
