@@ -1,25 +1,12 @@
 #include "core/geometry/box_tree.hpp"
 
 #include "core/base/key_order.hpp"
+#include "core/geometry/morton.hpp"
+
+#include <algorithm>
 
 namespace forefront {
 namespace {
-
-/// Interleaves the lower 16 bits with zeros.
-std::uint32_t spread(std::uint32_t v) {
-    v = (v | (v << 8)) & 0x00ff00ffU;
-    v = (v | (v << 4)) & 0x0f0f0f0fU;
-    v = (v | (v << 2)) & 0x33333333U;
-    return (v | (v << 1)) & 0x55555555U;
-}
-
-/// Returns the position of the middle of [low, high] within the whole range, in 0..65535. Uses halves and quarters, so
-/// that nothing overflows.
-std::uint32_t step(double low, double high, double wholeLow, double wholeHigh) {
-    const double extent = 0.5 * wholeHigh - 0.5 * wholeLow;
-    const double part = extent > 0.0 ? (0.25 * low + 0.25 * high - 0.5 * wholeLow) / extent : 0.0;
-    return part >= 0.0 ? static_cast<std::uint32_t>(std::min(part, 1.0) * 65535.0) : 0U; // a NaN goes to 0
-}
 
 std::vector<std::uint64_t> mortonCodes(std::span<const Box2> boxes) {
     Box2 whole;
@@ -29,11 +16,8 @@ std::vector<std::uint64_t> mortonCodes(std::span<const Box2> boxes) {
         }
     }
     std::vector<std::uint64_t> codes(boxes.size());
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-        const Box2 &box = boxes[k];
-        codes[k] = spread(step(box.min.x, box.max.x, whole.min.x, whole.max.x)) |
-                   spread(step(box.min.y, box.max.y, whole.min.y, whole.max.y)) << 1;
-    }
+    std::transform(boxes.begin(), boxes.end(), codes.begin(),
+                   [&](const Box2 &box) { return std::uint64_t{mortonCode(box, whole)}; });
     return codes;
 }
 

@@ -5,6 +5,7 @@
 #include "core/improve/cleanup.hpp"
 #include "core/improve/restructure.hpp"
 #include "core/improve/smooth.hpp"
+#include "core/improve/spatial_order.hpp"
 #include "core/improve/swap_pass.hpp"
 #include "core/mesh/log_product.hpp"
 #include "core/mesh/quality.hpp"
@@ -50,10 +51,10 @@ constexpr double kFurtherFloor = 0.8; ///< the shapes that level Default has rea
 class Improvement {
   public:
     /// No element falls below `leastFloor`, nor below the floor of a round.
-    Improvement(Mesh &mesh, ImproveLevel level, double leastFloor, const ImproveOptions &options,
+    Improvement(Mesh &mesh, ImproveLevel level, double leastFloor, const ImproveOptions &options, ThreadPool &pool,
                 const Progress &progress)
         : best_(level == ImproveLevel::Best), leastFloor_(leastFloor), options_(options), progress_(progress),
-          pool_(options.threads), work_(mesh, pool_, progress.stop, best_ ? mesh.nodes.size() / kNodesPerSpare : 0) {}
+          work_(mesh, pool, progress.stop, best_ ? mesh.nodes.size() / kNodesPerSpare : 0) {}
 
     ImproveReport run() {
         const std::span<const Round> rounds = best_ ? std::span<const Round>(kBestRounds)
@@ -64,7 +65,7 @@ class Improvement {
             stages_ += round.restructures ? 3 : 2;
         }
         if (progress_.cancelled()) {
-            return report();
+            return report_;
         }
         const double minAlpha = work_.measureAlpha(progress_.stop);
         bool proceeding = !progress_.cancelled();
@@ -87,15 +88,10 @@ class Improvement {
         if (proceeding) {
             report_.alphaMinAfter = work_.minAlpha();
         }
-        return report();
-    }
-
-  private:
-    const ImproveReport &report() {
-        report_.seconds = clock_.lap() + pool_.workerSeconds();
         return report_;
     }
 
+  private:
     /// Reports the end of a stage. Returns false when cancelled.
     bool next() {
         progress_("improving", static_cast<double>(++done_) / static_cast<double>(stages_));
@@ -136,16 +132,32 @@ class Improvement {
         return next();
     }
 
-    CpuClock clock_;
     bool best_;
     double leastFloor_;
     const ImproveOptions &options_;
     const Progress &progress_;
-    ThreadPool pool_;
     ImproveWorkspace work_;
     ImproveReport report_;
     int stages_ = 1, done_ = 0;
 };
+
+/// Improves a mesh by the rounds of a level. Sorts large meshes meanwhile where that pays off; level Best, which
+/// changes the numbers of nodes and elements, leaves them as they are.
+ImproveReport improveBy(ImproveLevel level, double leastFloor, Mesh &mesh, const ImproveOptions &options,
+                        const Progress &progress) {
+    CpuClock clock;
+    ThreadPool pool(options.threads);
+    std::optional<SpatialOrder> order;
+    if (level != ImproveLevel::Best && mesh.elements.size() > kSmallMesh && SpatialOrder::helps(mesh)) {
+        order.emplace(mesh, pool);
+    }
+    ImproveReport report = Improvement(mesh, level, leastFloor, options, pool, progress).run();
+    if (order) {
+        order->restore();
+    }
+    report.seconds = clock.lap() + pool.workerSeconds();
+    return report;
+}
 
 /// Returns the minimum α, exactly as measure() does.
 double minAlpha(const Mesh &mesh) {
@@ -180,7 +192,7 @@ void improveFurther(Mesh &mesh, const ImproveOptions &options, const Progress &p
     double mean = geometricMeanAlpha(mesh);
     double gain = mean < kHopelessMean ? 0.0 : 1.0;
     for (int time = 0; time < kMostTimes && mean < kPoorMean && gain >= kWorthwhileGain; ++time) {
-        append(report, Improvement(mesh, ImproveLevel::Best, kFurtherFloor, options, progress).run());
+        append(report, improveBy(ImproveLevel::Best, kFurtherFloor, mesh, options, progress));
         if (progress.cancelled()) {
             return;
         }
@@ -201,7 +213,7 @@ ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress 
         report.alphaMinBefore = report.alphaMinAfter = minAlpha(mesh);
         return report;
     }
-    ImproveReport report = Improvement(mesh, options.level, 0.0, options, progress).run();
+    ImproveReport report = improveBy(options.level, 0.0, mesh, options, progress);
     if (options.level == ImproveLevel::Default && !progress.cancelled()) {
         improveFurther(mesh, options, progress, report);
     }
