@@ -13,8 +13,8 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kChunk = 65536; ///< items of a task
-constexpr std::uint32_t kFar = 8192;  ///< nodes: twice their memory is about that of a second-level cache
-constexpr std::size_t kMany = 16;     ///< one element in this many
+constexpr std::uint32_t kFar = 8192;  ///< nodes, which take 128 KiB
+constexpr std::size_t kMany = 16;     ///< sorting pays off if one element in this many is scattered
 
 Element renumbered(const Element &element, const std::vector<std::uint32_t> &numbers) {
     return {NodeId{numbers[index(element[0])]}, NodeId{numbers[index(element[1])]}, NodeId{numbers[index(element[2])]}};
@@ -58,9 +58,7 @@ SpatialOrder::SpatialOrder(Mesh &mesh, ThreadPool &pool) : mesh_(mesh), pool_(po
 void SpatialOrder::sortNodes() {
     const Box2 box = mesh_.bounds();
     std::vector<std::uint64_t> codes(mesh_.nodes.size());
-    forEach(pool_, codes.size(), [&](std::size_t n) {
-        codes[n] = mortonCode({mesh_.nodes[n], mesh_.nodes[n]}, box);
-    });
+    forEach(pool_, codes.size(), [&](std::size_t n) { codes[n] = mortonCode({mesh_.nodes[n], mesh_.nodes[n]}, box); });
     nodes_ = orderByKeys(codes);
     std::vector<Vec2> sorted(nodes_.size());
     forEach(pool_, sorted.size(), [&](std::size_t k) { sorted[k] = mesh_.nodes[nodes_[k]]; });
@@ -97,8 +95,7 @@ void SpatialOrder::sortElements(const std::vector<std::uint32_t> &rank) {
     }
 }
 
-template <class Numbers>
-void SpatialOrder::renumberTagged(const Numbers &numbers) {
+void SpatialOrder::renumberTagged(const std::vector<std::uint32_t> &numbers) {
     for (TaggedEdge &edge : mesh_.edges) {
         edge.a = NodeId{numbers[index(edge.a)]};
         edge.b = NodeId{numbers[index(edge.b)]};

@@ -26,7 +26,7 @@ class SpatialOrder {
   private:
     void sortNodes();
     void sortElements(const std::vector<std::uint32_t> &rank);
-    template <class Numbers> void renumberTagged(const Numbers &numbers);
+    void renumberTagged(const std::vector<std::uint32_t> &numbers);
 
     Mesh &mesh_;
     ThreadPool &pool_;

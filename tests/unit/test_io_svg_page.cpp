@@ -93,6 +93,7 @@ TEST_CASE("SVG page: it is what a renderer shows of the document's size") {
     CHECK(read("viewBox=\"0 0 10 10\" width=\"40\" height=\"20\" preserveAspectRatio=\"none\"", huge).area() ==
           doctest::Approx(100));
     CHECK(read("id=\"sizeless\"", huge).area() == doctest::Approx(90000));
+    CHECK(read("viewBox=\"0 0 1e300 10\"", huge).area() == doctest::Approx(90000));
 }
 
 TEST_CASE("SVG page: drawings of outlines, drawings beside the page and pasted shapes are read in full") {

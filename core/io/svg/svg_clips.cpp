@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace forefront {
@@ -13,12 +12,6 @@ namespace {
 
 constexpr double kHides = 0.02;  ///< greatest luminance that counts as black in a mask
 constexpr double kVisible = 0.5; ///< least opacity or luminance that a mask is expected to show with
-constexpr double kBeyond = 1e-3; ///< part of a viewport by which rounding may exceed it
-
-Box2 common(const Box2 &s, const Box2 &t) {
-    return {{std::max(s.min.x, t.min.x), std::max(s.min.y, t.min.y)},
-            {std::min(s.max.x, t.max.x), std::min(s.max.y, t.max.y)}};
-}
 
 /// Returns the id in url(#id), with or without quotes; empty if the value is no such reference.
 std::string_view idOfUrl(std::string_view value) {
@@ -32,42 +25,6 @@ std::string_view idOfUrl(std::string_view value) {
     value = first == value.npos ? std::string_view() : value.substr(first, value.find_last_not_of(kAround) + 1 - first);
     return value.starts_with('#') ? value.substr(1) : std::string_view();
 }
-
-/// Returns true if the unit square under a map contains a path, up to rounding.
-bool contains(const AffineMap &frame, const SvgPath &path) {
-    const double determinant = frame.a * frame.d - frame.b * frame.c;
-    const auto inside = [&](Vec2 p) {
-        const Vec2 d{p.x - frame.e, p.y - frame.f};
-        const double x = (frame.d * d.x - frame.c * d.y) / determinant;
-        const double y = (frame.a * d.y - frame.b * d.x) / determinant;
-        return x >= -kBeyond && x <= 1.0 + kBeyond && y >= -kBeyond && y <= 1.0 + kBeyond;
-    };
-    const auto follows = [&](const CurveStretch &stretch) {
-        if (!stretch.follows()) {
-            return true;
-        }
-        const Box2 box = path.curves[stretch.curve].bounds(stretch.t0, stretch.t1);
-        return inside(box.min) && inside(box.max) && inside({box.min.x, box.max.y}) && inside({box.max.x, box.min.y});
-    };
-    return std::all_of(path.nodes.begin(), path.nodes.end(), inside) &&
-           std::all_of(path.stretches.begin(), path.stretches.end(), follows);
-}
-
-/// Returns the box of the unit square under a map.
-Box2 imageBox(const AffineMap &frame) {
-    Box2 box;
-    for (const Vec2 corner : {Vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-        box.add(frame(corner));
-    }
-    return box;
-}
-
-bool hasArea(const Box2 &box) {
-    return box.min.x < box.max.x && box.min.y < box.max.y;
-}
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr Box2 kEverything{{-kFar, -kFar}, {kFar, kFar}};
 
 std::array<double, 6> numbersOf(const AffineMap &map) {
     return {map.a, map.b, map.c, map.d, map.e, map.f};
@@ -308,107 +265,6 @@ void SvgDrawer::keepPart(const Visit &visit, SvgPath path) {
     if (alpha > 0.0 && !removesLittle) {
         clip.parts.push_back(std::move(path));
     }
-}
-
-/// Returns boxes outside of which clip paths and masks show nothing, without the page and other viewports.
-std::vector<Box2> SvgDrawer::clipBoxes() const {
-    std::vector<Box2> boxes;
-    const auto boxOfLimit = [&](std::uint32_t limit) { return limit == kNoClip ? kEverything : boxes[limit]; };
-    for (const SvgClip &clip : clips_) {
-        Box2 parts;
-        for (const SvgPath &part : clip.parts) {
-            parts.add(part.box());
-        }
-        const bool wide = clip.kind == SvgClipKind::Viewport; // those that are needed are only known later
-        boxes.push_back(common(wide ? kEverything : parts, boxOfLimit(clip.within)));
-    }
-    return boxes;
-}
-
-/// Cuts nothing off at the page if nothing is filled, as in a drawing of outlines, or if all that is filled lies
-/// outside of it.
-void SvgDrawer::choosePage() {
-    if (!page_) {
-        return;
-    }
-    const std::vector<Box2> boxes = clipBoxes();
-    const Box2 page = imageBox(*page_);
-    bool painted = false, shown = false;
-    for (const SvgPath &path : paths_) {
-        const Box2 visible = path.limit == kNoClip ? path.box() : common(path.box(), boxes[path.limit]);
-        painted = painted || (path.painted() && hasArea(visible));
-        shown = shown || (path.painted() && hasArea(common(visible, page)));
-    }
-    if (!shown) {
-        page_.reset();
-    }
-    if (painted && !shown) {
-        note(root_, "svg-off-page", "all filled shapes lie outside the page (the view box): they are read in full");
-    }
-}
-
-/// Reports that shapes are cut off at the page.
-void SvgDrawer::notePage() const {
-    const std::vector<Box2> boxes = clipBoxes();
-    Box2 page = imageBox(*page_);
-    page = page.grown(kBeyond * std::min(page.size().x, page.size().y));
-    for (const SvgPath &path : paths_) {
-        const Box2 visible = common(path.bounds(), path.limit == kNoClip ? kEverything : boxes[path.limit]);
-        if (!visible.empty() && !(page.contains(visible.min) && page.contains(visible.max))) {
-            note(root_, kPageNote, "shapes are cut off at the page (the view box), as renderers show them");
-            return;
-        }
-    }
-}
-
-/// Returns the box of the shapes, as far as the page and the boxes of clip paths and masks show them.
-Box2 SvgDrawer::visibleBox() const {
-    const std::vector<Box2> boxes = clipBoxes();
-    const Box2 page = page_ ? imageBox(*page_) : kEverything;
-    Box2 box;
-    for (const SvgPath &path : paths_) {
-        const Box2 limit = path.limit == kNoClip ? kEverything : boxes[path.limit];
-        const Box2 visible = common(common(path.box(), limit), page);
-        if (!visible.empty()) {
-            box.add(visible);
-        }
-    }
-    return box;
-}
-
-/// Removes viewports that cut nothing off, which nearly all are.
-void SvgDrawer::dropWideViewports() {
-    const auto isViewport = [](const SvgClip &clip) { return clip.kind == SvgClipKind::Viewport; };
-    if (std::none_of(clips_.begin(), clips_.end(), isViewport)) {
-        return;
-    }
-    std::vector<std::uint8_t> needed(clips_.size(), 0);
-    const auto look = [&](const SvgPath &path, std::uint32_t limit) {
-        for (; limit != kNoClip; limit = clips_[limit].within) {
-            if (isViewport(clips_[limit]) && needed[limit] == 0 && !contains(clips_[limit].frame, path)) {
-                needed[limit] = 1;
-            }
-        }
-    };
-    const auto relink = [&](std::uint32_t &limit) {
-        while (limit != kNoClip && isViewport(clips_[limit]) && needed[limit] == 0) {
-            limit = clips_[limit].within;
-        }
-    };
-    const auto forEachPath = [&](const auto &visit) {
-        std::for_each(paths_.begin(), paths_.end(), [&](SvgPath &path) { visit(path); });
-        for (SvgClip &clip : clips_) {
-            std::for_each(clip.parts.begin(), clip.parts.end(), [&](SvgPath &path) { visit(path); });
-        }
-    };
-    std::for_each(paths_.begin(), paths_.end(), [&](const SvgPath &path) { look(path, path.limit); });
-    for (const SvgClip &clip : clips_) {
-        for (const SvgPath &part : clip.parts) {
-            look(part, part.limit);
-        }
-    }
-    forEachPath([&](SvgPath &path) { relink(path.limit); });
-    std::for_each(clips_.begin(), clips_.end(), [&](SvgClip &clip) { relink(clip.within); });
 }
 
 } // namespace forefront

@@ -88,6 +88,8 @@ class SvgDrawer {
     Box2 boxOf(const Visit &visit);
     bool drawnInClip(const Visit &visit, std::string_view name) const;
     void keepPart(const Visit &visit, SvgPath path);
+
+    // svg_visible.cpp
     std::vector<Box2> clipBoxes() const;
     void choosePage();
     void notePage() const;

@@ -1,3 +1,4 @@
+#include "core/domain/coordinate_range.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/svg/svg_axes.hpp"
 #include "core/io/svg/svg_drawer.hpp"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace forefront {
@@ -127,7 +129,11 @@ void SvgDrawer::placeAxes() {
     axes_ = axes.map;
     if (axes.page && !source_.options.beyondPage) {
         const Vec2 corner = axes.page->corner, size = axes.page->size;
-        page_ = axes.map * AffineMap{size.x, 0, 0, size.y, corner.x, corner.y};
+        const AffineMap page = axes.map * AffineMap{size.x, 0, 0, size.y, corner.x, corner.y};
+        const Vec2 ends[] = {page({0, 0}), page({1, 1})};
+        if (std::all_of(std::begin(ends), std::end(ends), [](Vec2 end) { return isFinite(end) && !tooLarge(end); })) {
+            page_ = page;
+        }
     }
     viewport_ = axes.viewport;
     if (!axes.unit.empty()) {

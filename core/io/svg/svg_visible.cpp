@@ -1,0 +1,158 @@
+#include "core/io/svg/svg_drawer.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kBeyond = 1e-3; ///< part of a viewport by which rounding may exceed it
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr Box2 kEverything{{-kFar, -kFar}, {kFar, kFar}};
+
+Box2 common(const Box2 &s, const Box2 &t) {
+    return {{std::max(s.min.x, t.min.x), std::max(s.min.y, t.min.y)},
+            {std::min(s.max.x, t.max.x), std::min(s.max.y, t.max.y)}};
+}
+
+/// Returns true if the unit square under a map contains a path, up to rounding.
+bool contains(const AffineMap &frame, const SvgPath &path) {
+    const double determinant = frame.a * frame.d - frame.b * frame.c;
+    const auto inside = [&](Vec2 p) {
+        const Vec2 d{p.x - frame.e, p.y - frame.f};
+        const double x = (frame.d * d.x - frame.c * d.y) / determinant;
+        const double y = (frame.a * d.y - frame.b * d.x) / determinant;
+        return x >= -kBeyond && x <= 1.0 + kBeyond && y >= -kBeyond && y <= 1.0 + kBeyond;
+    };
+    const auto follows = [&](const CurveStretch &stretch) {
+        if (!stretch.follows()) {
+            return true;
+        }
+        const Box2 box = path.curves[stretch.curve].bounds(stretch.t0, stretch.t1);
+        return inside(box.min) && inside(box.max) && inside({box.min.x, box.max.y}) && inside({box.max.x, box.min.y});
+    };
+    return std::all_of(path.nodes.begin(), path.nodes.end(), inside) &&
+           std::all_of(path.stretches.begin(), path.stretches.end(), follows);
+}
+
+/// Returns the box of the unit square under a map.
+Box2 imageBox(const AffineMap &frame) {
+    Box2 box;
+    for (const Vec2 corner : {Vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        box.add(frame(corner));
+    }
+    return box;
+}
+
+/// Returns the box outside of which a clip shows nothing.
+Box2 boxOfClip(std::uint32_t clip, const std::vector<Box2> &boxes) {
+    return clip == kNoClip ? kEverything : boxes[clip];
+}
+
+bool hasArea(const Box2 &box) {
+    return box.min.x < box.max.x && box.min.y < box.max.y;
+}
+
+} // namespace
+
+/// Returns boxes outside of which clip paths and masks show nothing, without the page and other viewports.
+std::vector<Box2> SvgDrawer::clipBoxes() const {
+    std::vector<Box2> boxes;
+    for (const SvgClip &clip : clips_) {
+        Box2 parts;
+        for (const SvgPath &part : clip.parts) {
+            parts.add(part.box());
+        }
+        const bool wide = clip.kind == SvgClipKind::Viewport; // those that are needed are only known later
+        boxes.push_back(common(wide ? kEverything : parts, boxOfClip(clip.within, boxes)));
+    }
+    return boxes;
+}
+
+/// Cuts nothing off at the page if nothing is filled, as in a drawing of outlines, or if all that is filled lies
+/// outside of it.
+void SvgDrawer::choosePage() {
+    if (!page_) {
+        return;
+    }
+    const std::vector<Box2> boxes = clipBoxes();
+    const Box2 page = imageBox(*page_);
+    bool painted = false, shown = false;
+    for (const SvgPath &path : paths_) {
+        const Box2 visible = common(path.box(), boxOfClip(path.limit, boxes));
+        painted = painted || (path.painted() && hasArea(visible));
+        shown = shown || (path.painted() && hasArea(common(visible, page)));
+    }
+    if (!shown) {
+        page_.reset();
+    }
+    if (painted && !shown) {
+        note(root_, "svg-off-page", "all filled shapes lie outside the page (the view box): they are read in full");
+    }
+}
+
+/// Reports that shapes are cut off at the page.
+void SvgDrawer::notePage() const {
+    const std::vector<Box2> boxes = clipBoxes();
+    Box2 page = imageBox(*page_);
+    page = page.grown(kBeyond * std::min(page.size().x, page.size().y));
+    for (const SvgPath &path : paths_) {
+        const Box2 visible = common(path.bounds(), boxOfClip(path.limit, boxes));
+        if (!visible.empty() && !(page.contains(visible.min) && page.contains(visible.max))) {
+            note(root_, kPageNote, "shapes are cut off at the page (the view box), as renderers show them");
+            return;
+        }
+    }
+}
+
+/// Returns the box of the shapes, as far as the page and the boxes of clip paths and masks show them.
+Box2 SvgDrawer::visibleBox() const {
+    const std::vector<Box2> boxes = clipBoxes();
+    const Box2 page = page_ ? imageBox(*page_) : kEverything;
+    Box2 box;
+    for (const SvgPath &path : paths_) {
+        const Box2 visible = common(common(path.box(), boxOfClip(path.limit, boxes)), page);
+        if (!visible.empty()) {
+            box.add(visible);
+        }
+    }
+    return box;
+}
+
+/// Removes viewports that cut nothing off, which nearly all are.
+void SvgDrawer::dropWideViewports() {
+    const auto isViewport = [](const SvgClip &clip) { return clip.kind == SvgClipKind::Viewport; };
+    if (std::none_of(clips_.begin(), clips_.end(), isViewport)) {
+        return;
+    }
+    std::vector<std::uint8_t> needed(clips_.size(), 0);
+    const auto look = [&](const SvgPath &path, std::uint32_t limit) {
+        for (; limit != kNoClip; limit = clips_[limit].within) {
+            if (isViewport(clips_[limit]) && needed[limit] == 0 && !contains(clips_[limit].frame, path)) {
+                needed[limit] = 1;
+            }
+        }
+    };
+    const auto relink = [&](std::uint32_t &limit) {
+        while (limit != kNoClip && isViewport(clips_[limit]) && needed[limit] == 0) {
+            limit = clips_[limit].within;
+        }
+    };
+    const auto forEachPath = [&](const auto &visit) {
+        std::for_each(paths_.begin(), paths_.end(), [&](SvgPath &path) { visit(path); });
+        for (SvgClip &clip : clips_) {
+            std::for_each(clip.parts.begin(), clip.parts.end(), [&](SvgPath &path) { visit(path); });
+        }
+    };
+    std::for_each(paths_.begin(), paths_.end(), [&](const SvgPath &path) { look(path, path.limit); });
+    for (const SvgClip &clip : clips_) {
+        for (const SvgPath &part : clip.parts) {
+            look(part, part.limit);
+        }
+    }
+    forEachPath([&](SvgPath &path) { relink(path.limit); });
+    std::for_each(clips_.begin(), clips_.end(), [&](SvgClip &clip) { relink(clip.within); });
+}
+
+} // namespace forefront
