@@ -169,7 +169,7 @@ void ImportDialog::drawJoining(Shell &context) {
     ImGui::SameLine();
     ui::muted(context, "units of the file");
     if (arranges_) {
-        ui::rowLabel(context, "Where areas overlap", kLabels);
+        ui::rowLabel(context, "Overlaps", kLabels);
         static constexpr std::array<const char *, 2> kRules{"later wins", "smaller wins"};
         int rule = options_.overlap == OverlapRule::Smaller ? 1 : 0;
         if (ui::segmented(context, "dialog/importoptions/overlap", kRules, rule, 220.0F)) {
