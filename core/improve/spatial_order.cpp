@@ -30,10 +30,20 @@ void forEach(ThreadPool &pool, std::size_t count, const Work &work) {
     });
 }
 
-/// Copies sorted items back, so that the mesh keeps its place in memory and the sorted ones leave no gap there.
+/// Gives item numbers[k] the place k. The list keeps its memory, so that the temporary one leaves no gap there.
 template <class T>
-void copy(const std::vector<T> &from, std::vector<T> &to) {
-    std::copy(from.begin(), from.end(), to.begin());
+void sortBy(ThreadPool &pool, const std::vector<std::uint32_t> &numbers, std::vector<T> &items) {
+    std::vector<T> sorted(items.size());
+    forEach(pool, items.size(), [&](std::size_t k) { sorted[k] = items[numbers[k]]; });
+    std::copy(sorted.begin(), sorted.end(), items.begin());
+}
+
+/// Undoes sortBy().
+template <class T>
+void putBack(ThreadPool &pool, const std::vector<std::uint32_t> &numbers, std::vector<T> &items) {
+    std::vector<T> restored(items.size());
+    forEach(pool, items.size(), [&](std::size_t k) { restored[numbers[k]] = items[k]; });
+    std::copy(restored.begin(), restored.end(), items.begin());
 }
 
 } // namespace
@@ -60,9 +70,7 @@ void SpatialOrder::sortNodes() {
     std::vector<std::uint64_t> codes(mesh_.nodes.size());
     forEach(pool_, codes.size(), [&](std::size_t n) { codes[n] = mortonCode({mesh_.nodes[n], mesh_.nodes[n]}, box); });
     nodes_ = orderByKeys(codes);
-    std::vector<Vec2> sorted(nodes_.size());
-    forEach(pool_, sorted.size(), [&](std::size_t k) { sorted[k] = mesh_.nodes[nodes_[k]]; });
-    copy(sorted, mesh_.nodes);
+    sortBy(pool_, nodes_, mesh_.nodes);
 }
 
 /// Sorts the elements by the first of their sorted nodes; those with the same one stay in their order.
@@ -85,14 +93,8 @@ void SpatialOrder::sortElements(const std::vector<std::uint32_t> &rank) {
     for (std::uint32_t e = 0; e < count; ++e) {
         elements_[next[lowest[e]]++] = e;
     }
-    std::vector<Element> sorted(count);
-    forEach(pool_, count, [&](std::size_t k) { sorted[k] = mesh_.elements[elements_[k]]; });
-    copy(sorted, mesh_.elements);
-    if (!mesh_.regions.empty()) {
-        std::vector<std::int32_t> regions(count);
-        forEach(pool_, count, [&](std::size_t k) { regions[k] = mesh_.regions[elements_[k]]; });
-        copy(regions, mesh_.regions);
-    }
+    sortBy(pool_, elements_, mesh_.elements);
+    sortBy(pool_, elements_, mesh_.regions); // may be empty
 }
 
 void SpatialOrder::renumberTagged(const std::vector<std::uint32_t> &numbers) {
@@ -107,18 +109,11 @@ void SpatialOrder::renumberTagged(const std::vector<std::uint32_t> &numbers) {
 
 void SpatialOrder::restore() {
     FOREFRONT_ASSERT(mesh_.nodes.size() == nodes_.size() && mesh_.elements.size() == elements_.size());
-    std::vector<Vec2> nodes(nodes_.size());
-    forEach(pool_, nodes.size(), [&](std::size_t k) { nodes[nodes_[k]] = mesh_.nodes[k]; });
-    copy(nodes, mesh_.nodes);
-    std::vector<Element> elements(elements_.size());
-    forEach(pool_, elements.size(),
-            [&](std::size_t k) { elements[elements_[k]] = renumbered(mesh_.elements[k], nodes_); });
-    copy(elements, mesh_.elements);
-    if (!mesh_.regions.empty()) {
-        std::vector<std::int32_t> regions(elements_.size());
-        forEach(pool_, regions.size(), [&](std::size_t k) { regions[elements_[k]] = mesh_.regions[k]; });
-        copy(regions, mesh_.regions);
-    }
+    putBack(pool_, nodes_, mesh_.nodes);
+    forEach(pool_, mesh_.elements.size(),
+            [&](std::size_t k) { mesh_.elements[k] = renumbered(mesh_.elements[k], nodes_); });
+    putBack(pool_, elements_, mesh_.elements);
+    putBack(pool_, elements_, mesh_.regions); // may be empty
     renumberTagged(nodes_);
 }
 
