@@ -30,6 +30,12 @@ void typeName(Draughtsman &driver, const std::string &dialog, const std::filesys
     driver.settle();
 }
 
+void importFile(Draughtsman &driver, const std::filesystem::path &file) {
+    driver.key('I', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "import", file);
+}
+
 void askForExport(Draughtsman &driver) {
     driver.key('E', {Modifiers::kControl});
     driver.settle();
@@ -308,9 +314,7 @@ TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen u
     }
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.key('I', {Modifiers::kControl});
-    driver.frames(5);
-    typeName(driver, "import", place.path / "part.forefront");
+    importFile(driver, place.path / "part.forefront");
     REQUIRE(driver.has("dialog/importoptions/ok"));
     driver.click("dialog/importoptions/inch");
     driver.click("dialog/importoptions/ok");
@@ -357,9 +361,7 @@ TEST_CASE("Import: the weld tolerance closes gaps of a map, and the dialog says 
         << R"({"type": "FeatureCollection", "features": [)" << polygon("A", "[0,0],[4,0],[4,3],[0,3],[0,0]") << ", "
         << polygon("B", "[4.01,0],[8,0],[8,3],[4.01,3],[4.01,0]") << "]}";
     Draughtsman driver;
-    driver.key('I', {Modifiers::kControl});
-    driver.frames(5);
-    typeName(driver, "import", place.path / "map.geojson");
+    importFile(driver, place.path / "map.geojson");
     REQUIRE(driver.has("dialog/importoptions/weld"));
     CHECK(driver.has("dialog/importoptions/overlap/later wins"));
     CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
@@ -379,9 +381,7 @@ TEST_CASE("Import: a drawing that leaves its page can be read in full") {
     const TemporaryFolder place;
     std::ofstream(place.path / "wide.svg") << R"(<svg viewBox="0 0 10 10"><rect x="-5" width="9" height="6"/></svg>)";
     Draughtsman driver;
-    driver.key('I', {Modifiers::kControl});
-    driver.frames(5);
-    typeName(driver, "import", place.path / "wide.svg");
+    importFile(driver, place.path / "wide.svg");
     REQUIRE(driver.has("dialog/importoptions/page"));
     CHECK(driver.has("dialog/importoptions/note/0"));
     driver.click("dialog/importoptions/page");
@@ -398,9 +398,7 @@ TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
     std::ofstream(place.path / "gap.poly")
         << "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n";
     Draughtsman driver;
-    driver.key('I', {Modifiers::kControl});
-    driver.frames(5);
-    typeName(driver, "import", place.path / "gap.poly");
+    importFile(driver, place.path / "gap.poly");
     REQUIRE(driver.has("dialog/importoptions/weld"));
     CHECK_FALSE(driver.has("dialog/importoptions/overlap/later wins"));
     driver.click("dialog/importoptions/weld");

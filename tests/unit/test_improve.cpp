@@ -10,6 +10,7 @@
 #include "core/mesh/verify.hpp"
 #include "core/spacing/spacing_field.hpp"
 #include "tests/support/sanitizers.hpp"
+#include "tests/support/stop_at.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -126,23 +127,12 @@ TEST_CASE("improve: nearly flat elements along a line improve and none becomes i
 }
 
 TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
-    for (int stopAt = 0; stopAt < 8; ++stopAt) {
+    for (int report = 0; report < 9; ++report) {
         Mesh mesh = samples::constrainedSquare(20, 0.24, {}, 9);
-        std::stop_source stop;
-        Progress progress;
-        progress.stop = stop.get_token();
-        int calls = 0;
-        progress.report = [&](std::string_view, double) {
-            if (++calls > stopAt) {
-                stop.request_stop();
-            }
-        };
-        if (stopAt == 0) {
-            stop.request_stop();
-        }
-        const ImproveReport report = improve(mesh, {}, progress);
+        const testing::StopAt stop(report);
+        const ImproveReport result = improve(mesh, {}, stop.progress());
         CHECK(verify(mesh).empty());
-        CHECK(report.alphaMinAfter >= report.alphaMinBefore);
+        CHECK(result.alphaMinAfter >= result.alphaMinBefore);
     }
 }
 

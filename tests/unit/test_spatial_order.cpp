@@ -2,12 +2,12 @@
 #include "core/improve/spatial_order.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
+#include "tests/support/stop_at.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 
 using namespace forefront;
@@ -114,18 +114,10 @@ TEST_CASE("improve: a large mesh in random order keeps its numbers, and the resu
 
 TEST_CASE("improve: cancelled at any stage, a large mesh in random order keeps its numbers") {
     const Mesh before = shuffled(samples::square(250, 250, 0.24), 2);
-    for (int stopAt = 0; stopAt < 6; ++stopAt) {
+    for (int report = 0; report <= 6; ++report) {
         Mesh mesh = before;
-        std::stop_source stop;
-        Progress progress;
-        progress.stop = stop.get_token();
-        int calls = 0;
-        progress.report = [&](std::string_view, double) {
-            if (++calls > stopAt) {
-                stop.request_stop();
-            }
-        };
-        improve(mesh, {}, progress);
+        const testing::StopAt stop(report);
+        improve(mesh, {}, stop.progress());
         CHECK(verify(mesh).empty());
         for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
             REQUIRE(distance(mesh.nodes[n], before.nodes[n]) < 2.0 / 250.0);
