@@ -249,17 +249,29 @@ SharpElements sortElements(const Mesh &mesh, double limit, std::vector<Wedge> &w
     return sorted;
 }
 
-/// Returns the minimum angle of the sharp elements that are not connected to tips or bands; 60 if there are none.
+/// Returns the minimum angle of the sharp elements that are not connected to tips or bands by nodes of sharp elements;
+/// 60 if there are none. Where a gap forces sharp elements, cleanup shares the angle out among those around.
 double minAngleApart(const Mesh &mesh, const SharpElements &sorted) {
-    std::vector<Element> forced = sorted.tips;
-    forced.insert(forced.end(), sorted.bands.begin(), sorted.bands.end());
-    Bands beside(sorted.others);
-    beside.take(std::move(forced)); // the end of a band is a short side of the element beyond it
-    double minimum = 60.0;
-    for (std::vector<Element> some = beside.takeNext(); !some.empty(); some = beside.takeNext()) {
-        for (const Element &e : some) {
-            minimum = std::min(minimum, minAngle(mesh, e));
+    std::vector<std::uint8_t> reached(mesh.nodes.size(), 0);
+    const auto reach = [&](const Element &e) {
+        for (const NodeId n : e) {
+            reached[index(n)] = 1;
         }
+    };
+    std::for_each(sorted.tips.begin(), sorted.tips.end(), reach);
+    std::for_each(sorted.bands.begin(), sorted.bands.end(), reach);
+    std::vector<Element> apart = sorted.others;
+    for (bool grows = true; grows;) {
+        const auto touched = std::partition(apart.begin(), apart.end(), [&](const Element &e) {
+            return std::none_of(e.begin(), e.end(), [&](NodeId n) { return reached[index(n)] != 0; });
+        });
+        grows = touched != apart.end();
+        std::for_each(touched, apart.end(), reach);
+        apart.erase(touched, apart.end());
+    }
+    double minimum = 60.0;
+    for (const Element &e : apart) {
+        minimum = std::min(minimum, minAngle(mesh, e));
     }
     return minimum;
 }

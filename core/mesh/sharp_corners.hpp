@@ -23,7 +23,9 @@ struct NarrowPlace {
 struct SharpCorners {
     std::vector<SharpCorner> corners; ///< sharpest first
     std::vector<NarrowPlace> narrow;  ///< narrowest first
-    double minAngleElsewhere = 0.0;   ///< minimum angle of elements neither in nor beside them, degrees
+    /// Minimum angle of the elements neither in them nor beside them, degrees. Sharp elements are beside them if they
+    /// share a node with one of their elements, or with another that is beside them.
+    double minAngleElsewhere = 0.0;
 };
 
 /// Finds the places of a mesh where the domain itself forces small angles: corners and narrow places. A corner owns the

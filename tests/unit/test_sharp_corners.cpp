@@ -95,6 +95,19 @@ TEST_CASE("sharpCorners: reports the gap between two tips, but not a short edge 
     CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere < 6.0);
 }
 
+TEST_CASE("sharpCorners: sharp elements that share nodes with those in a gap count with it, others do not") {
+    // Two tips a gap apart, above them a free node, to its right a row of sharp elements that share single nodes.
+    Mesh mesh;
+    mesh.nodes = {{-0.02, 0}, {0.02, 0}, {0, 0.2}, {1, 0.2}, {1, 0.4}, {2, 0.2}, {2, 0.4}, {-1, -1}, {1, -1}, {5, 0}};
+    mesh.elements = {{node(2), node(3), node(4)}, {node(3), node(5), node(6)}};
+    mesh.edges = {{node(0), node(7), 1}, {node(1), node(8), 1}};
+    CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere == doctest::Approx(11.31).epsilon(0.001));
+    mesh.elements.push_back({node(0), node(1), node(2)});
+    CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere == 60.0);
+    mesh.elements[1] = {node(5), node(9), node(6)}; // shares no node with the others
+    CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere < 11.0);
+}
+
 TEST_CASE("sharpCorners: a wedge outside the mesh does not count, but one between inner lines does") {
     Mesh mesh = needle();
     mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
