@@ -234,25 +234,30 @@ class CutFinder {
 
     /// Halves curves that have the same ends, and so the same chord, although something lies between them.
     void separate(std::uint32_t i, std::uint32_t j, double tolerance) {
-        constexpr int kParts = 4;
         const bool bentFirst = bent(chords_[i], tolerance), bentSecond = bent(chords_[j], tolerance);
-        if (!bentFirst && !bentSecond) {
+        const CurvePart &first = chords_[i].part, &second = chords_[j].part;
+        if ((!bentFirst && !bentSecond) || (!strays(first, second, tolerance) && !strays(second, first, tolerance))) {
             return;
         }
-        const CurvePart &first = chords_[i].part, &second = chords_[j].part;
+        if (bentFirst) {
+            halve(i);
+        }
+        if (bentSecond) {
+            halve(j);
+        }
+    }
+
+    /// Returns true if a place on the first part is farther from the second than the tolerance.
+    static bool strays(const CurvePart &first, const CurvePart &second, double tolerance) {
+        constexpr int kParts = 4;
         for (int k = 1; k < kParts; ++k) {
             const Vec2 p = first.curve.point(std::lerp(first.t0, first.t1, k / double{kParts}));
             const double t = second.curve.nearest(p, second.t0, second.t1);
             if (distance(p, second.curve.point(t)) > tolerance) {
-                if (bentFirst) {
-                    halve(i);
-                }
-                if (bentSecond) {
-                    halve(j);
-                }
-                return;
+                return true;
             }
         }
+        return false;
     }
 
     void addContacts(std::uint32_t i, std::uint32_t j, double tolerance) {

@@ -17,23 +17,31 @@ namespace forefront {
 
 namespace {
 
+/// Limits on joining again with more pins. Where many lines are crowded, new pins only move others off their lines.
 constexpr int kMaxAttempts = 8;
+constexpr std::size_t kFewPins = 16;
+constexpr double kMaxPinsLeft = 0.75; ///< share of the pins of the attempt before
 /// Share of the radius that rounding may add to a distance.
 constexpr double kSlack = 1.0 + 1e-9;
 
 /// Lines, some of them cut at places that must not move.
 class PinnedLines {
   public:
-    PinnedLines(std::span<const SnapLine> lines, double radius) : lines_(lines), radius_(radius) {}
+    /// No line should end up farther from its path than `limit`.
+    PinnedLines(std::span<const SnapLine> lines, double radius, double limit)
+        : lines_(lines), radius_(radius), limit_(limit) {}
 
     SnappedLines run(const std::stop_token &stop) {
         SnappedLines result = Snapper(lines_, {}, radius_).run(stop);
         result.displacement = measure(result);
-        for (int attempt = 0; result.finished && attempt < kMaxAttempts && keepNewPins(); ++attempt) {
-            const std::size_t passes = result.passes;
+        bool fewer = true;
+        for (int attempt = 0; result.finished && attempt < kMaxAttempts && fewer && keepNewPins(); ++attempt) {
+            const std::size_t passes = result.passes, before = found_.size();
             result = runPinned(stop);
             result.passes += passes;
             result.displacement = measure(result);
+            fewer = found_.size() <= kFewPins ||
+                    static_cast<double>(found_.size()) <= kMaxPinsLeft * static_cast<double>(before);
         }
         return result;
     }
@@ -53,11 +61,12 @@ class PinnedLines {
     }
 
     /// Returns the maximum distance between a line and its path, and finds pins for lines where it is beyond the
-    /// radius.
+    /// limit.
     double measure(const SnappedLines &snapped) {
         found_.clear();
         double maximum = 0.0;
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+            const SnapLine line = ordered(i);
             std::uint32_t node = snapped.first[i];
             Vec2 worst = snapped.nodes[node];
             double farthest = distance(lines_[i].a, worst);
@@ -66,15 +75,14 @@ class PinnedLines {
                 node = edge.a == node ? edge.b : edge.a;
                 const Vec2 p = snapped.nodes[node];
                 const bool last = k + 1 == snapped.starts[i + 1];
-                const double gap = last ? distance(lines_[i].b, p) : distanceToSegment(lines_[i].a, lines_[i].b, p);
+                const double gap = last ? distance(lines_[i].b, p) : distanceToSegment(line.a, line.b, p);
                 if (gap > farthest || (gap == farthest && comesBefore(p, worst))) {
                     farthest = gap;
                     worst = p;
                 }
             }
             maximum = std::max(maximum, farthest);
-            if (farthest > kSlack * radius_) {
-                const SnapLine line = ordered(i);
+            if (farthest > kSlack * limit_) {
                 const Vec2 along = line.b - line.a;
                 found_.push_back({i, dot(worst - line.a, along) / lengthSquared(along)});
             }
@@ -129,7 +137,7 @@ class PinnedLines {
     }
 
     std::span<const SnapLine> lines_;
-    double radius_;
+    double radius_, limit_;
     std::vector<Pin> pins_;  ///< sorted
     std::vector<Pin> found_; ///< of the last result, by line
 };
@@ -168,11 +176,14 @@ SnappedLines unsnapped(std::span<const SnapLine> lines) {
 }
 
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop) {
+    return snapLines(lines, tolerance, tolerance, stop);
+}
+
+SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, double radius, const std::stop_token &stop) {
     SnappedLines result;
-    double radius = tolerance;
     do {
         const std::size_t passes = result.passes;
-        result = PinnedLines(lines, radius).run(stop);
+        result = PinnedLines(lines, radius, tolerance).run(stop);
         result.passes += passes;
         result.radius = radius;
         radius *= 0.5;

@@ -49,5 +49,7 @@ SnappedLines unsnapped(std::span<const SnapLine> lines);
 /// Then edges near a node are routed through it, and crossing edges get a node, until nothing is left to do. This ends,
 /// since nodes keep apart and edges only get shorter. O(n log n) for the usual few rounds.
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop = {});
+/// Does the same, but begins with a given radius up to the tolerance.
+SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, double radius, const std::stop_token &stop);
 
 } // namespace forefront

@@ -212,3 +212,22 @@ TEST_CASE("snapLines: does not join again once no line needs a new pin") {
     CHECK(snapped.radius == 0.025);
     CHECK(snapped.passes == 3);
 }
+
+TEST_CASE("snapLines: soon halves the radius where lines are too crowded for pins to help") {
+    constexpr double kTolerance = 0.01;
+    RandomSource random(3);
+    std::vector<SnapLine> lines; // nearly parallel, a fifth of the tolerance apart
+    for (int i = 0; i < 400; ++i) {
+        const double y = 0.2 * kTolerance * i;
+        lines.push_back(
+            {{random.between(0.0, 0.1), y}, {random.between(0.9, 1.0), y + random.between(0.0, 3.0 * kTolerance)}});
+    }
+    const SnappedLines snapped = snapLines(lines, kTolerance);
+    checkSound(lines, snapped);
+    CHECK(snapped.radius < kTolerance);
+    CHECK(snapped.displacement <= kTolerance * (1.0 + 1e-9));
+    CHECK(snapped.passes <= 6);
+    const SnappedLines again = snapLines(lines, kTolerance, snapped.radius, {});
+    CHECK(edgeSet(again) == edgeSet(snapped));
+    CHECK(again.passes < snapped.passes);
+}
