@@ -197,7 +197,7 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
     }
     const PlacedSegment &own = index_.segments[position];
     const Vec2 a = lerp(own.a, own.b, from);
-    const Vec2 b = lerp(own.a, own.b, to);
+    const Vec2 b = to == 1.0 ? own.b : lerp(own.a, own.b, to); // exactly the end, where neighbours touch it
     const Facing nearest = facing(position, a, b, rules_.across * reach, sides);
     // Near a sharp corner the width falls to zero with the distance to it, so it is followed only down to a floor.
     const double floor = nearest.tip || nearest.corner ? std::max(shortest_, kCornerFloor * reach) : shortest_;
@@ -238,20 +238,56 @@ double GapFinder::reachOf(const PlacedSegment &segment) const {
     return rules_.everywhere ? longest_ : std::min(longest_, segment.wholeLength);
 }
 
+/// Decides for every segment on which sides of it the domain lies. Only one segment of a chain needs a ray: along a
+/// boundary the domain stays on the same side, and a line does not leave the domain between boundaries.
+std::vector<GapFinder::Sides> GapFinder::findSides() const {
+    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    const auto isWall = [&](const PlacedSegment &segment) {
+        return domain_.segments[segment.index].role == SegmentRole::Boundary;
+    };
+    std::vector<std::uint8_t> walls(domain_.nodes.size(), 0); // per node: number of boundary segments, at most 3
+    for (const PlacedSegment &segment : index_.segments) {
+        if (!isPoint(segment) && isWall(segment)) {
+            const DomainSegment &ends = domain_.segments[segment.index];
+            for (const std::uint32_t node : {ends.a, ends.b}) {
+                walls[node] = static_cast<std::uint8_t>(std::min(walls[node] + 1, 3));
+            }
+        }
+    }
+    std::vector<std::uint32_t> known(domain_.nodes.size(), kNone); // per node: a segment there whose sides are known
+    std::vector<Sides> sides(index_.segments.size());
+    for (std::uint32_t i = 0; i < index_.segments.size() && !progress_.cancelled(); ++i) {
+        if (isPoint(index_.segments[i])) {
+            continue;
+        }
+        const DomainSegment &ends = domain_.segments[index_.segments[i].index];
+        const bool wall = isWall(index_.segments[i]);
+        const auto continues = [&](std::uint32_t node) {
+            return walls[node] == (wall ? 2 : 0) && known[node] != kNone;
+        };
+        if (continues(ends.a) || continues(ends.b)) {
+            const std::uint32_t node = continues(ends.a) ? ends.a : ends.b;
+            const DomainSegment &before = domain_.segments[index_.segments[known[node]].index];
+            const Sides &there = sides[known[node]];
+            const bool sameDirection = (before.a == node) != (ends.a == node);
+            sides[i] = sameDirection ? there : Sides{there.right, there.left};
+        } else {
+            sides[i] = insideOf(i);
+        }
+        known[ends.a] = walls[ends.a] == (wall ? 2 : 0) ? i : known[ends.a];
+        known[ends.b] = walls[ends.b] == (wall ? 2 : 0) ? i : known[ends.b];
+    }
+    return sides;
+}
+
 std::vector<Gap> GapFinder::find() const {
+    const std::vector<Sides> sides = findSides();
     std::vector<Gap> gaps;
     for (std::uint32_t i = 0; i < index_.segments.size() && !progress_.cancelled(); ++i) {
         const PlacedSegment &segment = index_.segments[i];
-        if (isPoint(segment)) {
-            continue;
+        if (!isPoint(segment) && (sides[i].left || sides[i].right)) {
+            divide(i, 0.0, 1.0, reachOf(segment), sides[i], gaps);
         }
-        const double reach = reachOf(segment);
-        // Most segments are far from everything, so the sides are computed only if something is near.
-        const Facing any = facing(i, segment.a, segment.b, rules_.across * reach, {true, true});
-        if (any.width == kNothing && !any.tip) {
-            continue;
-        }
-        divide(i, 0.0, 1.0, reach, insideOf(i), gaps);
     }
     return gaps;
 }

@@ -74,6 +74,7 @@ class GapFinder {
     };
     bool isPoint(const PlacedSegment &segment) const;
     Sides insideOf(std::uint32_t position) const;
+    std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;
     /// Finds what faces the part of the segment from a to b at the smallest distance.

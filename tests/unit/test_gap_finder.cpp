@@ -1,0 +1,84 @@
+#include "core/domain/add_loop.hpp"
+#include "core/spacing/parts/automatic/gap_finder.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace forefront;
+using testing::RandomSource;
+
+namespace {
+
+std::vector<Gap> gapsOf(const Domain &domain, double longest) {
+    const SegmentIndex index(placedSegments(domain));
+    return GapFinder(domain, index, longest, 1e-4 * spacingBox(domain).diagonal(), {}).find();
+}
+
+/// Returns the total length of the parts that face something.
+double lengthOf(const std::vector<Gap> &gaps) {
+    double sum = 0.0;
+    for (const Gap &gap : gaps) {
+        sum += distance(gap.a, gap.b);
+    }
+    return sum;
+}
+
+void reverse(Domain &domain) {
+    for (DomainSegment &segment : domain.segments) {
+        std::swap(segment.a, segment.b);
+    }
+}
+
+} // namespace
+
+TEST_CASE("GapFinder: the direction of segments does not matter at sharp corners") {
+    RandomSource random(11);
+    constexpr int kRuns = 500;
+    int same = 0; // rounding decides where a width is at a limit, which is rare
+    for (int run = 0; run < kRuns; ++run) {
+        const Vec2 tip{random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
+        const double angle = random.between(0.0, 6.0), opening = random.between(0.4, 0.9);
+        const auto at = [&](double direction) {
+            return tip + random.between(0.5, 2.0) * Vec2{std::cos(direction), std::sin(direction)};
+        };
+        const Vec2 first = at(angle), second = at(angle + opening);
+        Domain domain;
+        addLoop(domain, std::vector<Vec2>{tip, first, second});
+        const double longest = random.between(0.2, 0.45); // parts of half the segments and so on would be borderline
+        const std::vector<Gap> gaps = gapsOf(domain, longest);
+        reverse(domain);
+        const std::vector<Gap> reversed = gapsOf(domain, longest);
+        same += reversed.size() == gaps.size() && std::fabs(lengthOf(reversed) - lengthOf(gaps)) < 1e-9 ? 1 : 0;
+    }
+    CHECK(same >= kRuns - kRuns / 100);
+}
+
+TEST_CASE("GapFinder: finds gaps inside the domain alone, in whatever order and direction its segments are") {
+    RandomSource random(5);
+    Domain
+        domain; // a plate with a slot along its lower side: .1 of the plate is left below, and a bay outside is as wide
+    addLoop(domain, std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}, {2.1, 3}, {2.1, 1}, {2, 1}, {2, 3}, {0, 3}});
+    addLoop(domain, std::vector<Vec2>{{0.5, 0.1}, {0.5, 0.4}, {3.5, 0.4}, {3.5, 0.1}});
+    for (int run = 0; run < 50; ++run) {
+        CAPTURE(run);
+        for (std::size_t i = domain.segments.size(); i > 1; --i) {
+            const auto j = static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1));
+            std::swap(domain.segments[i - 1], domain.segments[j]);
+            if (random.chance(0.5)) {
+                std::swap(domain.segments[i - 1].a, domain.segments[i - 1].b);
+            }
+        }
+        double narrow = 0.0;
+        for (const Gap &gap : gapsOf(domain, 10.0)) {
+            CHECK(gap.width >= 0.1 * (1.0 - 1e-12));
+            if (gap.width < 0.11) {
+                CHECK((gap.a.y < 1.0 && gap.b.y < 1.0)); // nothing in the bay, which is outside
+                narrow += distance(gap.a, gap.b);
+            }
+        }
+        CHECK(narrow == doctest::Approx(6.0).epsilon(0.05)); // both sides of the strip below the slot
+    }
+}
