@@ -151,6 +151,10 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
             return;
         }
         const PlacedSegment &wall = index_.segments[other];
+        const double sideA = dot(wall.a - a, normal), sideB = dot(wall.b - a, normal);
+        if (!(sides.left && std::max(sideA, sideB) > 0.0) && !(sides.right && std::min(sideA, sideB) < 0.0)) {
+            return;
+        }
         const Pair pair = closest(a, b, wall.a, wall.b);
         if (pair.square == 0.0) {
             // They share an end; the corner is sharp if the wall runs back along the part.
