@@ -9,7 +9,7 @@ using namespace forefront::fuzz;
 
 namespace {
 
-constexpr int kRounds = 3000;
+constexpr std::size_t kInputs = 4000; ///< for each target, shared by its seeds
 
 /// Applies a few random edits: flips bytes, overwrites them by characters that matter in the formats, cuts out or
 /// doubles parts.
@@ -61,9 +61,10 @@ int main(int argc, char **argv) {
     for (const Target &target : targets()) {
         std::mt19937 random(1);
         std::size_t inputs = 0;
-        for (const std::string &seed : seeds(target)) {
+        const std::vector<std::string> list = seeds(target);
+        for (const std::string &seed : list) {
             target.run(seed);
-            for (int round = 0; round < kRounds; ++round, ++inputs) {
+            for (std::size_t round = 0; round < kInputs / list.size(); ++round, ++inputs) {
                 target.run(mutated(seed, random));
             }
         }
