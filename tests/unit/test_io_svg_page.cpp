@@ -108,3 +108,14 @@ TEST_CASE("SVG page: drawings of outlines, drawings beside the page and pasted s
     REQUIRE(pasted.ok());
     CHECK(areas(*pasted).at(1) == doctest::Approx(54));
 }
+
+TEST_CASE("SVG page: shapes far larger than the page neither take long nor make what it shows coarser") {
+    // A ring around the page, a strip across it, and a cubic that loops far outside; the weld tolerance is a millionth
+    // of what is near the page.
+    const std::string far = "<path d=\"M-1e9 -1e9H1e9V1e9H-1e9z M2 2V4H8V2z\"/><path id=\"gap\" d=\"M3 5H5V6H3z\"/>"
+                            "<path d=\"M0 9C-1e8 1e8 1e8 1e8 10 9z\"/>";
+    const Reading reading = read(kTen, far);
+    CHECK(reading.area() == doctest::Approx(100.0 - 12.0));
+    CHECK(reading.notes.count("finer-weld") == 0);
+    CHECK(reading.domain.segments.size() < 100);
+}

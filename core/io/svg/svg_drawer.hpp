@@ -93,6 +93,7 @@ class SvgDrawer {
     std::vector<Box2> clipBoxes() const;
     void choosePage();
     void notePage() const;
+    void cropFarFromPage(double tolerance);
     Box2 visibleBox() const;
     void dropWideViewports();
 

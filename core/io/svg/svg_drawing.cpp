@@ -65,6 +65,7 @@ Result<SvgPaths> SvgDrawer::run() {
     }
     if (page_) {
         notePage();
+        cropFarFromPage(tolerance);
     }
     dropWideViewports();
     return SvgPaths{std::move(paths_), std::move(clips_), size};

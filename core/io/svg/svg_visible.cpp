@@ -1,3 +1,4 @@
+#include "core/io/svg/svg_crop.hpp"
 #include "core/io/svg/svg_drawer.hpp"
 
 #include <algorithm>
@@ -102,6 +103,19 @@ void SvgDrawer::notePage() const {
         if (!visible.empty() && !(page.contains(visible.min) && page.contains(visible.max))) {
             note(root_, kPageNote, "shapes are cut off at the page (the view box), as renderers show them");
             return;
+        }
+    }
+}
+
+/// Crops shapes and clips to the surroundings of the page, which then cuts off the rest exactly.
+void SvgDrawer::cropFarFromPage(double tolerance) {
+    const Box2 page = imageBox(*page_), around = page.grown(page.diagonal());
+    for (SvgPath &path : paths_) {
+        crop(path, around, tolerance);
+    }
+    for (SvgClip &clip : clips_) {
+        for (SvgPath &part : clip.parts) {
+            crop(part, around, tolerance);
         }
     }
 }
