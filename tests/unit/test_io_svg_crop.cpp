@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 using namespace forefront;
 using testing::RandomSource;
@@ -76,7 +77,7 @@ std::pair<int, bool> winding(const std::vector<Vec2> &points, Vec2 p, double rea
 
 } // namespace
 
-TEST_CASE("SVG crop: random paths wind around places in the box as before, and stay near it") {
+TEST_CASE("SVG crop: random areas wind around places in the box as before, and stay near it") {
     constexpr double kTolerance = 1e-6;
     RandomSource random(17);
     int compared = 0, wound = 0;
@@ -85,21 +86,21 @@ TEST_CASE("SVG crop: random paths wind around places in the box as before, and s
         const double reach = std::pow(10.0, random.between(0.0, 6.0));
         const SvgPath whole = randomPath(random, reach);
         SvgPath cropped = whole;
-        crop(cropped, kBox, kTolerance);
-        REQUIRE(cropped.stretches.size() + 1 >= cropped.nodes.size());
+        cropArea(cropped, kBox, kTolerance);
+        REQUIRE(!cropped.nodes.empty());
+        REQUIRE(cropped.stretches.size() + 1 == cropped.nodes.size());
         for (const Vec2 p : cropped.nodes) {
             CHECK(kBox.grown(1.0001 * kBox.diagonal()).contains(p));
         }
-        for (std::size_t k = 0; k < cropped.nodes.size() && !cropped.stretches.empty(); ++k) {
-            const CurveStretch stretch = k < cropped.stretches.size() ? cropped.stretches[k] : CurveStretch{};
+        for (std::size_t k = 0; k < cropped.stretches.size(); ++k) {
+            const CurveStretch &stretch = cropped.stretches[k];
             if (stretch.follows()) {
                 const Curve &curve = cropped.curves[stretch.curve];
                 CHECK(distance(curve.point(stretch.t0), cropped.nodes[k]) <= 1e-9 * reach);
                 CHECK(distance(curve.point(stretch.t1), cropped.nodes[k + 1]) <= 1e-9 * reach);
             }
         }
-        const std::vector<Vec2> before = polyline(whole, kTolerance);
-        const std::vector<Vec2> after = cropped.nodes.empty() ? before : polyline(cropped, kTolerance);
+        const std::vector<Vec2> before = polyline(whole, kTolerance), after = polyline(cropped, kTolerance);
         for (int sample = 0; sample < 20; ++sample) {
             const Vec2 p{random.between(0.01, 0.99), random.between(0.01, 0.99)};
             const auto [expected, near] = winding(before, p, 4.0 * kTolerance);
@@ -114,39 +115,64 @@ TEST_CASE("SVG crop: random paths wind around places in the box as before, and s
     CHECK(wound > 5000);
 }
 
-TEST_CASE("SVG crop: a path inside the box stays, and of one beside it nothing is left to wind around") {
-    SvgPath inside;
-    inside.closed = true;
-    inside.nodes = {{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.9}};
-    inside.stretches.resize(2);
-    SvgPath same = inside;
-    crop(same, kBox, 1e-6);
-    CHECK(same.nodes == inside.nodes);
-    SvgPath beside = inside;
-    for (Vec2 &p : beside.nodes) {
-        p.x += 1e9;
+TEST_CASE("SVG crop: random lines keep what lies in the box, and nothing else") {
+    constexpr double kTolerance = 1e-6;
+    const auto lengthWithin = [](const std::vector<Vec2> &points) {
+        double sum = 0.0; // by samples, since the parts of curves may leave the box
+        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+            constexpr int kSamples = 400;
+            for (int i = 0; i < kSamples; ++i) {
+                const Vec2 p = lerp(points[k], points[k + 1], (i + 0.5) / kSamples);
+                sum += kBox.contains(p) ? distance(points[k], points[k + 1]) / kSamples : 0.0;
+            }
+        }
+        return sum;
+    };
+    RandomSource random(29);
+    double total = 0.0;
+    for (int run = 0; run < 500; ++run) {
+        CAPTURE(run);
+        SvgPath whole = randomPath(random, random.between(0.5, 5.0));
+        whole.closed = false;
+        double sum = 0.0;
+        for (const SvgPath &line : croppedLines(whole, kBox, kTolerance)) {
+            CHECK_FALSE(line.painted());
+            CHECK_FALSE(line.closed);
+            REQUIRE(line.stretches.size() + 1 == line.nodes.size());
+            for (const Vec2 p : line.nodes) {
+                CHECK(kBox.grown(1.0001 * kBox.diagonal()).contains(p));
+            }
+            sum += lengthWithin(polyline(line, kTolerance));
+        }
+        const double expected = lengthWithin(polyline(whole, kTolerance));
+        CHECK(std::fabs(sum - expected) <= 0.02 * expected + 0.1);
+        total += expected;
     }
-    crop(beside, kBox, 1e-6);
-    CHECK(beside.nodes.size() <= 3);
-    for (const Vec2 p : beside.nodes) {
-        CHECK(p.x == kBox.max.x);
-    }
+    CHECK(total > 500.0);
 }
 
-TEST_CASE("SVG crop: an open filled path is closed before it is cropped; a line of two nodes does not become an area") {
+TEST_CASE("SVG crop: of an area beside the box nothing is left") {
+    SvgPath beside;
+    beside.closed = true;
+    beside.nodes = {{1e9, 0.1}, {2e9, 0.1}, {1e9, 0.9}};
+    beside.stretches.resize(2);
+    CHECK(croppedLines(beside, kBox, 1e-6).empty());
+    cropArea(beside, kBox, 1e-6);
+    CHECK(beside.nodes.size() < 3);
+}
+
+TEST_CASE("SVG crop: lines are cut on the sides exactly, by the last node and the first if the path is closed") {
     SvgPath open;
-    open.paint.filled = true;
-    open.nodes = {{-1e6, 0.2}, {1e6, 0.2}, {1e6, 0.8}, {-1e6, 0.8}};
-    open.stretches.resize(3);
-    crop(open, kBox, 1e-6);
-    CHECK(winding(open.nodes, {0.5, 0.5}, 0.0).first == 1);
-    CHECK(winding(open.nodes, {0.5, 0.9}, 0.0).first == 0);
-    SvgPath line;
-    line.paint.filled = true;
-    line.nodes = {{0.5, 0.5}, {1e6, 3e6}};
-    line.stretches.resize(1);
-    REQUIRE_FALSE(line.painted());
-    crop(line, kBox, 1e-6);
-    CHECK_FALSE(line.painted());
-    CHECK(line.nodes.front() == Vec2{0.5, 0.5});
+    open.nodes = {{-1e12, 0.25}, {1e12, 0.25}, {1e12, 0.75}, {-1e12, 0.75}, {0.5, 0.5}};
+    open.stretches.resize(4);
+    const std::vector<SvgPath> lines = croppedLines(open, kBox, 1e-6);
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0].nodes == std::vector<Vec2>{{0.0, 0.25}, {1.0, 0.25}});
+    CHECK(lines[1].nodes == std::vector<Vec2>{{1.0, 0.75}, {0.0, 0.75}});
+    REQUIRE(lines[2].nodes.size() == 2);
+    CHECK(lines[2].nodes[0].x == 0.0);
+    CHECK(lines[2].nodes[0].y == doctest::Approx(0.5).epsilon(1e-12));
+    CHECK(lines[2].nodes[1] == Vec2{0.5, 0.5});
+    open.closed = true;
+    CHECK(croppedLines(open, kBox, 1e-6).size() == 3); // the way back continues from the middle
 }

@@ -110,12 +110,51 @@ TEST_CASE("SVG page: drawings of outlines, drawings beside the page and pasted s
 }
 
 TEST_CASE("SVG page: shapes far larger than the page neither take long nor make what it shows coarser") {
-    // A ring around the page, a strip across it, and a cubic that loops far outside; the weld tolerance is a millionth
-    // of what is near the page.
-    const std::string far = "<path d=\"M-1e9 -1e9H1e9V1e9H-1e9z M2 2V4H8V2z\"/><path id=\"gap\" d=\"M3 5H5V6H3z\"/>"
-                            "<path d=\"M0 9C-1e8 1e8 1e8 1e8 10 9z\"/>";
-    const Reading reading = read(kTen, far);
-    CHECK(reading.area() == doctest::Approx(100.0 - 12.0));
-    CHECK(reading.notes.count("finer-weld") == 0);
-    CHECK(reading.domain.segments.size() < 100);
+    // A cubic that loops far outside and closes along y = 9, and a small square beside a hole.
+    const Reading cubic = read(kTen, "<path d=\"M0 9C-1e8 1e8 1e8 1e8 10 9z\"/>");
+    CHECK(cubic.area() == doctest::Approx(10.0));
+    CHECK(cubic.notes == std::set<std::string>{kPageNote, "clipped-segments"});
+    const Reading ring = read(kTen, "<path d=\"M-1e9 -1e9H1e9V1e9H-1e9z M2 2V8H8V2z\"/><path d=\"M3 5H5V6H3z\"/>");
+    CHECK(ring.area() == doctest::Approx(100.0 - 36.0 + 2.0));
+    CHECK(ring.domain.segments.size() == 12);
+    CHECK(ring.notes.count("finer-weld") == 0);
+}
+
+TEST_CASE("SVG page: viewports, clip paths and masks far larger than the page limit as others do") {
+    const std::string square = "<rect width=\"10\" height=\"10\"/>";
+    const auto clipped = [&](const std::string &parts) {
+        return read(kTen, "<clipPath id=\"c\">" + parts + "</clipPath><g clip-path=\"url(#c)\">" + square + "</g>")
+            .area();
+    };
+    CHECK(read(kTen, "<svg x=\"-1000\" y=\"-1000\" width=\"5000\" height=\"5000\">"
+                     "<rect x=\"995\" y=\"995\" width=\"10\" height=\"10\"/></svg>")
+              .area() == doctest::Approx(25.0));
+    CHECK(read(kTen, "<mask id=\"m\" maskUnits=\"userSpaceOnUse\" x=\"-900\" y=\"-900\" width=\"3000\" height=\"3000\">"
+                     "<path fill=\"white\" d=\"M-1e6 0H5V1e6z\"/></mask><g mask=\"url(#m)\">" +
+                         square + "</g>")
+              .area() == doctest::Approx(50.0));
+    // An open part of a clip path is closed by its last and first node; a line clips everything.
+    CHECK(clipped("<path fill=\"none\" d=\"M-1000 -400L1000 -1000L1000 400\"/>") == doctest::Approx(20.0));
+    CHECK(clipped("<path d=\"M1 1H2V2H1z M5 5L1000 3000\"/>") == doctest::Approx(1.0));
+}
+
+TEST_CASE("SVG page: lines far longer than the page keep what it shows of them") {
+    const std::string square = "<rect width=\"10\" height=\"10\"/>";
+    const auto linesIn = [](const Reading &reading) {
+        double sum = 0.0;
+        for (const DomainSegment &segment : reading.domain.segments) {
+            sum += segment.role == SegmentRole::Constraint
+                       ? distance(reading.domain.nodes[segment.a], reading.domain.nodes[segment.b])
+                       : 0.0;
+        }
+        return sum;
+    };
+    CHECK(linesIn(read(kTen, square + "<path stroke=\"black\" fill=\"none\" d=\"M5 -1e6V4H1e6\"/>")) ==
+          doctest::Approx(9.0));
+    CHECK(linesIn(read(kTen, square + "<path stroke=\"black\" fill=\"none\" d=\"M-1e6 5H1e6V1e6z\"/>")) ==
+          doctest::Approx(10.0));
+    // The stroke of an open filled shape does not follow the segment that closes the fill.
+    const std::string open = "<path fill=\"blue\" stroke=\"black\" d=\"M5 -1e6V4H1e6\"/>";
+    CHECK(read(kTen, open).area() == doctest::Approx(20.0));
+    CHECK(linesIn(read(kTen, square + open)) == doctest::Approx(9.0));
 }

@@ -2,12 +2,20 @@
 
 #include "core/io/svg/svg_drawing.hpp"
 
+#include <vector>
+
 namespace forefront {
 
-/// Replaces what a path does outside of a box by lines along the sides of the box, so that it winds around every place
-/// inside as before. Without this, shapes far larger than the page would be joined and divided to the fine tolerance of
-/// the page in all their length. Curves that meet the box are kept, also where they leave it by up to its diagonal.
-/// `tolerance`: of the chords of curves. A path of which nothing is left has less than two nodes.
-void crop(SvgPath &path, const Box2 &box, double tolerance);
+// Crops paths to a box around the page. Without this, shapes far larger than the page would be divided and joined with
+// the fine tolerance of the page along their whole length. Curves that meet the box are kept where they do; they may
+// leave it by up to its diagonal. `tolerance` is the maximum deviation of chords from curves.
+
+/// Crops a closed path, or an open one that its last and first node close. Outside, it then runs along the sides of the
+/// box, so that it winds around every place inside as before. If it winds around none, fewer than three nodes may be
+/// left.
+void cropArea(SvgPath &path, const Box2 &box, double tolerance);
+
+/// Returns the parts of a path that lie in the box, as open paths without a fill.
+std::vector<SvgPath> croppedLines(const SvgPath &path, const Box2 &box, double tolerance);
 
 } // namespace forefront

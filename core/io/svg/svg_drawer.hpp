@@ -112,6 +112,7 @@ class SvgDrawer {
     std::optional<AffineMap> page_;   ///< maps the unit square to what is shown; absent: everything is
     std::optional<double> tolerance_; ///< of the curves; absent: only measure
     bool reports_ = false;
+    bool cropsFill_ = false;   ///< as in SvgPaths
     bool measuresBox_ = false; ///< of an element, without its clips
     std::size_t visited_ = 0, nodeCount_ = 0, elementCount_ = 0;
     std::vector<SvgPath> paths_;

@@ -68,7 +68,7 @@ Result<SvgPaths> SvgDrawer::run() {
         cropFarFromPage(tolerance);
     }
     dropWideViewports();
-    return SvgPaths{std::move(paths_), std::move(clips_), size};
+    return SvgPaths{std::move(paths_), std::move(clips_), size, cropsFill_};
 }
 
 /// Records a fault at byte `within` of an attribute value, if it can be located in the text.

@@ -57,7 +57,8 @@ struct SvgClip {
 struct SvgPaths {
     std::vector<SvgPath> paths;
     std::vector<SvgClip> clips;
-    double size = 0.0; ///< diagonal of the box of what is visible
+    double size = 0.0;      ///< diagonal of the box of what is visible
+    bool cropsFill = false; ///< a filled shape was cropped to the surroundings of the page, perhaps to nothing
 };
 
 /// Returns the visible shapes of an SVG drawing as polylines, those drawn by <use> included, in the order of painting.

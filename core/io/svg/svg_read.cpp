@@ -35,7 +35,8 @@ enum class Part : std::uint8_t { Painted, Outline, Line, Nothing };
 class SvgBuilder {
   public:
     SvgBuilder(SvgPaths drawing, const SourceText &source)
-        : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source) {
+        : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source),
+          anyPainted_(drawing.cropsFill) {
         for (SvgPath &path : paths_) {
             joinEnds(path, kSameNode * drawing.size);
         }
@@ -44,7 +45,8 @@ class SvgBuilder {
                 joinEnds(part, kSameNode * drawing.size);
             }
         }
-        anyPainted_ = std::any_of(paths_.begin(), paths_.end(), [](const SvgPath &path) { return path.painted(); });
+        anyPainted_ = anyPainted_ ||
+                      std::any_of(paths_.begin(), paths_.end(), [](const SvgPath &path) { return path.painted(); });
     }
 
     Result<Domain> run() {
@@ -301,7 +303,7 @@ class SvgBuilder {
     std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
     TagAllocator tags_;
-    bool anyPainted_ = false;
+    bool anyPainted_;
     std::size_t painted_ = kNone; ///< the element of the last contour
     std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;

@@ -2,7 +2,9 @@
 #include "core/io/svg/svg_drawer.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace forefront {
 
@@ -107,15 +109,40 @@ void SvgDrawer::notePage() const {
     }
 }
 
-/// Crops shapes and clips to the surroundings of the page, which then cuts off the rest exactly.
+/// Crops shapes and clips that reach far beyond the page to its surroundings; the page then cuts off the rest exactly.
+/// Others are left as they are: many that run along the same sides would overlap there.
 void SvgDrawer::cropFarFromPage(double tolerance) {
+    constexpr double kFarPages = 16.0;
     const Box2 page = imageBox(*page_), around = page.grown(page.diagonal());
+    const Box2 far = page.grown(kFarPages * page.diagonal());
+    const auto reachesFar = [&](const SvgPath &path) {
+        const Box2 bounds = path.bounds();
+        return path.nodes.size() > 1 && !(far.contains(bounds.min) && far.contains(bounds.max));
+    };
+    std::vector<SvgPath> kept;
     for (SvgPath &path : paths_) {
-        crop(path, around, tolerance);
+        if (!reachesFar(path)) {
+            kept.push_back(std::move(path));
+            continue;
+        }
+        cropsFill_ = cropsFill_ || path.painted();
+        const bool area = path.painted() || (path.closed && !path.paint.stroked);
+        std::vector<SvgPath> lines;
+        if (!area || (path.paint.stroked && !path.closed)) {
+            lines = croppedLines(path, around, tolerance);
+        }
+        if (area) {
+            cropArea(path, around, tolerance);
+            kept.push_back(std::move(path));
+        }
+        std::move(lines.begin(), lines.end(), std::back_inserter(kept));
     }
+    paths_ = std::move(kept);
     for (SvgClip &clip : clips_) {
         for (SvgPath &part : clip.parts) {
-            crop(part, around, tolerance);
+            if (part.nodes.size() > 2 && reachesFar(part)) { // others clip everything
+                cropArea(part, around, tolerance);
+            }
         }
     }
 }
