@@ -19,7 +19,7 @@ namespace {
 
 /// Limits on joining again with more pins. Where many lines are crowded, new pins only move others off their lines.
 constexpr int kMaxAttempts = 8;
-constexpr std::size_t kFewPins = 16;
+constexpr std::size_t kFewPins = 16;  ///< so many are always tried again
 constexpr double kMaxPinsLeft = 0.75; ///< share of the pins of the attempt before
 /// Share of the radius that rounding may add to a distance.
 constexpr double kSlack = 1.0 + 1e-9;
@@ -34,13 +34,13 @@ class PinnedLines {
     SnappedLines run(const std::stop_token &stop) {
         SnappedLines result = Snapper(lines_, {}, radius_).run(stop);
         result.displacement = measure(result);
-        bool fewer = true;
-        for (int attempt = 0; result.finished && attempt < kMaxAttempts && fewer && keepNewPins(); ++attempt) {
+        bool helps = true;
+        for (int attempt = 0; result.finished && attempt < kMaxAttempts && helps && keepNewPins(); ++attempt) {
             const std::size_t passes = result.passes, before = found_.size();
             result = runPinned(stop);
             result.passes += passes;
             result.displacement = measure(result);
-            fewer = found_.size() <= kFewPins ||
+            helps = found_.size() <= kFewPins ||
                     static_cast<double>(found_.size()) <= kMaxPinsLeft * static_cast<double>(before);
         }
         return result;

@@ -249,29 +249,34 @@ SharpElements sortElements(const Mesh &mesh, double limit, std::vector<Wedge> &w
     return sorted;
 }
 
-/// Returns the minimum angle of the sharp elements that are not connected to tips or bands by nodes of sharp elements;
-/// 60 if there are none. Where a gap forces sharp elements, cleanup shares the angle out among those around.
+/// Returns the minimum angle of the sharp elements that no chain of sharp elements, each sharing a node with the next,
+/// connects to tips or bands; 60 if there are none. (Cleanup lets elements around a gap share its small angles.)
 double minAngleApart(const Mesh &mesh, const SharpElements &sorted) {
-    std::vector<std::uint8_t> reached(mesh.nodes.size(), 0);
-    const auto reach = [&](const Element &e) {
-        for (const NodeId n : e) {
-            reached[index(n)] = 1;
+    std::vector<std::pair<NodeId, std::uint32_t>> others; // those at each node
+    for (std::uint32_t i = 0; i < sorted.others.size(); ++i) {
+        for (const NodeId n : sorted.others[i]) {
+            others.emplace_back(n, i);
         }
-    };
-    std::for_each(sorted.tips.begin(), sorted.tips.end(), reach);
-    std::for_each(sorted.bands.begin(), sorted.bands.end(), reach);
-    std::vector<Element> apart = sorted.others;
-    for (bool grows = true; grows;) {
-        const auto touched = std::partition(apart.begin(), apart.end(), [&](const Element &e) {
-            return std::none_of(e.begin(), e.end(), [&](NodeId n) { return reached[index(n)] != 0; });
-        });
-        grows = touched != apart.end();
-        std::for_each(touched, apart.end(), reach);
-        apart.erase(touched, apart.end());
+    }
+    std::sort(others.begin(), others.end());
+    std::vector<Element> open = sorted.tips;
+    open.insert(open.end(), sorted.bands.begin(), sorted.bands.end());
+    std::vector<std::uint8_t> reached(sorted.others.size(), 0);
+    while (!open.empty()) {
+        const Element e = open.back();
+        open.pop_back();
+        for (const NodeId n : e) {
+            for (auto at = std::lower_bound(others.begin(), others.end(), std::pair(n, 0U));
+                 at != others.end() && at->first == n; ++at) {
+                if (std::exchange(reached[at->second], 1) == 0) {
+                    open.push_back(sorted.others[at->second]);
+                }
+            }
+        }
     }
     double minimum = 60.0;
-    for (const Element &e : apart) {
-        minimum = std::min(minimum, minAngle(mesh, e));
+    for (std::size_t i = 0; i < sorted.others.size(); ++i) {
+        minimum = reached[i] == 0 ? std::min(minimum, minAngle(mesh, sorted.others[i])) : minimum;
     }
     return minimum;
 }

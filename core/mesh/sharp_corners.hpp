@@ -23,8 +23,8 @@ struct NarrowPlace {
 struct SharpCorners {
     std::vector<SharpCorner> corners; ///< sharpest first
     std::vector<NarrowPlace> narrow;  ///< narrowest first
-    /// Minimum angle of the elements neither in them nor beside them, degrees. Sharp elements are beside them if they
-    /// share a node with one of their elements, or with another that is beside them.
+    /// Minimum angle of the elements neither in these places nor beside them, degrees. A sharp element is beside one if
+    /// it shares a node with it, directly or through other sharp elements.
     double minAngleElsewhere = 0.0;
 };
 

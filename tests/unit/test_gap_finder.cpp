@@ -58,8 +58,8 @@ TEST_CASE("GapFinder: the direction of segments does not matter at sharp corners
 
 TEST_CASE("GapFinder: finds gaps inside the domain alone, in whatever order and direction its segments are") {
     RandomSource random(5);
-    Domain
-        domain; // a plate with a slot along its lower side: .1 of the plate is left below, and a bay outside is as wide
+    // A plate with a slot along its lower side: 0.1 of the plate is left below, and a bay outside is as wide.
+    Domain domain;
     addLoop(domain, std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}, {2.1, 3}, {2.1, 1}, {2, 1}, {2, 3}, {0, 3}});
     addLoop(domain, std::vector<Vec2>{{0.5, 0.1}, {0.5, 0.4}, {3.5, 0.4}, {3.5, 0.1}});
     for (int run = 0; run < 50; ++run) {

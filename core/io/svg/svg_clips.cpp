@@ -10,8 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kHides = 0.02;  ///< greatest luminance that counts as black in a mask
-constexpr double kVisible = 0.5; ///< least opacity or luminance that a mask is expected to show with
+constexpr double kHides = 0.02; ///< greatest luminance that counts as black in a mask; likewise for white
 
 /// Returns the id in url(#id), with or without quotes; empty if the value is no such reference.
 std::string_view idOfUrl(std::string_view value) {
@@ -254,10 +253,10 @@ void SvgDrawer::keepPart(const Visit &visit, SvgPath path) {
     const double shade = shaded ? paint.fill.luminance : 1.0;
     path.removes = alpha > 0.0 && shade <= kHides;
     const bool removesLittle = path.removes && alpha < 1.0 - kHides;
-    const bool showsLittle = alpha > 0.0 && !path.removes && alpha * shade < kVisible;
+    const bool showsPartly = alpha > 0.0 && !path.removes && alpha * shade < 1.0 - kHides;
     const bool filtered = alpha > 0.0 && !styles_.value(visit.node, "filter").empty();
     if (reports_ &&
-        (paint.strokeAlpha() > 0.0 || (alpha > 0.0 && !plain) || removesLittle || showsLittle || filtered)) {
+        (paint.strokeAlpha() > 0.0 || (alpha > 0.0 && !plain) || removesLittle || showsPartly || filtered)) {
         note(visit.node, "svg-mask",
              "masks are read as clips: what gradients, images, filters and partial shades in a mask paint is shown in "
              "full, and strokes in a mask are ignored");

@@ -77,12 +77,16 @@ SvgColour parseColour(std::string_view text, const SvgColour &current) {
         const std::size_t open = text.find('('), close = text.find(')');
         return open < close && close != text.npos ? functionColour(text.substr(open + 1, close - open - 1)) : kWhite;
     }
-    constexpr std::pair<std::string_view, double> kDark[] = {
-        {"black", 0.0},  {"navy", 0.04}, {"blue", 0.07},  {"maroon", 0.11},  {"purple", 0.14}, {"red", 0.21},
-        {"green", 0.36}, {"teal", 0.39}, {"olive", 0.47}, {"dimgray", 0.41}, {"dimgrey", 0.41}};
+    // The luminance of the names that masks use; others count as light, with a note.
+    constexpr std::pair<std::string_view, double> kNamed[] = {
+        {"black", 0.0},      {"navy", 0.04},      {"blue", 0.07},   {"maroon", 0.11},     {"purple", 0.14},
+        {"red", 0.21},       {"green", 0.36},     {"teal", 0.39},   {"olive", 0.47},      {"dimgray", 0.41},
+        {"dimgrey", 0.41},   {"gray", 0.5},       {"grey", 0.5},    {"darkgray", 0.66},   {"darkgrey", 0.66},
+        {"silver", 0.75},    {"fuchsia", 0.28},   {"lime", 0.72},   {"aqua", 0.79},       {"lightgray", 0.83},
+        {"lightgrey", 0.83}, {"gainsboro", 0.86}, {"yellow", 0.93}, {"whitesmoke", 0.96}, {"white", 1.0}};
     const auto *const found =
-        std::find_if(std::begin(kDark), std::end(kDark), [&](const auto &dark) { return dark.first == text; });
-    return found == std::end(kDark) ? kWhite : SvgColour{found->second, 1.0, true};
+        std::find_if(std::begin(kNamed), std::end(kNamed), [&](const auto &named) { return named.first == text; });
+    return found == std::end(kNamed) ? SvgColour{1.0, 1.0, false} : SvgColour{found->second, 1.0, true};
 }
 
 double parseOpacity(std::string_view text) {

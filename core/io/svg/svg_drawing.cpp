@@ -30,9 +30,12 @@ Box2 SvgPath::bounds() const {
     return box;
 }
 
+bool SvgPath::drawnAsLine() const {
+    return isLine && !closed && paint.filled && !paint.fillGiven && paint.stroked;
+}
+
 bool SvgPath::painted() const {
-    const bool drawnLine = isLine && !closed && !paint.fillGiven;
-    return paint.filled && nodes.size() > 2 && !drawnLine;
+    return paint.filled && nodes.size() > 2 && !drawnAsLine();
 }
 
 Result<SvgPaths> SvgDrawer::run() {

@@ -33,7 +33,9 @@ struct SvgPath {
     Box2 box() const;
     /// Returns the box of the nodes and curves.
     Box2 bounds() const;
-    /// Returns true if the path is filled. Lines are often drawn without fill="none".
+    /// Returns true for an open polyline with a stroke and the default fill. Many are drawn so, without fill="none".
+    bool drawnAsLine() const;
+    /// Returns true if the path is filled, and not drawn as a line.
     bool painted() const;
 };
 

@@ -284,6 +284,11 @@ class SvgBuilder {
             source_.note("svg-unfilled", "shapes without fill are read as lines, because other shapes are filled",
                          path.offset);
         }
+        if (path.drawnAsLine() && path.nodes.size() > 2) {
+            source_.note("svg-polyline",
+                         "polylines with a stroke and the default fill are read as lines, although renderers fill them",
+                         path.offset);
+        }
         if (path.paint.stroked && part != Part::Nothing) {
             source_.note("svg-stroke", "stroke widths are ignored: shapes end at the middle of their stroke",
                          path.offset);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace forefront {
@@ -94,6 +95,10 @@ GapFinder::GapFinder(const Domain &domain, const SegmentIndex &index, double lon
 
 bool GapFinder::isPoint(const PlacedSegment &segment) const {
     return segment.index >= domain_.segments.size();
+}
+
+bool GapFinder::isWall(std::uint32_t position) const {
+    return domain_.segments[index_.segments[position].index].role == SegmentRole::Boundary;
 }
 
 GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
@@ -242,44 +247,73 @@ double GapFinder::reachOf(const PlacedSegment &segment) const {
     return rules_.everywhere ? longest_ : std::min(longest_, segment.wholeLength);
 }
 
-/// Decides for every segment on which sides of it the domain lies. Only one segment of a chain needs a ray: along a
-/// boundary the domain stays on the same side, and a line does not leave the domain between boundaries.
-std::vector<GapFinder::Sides> GapFinder::findSides() const {
-    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    const auto isWall = [&](const PlacedSegment &segment) {
-        return domain_.segments[segment.index].role == SegmentRole::Boundary;
-    };
-    std::vector<std::uint8_t> walls(domain_.nodes.size(), 0); // per node: number of boundary segments, at most 3
-    for (const PlacedSegment &segment : index_.segments) {
-        if (!isPoint(segment) && isWall(segment)) {
-            const DomainSegment &ends = domain_.segments[segment.index];
-            for (const std::uint32_t node : {ends.a, ends.b}) {
-                walls[node] = static_cast<std::uint8_t>(std::min(walls[node] + 1, 3));
+/// Finds, for each node, the segments there along which the sides stay the same: those of a boundary that passes
+/// through the node, or lines that no boundary touches there.
+struct GapFinder::Continuations {
+    std::vector<std::uint32_t> starts;    ///< per node, into `positions`; then its size
+    std::vector<std::uint32_t> positions; ///< of segments in the index
+};
+
+GapFinder::Continuations GapFinder::findContinuations() const {
+    const auto forEnds = [&](const auto &visit) {
+        for (std::uint32_t i = 0; i < index_.segments.size(); ++i) {
+            if (!isPoint(index_.segments[i])) {
+                const DomainSegment &ends = domain_.segments[index_.segments[i].index];
+                visit(i, ends.a);
+                visit(i, ends.b);
             }
         }
-    }
-    std::vector<std::uint32_t> known(domain_.nodes.size(), kNone); // per node: a segment there whose sides are known
+    };
+    std::vector<std::uint32_t> walls(domain_.nodes.size(), 0); // per node: number of boundary segments
+    forEnds([&](std::uint32_t i, std::uint32_t node) { walls[node] += isWall(i) ? 1U : 0U; });
+    const auto continues = [&](std::uint32_t i, std::uint32_t node) { return walls[node] == (isWall(i) ? 2U : 0U); };
+    Continuations found{std::vector<std::uint32_t>(domain_.nodes.size() + 1, 0), {}};
+    forEnds([&](std::uint32_t i, std::uint32_t node) { found.starts[node + 1] += continues(i, node) ? 1U : 0U; });
+    std::partial_sum(found.starts.begin(), found.starts.end(), found.starts.begin());
+    found.positions.resize(found.starts.back());
+    std::vector<std::uint32_t> next(found.starts.begin(), found.starts.end() - 1);
+    forEnds([&](std::uint32_t i, std::uint32_t node) {
+        if (continues(i, node)) {
+            found.positions[next[node]++] = i;
+        }
+    });
+    return found;
+}
+
+/// Decides for every segment on which sides of it the domain lies, by one ray for all segments that continue each
+/// other, from the longest of them.
+std::vector<GapFinder::Sides> GapFinder::findSides() const {
+    enum class State : std::uint8_t { Unknown, Along, Against }; // the direction of the first segment of a group
+    const Continuations continuations = findContinuations();
+    std::vector<State> states(index_.segments.size(), State::Unknown);
     std::vector<Sides> sides(index_.segments.size());
-    for (std::uint32_t i = 0; i < index_.segments.size() && !progress_.cancelled(); ++i) {
-        if (isPoint(index_.segments[i])) {
+    std::vector<std::uint32_t> group;
+    for (std::uint32_t first = 0; first < index_.segments.size() && !progress_.cancelled(); ++first) {
+        if (isPoint(index_.segments[first]) || states[first] != State::Unknown) {
             continue;
         }
-        const DomainSegment &ends = domain_.segments[index_.segments[i].index];
-        const bool wall = isWall(index_.segments[i]);
-        const auto continues = [&](std::uint32_t node) {
-            return walls[node] == (wall ? 2 : 0) && known[node] != kNone;
-        };
-        if (continues(ends.a) || continues(ends.b)) {
-            const std::uint32_t node = continues(ends.a) ? ends.a : ends.b;
-            const DomainSegment &before = domain_.segments[index_.segments[known[node]].index];
-            const Sides &there = sides[known[node]];
-            const bool sameDirection = (before.a == node) != (ends.a == node);
-            sides[i] = sameDirection ? there : Sides{there.right, there.left};
-        } else {
-            sides[i] = insideOf(i);
+        group.assign(1, first);
+        states[first] = State::Along;
+        std::uint32_t longest = first;
+        for (std::size_t k = 0; k < group.size(); ++k) {
+            const DomainSegment &ends = domain_.segments[index_.segments[group[k]].index];
+            longest = index_.segments[group[k]].length() > index_.segments[longest].length() ? group[k] : longest;
+            for (const std::uint32_t node : {ends.a, ends.b}) {
+                for (std::uint32_t c = continuations.starts[node]; c < continuations.starts[node + 1]; ++c) {
+                    const std::uint32_t other = continuations.positions[c];
+                    if (states[other] == State::Unknown && isWall(other) == isWall(first)) {
+                        const DomainSegment &there = domain_.segments[index_.segments[other].index];
+                        const bool same = ((there.a == node) != (ends.a == node)) == (states[group[k]] == State::Along);
+                        states[other] = same ? State::Along : State::Against;
+                        group.push_back(other);
+                    }
+                }
+            }
         }
-        known[ends.a] = walls[ends.a] == (wall ? 2 : 0) ? i : known[ends.a];
-        known[ends.b] = walls[ends.b] == (wall ? 2 : 0) ? i : known[ends.b];
+        const Sides found = insideOf(longest), turned{found.right, found.left};
+        for (const std::uint32_t i : group) {
+            sides[i] = states[i] == states[longest] ? found : turned;
+        }
     }
     return sides;
 }

@@ -45,10 +45,10 @@ struct GapRules {
 /// For each part of a boundary or constraint, looks for the part of the domain that faces it within GapRules::across
 /// times the longest useful element, at most 60 degrees off the normal. Divides parts until the width along each varies
 /// by at most 5 % (beside curves 20 %), or they are no longer than that width or `shortest`. Decides inside and outside
-/// by even-odd counting in floating point, which is good enough for sizes under either inside rule. Leaves out long
-/// gaps, and tips of corners below 20 degrees, that are narrower than 1/32 of the longest useful element: finer
-/// elements would add to their number, not to their quality. With GapRules::everywhere, it leaves out only corners of
-/// 20 degrees or more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
+/// by even-odd counting in floating point, once per chain, which is good enough for sizes under either inside rule.
+/// Leaves out long gaps, and tips of corners below 20 degrees, that are narrower than 1/32 of the longest useful
+/// element: finer elements would add to their number, not to their quality. With GapRules::everywhere, it leaves out
+/// only corners of 20 degrees or more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; parts shorter than `shortest` are not divided. `index` holds the segments,
@@ -73,7 +73,10 @@ class GapFinder {
         bool right = false;
     };
     bool isPoint(const PlacedSegment &segment) const;
+    bool isWall(std::uint32_t position) const; ///< a boundary segment
     Sides insideOf(std::uint32_t position) const;
+    struct Continuations;
+    Continuations findContinuations() const;
     std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;

@@ -1,0 +1,63 @@
+#include "core/io/svg/svg.hpp"
+#include "tests/unit/arrangement_support.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// The area of a drawing of 100 by 100, and the codes of its notes.
+struct Painted {
+    double area = 0.0;
+    std::set<std::string> notes;
+};
+
+Painted paint(const std::string &content) {
+    const std::string text = "<svg viewBox=\"0 0 100 100\">\n" + content + "\n</svg>\n";
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "drawing.svg");
+    source.notes = &notes;
+    const auto domain = readSvg(source);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    Painted painted{areas(*domain).at(1), {}};
+    for (const ImportNote &note : notes.entries()) {
+        painted.notes.insert(note.code);
+    }
+    return painted;
+}
+
+const std::string kRect = "<rect x=\"5\" y=\"50\" width=\"10\" height=\"10\"/>";
+
+} // namespace
+
+TEST_CASE("SVG paint: a polyline without a stroke is filled by default; with one it is a line, with a note") {
+    const std::string points = "points=\"60,10 90,10 90,40\"";
+    CHECK(paint(kRect + "<polyline " + points + "/>").area == doctest::Approx(550));
+    CHECK(paint("<polyline " + points + "/>").area == doctest::Approx(450));
+    CHECK(paint(kRect + "<polyline fill=\"none\" " + points + "/>").area == doctest::Approx(100));
+    const Painted stroked = paint(kRect + "<polyline stroke=\"red\" " + points + "/>");
+    CHECK(stroked.area == doctest::Approx(100));
+    CHECK(stroked.notes.count("svg-polyline") == 1);
+    CHECK(paint(kRect + "<polyline stroke=\"red\" fill=\"none\" " + points + "/>").notes.count("svg-polyline") == 0);
+}
+
+TEST_CASE("SVG paint: a mask that shows in part is reported, however much it shows") {
+    const auto masked = [](const std::string &shade) {
+        return paint("<mask id=\"m\"><rect width=\"100\" height=\"100\" " + shade + "/></mask>" +
+                     "<rect width=\"100\" height=\"100\" mask=\"url(#m)\"/>");
+    };
+    CHECK(masked("fill=\"white\"").notes.count("svg-mask") == 0);
+    for (const char *shade : {"fill=\"gray\"", "fill=\"#aaa\"", "fill=\"silver\"", "fill=\"white\" fill-opacity=\".6\"",
+                              "fill=\"#7f7f7f\"", "fill=\"#333\""}) {
+        CAPTURE(std::string(shade));
+        const Painted painted = masked(shade);
+        CHECK(painted.notes.count("svg-mask") == 1);
+        CHECK(painted.area == doctest::Approx(10000));
+    }
+}
