@@ -61,3 +61,16 @@ TEST_CASE("SVG paint: a mask that shows in part is reported, however much it sho
         CHECK(painted.area == doctest::Approx(10000));
     }
 }
+
+TEST_CASE("SVG paint: a drawing of text alone and a compressed one are refused with what to do") {
+    const auto refused = [](const std::string &text) {
+        const auto domain = readSvg(sourceOf(text, "drawing.svg"));
+        REQUIRE_FALSE(domain.ok());
+        return domain.faults().front();
+    };
+    const Diagnostic text = refused("<svg viewBox=\"0 0 9 9\"><g><text x=\"1\" y=\"5\">only text</text></g></svg>");
+    CHECK(text.code == "empty-domain");
+    CHECK(text.advice.find("text to paths") != std::string::npos);
+    CHECK(refused("<svg viewBox=\"0 0 9 9\"/>").advice.empty());
+    CHECK(refused("\x1f\x8b\x08 packed").advice.find("gunzip") != std::string::npos);
+}

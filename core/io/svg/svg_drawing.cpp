@@ -39,6 +39,9 @@ bool SvgPath::painted() const {
 }
 
 Result<SvgPaths> SvgDrawer::run() {
+    if (source_.text.starts_with("\x1f\x8b")) {
+        return Diagnostics{faultAt(source_, 0, "compressed", "the file is compressed", "unpack it with gunzip first")};
+    }
     const pugi::xml_parse_result parsed = xml_.load_buffer(source_.text.data(), source_.text.size());
     if (!parsed) {
         return Diagnostics{faultAt(source_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
@@ -57,7 +60,9 @@ Result<SvgPaths> SvgDrawer::run() {
     const double requested = source_.options.curveTolerance;
     const double tolerance = requested > 0.0 ? requested : size / kFineness;
     if (faults_.empty() && (!std::isfinite(size) || !(size > 0.0))) {
-        fail(root_, "", 0, "empty-domain", "the drawing holds no path that could bound a domain");
+        const bool hasText = root_.find_node([](const pugi::xml_node &node) { return localName(node) == "text"; });
+        fail(root_, "", 0, "empty-domain", "the drawing holds no path that could bound a domain",
+             hasText ? "convert its text to paths" : "");
     }
     if (faults_.empty()) {
         reports_ = true;
