@@ -19,7 +19,7 @@ namespace {
 
 /// Limits on joining again with more pins. Where many lines are crowded, new pins only move others off their lines.
 constexpr int kMaxAttempts = 8;
-constexpr std::size_t kFewPins = 16;  ///< so many are always tried again
+constexpr std::size_t kFewPins = 16;  ///< up to so many, attempts go on
 constexpr double kMaxPinsLeft = 0.75; ///< share of the pins of the attempt before
 /// Share of the radius that rounding may add to a distance.
 constexpr double kSlack = 1.0 + 1e-9;

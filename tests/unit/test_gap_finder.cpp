@@ -56,7 +56,7 @@ TEST_CASE("GapFinder: the direction of segments does not matter at sharp corners
     CHECK(same >= kRuns - kRuns / 100);
 }
 
-TEST_CASE("GapFinder: finds gaps inside the domain alone, in whatever order and direction its segments are") {
+TEST_CASE("GapFinder: finds gaps only inside the domain, for any order and direction of its segments") {
     RandomSource random(5);
     // A plate with a slot along its lower side: 0.1 of the plate is left below, and a bay outside is as wide.
     Domain domain;

@@ -136,7 +136,7 @@ void cropArea(SvgPath &path, const Box2 &box, double tolerance) {
 
 std::vector<SvgPath> croppedLines(const SvgPath &path, const Box2 &box, double tolerance) {
     std::vector<SvgPath> lines;
-    std::uint32_t lastCurve = kNoCurve; // of the last line
+    std::uint32_t lastCurve = kNoCurve; // the last one that the last line follows
     forParts(path, path.closed, box, tolerance, [&](Vec2 from, Vec2 to, CurveStretch stretch, bool outside) {
         if (outside) {
             return;

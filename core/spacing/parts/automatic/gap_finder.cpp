@@ -280,39 +280,47 @@ GapFinder::Continuations GapFinder::findContinuations() const {
     return found;
 }
 
-/// Decides for every segment on which sides of it the domain lies, by one ray for all segments that continue each
-/// other, from the longest of them.
-std::vector<GapFinder::Sides> GapFinder::findSides() const {
-    enum class State : std::uint8_t { Unknown, Along, Against }; // the direction of the first segment of a group
-    const Continuations continuations = findContinuations();
-    std::vector<State> states(index_.segments.size(), State::Unknown);
-    std::vector<Sides> sides(index_.segments.size());
-    std::vector<std::uint32_t> group;
-    for (std::uint32_t first = 0; first < index_.segments.size() && !progress_.cancelled(); ++first) {
-        if (isPoint(index_.segments[first]) || states[first] != State::Unknown) {
-            continue;
-        }
-        group.assign(1, first);
-        states[first] = State::Along;
-        std::uint32_t longest = first;
-        for (std::size_t k = 0; k < group.size(); ++k) {
-            const DomainSegment &ends = domain_.segments[index_.segments[group[k]].index];
-            longest = index_.segments[group[k]].length() > index_.segments[longest].length() ? group[k] : longest;
-            for (const std::uint32_t node : {ends.a, ends.b}) {
-                for (std::uint32_t c = continuations.starts[node]; c < continuations.starts[node + 1]; ++c) {
-                    const std::uint32_t other = continuations.positions[c];
-                    if (states[other] == State::Unknown && isWall(other) == isWall(first)) {
-                        const DomainSegment &there = domain_.segments[index_.segments[other].index];
-                        const bool same = ((there.a == node) != (ends.a == node)) == (states[group[k]] == State::Along);
-                        states[other] = same ? State::Along : State::Against;
-                        group.push_back(other);
-                    }
+/// Returns the segments that continue one another, from the first on, and records the direction of each along them.
+std::vector<std::uint32_t> GapFinder::chainFrom(std::uint32_t first, const Continuations &continuations,
+                                                std::vector<Direction> &directions) const {
+    std::vector<std::uint32_t> chain{first};
+    directions[first] = Direction::Along;
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+        const DomainSegment &here = domain_.segments[index_.segments[chain[k]].index];
+        const bool along = directions[chain[k]] == Direction::Along;
+        for (const std::uint32_t node : {here.a, here.b}) {
+            for (std::uint32_t c = continuations.starts[node]; c < continuations.starts[node + 1]; ++c) {
+                const std::uint32_t other = continuations.positions[c];
+                if (directions[other] != Direction::Unknown || isWall(other) != isWall(first)) {
+                    continue;
                 }
+                const DomainSegment &there = domain_.segments[index_.segments[other].index];
+                const bool same = (there.a == node) != (here.a == node);
+                directions[other] = same == along ? Direction::Along : Direction::Against;
+                chain.push_back(other);
             }
         }
+    }
+    return chain;
+}
+
+/// Decides for every segment on which sides of it the domain lies, by one ray for each chain, from its longest segment.
+std::vector<GapFinder::Sides> GapFinder::findSides() const {
+    const Continuations continuations = findContinuations();
+    std::vector<Direction> directions(index_.segments.size(), Direction::Unknown);
+    std::vector<Sides> sides(index_.segments.size());
+    for (std::uint32_t first = 0; first < index_.segments.size() && !progress_.cancelled(); ++first) {
+        if (isPoint(index_.segments[first]) || directions[first] != Direction::Unknown) {
+            continue;
+        }
+        const std::vector<std::uint32_t> chain = chainFrom(first, continuations, directions);
+        const std::uint32_t longest =
+            *std::max_element(chain.begin(), chain.end(), [&](std::uint32_t i, std::uint32_t j) {
+                return index_.segments[i].length() < index_.segments[j].length();
+            });
         const Sides found = insideOf(longest), turned{found.right, found.left};
-        for (const std::uint32_t i : group) {
-            sides[i] = states[i] == states[longest] ? found : turned;
+        for (const std::uint32_t i : chain) {
+            sides[i] = directions[i] == directions[longest] ? found : turned;
         }
     }
     return sides;

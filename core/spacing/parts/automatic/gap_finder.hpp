@@ -76,7 +76,10 @@ class GapFinder {
     bool isWall(std::uint32_t position) const; ///< a boundary segment
     Sides insideOf(std::uint32_t position) const;
     struct Continuations;
+    enum class Direction : std::uint8_t { Unknown, Along, Against }; ///< of a segment along its chain
     Continuations findContinuations() const;
+    std::vector<std::uint32_t> chainFrom(std::uint32_t first, const Continuations &continuations,
+                                         std::vector<Direction> &directions) const;
     std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;
