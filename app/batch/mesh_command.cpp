@@ -98,10 +98,10 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
         ImportOptions options = file->options;
         options.picture = placedPicture(arguments, *file, read);
         Result<SpacingSpec> fromFile = readSpacing(file->path, options, &notes);
-        printNotes(notes, arguments.quiet);
         if (!fromFile) {
             return fromFile.faults();
         }
+        printNotes(notes, arguments.quiet);
         spacing = std::move(*fromFile);
     }
     if (arguments.size || arguments.expression || file) {

@@ -77,6 +77,9 @@ Result<const Format *> chooseFormat(const std::filesystem::path &path, std::stri
         return given;
     }
     const Format *const found = formatOf(path, bytes);
+    if (found == nullptr && bytes.starts_with("\x1f\x8b")) {
+        return error("compressed", "the file is compressed", "unpack it with gunzip first");
+    }
     if (found == nullptr) {
         return error("unknown-format", "unknown file format", "formats that can be read: " + extensions(accepts));
     }
@@ -112,6 +115,10 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
             Diagnostics faults = named(result.faults(), path);
             if (!faults.empty() && faults.front().advice.empty() && faults.front().code != "cancelled") {
                 faults.front().advice = std::string("the file was read as ") + (*format)->about.name;
+            }
+            if (notes != nullptr) { // what was left out may be why nothing remains
+                const Diagnostics remarks = notes->diagnostics();
+                faults.insert(faults.end(), remarks.begin(), remarks.end());
             }
             return faults;
         }

@@ -40,7 +40,8 @@ const FileFormat *fileFormatOf(const std::filesystem::path &path, std::string_vi
 
 /// Reads a project file or any domain format, by extension and content: .json/.forefront project, GeoJSON, .poly, .svg,
 /// or the outline of a mesh. Faults carry file and line (or byte) and never depend on trusting a count in the file.
-/// `notes`: collects reports of anything in the file that is not used; may be null.
+/// `notes`: collects reports of anything in the file that is not used; may be null. If the file is refused, they also
+/// follow its faults.
 Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
 /// Reads the domain of any file that readDocument reads.

@@ -1,3 +1,4 @@
+#include "core/base/lower_case.hpp"
 #include "core/io/abaqus/abaqus.hpp"
 #include "core/io/esri/esri_grid.hpp"
 #include "core/io/format.hpp"
@@ -101,10 +102,7 @@ constexpr std::array kFormats = {
 };
 
 std::string lowerExtension(const std::filesystem::path &path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-    return extension;
+    return lowerCase(path.extension().string());
 }
 
 bool hasExtension(const Format &format, const std::string &extension) {

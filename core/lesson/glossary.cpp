@@ -1,5 +1,6 @@
 #include "core/lesson/glossary.hpp"
 
+#include "core/base/lower_case.hpp"
 #include "core/lesson/glossary_figures.hpp"
 
 #include <algorithm>
@@ -185,9 +186,7 @@ const GlossaryTerm *glossaryTerm(std::string_view id) {
 }
 
 std::vector<const GlossaryTerm *> termsIn(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = lowerCase(text);
     std::vector<const GlossaryTerm *> found;
     for (const GlossaryTerm &term : kTerms) {
         const bool spoken = std::any_of(term.phrases.begin(), term.phrases.end(),

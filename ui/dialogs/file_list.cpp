@@ -1,9 +1,9 @@
 #include "ui/dialogs/file_list.hpp"
 
+#include "core/base/lower_case.hpp"
 #include "core/io/files.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -11,20 +11,13 @@
 namespace forefront {
 namespace {
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
 std::int64_t seconds(std::filesystem::file_time_type time) {
     const auto system = std::chrono::file_clock::to_sys(time);
     return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
 }
 
 bool endsWithOneOf(std::string_view name, const std::vector<std::string> &extensions) {
-    const std::string text = lower(name);
+    const std::string text = lowerCase(name);
     return std::any_of(extensions.begin(), extensions.end(), [&](const std::string &extension) {
         return text.size() > extension.size() && text.ends_with(extension);
     });
@@ -122,7 +115,7 @@ Result<std::vector<FileEntry>> listFolder(const std::filesystem::path &folder, c
         if (a.folder != b.folder) {
             return a.folder;
         }
-        const std::string left = lower(a.name), right = lower(b.name);
+        const std::string left = lowerCase(a.name), right = lowerCase(b.name);
         return left != right ? left < right : a.name < b.name;
     });
     return entries;

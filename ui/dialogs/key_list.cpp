@@ -1,12 +1,12 @@
 #include "ui/dialogs/key_list.hpp"
 
+#include "core/base/lower_case.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 namespace forefront {
@@ -16,14 +16,8 @@ std::string labelOf(const Action &action) {
     return action.menu.empty() ? action.title : action.menu + "  \xe2\x80\xba  " + action.title;
 }
 
-bool contains(std::string text, std::string word) {
-    const auto lower = [](std::string &s) {
-        std::transform(s.begin(), s.end(), s.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    };
-    lower(text);
-    lower(word);
-    return text.find(word) != std::string::npos;
+bool contains(std::string_view text, std::string_view word) {
+    return lowerCase(text).find(lowerCase(word)) != std::string::npos;
 }
 
 std::string keysOf(const Action &action) {

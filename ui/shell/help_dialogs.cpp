@@ -1,5 +1,6 @@
 #include "ui/shell/help_dialogs.hpp"
 
+#include "core/base/lower_case.hpp"
 #include "core/base/version.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace forefront {
 
@@ -118,16 +118,9 @@ class ShortcutSheet final : public Dialog {
     }
 };
 
-std::string lowered(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
 /// Returns true if every word of the query occurs in the text.
 bool matches(const std::string &text, const std::string &query) {
-    const std::string low = lowered(text);
+    const std::string low = lowerCase(text);
     for (std::size_t at = 0; at < query.size();) {
         const std::size_t end = std::min(query.find(' ', at), query.size());
         if (low.find(query.substr(at, end - at)) == std::string::npos) {
@@ -183,7 +176,7 @@ class Palette final : public Dialog {
   private:
     std::vector<const Action *> search(const Shell &context) const {
         std::vector<const Action *> found;
-        const std::string query = lowered(query_);
+        const std::string query = lowerCase(query_);
         for (const Action &action : context.actions.all()) {
             const bool enabled = !action.enabled || action.enabled(context);
             if (enabled && action.run && action.id != "view.palette" &&

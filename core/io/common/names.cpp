@@ -1,5 +1,6 @@
 #include "core/io/common/names.hpp"
 
+#include "core/base/lower_case.hpp"
 #include "core/domain/domain.hpp"
 
 #include <algorithm>
@@ -124,17 +125,6 @@ std::string percentDecoded(std::string_view text) {
     }
     return name;
 }
-
-namespace {
-
-/// Returns a text with its ASCII capitals in lower case.
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-    return text;
-}
-
-} // namespace
 
 bool UniqueNames::taken(const std::string &name) const {
     return taken_.count(lowerCase(name)) > 0;

@@ -106,8 +106,8 @@ std::uint32_t SvgDrawer::addClip(const pugi::xml_node &target, const Visit &refe
     if (std::string_view(units) == "objectBoundingBox") {
         map = map * box.frame();
     }
-    if (const auto own = parseTransform(target.attribute("transform").value()); own && !isMask) {
-        map = map * *own;
+    if (!isMask) {
+        map = map * transformOf(target, referrer.viewport);
     }
     if (isMask) {
         within = maskRegion(target, referrer, within, box);
@@ -143,6 +143,7 @@ SvgDrawer::Visit SvgDrawer::clipContents(const pugi::xml_node &target, const Aff
     for (auto node = around.rbegin(); node != around.rend(); ++node) {
         visit.node = *node;
         visit.paint = paintOf(*node, styles_, visit.paint);
+        visit.fontSize = fontSizeOf(*node, visit.fontSize);
         inheritVisibility(visit);
     }
     visit.paint.opacity = 1.0;

@@ -1,8 +1,12 @@
 #include "core/io/svg/svg_css.hpp"
 
+#include "core/base/lower_case.hpp"
 #include "core/io/svg/svg_elements.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
 
 namespace forefront {
 
@@ -14,13 +18,6 @@ std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(kBlanks);
     return begin == std::string_view::npos ? std::string_view()
                                            : text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-    return result;
 }
 
 bool isNameByte(char c) {
@@ -69,14 +66,45 @@ bool hasClass(std::string_view list, std::string_view name) {
 } // namespace
 
 int SvgStyles::Selector::specificity() const {
-    return (id.empty() ? 0 : 10'000) + 100 * static_cast<int>(std::min<std::size_t>(classes.size(), 99)) +
-           (element.empty() ? 0 : 1);
+    int weight = 0;
+    for (const Compound &compound : compounds) {
+        weight += (compound.id.empty() ? 0 : 10'000) +
+                  100 * static_cast<int>(std::min<std::size_t>(compound.classes.size(), 9)) +
+                  (compound.element.empty() ? 0 : 1);
+    }
+    return weight;
 }
 
-bool SvgStyles::Selector::matches(const pugi::xml_node &node) const {
+bool SvgStyles::Compound::matches(const pugi::xml_node &node) const {
     const std::string_view list = node.attribute("class").value();
     return (element.empty() || element == localName(node)) && (id.empty() || id == node.attribute("id").value()) &&
            std::all_of(classes.begin(), classes.end(), [&](const std::string &name) { return hasClass(list, name); });
+}
+
+bool SvgStyles::Selector::matches(const pugi::xml_node &node) const {
+    return compounds.back().matches(node) && (compounds.size() == 1 || matchesInside(node));
+}
+
+/// Returns true if elements around the node match the compounds before the last one: from the outermost element
+/// inwards, keeps which compounds have been matched, with all before them, by the parent and by any element around.
+bool SvgStyles::Selector::matchesInside(const pugi::xml_node &node) const {
+    constexpr std::size_t kDepth = 100; // bounds the time for hostile files
+    std::vector<pugi::xml_node> around;
+    for (pugi::xml_node at = node.parent(); at.type() == pugi::node_element && around.size() < kDepth;) {
+        around.push_back(at);
+        at = at.parent();
+    }
+    std::vector<bool> parent(compounds.size()), any(compounds.size());
+    const auto follows = [&](std::size_t k) { return k == 0 || (compounds[k].isChild ? parent[k - 1] : any[k - 1]); };
+    for (auto at = around.rbegin(); at != around.rend(); ++at) {
+        std::vector<bool> own(compounds.size());
+        for (std::size_t k = 0; k + 1 < compounds.size(); ++k) {
+            own[k] = follows(k) && compounds[k].matches(*at);
+        }
+        std::transform(own.begin(), own.end(), any.begin(), any.begin(), std::logical_or<>());
+        parent = std::move(own);
+    }
+    return follows(compounds.size() - 1);
 }
 
 std::vector<SvgStyles::Declaration> SvgStyles::declarationsOf(std::string_view text) {
@@ -90,10 +118,10 @@ std::vector<SvgStyles::Declaration> SvgStyles::declarationsOf(std::string_view t
             continue;
         }
         Declaration declaration;
-        declaration.property = lower(trimmed(item.substr(0, colon)));
+        declaration.property = lowerCase(trimmed(item.substr(0, colon)));
         std::string_view value = trimmed(item.substr(colon + 1));
         const std::size_t mark = value.rfind('!');
-        if (mark != std::string_view::npos && lower(trimmed(value.substr(mark + 1))) == "important") {
+        if (mark != std::string_view::npos && lowerCase(trimmed(value.substr(mark + 1))) == "important") {
             declaration.important = true;
             value = trimmed(value.substr(0, mark));
         }
@@ -104,6 +132,30 @@ std::vector<SvgStyles::Declaration> SvgStyles::declarationsOf(std::string_view t
 }
 
 bool SvgStyles::parseSelector(std::string_view text, Selector &selector) {
+    constexpr std::size_t kMaxCompounds = 20;
+    bool isChild = false;
+    while (!(text = trimmed(text)).empty()) {
+        if (text.front() == '>') {
+            if (isChild || selector.compounds.empty()) {
+                return false;
+            }
+            isChild = true;
+            text.remove_prefix(1);
+            continue;
+        }
+        const std::size_t end = std::min(text.find_first_of(" \t\r\n\f>"), text.size());
+        Compound compound;
+        compound.isChild = std::exchange(isChild, false);
+        if (selector.compounds.size() == kMaxCompounds || !parseCompound(text.substr(0, end), compound)) {
+            return false;
+        }
+        selector.compounds.push_back(std::move(compound));
+        text.remove_prefix(end);
+    }
+    return !isChild && !selector.compounds.empty();
+}
+
+bool SvgStyles::parseCompound(std::string_view text, Compound &compound) {
     std::size_t at = 0;
     const auto name = [&] {
         const std::size_t begin = at;
@@ -115,21 +167,21 @@ bool SvgStyles::parseSelector(std::string_view text, Selector &selector) {
     if (text.starts_with('*')) {
         ++at;
     } else {
-        selector.element = name();
+        compound.element = name();
     }
     while (at < text.size()) {
         const char kind = text[at++];
         const std::string given = name();
-        if (given.empty() || (kind != '.' && kind != '#') || (kind == '#' && !selector.id.empty())) {
+        if (given.empty() || (kind != '.' && kind != '#') || (kind == '#' && !compound.id.empty())) {
             return false;
         }
         if (kind == '.') {
-            selector.classes.push_back(given);
+            compound.classes.push_back(given);
         } else {
-            selector.id = given;
+            compound.id = given;
         }
     }
-    return !text.empty();
+    return true;
 }
 
 void SvgStyles::addSheet(std::string_view css, const std::function<void(const std::string &)> &unsupported) {
@@ -168,7 +220,7 @@ void SvgStyles::addSheet(std::string_view css, const std::function<void(const st
 }
 
 std::string SvgStyles::value(const pugi::xml_node &node, std::string_view property) const {
-    return lower(valueAsWritten(node, property));
+    return lowerCase(valueAsWritten(node, property));
 }
 
 std::string SvgStyles::valueAsWritten(const pugi::xml_node &node, std::string_view property) const {

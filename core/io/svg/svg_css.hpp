@@ -9,8 +9,9 @@
 
 namespace forefront {
 
-/// The style of SVG elements: presentation attributes, <style> blocks with simple selectors (element, .class, #id, *
-/// and compounds of them) and the attribute `style`, in the order of precedence of CSS.
+/// The style of SVG elements: presentation attributes, <style> blocks with selectors (element, .class, #id, *,
+/// compounds of them, and those inside of others, "a b" and "a > b") and the attribute `style`, in the order of
+/// precedence of CSS.
 class SvgStyles {
   public:
     /// Reads the text of a <style> block. `unsupported` is called with each selector or rule that is left out.
@@ -22,12 +23,18 @@ class SvgStyles {
     std::string valueAsWritten(const pugi::xml_node &node, std::string_view property) const;
 
   private:
-    struct Selector {
+    struct Compound {
         std::string element; ///< empty: any
         std::string id;      ///< empty: any
         std::vector<std::string> classes;
+        bool isChild = false; ///< of the compound before it, not only somewhere inside
+        bool matches(const pugi::xml_node &node) const;
+    };
+    struct Selector {
+        std::vector<Compound> compounds; ///< from the outermost element to the one that it selects
         int specificity() const;
         bool matches(const pugi::xml_node &node) const;
+        bool matchesInside(const pugi::xml_node &node) const;
     };
     struct Declaration {
         std::string property, value;
@@ -40,6 +47,7 @@ class SvgStyles {
 
     static std::vector<Declaration> declarationsOf(std::string_view text);
     static bool parseSelector(std::string_view text, Selector &selector);
+    static bool parseCompound(std::string_view text, Compound &compound);
 
     std::vector<Rule> rules_;
 };

@@ -33,6 +33,7 @@ class SvgDrawer {
         Vec2 viewport;
         bool visible = true;
         SvgPaint paint = {};
+        double fontSize = kMediumFont;  ///< in user units
         std::size_t use = kNoUse;       ///< the innermost <use>, clip path or mask it is drawn by, in uses_
         std::uint32_t limit = kNoClip;  ///< the clip that limits it
         std::uint32_t partOf = kNoClip; ///< the clip that it is drawn into; none: the drawing itself
@@ -53,6 +54,9 @@ class SvgDrawer {
     // svg_drawing.cpp
     void fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
               std::string message, std::string advice = {});
+    void leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
+                  const std::string &message, const std::string &consequence);
+    std::size_t byteOf(const pugi::xml_node &node, const char *attribute, std::size_t within) const;
     void note(const pugi::xml_node &node, std::string_view code, const std::string &message) const;
     void collect();
     void addSheet(const pugi::xml_node &node);
@@ -60,6 +64,7 @@ class SvgDrawer {
     void walk(std::optional<double> tolerance);
     void visitAll(std::vector<Visit> &open);
     void element(Visit &visit, std::vector<Visit> &open);
+    AffineMap transformOf(const pugi::xml_node &node, Vec2 viewport);
     void contents(Visit &visit, std::string_view name, std::vector<Visit> &open);
     static Visit inside(const Visit &outer, const pugi::xml_node &child);
     bool hidden(Visit &visit);
@@ -69,6 +74,7 @@ class SvgDrawer {
     void use(Visit &visit, std::vector<Visit> &open);
     AffineMap placeOf(const Visit &visit);
     bool draws(std::size_t use, const pugi::xml_node &target) const;
+    double fontSizeOf(const pugi::xml_node &node, double inherited) const;
     double length(const Visit &visit, const char *attribute, SvgExtent extent);
 
     // svg_shapes.cpp

@@ -60,6 +60,8 @@ Result<SvgPaths> SvgDrawer::run() {
     const double requested = source_.options.curveTolerance;
     const double tolerance = requested > 0.0 ? requested : size / kFineness;
     if (faults_.empty() && (!std::isfinite(size) || !(size > 0.0))) {
+        reports_ = true;
+        walk(1.0); // what is left out may be why nothing remains
         const bool hasText = root_.find_node([](const pugi::xml_node &node) { return localName(node) == "text"; });
         fail(root_, "", 0, "empty-domain", "the drawing holds no path that could bound a domain",
              hasText ? "convert its text to paths" : "");
@@ -82,20 +84,34 @@ Result<SvgPaths> SvgDrawer::run() {
 /// Records a fault at byte `within` of an attribute value, if it can be located in the text.
 void SvgDrawer::fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
                      std::string message, std::string advice) {
-    if (!faults_.empty()) {
-        return;
+    if (faults_.empty()) {
+        faults_.push_back(
+            faultAt(source_, byteOf(node, attribute, within), std::move(code), std::move(message), std::move(advice)));
     }
-    std::size_t offset = offsetOf(node);
+}
+
+/// Leaves out what cannot be read, as browsers do: with a note, or with a fault if the drawing must not be changed.
+void SvgDrawer::leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
+                         const std::string &message, const std::string &consequence) {
+    if (source_.options.strict) {
+        fail(node, attribute, within, std::move(code), message, "correct the file, or leave out --strict");
+    } else if (reports_ && !measuresBox_) {
+        source_.note(code, message + "; " + consequence, byteOf(node, attribute, within));
+    }
+}
+
+/// Returns the byte `within` of an attribute value, or that of the element if it cannot be located in the text.
+std::size_t SvgDrawer::byteOf(const pugi::xml_node &node, const char *attribute, std::size_t within) const {
+    const std::size_t offset = offsetOf(node);
     const std::string_view text = source_.text;
     const std::string_view tag = text.substr(std::min(offset, text.size()));
     const std::string start = std::string(attribute) + '=';
     for (std::size_t at = tag.find(start); *attribute != '\0' && at < tag.find('>'); at = tag.find(start, at + 1)) {
         if (at > 0 && static_cast<unsigned char>(tag[at - 1]) <= ' ') {
-            offset += at + start.size() + 1 + within;
-            break;
+            return offset + at + start.size() + 1 + within;
         }
     }
-    faults_.push_back(faultAt(source_, offset, std::move(code), std::move(message), std::move(advice)));
+    return offset;
 }
 
 void SvgDrawer::note(const pugi::xml_node &node, std::string_view code, const std::string &message) const {
@@ -129,7 +145,8 @@ void SvgDrawer::addSheet(const pugi::xml_node &node) {
     }
     styles_.addSheet(css, [&](const std::string &rule) {
         note(node, "svg-style",
-             "CSS rules for " + inQuotes(rule) + " are ignored: only element, .class and #id selectors are supported");
+             "CSS rules for " + inQuotes(rule) +
+                 " are ignored: only elements, .class, #id and those inside of others are supported");
     });
 }
 
@@ -194,21 +211,37 @@ void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
         noteUnusedStyle(source_, styles_, visit.node);
     }
     visit.paint = paintOf(visit.node, styles_, visit.paint);
-    if (const pugi::xml_attribute text = visit.node.attribute("transform")) {
-        const auto own = parseTransform(text.value());
-        if (!own) {
-            fail(visit.node, "transform", 0, "bad-transform",
-                 "invalid transform " + inQuotes(text.value()) +
-                     "; expected functions such as translate(1 2) or matrix(1 0 0 1 5 5)");
-            return;
-        }
-        visit.map = visit.map * *own;
-    }
+    visit.fontSize = fontSizeOf(visit.node, visit.fontSize);
+    visit.map = visit.map * transformOf(visit.node, visit.viewport);
     if (name == "use") {
         visit.map = visit.map * placeOf(visit);
     }
     limitBy(visit, open);
     contents(visit, name, open);
+}
+
+/// Returns the map of an element's own transform, an attribute or a property of CSS; a malformed one is left out.
+AffineMap SvgDrawer::transformOf(const pugi::xml_node &node, Vec2 viewport) {
+    const std::string text = styles_.valueAsWritten(node, "transform");
+    if (text.empty()) {
+        return {};
+    }
+    const auto own = parseTransform(text, viewport);
+    if (!own) {
+        leaveOut(node, "transform", 0, "bad-transform", "invalid transform " + inQuotes(text), "it is ignored");
+        return {};
+    }
+    const std::string origin = styles_.valueAsWritten(node, "transform-origin");
+    if (origin.empty()) {
+        return *own;
+    }
+    const auto centre = parseTransformOrigin(origin, viewport);
+    if (!centre) {
+        leaveOut(node, "transform-origin", 0, "bad-transform", "invalid transform-origin " + inQuotes(origin),
+                 "it is ignored");
+        return *own;
+    }
+    return AffineMap::translation(*centre) * *own * AffineMap::translation(Vec2{} - *centre);
 }
 
 /// Draws an element, or opens its children.
@@ -237,7 +270,8 @@ void SvgDrawer::contents(Visit &visit, std::string_view name, std::vector<Visit>
 }
 
 SvgDrawer::Visit SvgDrawer::inside(const Visit &outer, const pugi::xml_node &child) {
-    return {child, outer.map, outer.viewport, outer.visible, outer.paint, outer.use, outer.limit, outer.partOf};
+    return {child,          outer.map, outer.viewport, outer.visible, outer.paint,
+            outer.fontSize, outer.use, outer.limit,    outer.partOf};
 }
 
 /// Inherits the visibility. Returns true if the element and its children are not displayed.
@@ -314,8 +348,8 @@ void SvgDrawer::use(Visit &visit, std::vector<Visit> &open) {
     }
     const pugi::xml_node target = found->second;
     if (draws(visit.use, target)) {
-        fail(visit.node, "", 0, "use-cycle", "<use> draws the element that it is part of: " + inQuotes(href),
-             "refer to another element");
+        leaveOut(visit.node, "", 0, "use-cycle", "<use> draws the element that it is part of: " + inQuotes(href),
+                 "it is ignored");
         return;
     }
     uses_.push_back({target, visit.use});
@@ -330,7 +364,7 @@ void SvgDrawer::use(Visit &visit, std::vector<Visit> &open) {
 
 /// Returns the map to the place that the attributes x and y give.
 AffineMap SvgDrawer::placeOf(const Visit &visit) {
-    return {1, 0, 0, 1, length(visit, "x", SvgExtent::Width), length(visit, "y", SvgExtent::Height)};
+    return AffineMap::translation({length(visit, "x", SvgExtent::Width), length(visit, "y", SvgExtent::Height)});
 }
 
 /// Returns true if a <use>, clip path or mask, or one around it, draws an element.
@@ -341,17 +375,22 @@ bool SvgDrawer::draws(std::size_t use, const pugi::xml_node &target) const {
     return use != kNoUse;
 }
 
+/// Returns the size of an element's font in user units, which lengths in "em" refer to.
+double SvgDrawer::fontSizeOf(const pugi::xml_node &node, double inherited) const {
+    return userLength(styles_.value(node, "font-size"), SvgExtent::Width, {inherited, inherited}, inherited)
+        .value_or(inherited);
+}
+
 /// Returns a length in user units; 0 if absent.
 double SvgDrawer::length(const Visit &visit, const char *attribute, SvgExtent extent) {
     const std::string_view text = visit.node.attribute(attribute).value();
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos || text == "auto") {
         return 0.0;
     }
-    const auto value = userLength(text, extent, visit.viewport);
+    const auto value = userLength(text, extent, visit.viewport, visit.fontSize);
     if (!value) {
-        fail(visit.node, attribute, 0, "bad-number",
-             "invalid length " + inQuotes(text) + " for " + attribute +
-                 "; expected a number with px, mm, cm, in, pt, pc, % or no unit");
+        leaveOut(visit.node, attribute, 0, "bad-number", "invalid length " + inQuotes(text) + " for " + attribute,
+                 "it is read as 0");
     }
     return value.value_or(0.0);
 }

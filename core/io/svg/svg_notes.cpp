@@ -2,6 +2,9 @@
 
 #include "core/io/svg/svg_elements.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace forefront {
 
 void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pugi::xml_node &node) {
@@ -9,11 +12,20 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
         const std::string value = styles.value(node, property);
         return !value.empty() && value != "none";
     };
-    // The attribute is read; the property of CSS, which overrides it, is not.
-    const bool attribute = !node.attribute("transform").empty();
-    const bool inStyle = std::string_view(node.attribute("style").value()).find("transform") != std::string_view::npos;
-    if (given("transform") && (!attribute || inStyle)) {
-        source.note("svg-css-transform", "CSS transforms are ignored; use the transform attribute", offsetOf(node));
+    const std::string box = styles.value(node, "transform-box");
+    if (!box.empty() && box != "view-box" && given("transform") && given("transform-origin")) {
+        source.note("svg-css-transform", "transform-box is ignored: transform-origin refers to the view box",
+                    offsetOf(node));
+    }
+    constexpr std::array kMoving = {"rotate", "scale", "translate", "offset-path"};
+    const bool moves = std::any_of(kMoving.begin(), kMoving.end(), [&](const char *property) {
+        return node.attribute(property).empty() && given(property); // attributes of these names mean something else
+    });
+    if (moves) {
+        source.note("svg-css-transform",
+                    "the CSS properties rotate, scale, translate and offset-path are ignored; use "
+                    "transform",
+                    offsetOf(node));
     }
     for (const pugi::xml_node child : node.children()) {
         const std::string_view name = localName(child);

@@ -1,5 +1,7 @@
+#include "core/base/lower_case.hpp"
 #include "core/io/svg/svg_pen.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -50,6 +52,17 @@ bool SvgNumbers::number(double &value) {
     }
     at_ = static_cast<std::size_t>(stop - text_.data());
     return std::isfinite(value);
+}
+
+std::string SvgNumbers::unit() {
+    const std::size_t begin = at_;
+    if (text_.substr(at_).starts_with('%')) {
+        ++at_;
+    } else {
+        const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+        at_ = static_cast<std::size_t>(std::find_if_not(text_.begin() + at_, text_.end(), isLetter) - text_.begin());
+    }
+    return lowerCase(text_.substr(begin, at_ - begin));
 }
 
 bool SvgNumbers::flag(bool &value) {

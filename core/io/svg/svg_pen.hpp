@@ -56,9 +56,9 @@ struct SvgFault {
     std::string message;
 };
 
-/// Draws path data: all commands of SVG 1.1.
+/// Draws path data, all commands of SVG 1.1, up to the end or the first fault.
 std::optional<SvgFault> drawPath(std::string_view data, SvgPen &pen);
-/// Reads the attribute `points` of polygon and polyline.
+/// Reads the attribute `points` of polygon and polyline up to the end or the first fault.
 std::optional<SvgFault> readPoints(std::string_view data, std::vector<Vec2> &points);
 
 /// Reads numbers as SVG writes them: "1.5.5-3e2,4" is 1.5, .5, -300, 4.
@@ -72,6 +72,8 @@ class SvgNumbers {
     bool number(double &value);
     bool point(Vec2 &p) { return number(p.x) && number(p.y); }
     bool flag(bool &value);
+    /// Returns the letters or percent sign that directly follow a number, in lower case.
+    std::string unit();
     /// Returns true if another number follows.
     bool more();
 

@@ -45,8 +45,7 @@ void SvgDrawer::shape(const Visit &visit, std::string_view name) {
         roundShape(visit, name, pen);
     }
     if (fault) {
-        fail(node, attribute, fault->offset, "bad-path", fault->message);
-        return;
+        leaveOut(node, attribute, fault->offset, "bad-path", fault->message, "the shape ends before it");
     }
     for (SvgSubpath &subpath : pen.take()) {
         keep(visit, name, std::move(subpath));

@@ -16,10 +16,18 @@ struct AffineMap {
     AffineMap operator*(const AffineMap &inner) const;
     /// Returns the maximum factor by which it stretches a length.
     double stretch() const;
+
+    /// Returns the map that moves the origin to `to`.
+    static AffineMap translation(Vec2 to) { return {1.0, 0.0, 0.0, 1.0, to.x, to.y}; }
 };
 
-/// Parses the attribute `transform`: a list of matrix, translate, scale, rotate, skewX, skewY; std::nullopt if
-/// malformed.
-std::optional<AffineMap> parseTransform(std::string_view text);
+/// Parses a transform of SVG or CSS: a list of matrix, translate, scale, rotate, skew and those of one axis, such as
+/// translateX. Lengths and angles may have units; percentages of lengths refer to `viewport`. Returns std::nullopt if
+/// it is malformed.
+std::optional<AffineMap> parseTransform(std::string_view text, Vec2 viewport);
+
+/// Parses the property `transform-origin`: one or two lengths or keywords, such as "center" or "50% 10px".
+/// Returns std::nullopt if it is malformed.
+std::optional<Vec2> parseTransformOrigin(std::string_view text, Vec2 viewport);
 
 } // namespace forefront

@@ -15,8 +15,10 @@ std::optional<SvgLength> parseLength(std::string_view text) {
     if (!numbers.number(length.value)) {
         return std::nullopt;
     }
-    length.unit = text.substr(numbers.offset());
-    length.unit = length.unit.substr(0, length.unit.find_last_not_of(" \t\r\n") + 1);
+    length.unit = numbers.unit();
+    if (!numbers.atEnd()) {
+        return std::nullopt;
+    }
     return length;
 }
 
@@ -27,6 +29,7 @@ std::optional<double> pixelsPer(std::string_view unit) {
                                                               {"in", kInch},
                                                               {"mm", kInch / 25.4},
                                                               {"cm", kInch / 2.54},
+                                                              {"q", kInch / 101.6},
                                                               {"pt", kInch / 72.0},
                                                               {"pc", kInch / 6.0}};
     for (const auto &[name, factor] : kUnits) {
@@ -45,7 +48,7 @@ std::string unitName(std::string_view unit) {
     return std::string(found == std::end(kNames) ? unit : found->second);
 }
 
-std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport) {
+std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport, double fontSize) {
     const auto length = parseLength(text);
     if (!length) {
         return std::nullopt;
@@ -56,7 +59,11 @@ std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 v
                                                            : std::sqrt(0.5 * lengthSquared(viewport));
         return whole > 0.0 ? std::optional(length->value / 100.0 * whole) : std::nullopt;
     }
-    const auto factor = pixelsPer(length->unit);
+    const bool half = length->unit == "ex" || length->unit == "ch"; // the usual guess
+    const auto factor = half                    ? std::optional(0.5 * fontSize)
+                        : length->unit == "em"  ? std::optional(fontSize)
+                        : length->unit == "rem" ? std::optional(kMediumFont)
+                                                : pixelsPer(length->unit);
     return factor ? std::optional(*factor * length->value) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include "core/io/svg/svg_transform.hpp"
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace forefront {
@@ -10,13 +11,14 @@ namespace forefront {
 /// A length as SVG writes it.
 struct SvgLength {
     double value = 0.0;
-    std::string_view unit; ///< as written: "", "px", "mm", "%", ...
+    std::string unit; ///< in lower case: "", "px", "mm", "%", ...
 };
 
-/// Returns the number and unit of a length; std::nullopt if it is malformed. The unit is a view into `text`.
+/// Returns the number and unit of a length; std::nullopt if it is malformed.
 std::optional<SvgLength> parseLength(std::string_view text);
 
-/// Returns the number of user units (pixels, 96 per inch) in one of that unit; std::nullopt for "%" and unknown units.
+/// Returns the number of user units (pixels, 96 per inch) in one of that unit; std::nullopt for "%", units of the font,
+/// and unknown units.
 std::optional<double> pixelsPer(std::string_view unit);
 
 /// Returns the name of a unit in the plural, such as "inches" for "in"; returns unknown units unchanged.
@@ -25,9 +27,11 @@ std::string unitName(std::string_view unit);
 /// The extent of the viewport that a percentage refers to.
 enum class SvgExtent { Width, Height, Diagonal };
 
-/// Returns a length in user units, with percentages relative to the viewport; std::nullopt if it is malformed or its
-/// unit is unknown.
-std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport);
+constexpr double kMediumFont = 16.0; ///< the size of a font where none is given, in user units
+
+/// Returns a length in user units, with percentages relative to the viewport, and "em" and "ex" to the font size;
+/// std::nullopt if it is malformed or its unit is unknown.
+std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport, double fontSize = kMediumFont);
 
 /// The rectangle of user space that an attribute `viewBox` names.
 struct ViewBox {

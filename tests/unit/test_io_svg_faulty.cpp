@@ -1,0 +1,138 @@
+// Drawings with parts that cannot be read: those parts are left out with a note, as browsers do, or refused if the input
+// must not be changed.
+#include "core/io/files.hpp"
+#include "core/io/svg/svg.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// What is beside the faulty part: a square of 2 by 2.
+constexpr char kSquare[] = "<rect x=\"7\" y=\"7\" width=\"2\" height=\"2\"/>";
+
+std::string drawing(const std::string &content) {
+    return "<svg viewBox=\"0 0 10 10\">\n" + content + "\n" + kSquare + "</svg>\n";
+}
+
+double areaOf(const Domain &domain) {
+    double area = 0.0;
+    for (const DomainSegment &segment : domain.segments) {
+        area += 0.5 * cross(domain.nodes[segment.a], domain.nodes[segment.b]);
+    }
+    return std::fabs(area);
+}
+
+/// Reads a drawing with a faulty part; checks that one note reports it, and that it is refused under `strict`.
+/// Returns the area of the rest.
+double areaWithout(const std::string &content, const std::string &code) {
+    const std::string text = drawing(content);
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "faulty.svg");
+    source.notes = &notes;
+    const auto domain = readSvg(source);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries().front().code == code);
+    CHECK(notes.entries().front().line == 2);
+    SourceText strict = sourceOf(text, "faulty.svg");
+    strict.options.strict = true;
+    const auto refused = readSvg(strict);
+    CHECK((!refused && hasCode(refused.faults(), code) && allLocated(refused.faults())));
+    return areaOf(*domain);
+}
+
+} // namespace
+
+TEST_CASE("SVG: a path ends where its data can no longer be read") {
+    CHECK(areaWithout("<path d=\"M1 1h2v2h-2z M5 5 L2 x\"/>", "bad-path") == doctest::Approx(8.0));
+    CHECK(areaWithout("<path d=\"M1 1h2v2 -x\"/>", "bad-path") == doctest::Approx(6.0));
+    CHECK(areaWithout("<path d=\"M1 1h2v2 A1 1 0 2 0 3 3\"/>", "bad-path") == doctest::Approx(6.0));
+    CHECK(areaWithout("<path d=\"M1 1h2v2 1e999 0 Z\"/>", "bad-path") == doctest::Approx(6.0));
+    CHECK(areaWithout("<path d=\"L1 1\"/>", "bad-path") == doctest::Approx(4.0));
+    CHECK(areaWithout("<polygon points=\"1 1 3 1 3 3 2\"/>", "bad-path") == doctest::Approx(6.0));
+}
+
+TEST_CASE("SVG: invalid lengths are 0, and shapes of size 0 disappear") {
+    for (const char *shape : {"<circle r=\"5furlongs\"/>", "<circle r=\"nan\"/>", "<circle cx=\"1\" cy=\"1\" r=\"1 2\"/>",
+                              "<rect width=\"wide\" height=\"1\"/>", "<ellipse rx=\"1\" ry=\"1e999\"/>"}) {
+        CAPTURE(shape);
+        CHECK(areaWithout(shape, "bad-number") == doctest::Approx(4.0));
+    }
+    CHECK(areaWithout("<rect x=\"left\" width=\"1\" height=\"1\"/>", "bad-number") == doctest::Approx(5.0));
+}
+
+TEST_CASE("SVG: invalid transforms are ignored") {
+    for (const char *attribute : {"transform=\"turn(3)\"", "style=\"transform: matrix3d(1)\"",
+                                  "transform=\"scale(1)\" transform-origin=\"somewhere\""}) {
+        CAPTURE(attribute);
+        CHECK(areaWithout("<g " + std::string(attribute) + "><rect width=\"1\" height=\"1\"/></g>", "bad-transform") ==
+              doctest::Approx(5.0));
+    }
+}
+
+TEST_CASE("SVG: copies inside of what they copy are ignored") {
+    CHECK(areaWithout("<g id=\"a\"><use href=\"#a\" x=\"3\"/><rect width=\"1\" height=\"1\"/></g>", "use-cycle") ==
+          doctest::Approx(5.0));
+    CHECK(areaWithout("<defs><g id=\"a\"><use href=\"#b\"/></g><g id=\"b\"><use href=\"#a\"/></g></defs>"
+                      "<use href=\"#a\"/>",
+                      "use-cycle") == doctest::Approx(4.0));
+}
+
+TEST_CASE("SVG: the note gives the place inside the attribute") {
+    const std::string text = drawing("<path id=\"x\" d=\"M1 1 L2 x\"/>");
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "faulty.svg");
+    source.notes = &notes;
+    REQUIRE(readSvg(source).ok());
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries().front().column == 25);
+    CHECK(notes.entries().front().message == "expected a number for path command L; the shape ends before it");
+}
+
+TEST_CASE("SVG: lengths in units of the font") {
+    const auto area = [](const std::string &content) {
+        const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 100 100\">" + content + "</svg>"));
+        REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+        return areaOf(*domain);
+    };
+    CHECK(area("<rect width=\"1em\" height=\"2EX\"/>") == doctest::Approx(256.0));
+    CHECK(area("<g font-size=\"10\"><rect width=\"1em\" height=\"2ch\"/></g>") == doctest::Approx(100.0));
+    CHECK(area("<g style=\"font-size:10px\"><g font-size=\"50%\"><rect width=\"1em\" height=\"1rem\"/></g></g>") ==
+          doctest::Approx(80.0));
+    CHECK(area("<g font-size=\"2em\"><rect width=\"1em\" height=\"101.6q\"/></g>") == doctest::Approx(32.0 * 96.0));
+}
+
+TEST_CASE("SVG: transforms of CSS, with units and origin") {
+    const auto corner = [](const std::string &attributes) {
+        const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 10 20\"><rect width=\"1\" height=\"1\" " + attributes +
+                                             "/></svg>"));
+        REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+        return domain->bounds().max;
+    };
+    CHECK(corner("style=\"transform: translate(2px, 10%)\"") == Vec2{3, 18});
+    CHECK(corner("transform=\"translate(5 0)\" style=\"transform: translateY(3px)\"") == Vec2{1, 17});
+    CHECK(distance(corner("style=\"transform: rotate(180deg); transform-origin: 50% 50%\""), {10, 1}) < 1e-12);
+    CHECK(distance(corner("transform=\"scale(2)\" transform-origin=\"1 1\""), {1, 21}) < 1e-12);
+}
+
+TEST_CASE("SVG: what was left out follows the fault of an empty drawing") {
+    const TemporaryFolder folder;
+    const auto path = folder / "empty.svg";
+    std::ofstream(path) << "<svg viewBox=\"0 0 10 10\"><rect width=\"x\" height=\"1\"/><text>a</text></svg>";
+    ImportNotes notes;
+    const auto domain = readDomain(path, {}, &notes);
+    REQUIRE_FALSE(domain.ok());
+    REQUIRE(domain.faults().size() == 3);
+    CHECK(domain.faults().front().code == "empty-domain");
+    CHECK(hasCode(domain.faults(), "bad-number"));
+    CHECK(hasCode(domain.faults(), "svg-element"));
+}
