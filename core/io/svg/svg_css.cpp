@@ -12,8 +12,6 @@ namespace forefront {
 
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\f";
-
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(kBlanks);
     return begin == std::string_view::npos ? std::string_view()

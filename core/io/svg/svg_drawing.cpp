@@ -347,7 +347,7 @@ void SvgDrawer::use(Visit &visit, std::vector<Visit> &open) {
         return;
     }
     const pugi::xml_node target = found->second;
-    if (draws(visit.use, target)) {
+    if (draws(visit.use, target) || isAround(target, visit.node)) {
         leaveOut(visit.node, "", 0, "use-cycle", "<use> draws the element that it is part of: " + inQuotes(href),
                  "it is ignored");
         return;

@@ -30,6 +30,15 @@ bool isDefinition(std::string_view name) {
     return std::find(kDefinitions.begin(), kDefinitions.end(), name) != kDefinitions.end();
 }
 
+bool isAround(const pugi::xml_node &outer, const pugi::xml_node &node) {
+    constexpr int kDepth = 1000; // bounds the time for hostile files
+    pugi::xml_node at = node.parent();
+    for (int depth = 0; depth < kDepth && at && at != outer; ++depth) {
+        at = at.parent();
+    }
+    return at == outer;
+}
+
 bool isShape(std::string_view name) {
     constexpr std::array kShapes = {"path", "polygon", "polyline", "line", "rect", "circle", "ellipse"};
     return std::find(kShapes.begin(), kShapes.end(), name) != kShapes.end();

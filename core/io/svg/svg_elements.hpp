@@ -7,6 +7,8 @@
 
 namespace forefront {
 
+constexpr std::string_view kBlanks = " \t\r\n\f"; ///< between words in attributes and style sheets
+
 /// Returns the name of an element without its namespace prefix.
 std::string_view localName(const pugi::xml_node &node);
 /// Returns the namespace prefix of an element; empty: none.
@@ -17,6 +19,8 @@ std::size_t offsetOf(const pugi::xml_node &node);
 /// Returns true for elements that draw nothing themselves: definitions, which other elements refer to, and
 /// metadata.
 bool isDefinition(std::string_view name);
+/// Returns true if an element is among the innermost 1,000 around another one.
+bool isAround(const pugi::xml_node &outer, const pugi::xml_node &node);
 /// Returns true for the elements that have an outline.
 bool isShape(std::string_view name);
 

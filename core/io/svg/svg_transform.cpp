@@ -1,6 +1,7 @@
 #include "core/io/svg/svg_transform.hpp"
 
 #include "core/base/lower_case.hpp"
+#include "core/io/svg/svg_elements.hpp"
 #include "core/io/svg/svg_pen.hpp"
 #include "core/io/svg/svg_viewport.hpp"
 
@@ -27,8 +28,6 @@ double AffineMap::stretch() const {
 }
 
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r\n\f";
 
 /// A number of a transform with its unit.
 struct Argument {
