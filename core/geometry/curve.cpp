@@ -296,10 +296,69 @@ double Curve::deviation(double t0, double t1) const {
     return maximum;
 }
 
+/// Returns true for an arc of a circle, up to rounding.
+bool Curve::isCircular() const {
+    constexpr double kRounding = 4e-16;
+    const Vec2 u = p_[1], v = p_[2], left = leftNormal(u);
+    const double limit = kRounding * kRounding * lengthSquared(u);
+    return kind_ == CurveKind::Arc && (distanceSquared(v, left) <= limit || distanceSquared(v, Vec2{} - left) <= limit);
+}
+
+double Curve::nearestOnCircle(Vec2 p, double t0, double t1) const {
+    const Vec2 from = p - p_[0];
+    const double start = p_[3].x, sweep = p_[3].y;
+    const double turn = std::fabs(2.0 * kPi / sweep), low = std::min(t0, t1);
+    double t = (std::atan2(dot(from, p_[2]), dot(from, p_[1])) - start) / sweep;
+    t += turn * std::ceil((low - t) / turn); // the first one from the lower end
+    if (t <= std::max(t0, t1)) {
+        return t;
+    }
+    return distanceSquared(point(t1), p) < distanceSquared(point(t0), p) ? t1 : t0;
+}
+
+/// Returns true if the distance of the part from p surely has one minimum: its second derivative, from
+/// |C'|² + (C - p)·C", is positive, since the part bends and changes its speed little.
+bool Curve::hasOneNearest(Vec2 p, double t0, double t1) const {
+    const double bend =
+        kind_ == CurveKind::Arc
+            ? p_[3].y * p_[3].y * std::sqrt(lengthSquared(p_[1]) + lengthSquared(p_[2]))
+            : std::max(forefront::length(secondDerivative(t0)), forefront::length(secondDerivative(t1)));
+    const double middle = std::midpoint(t0, t1), half = 0.5 * std::fabs(t1 - t0);
+    const double speed = forefront::length(derivative(middle)), change = bend * half;
+    const double slowest = speed - change, farthest = distance(point(middle), p) + half * (speed + change);
+    return slowest > 0.0 && farthest * bend < slowest * slowest;
+}
+
+/// Returns the parameter where the distance from p stops falling, by Newton's method within an interval at whose start
+/// it falls and at whose end it rises.
+double Curve::stationary(Vec2 p, double low, double high) const {
+    constexpr int kMaxSteps = 60;
+    const double enough = std::ldexp(high - low, -44);
+    double t = std::midpoint(low, high), step = high - low, stepBefore = step;
+    for (int i = 0; i < kMaxSteps && std::fabs(step) > enough; ++i) {
+        const Vec2 from = point(t) - p, along = derivative(t);
+        const double rise = dot(from, along), slope = lengthSquared(along) + dot(from, secondDerivative(t));
+        (rise < 0.0 ? low : high) = t;
+        const double newton = t - rise / slope, last = t;
+        const bool converges = newton > low && newton < high && 2.0 * std::fabs(newton - t) < std::fabs(stepBefore);
+        t = converges ? newton : std::midpoint(low, high);
+        stepBefore = std::exchange(step, t - last);
+    }
+    return t;
+}
+
 double Curve::nearest(Vec2 p, double t0, double t1) const {
+    if (isCircular() && p_[3].y != 0.0) {
+        return nearestOnCircle(p, t0, t1);
+    }
+    const auto falls = [&](double t) { return dot(point(t) - p, derivative(t)) < 0.0; };
+    double low = std::min(t0, t1), high = std::max(t0, t1);
+    if (hasOneNearest(p, low, high)) {
+        return !falls(low) ? low : falls(high) ? high : stationary(p, low, high);
+    }
     // Zooms in on the nearest of some samples, so that close to a cusp, too, one minimum is left.
     constexpr int kSamples = 16, kZooms = 4;
-    double low = t0, high = t1, best = t0;
+    double best = low;
     for (int zoom = 0; zoom < kZooms; ++zoom) {
         const auto at = [&](int i) { return i == kSamples ? high : std::lerp(low, high, i / double{kSamples}); };
         int nearest = 0;
@@ -315,21 +374,13 @@ double Curve::nearest(Vec2 p, double t0, double t1) const {
         low = before;
         high = after;
     }
-    // Halves the interval in which the distance stops falling.
-    const double forward = t1 >= t0 ? 1.0 : -1.0;
-    const auto falls = [&](double t) { return forward * dot(point(t) - p, derivative(t)) < 0.0; };
-    if (!falls(low) || falls(high)) {
-        const double ends[] = {low, best, high};
-        return *std::min_element(std::begin(ends), std::end(ends), [&](double s, double t) {
-            return distanceSquared(point(s), p) < distanceSquared(point(t), p);
-        });
+    if (falls(low) && !falls(high)) {
+        return stationary(p, low, high);
     }
-    constexpr int kHalvings = 42;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = std::midpoint(low, high);
-        (falls(middle) ? low : high) = middle;
-    }
-    return std::midpoint(low, high);
+    const double ends[] = {low, best, high};
+    return *std::min_element(std::begin(ends), std::end(ends), [&](double s, double t) {
+        return distanceSquared(point(s), p) < distanceSquared(point(t), p);
+    });
 }
 
 Curve Curve::part(double t0, double t1) const {

@@ -90,6 +90,10 @@ class Curve {
   private:
     double angle(double t) const { return p_[3].x + t * p_[3].y; }
     std::vector<double> turningPoints(Vec2 direction) const;
+    bool isCircular() const;
+    double nearestOnCircle(Vec2 p, double t0, double t1) const;
+    bool hasOneNearest(Vec2 p, double t0, double t1) const;
+    double stationary(Vec2 p, double low, double high) const;
 
     CurveKind kind_ = CurveKind::Line;
     std::array<Vec2, 4> p_{}; ///< as in numbers(); a line uses the first and the last

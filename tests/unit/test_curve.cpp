@@ -201,6 +201,23 @@ TEST_CASE("curve: the nearest point of a curve is found") {
     }
 }
 
+TEST_CASE("curve: on a circle, the nearest point is at the angle of the point, or an end of the part") {
+    RandomSource random(11);
+    for (int i = 0; i < 500; ++i) {
+        const Vec2 centre = randomPoint(random), radius = randomPoint(random);
+        const Vec2 across = i % 2 == 0 ? leftNormal(radius) : Vec2{} - leftNormal(radius);
+        const Curve arc = Curve::arc(centre, radius, across, 20.0 * random.unit() - 10.0, 12.0 * random.unit() - 6.0);
+        const double t0 = random.unit(), t1 = random.unit();
+        const Vec2 p = centre + 3.0 * randomPoint(random);
+        const double found = arc.nearest(p, t0, t1), gap = distance(arc.point(found), p);
+        CHECK((found >= std::min(t0, t1) && found <= std::max(t0, t1)));
+        for (int k = 0; k <= 200; ++k) {
+            CHECK(gap <= distance(arc.point(std::lerp(t0, t1, k / 200.0)), p) + 1e-13);
+        }
+    }
+    CHECK(std::isfinite(Curve::circle({1, 2}, {3, 4}).nearest({1, 2})));
+}
+
 TEST_CASE("curve: a part has the points of the whole, a reversed curve runs back") {
     RandomSource random(6);
     for (int i = 0; i < 100; ++i) {
