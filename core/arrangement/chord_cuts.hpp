@@ -17,7 +17,8 @@ struct Chord {
     Vec2 a;         ///< node at part.t0, near the curve
     Vec2 b;         ///< node at part.t1
     std::uint32_t curve = kNoCurve;
-    bool fresh = true; ///< to be compared with all others; the rest are known to fit each other
+    bool fresh = true;   ///< to be compared with all others; the rest are known to fit each other
+    double fitsAt = 0.0; ///< joining distance at which it is known to fit all others of this distance; 0: none
 
     bool follows() const { return curve != kNoCurve; }
 };

@@ -141,6 +141,13 @@ void LineDivision::addParts(std::uint32_t chord, std::span<const ChordCut> cuts)
         from = to;
         t0 = t1;
     };
+    if (cuts.empty()) {
+        nextChords_.push_back(whole);
+        nextChords_.back().fresh = false;
+        nextBackward_.push_back(backward_[chord]);
+        nextSource_.push_back(source_[chord]);
+        return;
+    }
     for (const ChordCut &cut : cuts) {
         if (cut.t > t0 && cut.at != from && cut.at != whole.b) {
             add(cut.t, cut.at);
@@ -202,17 +209,17 @@ Chord LineDivision::joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const {
     return straightChord(from, to);
 }
 
-/// Returns the chords along the paths of all parts and marks those that joining has changed as fresh; `part` gives the
-/// part of each.
-std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) const {
+/// Returns the chords along the paths of all parts and marks those as fresh that joining has changed, or that have not
+/// been compared at its distance; `part` gives the part of each.
+std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) {
     std::vector<Chord> joined;
-    const bool all = snapped.radius < tolerance_; // what was near enough to join may no longer be
+    const bool shrunk = snapped.radius < tolerance_; // what was near enough to join may no longer be
     for (std::uint32_t k = 0; k < chords_.size(); ++k) {
         const SnapLine line = partLine(k);
         std::uint32_t node = snapped.first[k];
         if (line.a == line.b) {
             joined.push_back(straightChord(snapped.nodes[node], snapped.nodes[node]));
-            joined.back().fresh = all || snapped.nodes[node] != line.a;
+            joined.back().fresh = shrunk || snapped.nodes[node] != line.a;
             part.push_back(k);
         }
         const std::uint32_t count = snapped.starts[k + 1] - snapped.starts[k];
@@ -222,7 +229,8 @@ std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::
             const Vec2 from = snapped.nodes[node], to = snapped.nodes[next];
             const bool kept = count == 1 && from == line.a && to == line.b;
             joined.push_back(kept ? chords_[k] : joinedChord(k, from, to));
-            joined.back().fresh = all || !kept;
+            joined.back().fresh = !kept || (shrunk && chords_[k].fitsAt != snapped.radius);
+            chords_[k].fitsAt = kept ? snapped.radius : 0.0; // unless it is divided now
             part.push_back(k);
             node = next;
         }

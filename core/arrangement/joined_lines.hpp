@@ -53,7 +53,7 @@ class LineDivision {
     Chord chordOf(std::uint32_t line) const;
     void apply(ChordCuts found);
     void addParts(std::uint32_t chord, std::span<const ChordCut> cuts);
-    std::vector<Chord> joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) const;
+    std::vector<Chord> joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part);
     Chord joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const;
     SnapLine partLine(std::uint32_t part) const;
     CurveStretch partStretch(std::uint32_t part) const;

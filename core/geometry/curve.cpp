@@ -333,13 +333,16 @@ bool Curve::hasOneNearest(Vec2 p, double t0, double t1) const {
 /// it falls and at whose end it rises.
 double Curve::stationary(Vec2 p, double low, double high) const {
     constexpr int kMaxSteps = 60;
-    const double enough = std::ldexp(high - low, -44);
+    const double enough = 0x1p-53 * std::max({high - low, std::fabs(low), std::fabs(high)});
     double t = std::midpoint(low, high), step = high - low, stepBefore = step;
     for (int i = 0; i < kMaxSteps && std::fabs(step) > enough; ++i) {
         const Vec2 from = point(t) - p, along = derivative(t);
         const double rise = dot(from, along), slope = lengthSquared(along) + dot(from, secondDerivative(t));
         (rise < 0.0 ? low : high) = t;
         const double newton = t - rise / slope, last = t;
+        if (newton == t) {
+            break;
+        }
         const bool converges = newton > low && newton < high && 2.0 * std::fabs(newton - t) < std::fabs(stepBefore);
         t = converges ? newton : std::midpoint(low, high);
         stepBefore = std::exchange(step, t - last);
