@@ -105,7 +105,15 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     if (!hasErrors(faults)) {
         return checkBoundaryParts(mesh, input.path, input.options, changes);
     }
-    return locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
+    faults = locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
+    if (!arguments.repair && arguments.drawing == DrawingArguments{}) {
+        faults.push_back({.severity = Severity::Note,
+                          .code = "default-options",
+                          .message = "the domain was read with the default options",
+                          .advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page "
+                                    "or --repair"});
+    }
+    return faults;
 }
 
 /// Prints the figures of a valid mesh. Returns the exit code.

@@ -57,6 +57,7 @@ struct DrawingArguments {
     bool beyondPage = false;
 
     void applyTo(ImportOptions &options) const;
+    friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
 /// Adds the options --weld, --overlap and --beyond-page.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);

@@ -494,7 +494,8 @@ class Imports(Case):
         self.assertIn("moved 2 nodes onto others, at most 0.01 away",
                       self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "0.02").stderr)
         self.call("check", "map.msh", "--domain", "map.geojson", "--weld", "0.02")
-        self.call("check", "map.msh", "--domain", "map.geojson", code=1)
+        other = self.call("check", "map.msh", "--domain", "map.geojson", code=1).stderr
+        self.assertIn("note: the domain was read with the default options [default-options]; repeat those", other)
         self.assertEqual(self.call("mesh", "map.geojson", "-o", "map.msh", "-q", "--overlap", "smaller").stderr, "")
         self.assertIn("expected a number of at least 0, got '-1'",
                       self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "-1", code=2).stderr)
