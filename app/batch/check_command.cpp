@@ -110,8 +110,9 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         faults.push_back({.severity = Severity::Note,
                           .code = "default-options",
                           .message = "the domain was read with the default options",
-                          .advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page "
-                                    "or --repair"});
+                          .advice =
+                              "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page "
+                              "or --repair"});
     }
     return faults;
 }
