@@ -1,6 +1,8 @@
 #include "core/io/common/drawing_builder.hpp"
 
+#include "core/arrangement/feature_gaps.hpp"
 #include "core/arrangement/snap.hpp"
+#include "core/base/ids.hpp"
 #include "core/base/number_text.hpp"
 #include "core/io/common/line_outline.hpp"
 
@@ -109,6 +111,7 @@ Result<Domain> DrawingBuilder::finish() {
         return Diagnostics{faultAt(source_, 0, "empty-domain", "the outlines enclose no area",
                                    "draw a closed outline, or lower the weld tolerance")};
     }
+    noteFeatureGaps(*arranged);
     recordOrigin(*arranged);
     return std::move(arranged->domain);
 }
@@ -197,6 +200,32 @@ Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
         }
     }
     return faults;
+}
+
+/// Reports neighbours in a map that nearly touch: the mesh would not connect them.
+void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
+    constexpr double kNear = 2e-4; // fraction of the diagonal
+    constexpr double kSpare = 1.05;
+    if (input_.features.size() < 2 || !hasOutlines() || source_.notes == nullptr) {
+        return;
+    }
+    std::vector<std::uint32_t> features;
+    for (const PieceStretch &stretch : arrangement.stretches) {
+        const ArrangementPiece &piece = input_.pieces[stretch.piece];
+        features.push_back(
+            piece.role == PieceRole::Outline ? input_.shapes[input_.contours[piece.contour].shape].feature : kNoIndex);
+    }
+    const Domain &domain = arrangement.domain;
+    const FeatureGaps gaps = findFeatureGaps(domain, features, kNear * domain.bounds().diagonal());
+    if (gaps.count > 0) {
+        const std::size_t at = places_[2 * arrangement.stretches[gaps.segment].piece];
+        source_.note("feature-gaps",
+                     "near another feature without touching it: " + std::to_string(gaps.count) +
+                         (gaps.count == 1 ? " node, " : " nodes, at most ") + numberText(gaps.widest, 3) +
+                         " away, first at " + placeText(gaps.first) + "; a weld tolerance of " +
+                         numberText(kSpare * gaps.widest, 3) + " (--weld) joins them",
+                     at == PartOrigin::kNowhere ? 0 : at);
+    }
 }
 
 void DrawingBuilder::recordOrigin(const Arrangement &arrangement) const {

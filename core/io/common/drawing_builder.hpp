@@ -55,6 +55,7 @@ class DrawingBuilder {
     Result<Arrangement> arrangeLines();
     ArrangementInput withOutline(const Arrangement &lines) const;
     Diagnostics report(const Arrangement &arrangement) const;
+    void noteFeatureGaps(const Arrangement &arrangement) const;
     void recordOrigin(const Arrangement &arrangement) const;
 
     const SourceText &source_;
