@@ -18,7 +18,7 @@ struct Chord {
     Vec2 b;         ///< node at part.t1
     std::uint32_t curve = kNoCurve;
     bool fresh = true;   ///< to be compared with all others; the rest are known to fit each other
-    double fitsAt = 0.0; ///< joining distance at which it is known to fit all others of this distance; 0: none
+    double fitsAt = 0.0; ///< joining distance at which it was last compared with all others; 0: never
 
     bool follows() const { return curve != kNoCurve; }
 };

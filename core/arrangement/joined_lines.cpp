@@ -216,6 +216,7 @@ std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::
     const bool shrunk = snapped.radius < tolerance_; // what was near enough to join may no longer be
     for (std::uint32_t k = 0; k < chords_.size(); ++k) {
         const SnapLine line = partLine(k);
+        const double fitted = std::exchange(chords_[k].fitsAt, 0.0);
         std::uint32_t node = snapped.first[k];
         if (line.a == line.b) {
             joined.push_back(straightChord(snapped.nodes[node], snapped.nodes[node]));
@@ -229,7 +230,7 @@ std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::
             const Vec2 from = snapped.nodes[node], to = snapped.nodes[next];
             const bool kept = count == 1 && from == line.a && to == line.b;
             joined.push_back(kept ? chords_[k] : joinedChord(k, from, to));
-            joined.back().fresh = !kept || (shrunk && chords_[k].fitsAt != snapped.radius);
+            joined.back().fresh = !kept || (shrunk && fitted != snapped.radius);
             chords_[k].fitsAt = kept ? snapped.radius : 0.0; // unless it is divided now
             part.push_back(k);
             node = next;

@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Returns a text with its ASCII capitals in lower case, whatever the locale.
+/// Returns a text with its ASCII capitals in lower case, independent of the locale.
 inline std::string lowerCase(std::string_view text) {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(),

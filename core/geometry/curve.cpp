@@ -307,16 +307,17 @@ bool Curve::isCircular() const {
 double Curve::nearestOnCircle(Vec2 p, double t0, double t1) const {
     const Vec2 from = p - p_[0];
     const double start = p_[3].x, sweep = p_[3].y;
-    const double turn = std::fabs(2.0 * kPi / sweep), low = std::min(t0, t1);
+    const double turn = std::fabs(2.0 * kPi / sweep), low = std::min(t0, t1), high = std::max(t0, t1);
     double t = (std::atan2(dot(from, p_[2]), dot(from, p_[1])) - start) / sweep;
     t += turn * std::ceil((low - t) / turn); // the first one from the lower end
-    if (t <= std::max(t0, t1)) {
-        return t;
+    t = std::clamp(t, low, high);
+    for (const double end : {t0, t1}) { // exactly, where an end is as near up to rounding
+        t = distanceSquared(point(end), p) <= distanceSquared(point(t), p) ? end : t;
     }
-    return distanceSquared(point(t1), p) < distanceSquared(point(t0), p) ? t1 : t0;
+    return t;
 }
 
-/// Returns true if the distance of the part from p surely has one minimum: its second derivative, from
+/// Returns true if the squared distance of the part from p is surely convex: half its second derivative,
 /// |C'|² + (C - p)·C", is positive, since the part bends and changes its speed little.
 bool Curve::hasOneNearest(Vec2 p, double t0, double t1) const {
     const double bend =
@@ -329,7 +330,7 @@ bool Curve::hasOneNearest(Vec2 p, double t0, double t1) const {
     return slowest > 0.0 && farthest * bend < slowest * slowest;
 }
 
-/// Returns the parameter where the distance from p stops falling, by Newton's method within an interval at whose start
+/// Returns the parameter of a minimum of the distance from p, by Newton's method within an interval at whose start
 /// it falls and at whose end it rises.
 double Curve::stationary(Vec2 p, double low, double high) const {
     constexpr int kMaxSteps = 60;

@@ -78,7 +78,7 @@ Result<const Format *> chooseFormat(const std::filesystem::path &path, std::stri
     }
     const Format *const found = formatOf(path, bytes);
     if (found == nullptr && bytes.starts_with("\x1f\x8b")) {
-        return error("compressed", "the file is compressed", "unpack it with gunzip first");
+        return error("compressed", "the file is compressed", "unpack it first: gunzip -c FILE >drawing.svg");
     }
     if (found == nullptr) {
         return error("unknown-format", "unknown file format", "formats that can be read: " + extensions(accepts));
@@ -104,6 +104,9 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
             loaded = std::move(*bytes);
         }
         const std::string &bytes = options.content != nullptr ? *options.content : loaded;
+        if (bytes.empty()) {
+            return named(error("empty-file", "the file is empty"), path);
+        }
         const Result<const Format *> format = chooseFormat(path, bytes, options, accepts);
         if (!format) {
             return named(format.faults(), path);

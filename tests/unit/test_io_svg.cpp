@@ -133,6 +133,8 @@ TEST_CASE("SVG: the origin of a transform is read as lengths and keywords") {
     CHECK(at("3 4px 5") == Vec2{3, 4});
     CHECK(at("50% 25%") == Vec2{5, 5});
     CHECK(at("center") == Vec2{5, 10});
+    CHECK(at("center left") == Vec2{0, 10});
+    CHECK(at("center 2px") == Vec2{5, 2});
     CHECK(at("bottom right") == Vec2{10, 20});
     CHECK(at("top") == Vec2{5, 0});
     CHECK(at("0") == Vec2{0, 10});
@@ -165,10 +167,6 @@ TEST_CASE("SVG: a drawing without anything that bounds a domain is refused") {
     CHECK(faultOf(drawing("<text>hello</text>")).code == "empty-domain");
     CHECK(faultOf(drawing("<g><path d=\"M1 1\"/>")).code == "xml-syntax");
     CHECK(faultOf("<html/>").code == "not-svg");
-    CHECK(faultOf(drawing("<g transform=\"scale(1e200)\"><g transform=\"scale(1e200)\"><rect width=\"1\" "
-                          "height=\"1\"/></g></g>"))
-              .code == "out-of-range");
-    CHECK(faultOf(drawing("<path transform=\"scale(1e70)\" d=\"M0 0C1 0 1 1 0 1z\"/>")).code == "out-of-range");
 }
 
 TEST_CASE("SVG: deep nesting and exponential entities are handled safely") {

@@ -186,7 +186,8 @@ TEST_CASE("SVG clips: a mask ends at its own region") {
 
 TEST_CASE("SVG clips: what is not plainly black or white in a mask is shown, and a note says so") {
     const auto mask = [](const std::string &attributes, const std::string &first = "") {
-        return "<mask id=\"m\">" + first + "<rect width=\"6\" height=\"6\" " + attributes + "/></mask>";
+        return "<linearGradient id=\"g\"><stop/></linearGradient><mask id=\"m\">" + first +
+               "<rect width=\"6\" height=\"6\" " + attributes + "/></mask>";
     };
     const std::string square = "<rect width=\"10\" height=\"10\" mask=\"url(#m)\"/>";
     for (const char *attributes : {"fill=\"url(#g)\"", "fill=\"#333\"", "fill=\"#fff\" opacity=\".2\"",

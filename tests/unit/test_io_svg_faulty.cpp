@@ -57,6 +57,7 @@ TEST_CASE("SVG: a path ends where its data can no longer be read") {
     CHECK(areaWithout("<path d=\"M1 1h2v2 -x\"/>", "bad-path") == doctest::Approx(6.0));
     CHECK(areaWithout("<path d=\"M1 1h2v2 A1 1 0 2 0 3 3\"/>", "bad-path") == doctest::Approx(6.0));
     CHECK(areaWithout("<path d=\"M1 1h2v2 1e999 0 Z\"/>", "bad-path") == doctest::Approx(6.0));
+    CHECK(areaWithout("<path d=\"M1 1h2v2,, h-2z\"/>", "bad-path") == doctest::Approx(6.0));
     CHECK(areaWithout("<path d=\"L1 1\"/>", "bad-path") == doctest::Approx(4.0));
     CHECK(areaWithout("<polygon points=\"1 1 3 1 3 3 2\"/>", "bad-path") == doctest::Approx(6.0));
 }
@@ -69,6 +70,41 @@ TEST_CASE("SVG: invalid lengths are 0, and shapes of size 0 disappear") {
         CHECK(areaWithout(shape, "bad-number") == doctest::Approx(4.0));
     }
     CHECK(areaWithout("<rect x=\"left\" width=\"1\" height=\"1\"/>", "bad-number") == doctest::Approx(5.0));
+}
+
+TEST_CASE("SVG: a nested drawing without a valid size fills its parent, one of size 0 shows nothing") {
+    const std::string inside = "viewBox=\"0 0 5 5\"><rect width=\"1\" height=\"1\"/></svg>";
+    CHECK(areaWithout("<svg width=\"foo\" height=\"5\" " + inside, "bad-number") == doctest::Approx(5.0));
+    const auto area = [&](const std::string &size) {
+        const auto domain = readSvg(sourceOf(drawing("<svg " + size + " " + inside)));
+        REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+        return areaOf(*domain);
+    };
+    CHECK(area("width=\"auto\"") == doctest::Approx(8.0));
+    CHECK(area("width=\"0\"") == doctest::Approx(4.0));
+}
+
+TEST_CASE("SVG: shapes beyond the range of coordinates are left out") {
+    CHECK(areaWithout("<g transform=\"scale(1e200) scale(1e150)\"><rect width=\"1\" height=\"1\"/></g>",
+                      "out-of-range") == doctest::Approx(4.0));
+}
+
+TEST_CASE("SVG: very many notes that differ are counted together") {
+    std::string content;
+    for (int k = 0; k < 1000; ++k) {
+        content += "<rect width=\"1\" height=\"1\" clip-path=\"url(#c" + std::to_string(k) + ")\"/>";
+    }
+    const std::string text = drawing(content);
+    ImportNotes notes;
+    SourceText source = sourceOf(text);
+    source.notes = &notes;
+    REQUIRE(readSvg(source).ok());
+    CHECK(notes.entries().size() < 210);
+    std::size_t count = 0;
+    for (const ImportNote &note : notes.entries()) {
+        count += note.code == "svg-clip-path" ? note.count : 0;
+    }
+    CHECK(count == 1000);
 }
 
 TEST_CASE("SVG: invalid transforms are ignored") {
@@ -96,7 +132,7 @@ TEST_CASE("SVG: the note gives the place inside the attribute") {
     REQUIRE(readSvg(source).ok());
     REQUIRE(notes.entries().size() == 1);
     CHECK(notes.entries().front().column == 25);
-    CHECK(notes.entries().front().message == "expected a number for path command L; the shape ends before it");
+    CHECK(notes.entries().front().message == "expected a number for path command L; the rest of the path is ignored");
 }
 
 TEST_CASE("SVG: lengths in units of the font") {
@@ -112,6 +148,44 @@ TEST_CASE("SVG: lengths in units of the font") {
     CHECK(area("<g font-size=\"2em\"><rect width=\"1em\" height=\"101.6q\"/></g>") == doctest::Approx(32.0 * 96.0));
 }
 
+TEST_CASE("SVG: style sheets set sizes, places and path data") {
+    const auto area = [](const std::string &content) {
+        const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 100 100\">" + content + "</svg>"));
+        REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+        return areaOf(*domain);
+    };
+    CHECK(area("<rect width=\"2\" height=\"2\" style=\"width:40px;height:30px\"/>") == doctest::Approx(1200.0));
+    CHECK(area("<style>circle{cx:30px;cy:30px;r:10px}</style><circle r=\"2\"/>") ==
+          doctest::Approx(314.16).epsilon(3e-3));
+    CHECK(area("<path style=\"d:path('M0 0h10v10h-10z')\"/>") == doctest::Approx(100.0));
+    CHECK(area("<ellipse cx=\"50\" cy=\"50\" rx=\"10\"/>") == doctest::Approx(314.16).epsilon(3e-3));
+    CHECK(area("<ellipse cx=\"50\" cy=\"50\" rx=\"auto\" ry=\"10\"/>") == doctest::Approx(314.16).epsilon(3e-3));
+    CHECK(area("<rect width=\"10\" height=\"10\" rx=\"auto\" ry=\"5\"/>") == doctest::Approx(78.54).epsilon(3e-3));
+}
+
+TEST_CASE("SVG: entities of the document type are replaced") {
+    const auto read = [](const std::string &definitions, const std::string &content) {
+        return readSvg(sourceOf("<?xml version=\"1.0\"?><!DOCTYPE svg PUBLIC \"a\" \"b\" [" + definitions +
+                                "]><svg viewBox=\"0 0 10 10\">" + content + "</svg>"));
+    };
+    const auto styled = read("<!ENTITY st0 \"fill:none;\">\n<!ENTITY st1 'width:2px;&st2;'><!ENTITY st2 \"fill:red\">",
+                             "<rect width=\"5\" height=\"5\" style=\"&st0;\"/><rect height=\"2\" style=\"&st1;\"/>");
+    REQUIRE_MESSAGE(styled.ok(), messages(styled.faults()));
+    CHECK(areaOf(*styled) == doctest::Approx(4.0));
+    std::string bomb = "<!ENTITY e0 \"0123456789\">";
+    for (int k = 1; k < 9; ++k) {
+        const std::string before = "&e" + std::to_string(k - 1) + ";";
+        bomb += "<!ENTITY e" + std::to_string(k) + " \"";
+        for (int copy = 0; copy < 10; ++copy) {
+            bomb += before;
+        }
+        bomb += "\">";
+    }
+    const auto refused = read(bomb, "<rect width=\"1\" height=\"1\" id=\"&e8;&e8;&e8;&e8;\"/>");
+    CHECK((!refused.ok() && hasCode(refused.faults(), "too-large")));
+    CHECK(read("<!ENTITY a \"&a;\">", "<rect width=\"1\" height=\"1\" id=\"&a;&b;& c\"/>").ok());
+}
+
 TEST_CASE("SVG: transforms of CSS, with units and origin") {
     const auto corner = [](const std::string &attributes) {
         const auto domain =
@@ -122,6 +196,9 @@ TEST_CASE("SVG: transforms of CSS, with units and origin") {
     CHECK(corner("style=\"transform: translate(2px, 10%)\"") == Vec2{3, 18});
     CHECK(corner("transform=\"translate(5 0)\" style=\"transform: translateY(3px)\"") == Vec2{1, 17});
     CHECK(distance(corner("style=\"transform: rotate(180deg); transform-origin: 50% 50%\""), {10, 1}) < 1e-12);
+    CHECK(distance(corner("style=\"transform: translate(50%, 0) scale(2); transform-box: fill-box; transform-origin: "
+                          "center\""),
+                   {2.0, 20.0}) < 1e-12);
     CHECK(distance(corner("transform=\"scale(.5)\" transform-origin=\"1 1\""), {1, 19.5}) < 1e-12);
 }
 

@@ -1,9 +1,11 @@
 #include "core/io/svg/svg.hpp"
+#include "core/io/svg/svg_colour.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -60,6 +62,34 @@ TEST_CASE("SVG paint: a mask that shows in part is reported, however much it sho
         CHECK(painted.notes.count("svg-mask") == 1);
         CHECK(painted.area == doctest::Approx(10000));
     }
+}
+
+TEST_CASE("SVG paint: hsl(), and references to gradients that do not exist") {
+    const auto area = [](const std::string &fill) {
+        const auto domain =
+            readSvg(sourceOf("<svg viewBox=\"0 0 10 10\"><linearGradient id=\"Known\"/><rect width=\"1\" height=\"1\"/>"
+                             "<rect x=\"2\" width=\"2\" height=\"2\" fill=\"" +
+                             fill + "\"/></svg>"));
+        REQUIRE(domain.ok());
+        double twice = 0.0;
+        for (const DomainSegment &segment : domain->segments) {
+            twice += cross(domain->nodes[segment.a], domain->nodes[segment.b]);
+        }
+        return 0.5 * std::fabs(twice);
+    };
+    for (const char *none :
+         {"url(#no)", "url(#no) none", "url(#known)", "hsla(0, 0%, 0%, 0)", "hsl(120deg 50% 50% / 0%)"}) {
+        CAPTURE(none);
+        CHECK(area(none) == doctest::Approx(1.0));
+    }
+    for (const char *some : {"url(#Known)", "url(#no) red", "url('#Known') none", "hsl(0,100%,50%)", "hsl(nothing)"}) {
+        CAPTURE(some);
+        CHECK(area(some) == doctest::Approx(5.0));
+    }
+    CHECK(parseColour("hsl(0, 0%, 0%)", {}).luminance == doctest::Approx(0.0));
+    CHECK(parseColour("hsl(0, 0%, 100%)", {}).luminance == doctest::Approx(1.0));
+    CHECK(parseColour("hsl(120, 100%, 50%)", {}).luminance == doctest::Approx(0.7154));
+    CHECK(parseColour("hsl(-120, 100%, 50%)", {}).luminance == doctest::Approx(0.0721));
 }
 
 TEST_CASE("SVG paint: a drawing of text alone and a compressed one are refused with what to do") {

@@ -98,6 +98,37 @@ TEST_CASE("SVG: style sheets select elements inside of others") {
           std::set<std::string>{"kept"});
 }
 
+TEST_CASE("SVG: style sheets have variables, and notes on rules within rules") {
+    const auto shown = [](const std::string &sheet, const std::string &attributes, ImportNotes *notes = nullptr) {
+        return namesIn(
+                   domainOf(drawing("<style>" + sheet + "</style><rect id=\"kept\" width=\"1\" height=\"1\"/><g " +
+                                    attributes + "><rect id=\"b\" class=\"b\" x=\"2\" width=\"1\" height=\"1\"/></g>"),
+                            notes))
+                   .count("b") == 1;
+    };
+    CHECK_FALSE(shown(":root { --shown: none } .b { display: var(--shown) }", ""));
+    CHECK_FALSE(shown(".b { display: var(--SHOWN, none) }", "style=\"--other: inline\""));
+    CHECK_FALSE(shown(".b { display: var(--a, var(--b, none)) }", ""));
+    CHECK(shown(":root { --shown: none } .b { display: var( --shown ) }", "style=\"--shown: inline\""));
+    CHECK(shown(".b { display: var(--unknown) }", ""));
+    CHECK(shown(":root { --a: var(--b); --b: var(--a) } .b { display: var(--a) }", ""));
+    ImportNotes notes;
+    CHECK(shown("g { fill: red; .b { display: none } }", "", &notes));
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries().front().code == "svg-style");
+}
+
+TEST_CASE("SVG: many classes do not outweigh an id") {
+    std::string many;
+    for (int k = 0; k < 150; ++k) {
+        many += ".x";
+    }
+    CHECK(namesIn(domainOf(drawing("<style>" + many +
+                                   " { display: none } #a { display: inline }</style>"
+                                   "<rect id=\"a\" class=\"x\" width=\"1\" height=\"1\"/>"))) ==
+          std::set<std::string>{"a"});
+}
+
 TEST_CASE("SVG: the attribute style wins over a style sheet, and !important over both") {
     const auto shown = [](const std::string &sheet, const std::string &style) {
         return namesIn(domainOf(drawing("<style>" + sheet +

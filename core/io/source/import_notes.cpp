@@ -8,8 +8,10 @@ namespace forefront {
 
 void ImportNotes::add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
                       std::size_t offset, std::size_t count) {
+    constexpr std::size_t kMaxEntries = 200; // then, notes that differ in their message alone are counted together
+    const bool full = entries_.size() >= kMaxEntries;
     const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const ImportNote &note) {
-        return note.code == code && note.message == message && note.file == file;
+        return note.code == code && (full || note.message == message) && note.file == file;
     });
     if (known != entries_.end()) {
         known->count += count;

@@ -24,6 +24,7 @@ struct ImportNote {
 class ImportNotes {
   public:
     /// Counts `count` more of the note with this code and message; `text`, `offset` and `file` give the first place.
+    /// After 200 different ones, the first with this code is counted instead.
     void add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
              std::size_t offset, std::size_t count = 1);
     const std::vector<ImportNote> &entries() const { return entries_; }

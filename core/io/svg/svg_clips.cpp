@@ -12,19 +12,6 @@ namespace {
 
 constexpr double kHides = 0.02; ///< greatest luminance that counts as black in a mask; likewise for white
 
-/// Returns the id in url(#id), with or without quotes; empty if the value is no such reference.
-std::string_view idOfUrl(std::string_view value) {
-    const std::size_t begin = value.find("url("), end = value.find(')', begin);
-    if (begin != 0 || end == value.npos) {
-        return {};
-    }
-    constexpr std::string_view kAround = " \t\r\n\"'";
-    value = value.substr(4, end - 4);
-    const std::size_t first = value.find_first_not_of(kAround);
-    value = first == value.npos ? std::string_view() : value.substr(first, value.find_last_not_of(kAround) + 1 - first);
-    return value.starts_with('#') ? value.substr(1) : std::string_view();
-}
-
 std::array<double, 6> numbersOf(const AffineMap &map) {
     return {map.a, map.b, map.c, map.d, map.e, map.f};
 }
@@ -83,15 +70,18 @@ pugi::xml_node SvgDrawer::clipTarget(const Visit &visit, std::string_view proper
     if (value.empty() || value == "none" || value == "inherit") {
         return {};
     }
-    const auto found = byId_.find(std::string(idOfUrl(value)));
-    const bool known = found != byId_.end() && localName(found->second) == expected;
-    if (known && !draws(visit.use, found->second)) {
-        return found->second;
+    const pugi::xml_node target = targetOf(value, byId_);
+    const bool known = target && localName(target) == expected;
+    if (known && !draws(visit.use, target)) {
+        return target;
     }
     if (reports_) {
+        const std::string element = '<' + std::string(expected) + '>';
         note(visit.node, "svg-" + std::string(property),
              std::string(property) + ' ' + inQuotes(value) + " is ignored: " +
-                 (known ? "it refers to itself" : "the drawing has no <" + std::string(expected) + "> of that id"));
+                 (known                    ? "it refers to itself"
+                  : idOfUrl(value).empty() ? "only url(#id) of a " + element + " of the drawing is read"
+                                           : "the drawing has no " + element + " of that id"));
     }
     return {};
 }
@@ -107,7 +97,7 @@ std::uint32_t SvgDrawer::addClip(const pugi::xml_node &target, const Visit &refe
         map = map * box.frame();
     }
     if (!isMask) {
-        map = map * transformOf(target, referrer.viewport);
+        map = map * transformOf(target, viewportBox(referrer.viewport));
     }
     if (isMask) {
         within = maskRegion(target, referrer, within, box);
@@ -142,7 +132,7 @@ SvgDrawer::Visit SvgDrawer::clipContents(const pugi::xml_node &target, const Aff
     Visit visit{target, map, viewport_};
     for (auto node = around.rbegin(); node != around.rend(); ++node) {
         visit.node = *node;
-        visit.paint = paintOf(*node, styles_, visit.paint);
+        visit.paint = paintOf(*node, styles_, byId_, visit.paint);
         visit.fontSize = fontSizeOf(*node, visit.fontSize);
         inheritVisibility(visit);
     }
@@ -164,7 +154,7 @@ std::uint32_t SvgDrawer::maskRegion(const pugi::xml_node &mask, const Visit &ref
         const auto &[attribute, extent] = kSides[k];
         const std::string_view text = mask.attribute(attribute).value();
         const double whole = !user ? 1.0 : extent == SvgExtent::Width ? referrer.viewport.x : referrer.viewport.y;
-        const auto value = userLength(text, extent, user ? referrer.viewport : Vec2{1.0, 1.0});
+        const auto value = userLength(text, extent, user ? referrer.viewport : Vec2{1.0, 1.0}, referrer.fontSize);
         side[k] = value.value_or(kDefault[k] * whole);
         given = given || value;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -58,6 +59,28 @@ SvgColour functionColour(std::string_view arguments) {
     return {luminanceOf(part[0], part[1], part[2]), part[3], true};
 }
 
+/// Reads the arguments of hsl(), hsla(): the hue in degrees, saturation and lightness as percentages, and the opacity.
+SvgColour hueColour(std::string_view arguments) {
+    std::array<double, 4> part{0.0, 0.0, 0.0, 1.0};
+    SvgNumbers numbers(arguments);
+    for (std::size_t k = 0; k < part.size() && !numbers.atEnd(); ++k) {
+        if (numbers.peek() == '/') {
+            numbers.skip();
+        }
+        if (!numbers.number(part[k])) {
+            return kWhite;
+        }
+        part[k] /= numbers.unit() == "%" ? 100.0 : 1.0;
+    }
+    const double saturation = std::clamp(part[1], 0.0, 1.0), lightness = std::clamp(part[2], 0.0, 1.0);
+    const double range = saturation * std::min(lightness, 1.0 - lightness);
+    const auto component = [&](double shift) { // formula of CSS Color 4
+        const double turn = std::fmod(std::fmod(shift + part[0] / 30.0, 12.0) + 12.0, 12.0);
+        return lightness - range * std::clamp(std::min(turn - 3.0, 9.0 - turn), -1.0, 1.0);
+    };
+    return {luminanceOf(component(0.0), component(8.0), component(4.0)), std::clamp(part[3], 0.0, 1.0), true};
+}
+
 } // namespace
 
 SvgColour parseColour(std::string_view text, const SvgColour &current) {
@@ -73,9 +96,13 @@ SvgColour parseColour(std::string_view text, const SvgColour &current) {
     if (text.starts_with('#')) {
         return hexColour(text.substr(1));
     }
-    if (text.starts_with("rgb")) {
+    if (text.starts_with("rgb") || text.starts_with("hsl")) {
         const std::size_t open = text.find('('), close = text.find(')');
-        return open < close && close != text.npos ? functionColour(text.substr(open + 1, close - open - 1)) : kWhite;
+        if (open > close || close == text.npos) {
+            return kWhite;
+        }
+        const std::string_view arguments = text.substr(open + 1, close - open - 1);
+        return text.starts_with("rgb") ? functionColour(arguments) : hueColour(arguments);
     }
     // The luminance of the names that masks use; others count as light, with a note.
     constexpr std::pair<std::string_view, double> kNamed[] = {

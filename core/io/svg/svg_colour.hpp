@@ -11,8 +11,8 @@ struct SvgColour {
     bool plain = true; ///< false for gradients and patterns, which have no single luminance
 };
 
-/// Reads a colour in lower case: #rgb and its longer forms, rgb(), rgba(), currentcolor, and names, of which only dark
-/// ones matter. Anything unknown counts as white. `current`: the property `color`.
+/// Reads a colour in lower case: #rgb and its longer forms, rgb(), rgba(), hsl(), hsla(), currentcolor, and names, of
+/// which only dark ones matter. Anything unknown counts as white. `current`: the property `color`.
 SvgColour parseColour(std::string_view text, const SvgColour &current);
 
 /// Reads an opacity: a number or a percentage, limited to 0 to 1; 1 if malformed.

@@ -5,12 +5,18 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <utility>
 
 namespace forefront {
 
 namespace {
+
+constexpr std::size_t kLongestValue = 100'000; ///< bounds the growth by variables
+// Weights of declarations: elements count 1.
+constexpr std::int64_t kClassWeight = std::int64_t{1} << 20;
+constexpr std::int64_t kIdWeight = std::int64_t{1} << 40;
+constexpr std::int64_t kInlineWeight = std::int64_t{1} << 60;
+constexpr std::int64_t kImportantWeight = std::int64_t{1} << 61;
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(kBlanks);
@@ -63,11 +69,11 @@ bool hasClass(std::string_view list, std::string_view name) {
 
 } // namespace
 
-int SvgStyles::Selector::specificity() const {
-    int weight = 0;
+std::int64_t SvgStyles::Selector::specificity() const {
+    std::int64_t weight = 0; // ids, then classes, then elements
     for (const Compound &compound : compounds) {
-        weight += (compound.id.empty() ? 0 : 10'000) +
-                  100 * static_cast<int>(std::min<std::size_t>(compound.classes.size(), 9)) +
+        weight += (compound.id.empty() ? 0 : kIdWeight) +
+                  kClassWeight * static_cast<std::int64_t>(compound.classes.size() + (compound.isRoot ? 1 : 0)) +
                   (compound.element.empty() ? 0 : 1);
     }
     return weight;
@@ -75,34 +81,61 @@ int SvgStyles::Selector::specificity() const {
 
 bool SvgStyles::Compound::matches(const pugi::xml_node &node) const {
     const std::string_view list = node.attribute("class").value();
-    return (element.empty() || element == localName(node)) && (id.empty() || id == node.attribute("id").value()) &&
+    return (!isRoot || node.parent().type() == pugi::node_document) &&
+           (element.empty() || element == localName(node)) && (id.empty() || id == node.attribute("id").value()) &&
            std::all_of(classes.begin(), classes.end(), [&](const std::string &name) { return hasClass(list, name); });
 }
 
-bool SvgStyles::Selector::matches(const pugi::xml_node &node) const {
-    return compounds.back().matches(node) && (compounds.size() == 1 || matchesInside(node));
+/// Visits the elements around the node from the outermost inwards, and keeps which compounds, with all before them,
+/// have matched the last of these elements, and which have matched any: bit k for compound k.
+bool SvgStyles::Selector::matches(const pugi::xml_node &node, std::span<const pugi::xml_node> around) const {
+    if (!compounds.back().matches(node)) {
+        return false;
+    }
+    std::uint32_t parent = 0, any = 0;
+    const auto follows = [&](std::size_t k) {
+        return k == 0 || (((compounds[k].isChild ? parent : any) >> (k - 1)) & 1U) != 0;
+    };
+    for (auto at = around.rbegin(); at != around.rend() && compounds.size() > 1; ++at) {
+        std::uint32_t own = 0;
+        for (std::size_t k = 0; k + 1 < compounds.size(); ++k) {
+            own |= follows(k) && compounds[k].matches(*at) ? std::uint32_t{1} << k : 0U;
+        }
+        any |= own;
+        parent = own;
+    }
+    return follows(compounds.size() - 1);
 }
 
-/// Returns true if elements around the node match the compounds before the last one: from the outermost element
-/// inwards, keeps which compounds have been matched, with all before them, by the parent and by any element around.
-bool SvgStyles::Selector::matchesInside(const pugi::xml_node &node) const {
-    constexpr std::size_t kDepth = 100; // bounds the time for hostile files
+/// Returns the declarations for a node with their weights. Those of the last node are kept: a caller asks for one
+/// property after another.
+const std::vector<SvgStyles::Weighted> &SvgStyles::declarationsFor(const pugi::xml_node &node) const {
+    if (cached_ && cachedNode_ == node) {
+        return cache_;
+    }
+    constexpr std::size_t kDepth = 128; // bounds the time for hostile files
     std::vector<pugi::xml_node> around;
     for (pugi::xml_node at = node.parent(); at.type() == pugi::node_element && around.size() < kDepth;) {
         around.push_back(at);
         at = at.parent();
     }
-    std::vector<bool> parent(compounds.size()), any(compounds.size());
-    const auto follows = [&](std::size_t k) { return k == 0 || (compounds[k].isChild ? parent[k - 1] : any[k - 1]); };
-    for (auto at = around.rbegin(); at != around.rend(); ++at) {
-        std::vector<bool> own(compounds.size());
-        for (std::size_t k = 0; k + 1 < compounds.size(); ++k) {
-            own[k] = follows(k) && compounds[k].matches(*at);
+    cache_.clear();
+    cachedNode_ = node;
+    cached_ = true;
+    const auto offer = [&](const std::vector<Declaration> &declarations, std::int64_t weight) {
+        for (const Declaration &declaration : declarations) {
+            cache_.push_back({declaration, weight + (declaration.important ? kImportantWeight : 0)});
         }
-        std::transform(own.begin(), own.end(), any.begin(), any.begin(), std::logical_or<>());
-        parent = std::move(own);
+    };
+    for (const Rule &rule : rules_) {
+        if (rule.selector.matches(node, around)) {
+            offer(rule.declarations, rule.selector.specificity());
+        }
     }
-    return follows(compounds.size() - 1);
+    if (const pugi::xml_attribute style = node.attribute("style")) {
+        offer(declarationsOf(withoutComments(style.value())), kInlineWeight);
+    }
+    return cache_;
 }
 
 std::vector<SvgStyles::Declaration> SvgStyles::declarationsOf(std::string_view text) {
@@ -141,7 +174,7 @@ bool SvgStyles::parseSelector(std::string_view text, Selector &selector) {
             text.remove_prefix(1);
             continue;
         }
-        const std::size_t end = std::min(text.find_first_of(" \t\r\n\f>"), text.size());
+        const std::size_t end = std::min(text.find_first_of(std::string(kBlanks) + '>'), text.size());
         Compound compound;
         compound.isChild = std::exchange(isChild, false);
         if (selector.compounds.size() == kMaxCompounds || !parseCompound(text.substr(0, end), compound)) {
@@ -170,13 +203,14 @@ bool SvgStyles::parseCompound(std::string_view text, Compound &compound) {
     while (at < text.size()) {
         const char kind = text[at++];
         const std::string given = name();
-        if (given.empty() || (kind != '.' && kind != '#') || (kind == '#' && !compound.id.empty())) {
-            return false;
-        }
-        if (kind == '.') {
+        if (kind == ':' && given == "root") {
+            compound.isRoot = true;
+        } else if (kind == '.' && !given.empty()) {
             compound.classes.push_back(given);
-        } else {
+        } else if (kind == '#' && !given.empty() && compound.id.empty()) {
             compound.id = given;
+        } else {
+            return false;
         }
     }
     return true;
@@ -200,7 +234,11 @@ void SvgStyles::addSheet(std::string_view css, const std::function<void(const st
         }
         const std::size_t end = blockEnd(text, open);
         std::string_view selectors = text.substr(0, open);
-        const std::string_view body = open < text.size() ? text.substr(open + 1, end - open - 1) : std::string_view();
+        std::string_view body = open < text.size() ? text.substr(open + 1, end - open - 1) : std::string_view();
+        if (const std::size_t nested = body.find('{'); nested != std::string_view::npos) {
+            unsupported(std::string(trimmed(selectors)) + " { ... { ... } }");
+            body = body.substr(0, body.substr(0, nested).find_last_of(';') + 1); // what precedes the nested rule
+        }
         text.remove_prefix(std::min(end + 1, text.size()));
         while (!selectors.empty()) {
             const std::size_t comma = std::min(selectors.find(','), selectors.size());
@@ -222,25 +260,59 @@ std::string SvgStyles::value(const pugi::xml_node &node, std::string_view proper
 }
 
 std::string SvgStyles::valueAsWritten(const pugi::xml_node &node, std::string_view property) const {
-    constexpr int kAttribute = -1, kInline = 1'000'000, kImportant = 10'000'000;
-    std::string result(trimmed(node.attribute(std::string(property).c_str()).value()));
-    int best = result.empty() ? kAttribute - 1 : kAttribute;
-    const auto offer = [&](const std::vector<Declaration> &declarations, int weight) {
-        for (const Declaration &declaration : declarations) {
-            const int own = weight + (declaration.important ? kImportant : 0);
-            if (declaration.property == property && own >= best) {
-                best = own;
-                result = declaration.value;
-            }
+    return resolved(node, declared(node, property));
+}
+
+/// Replaces var(--name) and var(--name, fallback). A variable without a value makes the declaration void.
+std::string SvgStyles::resolved(const pugi::xml_node &node, std::string value) const {
+    constexpr std::string_view kOpen = "var(";
+    constexpr int kMaxVariables = 16;
+    for (int count = 0; count < kMaxVariables; ++count) {
+        const std::size_t begin = value.find(kOpen);
+        if (begin == std::string::npos) {
+            return value;
         }
-    };
-    for (const Rule &rule : rules_) {
-        if (rule.selector.matches(node)) {
-            offer(rule.declarations, rule.selector.specificity());
+        std::size_t end = begin + kOpen.size();
+        for (int depth = 1; end < value.size() && depth > 0; ++end) {
+            depth += value[end] == '(' ? 1 : value[end] == ')' ? -1 : 0;
+        }
+        const std::string_view inside =
+            std::string_view(value).substr(begin + kOpen.size(), end - begin - kOpen.size() - 1);
+        const std::size_t comma = std::min(inside.find(','), inside.size());
+        std::string given = variable(node, lowerCase(trimmed(inside.substr(0, comma))));
+        if (given.empty() && comma < inside.size()) {
+            given = trimmed(inside.substr(comma + 1));
+        }
+        if (given.empty() || given.size() + value.size() > kLongestValue) {
+            return {};
+        }
+        value.replace(begin, end - begin, given);
+    }
+    return {}; // variables that refer to themselves
+}
+
+/// Returns the value of a variable, which elements inherit.
+std::string SvgStyles::variable(const pugi::xml_node &node, std::string_view name) const {
+    constexpr int kDepth = 100; // bounds the time for hostile files
+    pugi::xml_node at = node;
+    for (int depth = 0; depth < kDepth && at.type() == pugi::node_element; ++depth, at = at.parent()) {
+        if (std::string value = declared(at, name); !value.empty()) {
+            return value;
         }
     }
-    if (const pugi::xml_attribute style = node.attribute("style")) {
-        offer(declarationsOf(withoutComments(style.value())), kInline);
+    return {};
+}
+
+/// Returns the value of a property by the order of precedence: the attribute of that name, then the rules, then the
+/// attribute `style`.
+std::string SvgStyles::declared(const pugi::xml_node &node, std::string_view property) const {
+    std::string result(trimmed(node.attribute(std::string(property).c_str()).value()));
+    std::int64_t best = -1;
+    for (const Weighted &offered : declarationsFor(node)) {
+        if (offered.declaration.property == property && offered.weight >= best) {
+            best = offered.weight;
+            result = offered.declaration.value;
+        }
     }
     return result;
 }

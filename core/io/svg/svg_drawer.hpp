@@ -2,6 +2,7 @@
 
 #include "core/io/svg/svg_css.hpp"
 #include "core/io/svg/svg_drawing.hpp"
+#include "core/io/svg/svg_elements.hpp"
 #include "core/io/svg/svg_pen.hpp"
 #include "core/io/svg/svg_viewport.hpp"
 
@@ -55,7 +56,7 @@ class SvgDrawer {
     void fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
               std::string message, std::string advice = {});
     void leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
-                  const std::string &message, const std::string &consequence);
+                  const std::string &message, const std::string &value = {}, std::string_view ignored = "it");
     std::size_t byteOf(const pugi::xml_node &node, const char *attribute, std::size_t within) const;
     void note(const pugi::xml_node &node, std::string_view code, const std::string &message) const;
     void collect();
@@ -64,17 +65,20 @@ class SvgDrawer {
     void walk(std::optional<double> tolerance);
     void visitAll(std::vector<Visit> &open);
     void element(Visit &visit, std::vector<Visit> &open);
-    AffineMap transformOf(const pugi::xml_node &node, Vec2 viewport);
+    Box2 transformBox(const Visit &visit);
+    AffineMap transformOf(const pugi::xml_node &node, const Box2 &reference);
+    bool isGiven(const Visit &visit, const char *property) const;
     void contents(Visit &visit, std::string_view name, std::vector<Visit> &open);
     static Visit inside(const Visit &outer, const pugi::xml_node &child);
     bool hidden(Visit &visit);
     void inheritVisibility(Visit &visit) const;
-    void enterViewport(Visit &visit, std::string_view name);
+    bool enterViewport(Visit &visit, std::string_view name);
     void chosen(const Visit &visit, std::vector<Visit> &open) const;
     void use(Visit &visit, std::vector<Visit> &open);
     AffineMap placeOf(const Visit &visit);
     bool draws(std::size_t use, const pugi::xml_node &target) const;
     double fontSizeOf(const pugi::xml_node &node, double inherited) const;
+    std::optional<double> givenLength(const Visit &visit, const char *attribute, SvgExtent extent);
     double length(const Visit &visit, const char *attribute, SvgExtent extent);
 
     // svg_shapes.cpp
@@ -111,7 +115,7 @@ class SvgDrawer {
     pugi::xml_document xml_;
     pugi::xml_node root_;
     SvgStyles styles_;
-    std::map<std::string, pugi::xml_node> byId_;
+    SvgIds byId_;
     std::vector<Use> uses_;
     AffineMap axes_;
     Vec2 viewport_;

@@ -3,14 +3,28 @@
 #include "core/io/svg/svg_axes.hpp"
 #include "core/io/svg/svg_drawer.hpp"
 #include "core/io/svg/svg_elements.hpp"
+#include "core/io/svg/svg_entities.hpp"
 #include "core/io/svg/svg_notes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 namespace forefront {
+
+namespace {
+
+constexpr char kUnpack[] = "unpack it first: gunzip -c FILE >drawing.svg";
+
+/// Returns true for attributes that style sheets can set, too.
+bool isGeometry(std::string_view attribute) {
+    constexpr std::array kProperties = {"x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"};
+    return std::find(kProperties.begin(), kProperties.end(), attribute) != kProperties.end();
+}
+
+} // namespace
 
 Box2 SvgPath::box() const {
     Box2 box;
@@ -40,9 +54,10 @@ bool SvgPath::painted() const {
 
 Result<SvgPaths> SvgDrawer::run() {
     if (source_.text.starts_with("\x1f\x8b")) {
-        return Diagnostics{faultAt(source_, 0, "compressed", "the file is compressed", "unpack it with gunzip first")};
+        return Diagnostics{faultAt(source_, 0, "compressed", "the file is compressed", kUnpack)};
     }
-    const pugi::xml_parse_result parsed = xml_.load_buffer(source_.text.data(), source_.text.size());
+    const pugi::xml_parse_result parsed =
+        xml_.load_buffer(source_.text.data(), source_.text.size(), pugi::parse_default | pugi::parse_doctype);
     if (!parsed) {
         return Diagnostics{faultAt(source_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
                                    "xml-syntax", std::string("the XML is malformed: ") + parsed.description())};
@@ -50,6 +65,10 @@ Result<SvgPaths> SvgDrawer::run() {
     root_ = xml_.document_element();
     if (localName(root_) != "svg") {
         return Diagnostics{faultAt(source_, 0, "not-svg", "the file is not an SVG drawing")};
+    }
+    if (!expandEntities(xml_, kSpareNodes + kNodesPerByte * source_.text.size())) {
+        return Diagnostics{
+            faultAt(source_, 0, "too-large", "the entities of the document type expand to too much text")};
     }
     collect();
     placeAxes();
@@ -90,13 +109,15 @@ void SvgDrawer::fail(const pugi::xml_node &node, const char *attribute, std::siz
     }
 }
 
-/// Leaves out what cannot be read, as browsers do: with a note, or with a fault if the drawing must not be changed.
+/// Leaves out what cannot be read, as browsers do: with a note, or with a fault if the drawing must not be changed. The
+/// note, of which there may be very many, does not contain the value.
 void SvgDrawer::leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
-                         const std::string &message, const std::string &consequence) {
+                         const std::string &message, const std::string &value, std::string_view ignored) {
     if (source_.options.strict) {
-        fail(node, attribute, within, std::move(code), message, "correct the file, or leave out --strict");
+        fail(node, attribute, within, std::move(code), message + (value.empty() ? "" : ": " + value),
+             "correct the file, or leave out --strict");
     } else if (reports_ && !measuresBox_) {
-        source_.note(code, message + "; " + consequence, byteOf(node, attribute, within));
+        source_.note(code, message + "; " + std::string(ignored) + " is ignored", byteOf(node, attribute, within));
     }
 }
 
@@ -104,11 +125,12 @@ void SvgDrawer::leaveOut(const pugi::xml_node &node, const char *attribute, std:
 std::size_t SvgDrawer::byteOf(const pugi::xml_node &node, const char *attribute, std::size_t within) const {
     const std::size_t offset = offsetOf(node);
     const std::string_view text = source_.text;
-    const std::string_view tag = text.substr(std::min(offset, text.size()));
+    std::string_view tag = text.substr(std::min(offset, text.size()));
+    tag = tag.substr(0, tag.find('>'));
     const std::string start = std::string(attribute) + '=';
-    for (std::size_t at = tag.find(start); *attribute != '\0' && at < tag.find('>'); at = tag.find(start, at + 1)) {
+    for (std::size_t at = tag.find(start); *attribute != '\0' && at < tag.size(); at = tag.find(start, at + 1)) {
         if (at > 0 && static_cast<unsigned char>(tag[at - 1]) <= ' ') {
-            return offset + at + start.size() + 1 + within;
+            return std::min(offset + at + start.size() + 1 + within, source_.text.size());
         }
     }
     return offset;
@@ -146,7 +168,7 @@ void SvgDrawer::addSheet(const pugi::xml_node &node) {
     styles_.addSheet(css, [&](const std::string &rule) {
         note(node, "svg-style",
              "CSS rules for " + inQuotes(rule) +
-                 " are ignored: only elements, .class, #id and those inside of others are supported");
+                 " are ignored: only elements, .class, #id, descendants and children are supported");
     });
 }
 
@@ -210,9 +232,9 @@ void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
     if (reports_) {
         noteUnusedStyle(source_, styles_, visit.node);
     }
-    visit.paint = paintOf(visit.node, styles_, visit.paint);
+    visit.paint = paintOf(visit.node, styles_, byId_, visit.paint);
     visit.fontSize = fontSizeOf(visit.node, visit.fontSize);
-    visit.map = visit.map * transformOf(visit.node, visit.viewport);
+    visit.map = visit.map * transformOf(visit.node, transformBox(visit));
     if (name == "use") {
         visit.map = visit.map * placeOf(visit);
     }
@@ -220,35 +242,43 @@ void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
     contents(visit, name, open);
 }
 
+/// Returns the box that percentages and the origin of an element's transform refer to.
+Box2 SvgDrawer::transformBox(const Visit &visit) {
+    const std::string kind = styles_.value(visit.node, "transform-box");
+    const bool own = !kind.empty() && kind != "view-box" && isGiven(visit, "transform");
+    const Box2 box = own ? boxOf(visit) : Box2();
+    return box.empty() ? viewportBox(visit.viewport) : box;
+}
+
 /// Returns the map of an element's own transform, an attribute or a property of CSS; a malformed one is left out.
-AffineMap SvgDrawer::transformOf(const pugi::xml_node &node, Vec2 viewport) {
+AffineMap SvgDrawer::transformOf(const pugi::xml_node &node, const Box2 &reference) {
     const std::string text = styles_.valueAsWritten(node, "transform");
     if (text.empty()) {
         return {};
     }
-    const auto own = parseTransform(text, viewport);
+    const auto own = parseTransform(text, reference.size());
     if (!own) {
-        leaveOut(node, "transform", 0, "bad-transform", "invalid transform " + inQuotes(text), "it is ignored");
+        leaveOut(node, "transform", 0, "bad-transform", "invalid transform", inQuotes(text));
         return {};
     }
     const std::string origin = styles_.valueAsWritten(node, "transform-origin");
     if (origin.empty()) {
         return *own;
     }
-    const auto centre = parseTransformOrigin(origin, viewport);
-    if (!centre) {
-        leaveOut(node, "transform-origin", 0, "bad-transform", "invalid transform-origin " + inQuotes(origin),
-                 "it is ignored");
+    const auto within = parseTransformOrigin(origin, reference.size());
+    if (!within) {
+        leaveOut(node, "transform-origin", 0, "bad-transform", "invalid transform-origin", inQuotes(origin));
         return *own;
     }
-    return AffineMap::translation(*centre) * *own * AffineMap::translation(Vec2{} - *centre);
+    const Vec2 centre = reference.min + *within;
+    return AffineMap::translation(centre) * *own * AffineMap::translation(Vec2{} - centre);
 }
 
 /// Draws an element, or opens its children.
 void SvgDrawer::contents(Visit &visit, std::string_view name, std::vector<Visit> &open) {
     const bool masked = visit.partOf != kNoClip;
-    if (name == "svg" || name == "symbol") {
-        enterViewport(visit, name);
+    if ((name == "svg" || name == "symbol") && !enterViewport(visit, name)) {
+        return;
     }
     if (name == "svg" || name == "symbol" || name == "g" || name == "a") {
         for (pugi::xml_node child = visit.node.last_child(); child; child = child.previous_sibling()) {
@@ -293,9 +323,10 @@ void SvgDrawer::inheritVisibility(Visit &visit) const {
     }
 }
 
-void SvgDrawer::enterViewport(Visit &visit, std::string_view name) {
+/// Enters the viewport of a <symbol> or <svg>. Returns false if it shows nothing.
+bool SvgDrawer::enterViewport(Visit &visit, std::string_view name) {
     if (visit.node == root_) {
-        return;
+        return true;
     }
     if (name == "svg") {
         visit.map = visit.map * placeOf(visit);
@@ -304,11 +335,14 @@ void SvgDrawer::enterViewport(Visit &visit, std::string_view name) {
         if (given > 0.0) {
             return given;
         }
-        const bool own = name == "svg" && !visit.node.attribute(attribute).empty();
-        return own ? length(visit, attribute, kind) : kind == SvgExtent::Width ? visit.viewport.x : visit.viewport.y;
+        const double whole = kind == SvgExtent::Width ? visit.viewport.x : visit.viewport.y;
+        return name == "svg" ? givenLength(visit, attribute, kind).value_or(whole) : whole;
     };
     const Vec2 given = visit.size.value_or(Vec2{});
     const Vec2 size{extent("width", given.x, SvgExtent::Width), extent("height", given.y, SvgExtent::Height)};
+    if (name == "svg" && ((size.x <= 0.0 && isGiven(visit, "width")) || (size.y <= 0.0 && isGiven(visit, "height")))) {
+        return false;
+    }
     const std::string overflow = styles_.value(visit.node, "overflow");
     if (size.x > 0.0 && size.y > 0.0 && overflow != "visible" && overflow != "auto" && !measuresBox_) {
         visit.limit = addViewport(visit.node, visit.map * AffineMap{size.x, 0, 0, size.y, 0, 0}, visit.limit);
@@ -320,6 +354,7 @@ void SvgDrawer::enterViewport(Visit &visit, std::string_view name) {
     } else if (size.x > 0.0 && size.y > 0.0) {
         visit.viewport = size;
     }
+    return true;
 }
 
 /// Returns the first child of a <switch> that a program without extensions draws.
@@ -348,8 +383,7 @@ void SvgDrawer::use(Visit &visit, std::vector<Visit> &open) {
     }
     const pugi::xml_node target = found->second;
     if (draws(visit.use, target) || isAround(target, visit.node)) {
-        leaveOut(visit.node, "", 0, "use-cycle", "<use> draws the element that it is part of: " + inQuotes(href),
-                 "it is ignored");
+        leaveOut(visit.node, "", 0, "use-cycle", "<use> draws the element that it is part of", inQuotes(href));
         return;
     }
     uses_.push_back({target, visit.use});
@@ -375,24 +409,36 @@ bool SvgDrawer::draws(std::size_t use, const pugi::xml_node &target) const {
     return use != kNoUse;
 }
 
+/// Returns true if an element gives a value other than "auto" or "none" for a property.
+bool SvgDrawer::isGiven(const Visit &visit, const char *property) const {
+    const std::string value = styles_.value(visit.node, property);
+    return !value.empty() && value != "auto" && value != "none";
+}
+
 /// Returns the size of an element's font in user units, which lengths in "em" refer to.
 double SvgDrawer::fontSizeOf(const pugi::xml_node &node, double inherited) const {
     return userLength(styles_.value(node, "font-size"), SvgExtent::Width, {inherited, inherited}, inherited)
         .value_or(inherited);
 }
 
-/// Returns a length in user units; 0 if absent.
+/// Returns a length in user units; 0 if it is absent or malformed.
 double SvgDrawer::length(const Visit &visit, const char *attribute, SvgExtent extent) {
-    const std::string_view text = visit.node.attribute(attribute).value();
-    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos || text == "auto") {
-        return 0.0;
+    return givenLength(visit, attribute, extent).value_or(0.0);
+}
+
+/// Returns a length in user units; std::nullopt if it is absent, "auto" or malformed.
+std::optional<double> SvgDrawer::givenLength(const Visit &visit, const char *attribute, SvgExtent extent) {
+    const std::string text = isGeometry(attribute) ? styles_.value(visit.node, attribute)
+                                                   : std::string(visit.node.attribute(attribute).value());
+    if (text.find_first_not_of(kBlanks) == std::string::npos || text == "auto") {
+        return std::nullopt;
     }
     const auto value = userLength(text, extent, visit.viewport, visit.fontSize);
     if (!value) {
-        leaveOut(visit.node, attribute, 0, "bad-number", "invalid length " + inQuotes(text) + " for " + attribute,
-                 "it is read as 0");
+        leaveOut(visit.node, attribute, 0, "bad-number", std::string("invalid length for ") + attribute,
+                 inQuotes(text));
     }
-    return value.value_or(0.0);
+    return value;
 }
 
 Result<SvgPaths> drawnPaths(const SourceText &source) {

@@ -22,6 +22,23 @@ std::size_t offsetOf(const pugi::xml_node &node) {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
 }
 
+std::string_view idOfUrl(std::string_view value) {
+    const std::size_t begin = value.find("url("), end = value.find(')', begin);
+    if (begin != 0 || end == value.npos) {
+        return {};
+    }
+    constexpr std::string_view kAround = " \t\r\n\"'";
+    value = value.substr(4, end - 4);
+    const std::size_t first = value.find_first_not_of(kAround);
+    value = first == value.npos ? std::string_view() : value.substr(first, value.find_last_not_of(kAround) + 1 - first);
+    return value.starts_with('#') ? value.substr(1) : std::string_view();
+}
+
+pugi::xml_node targetOf(std::string_view value, const SvgIds &ids) {
+    const auto found = ids.find(idOfUrl(value));
+    return found == ids.end() ? pugi::xml_node() : found->second;
+}
+
 bool isDefinition(std::string_view name) {
     constexpr std::array kDefinitions = {"defs",     "symbol",       "clipPath",       "mask",           "pattern",
                                          "marker",   "style",        "linearGradient", "radialGradient", "filter",

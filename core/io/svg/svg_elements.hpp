@@ -3,6 +3,9 @@
 #include <pugixml.hpp>
 
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace forefront {
@@ -15,6 +18,13 @@ std::string_view localName(const pugi::xml_node &node);
 std::string_view prefixOf(const pugi::xml_node &node);
 /// Returns the byte of the text at which an element begins; 0 if unknown.
 std::size_t offsetOf(const pugi::xml_node &node);
+
+/// The elements of a drawing by their id.
+using SvgIds = std::map<std::string, pugi::xml_node, std::less<>>;
+/// Returns the id in a value such as "url(#id)", also within quotes; empty if it has another form.
+std::string_view idOfUrl(std::string_view value);
+/// Returns the element that a value such as "url(#id)" refers to; null if there is none.
+pugi::xml_node targetOf(std::string_view value, const SvgIds &ids);
 
 /// Returns true for elements that draw nothing themselves: definitions, which other elements refer to, and
 /// metadata.

@@ -12,11 +12,6 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
         const std::string value = styles.value(node, property);
         return !value.empty() && value != "none";
     };
-    const std::string box = styles.value(node, "transform-box");
-    if (!box.empty() && box != "view-box" && given("transform") && given("transform-origin")) {
-        source.note("svg-css-transform", "transform-box is ignored: transform-origin refers to the view box",
-                    offsetOf(node));
-    }
     constexpr std::array kMoving = {"rotate", "scale", "translate", "offset-path"};
     const bool moves = std::any_of(kMoving.begin(), kMoving.end(), [&](const char *property) {
         return node.attribute(property).empty() && given(property); // attributes of these names mean something else

@@ -3,6 +3,7 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/io/svg/svg_colour.hpp"
 #include "core/io/svg/svg_css.hpp"
+#include "core/io/svg/svg_elements.hpp"
 
 #include <pugixml.hpp>
 
@@ -25,7 +26,8 @@ struct SvgPaint {
     double strokeAlpha() const { return stroked ? stroke.alpha * strokeOpacity * opacity : 0.0; }
 };
 
-/// Returns the paint of an element: its own where given, otherwise inherited.
-SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgPaint &inherited);
+/// Returns the paint of an element: its own where given, otherwise inherited. A gradient or pattern that `ids` does not
+/// hold is replaced by its fallback.
+SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgIds &ids, const SvgPaint &inherited);
 
 } // namespace forefront

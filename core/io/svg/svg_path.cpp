@@ -8,9 +8,16 @@
 namespace forefront {
 
 void SvgNumbers::skipBlanks() {
-    while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) <= ' ' || text_[at_] == ',')) {
+    while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) <= ' ' || (text_[at_] == ',' && !comma_))) {
+        comma_ = comma_ || text_[at_] == ',';
         ++at_;
     }
+}
+
+/// Goes on after a number or a flag.
+void SvgNumbers::taken(std::size_t end) {
+    at_ = end;
+    comma_ = false;
 }
 
 bool SvgNumbers::atEnd() {
@@ -50,7 +57,7 @@ bool SvgNumbers::number(double &value) {
         }
         value = 0.0;
     }
-    at_ = static_cast<std::size_t>(stop - text_.data());
+    taken(static_cast<std::size_t>(stop - text_.data()));
     return std::isfinite(value);
 }
 
@@ -71,7 +78,7 @@ bool SvgNumbers::flag(bool &value) {
         return false;
     }
     value = c == '1';
-    ++at_;
+    taken(at_ + 1);
     return true;
 }
 

@@ -68,7 +68,10 @@ class SvgNumbers {
     std::size_t offset() const { return at_; }
     bool atEnd();
     char peek();
-    void skip() { ++at_; }
+    void skip() {
+        ++at_;
+        comma_ = false;
+    }
     bool number(double &value);
     bool point(Vec2 &p) { return number(p.x) && number(p.y); }
     bool flag(bool &value);
@@ -79,9 +82,11 @@ class SvgNumbers {
 
   private:
     void skipBlanks();
+    void taken(std::size_t end);
 
     std::string_view text_;
     std::size_t at_ = 0;
+    bool comma_ = false; ///< one has been skipped since the last number
 };
 
 } // namespace forefront

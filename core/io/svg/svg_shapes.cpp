@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace forefront {
@@ -17,6 +18,16 @@ bool isFlat(const Curve &curve) {
     return curve.kind() == CurveKind::Arc && cross({n[2], n[3]}, {n[4], n[5]}) == 0.0;
 }
 
+/// Returns the path data of an element: an attribute, or a property of CSS such as path("M 0 0 h 1").
+std::string pathData(const pugi::xml_node &node, const SvgStyles &styles) {
+    const std::string styled = styles.valueAsWritten(node, "d");
+    if (!styled.starts_with("path(")) {
+        return styled == "none" ? std::string() : node.attribute("d").value();
+    }
+    const std::size_t open = styled.find_first_of("\"'"), close = styled.find_last_of("\"'");
+    return open < close && close != styled.npos ? styled.substr(open + 1, close - open - 1) : std::string();
+}
+
 } // namespace
 
 void SvgDrawer::shape(const Visit &visit, std::string_view name) {
@@ -27,7 +38,7 @@ void SvgDrawer::shape(const Visit &visit, std::string_view name) {
     const char *attribute = "";
     if (name == "path") {
         attribute = "d";
-        fault = drawPath(node.attribute("d").value(), pen);
+        fault = drawPath(pathData(node, styles_), pen);
     } else if (name == "polygon" || name == "polyline") {
         attribute = "points";
         std::vector<Vec2> points;
@@ -45,7 +56,7 @@ void SvgDrawer::shape(const Visit &visit, std::string_view name) {
         roundShape(visit, name, pen);
     }
     if (fault) {
-        leaveOut(node, attribute, fault->offset, "bad-path", fault->message, "the shape ends before it");
+        leaveOut(node, attribute, fault->offset, "bad-path", fault->message, {}, "the rest of the path");
     }
     for (SvgSubpath &subpath : pen.take()) {
         keep(visit, name, std::move(subpath));
@@ -56,17 +67,17 @@ void SvgDrawer::shape(const Visit &visit, std::string_view name) {
 void SvgDrawer::roundShape(const Visit &visit, std::string_view name, SvgPen &pen) {
     const auto across = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Width); };
     const auto down = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Height); };
+    const bool hasX = isGiven(visit, "rx"), hasY = isGiven(visit, "ry"); // one not given is the same as the other
     if (name == "rect" || name == "image") {
         const Vec2 size{across("width"), down("height")};
-        const bool hasX = !visit.node.attribute("rx").empty(), hasY = !visit.node.attribute("ry").empty();
-        const double rx = hasX ? across("rx") : down("ry"), ry = hasY ? down("ry") : across("rx");
         if (size.x > 0.0 && size.y > 0.0) {
+            const double rx = hasX ? across("rx") : down("ry"), ry = hasY ? down("ry") : rx;
             pen.rectangle({across("x"), down("y")}, size, rx, ry);
         }
     } else if (name == "circle" || name == "ellipse") {
         const bool circle = name == "circle";
-        const double rx = circle ? length(visit, "r", SvgExtent::Diagonal) : across("rx");
-        const double ry = circle ? rx : down("ry");
+        const double rx = circle ? length(visit, "r", SvgExtent::Diagonal) : hasX ? across("rx") : down("ry");
+        const double ry = circle || !hasY ? rx : down("ry");
         if (rx > 0.0 && ry > 0.0) {
             pen.ellipse({across("cx"), down("cy")}, rx, ry);
         }
@@ -92,8 +103,7 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
     for (Vec2 &p : path.nodes) {
         p = visit.map(p);
         if (!isFinite(p) || tooLarge(p)) {
-            fail(visit.node, "", 0, "out-of-range", "a coordinate of the path is beyond 1e60 in magnitude",
-                 "scale the drawing down");
+            leaveOut(visit.node, "", 0, "out-of-range", "a shape reaches beyond 1e60 in magnitude");
             return;
         }
     }

@@ -191,10 +191,13 @@ std::optional<Vec2> parseTransformOrigin(std::string_view text, Vec2 viewport) {
         const std::string word = lowerCase(text.substr(begin, end - begin));
         begin = end;
         const bool alongX = word == "left" || word == "right", alongY = word == "top" || word == "bottom";
-        const std::size_t axis = alongX ? 0 : alongY ? 1 : place[0] ? 1 : 0;
+        const std::size_t axis = alongX ? 0 : alongY ? 1 : std::min<std::size_t>(words, 1);
         const double whole = axis == 0 ? viewport.x : viewport.y;
         if (words == 2) {
             break; // the third is the depth
+        }
+        if (word == "center") {
+            continue; // an axis that nothing else fixes
         }
         if (place[axis]) {
             return std::nullopt;
@@ -203,8 +206,6 @@ std::optional<Vec2> parseTransformOrigin(std::string_view text, Vec2 viewport) {
             place[axis] = 0.0;
         } else if (word == "right" || word == "bottom") {
             place[axis] = whole;
-        } else if (word == "center") {
-            place[axis] = 0.5 * whole;
         } else if (const auto given = argumentsOf(word); given && given->size() == 1) {
             place[axis] = extent(given->front(), whole);
         }

@@ -42,7 +42,8 @@ std::optional<double> pixelsPer(std::string_view unit) {
 
 std::string unitName(std::string_view unit) {
     constexpr std::pair<std::string_view, std::string_view> kNames[] = {
-        {"in", "inches"}, {"mm", "millimetres"}, {"cm", "centimetres"}, {"pt", "points"}, {"pc", "picas"}};
+        {"in", "inches"}, {"mm", "millimetres"}, {"cm", "centimetres"}, {"q", "quarters of a millimetre"},
+        {"pt", "points"}, {"pc", "picas"}};
     const auto *const found =
         std::find_if(std::begin(kNames), std::end(kNames), [&](const auto &name) { return name.first == unit; });
     return std::string(found == std::end(kNames) ? unit : found->second);
@@ -59,7 +60,7 @@ std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 v
                                                            : std::sqrt(0.5 * lengthSquared(viewport));
         return whole > 0.0 ? std::optional(length->value / 100.0 * whole) : std::nullopt;
     }
-    const bool half = length->unit == "ex" || length->unit == "ch"; // the usual guess
+    const bool half = length->unit == "ex" || length->unit == "ch"; // as CSS defines where the font is unknown
     const auto factor = half                    ? std::optional(0.5 * fontSize)
                         : length->unit == "em"  ? std::optional(fontSize)
                         : length->unit == "rem" ? std::optional(kMediumFont)

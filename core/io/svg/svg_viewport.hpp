@@ -29,6 +29,11 @@ enum class SvgExtent { Width, Height, Diagonal };
 
 constexpr double kMediumFont = 16.0; ///< the size of a font where none is given, in user units
 
+/// Returns the box of a viewport, from the origin.
+inline Box2 viewportBox(Vec2 size) {
+    return {{0.0, 0.0}, size};
+}
+
 /// Returns a length in user units, with percentages relative to the viewport, and "em" and "ex" to the font size;
 /// std::nullopt if it is malformed or its unit is unknown.
 std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport, double fontSize = kMediumFont);
