@@ -77,9 +77,6 @@ Result<const Format *> chooseFormat(const std::filesystem::path &path, std::stri
         return given;
     }
     const Format *const found = formatOf(path, bytes);
-    if (found == nullptr && bytes.starts_with("\x1f\x8b")) {
-        return error("compressed", "the file is compressed", "unpack it first: gunzip -c FILE >drawing.svg");
-    }
     if (found == nullptr) {
         return error("unknown-format", "unknown file format", "formats that can be read: " + extensions(accepts));
     }
@@ -106,6 +103,10 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
         const std::string &bytes = options.content != nullptr ? *options.content : loaded;
         if (bytes.empty()) {
             return named(error("empty-file", "the file is empty"), path);
+        }
+        if (bytes.starts_with("\x1f\x8b")) {
+            return named(
+                error("compressed", "the file is compressed", "unpack it first, such as by gunzip -c FILE >NEW"), path);
         }
         const Result<const Format *> format = chooseFormat(path, bytes, options, accepts);
         if (!format) {

@@ -202,6 +202,19 @@ TEST_CASE("SVG: transforms of CSS, with units and origin") {
     CHECK(distance(corner("transform=\"scale(.5)\" transform-origin=\"1 1\""), {1, 19.5}) < 1e-12);
 }
 
+TEST_CASE("files: empty and compressed ones are refused, whatever their format") {
+    const TemporaryFolder folder;
+    for (const char *name : {"a.svg", "a.svgz", "a.geojson", "a.poly", "a.unknown"}) {
+        CAPTURE(name);
+        std::ofstream(folder / name, std::ios::binary).flush();
+        CHECK(hasCode(readDomain(folder / name).faults(), "empty-file"));
+        std::ofstream(folder / name, std::ios::binary) << "\x1f\x8b\x08 packed";
+        const auto packed = readDomain(folder / name);
+        CHECK(hasCode(packed.faults(), "compressed"));
+        CHECK(packed.faults().front().advice.find("gunzip") != std::string::npos);
+    }
+}
+
 TEST_CASE("SVG: what was left out follows the fault of an empty drawing") {
     const TemporaryFolder folder;
     const auto path = folder / "empty.svg";

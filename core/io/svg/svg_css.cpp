@@ -107,11 +107,15 @@ bool SvgStyles::Selector::matches(const pugi::xml_node &node, std::span<const pu
     return follows(compounds.size() - 1);
 }
 
-/// Returns the declarations for a node with their weights. Those of the last node are kept: a caller asks for one
-/// property after another.
+/// Returns the declarations for a node with their weights. Those of recent nodes are kept: callers ask for one property
+/// after another, and for the variables of the elements around.
 const std::vector<SvgStyles::Weighted> &SvgStyles::declarationsFor(const pugi::xml_node &node) const {
-    if (cached_ && cachedNode_ == node) {
-        return cache_;
+    if (const auto known = recent_.find(node.hash_value()); known != recent_.end()) {
+        return known->second;
+    }
+    constexpr std::size_t kMaxRecent = 4096;
+    if (recent_.size() >= kMaxRecent) {
+        recent_.clear();
     }
     constexpr std::size_t kDepth = 128; // bounds the time for hostile files
     std::vector<pugi::xml_node> around;
@@ -119,12 +123,10 @@ const std::vector<SvgStyles::Weighted> &SvgStyles::declarationsFor(const pugi::x
         around.push_back(at);
         at = at.parent();
     }
-    cache_.clear();
-    cachedNode_ = node;
-    cached_ = true;
+    std::vector<Weighted> &found = recent_[node.hash_value()];
     const auto offer = [&](const std::vector<Declaration> &declarations, std::int64_t weight) {
         for (const Declaration &declaration : declarations) {
-            cache_.push_back({declaration, weight + (declaration.important ? kImportantWeight : 0)});
+            found.push_back({declaration, weight + (declaration.important ? kImportantWeight : 0)});
         }
     };
     for (const Rule &rule : rules_) {
@@ -135,7 +137,7 @@ const std::vector<SvgStyles::Weighted> &SvgStyles::declarationsFor(const pugi::x
     if (const pugi::xml_attribute style = node.attribute("style")) {
         offer(declarationsOf(withoutComments(style.value())), kInlineWeight);
     }
-    return cache_;
+    return found;
 }
 
 std::vector<SvgStyles::Declaration> SvgStyles::declarationsOf(std::string_view text) {

@@ -2,11 +2,13 @@
 
 #include <pugixml.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace forefront {
@@ -62,9 +64,8 @@ class SvgStyles {
     static bool parseCompound(std::string_view text, Compound &compound);
 
     std::vector<Rule> rules_;
-    mutable pugi::xml_node cachedNode_; ///< cache_ holds the declarations for this node
-    mutable bool cached_ = false;
-    mutable std::vector<Weighted> cache_;
+    mutable std::unordered_map<std::size_t, std::vector<Weighted>>
+        recent_; ///< by the hash of the node, which is unique
 };
 
 } // namespace forefront

@@ -55,9 +55,6 @@ class SvgDrawer {
     // svg_drawing.cpp
     void fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
               std::string message, std::string advice = {});
-    void leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
-                  const std::string &message, const std::string &value = {}, std::string_view ignored = "it");
-    std::size_t byteOf(const pugi::xml_node &node, const char *attribute, std::size_t within) const;
     void note(const pugi::xml_node &node, std::string_view code, const std::string &message) const;
     void collect();
     void addSheet(const pugi::xml_node &node);
@@ -65,9 +62,6 @@ class SvgDrawer {
     void walk(std::optional<double> tolerance);
     void visitAll(std::vector<Visit> &open);
     void element(Visit &visit, std::vector<Visit> &open);
-    Box2 transformBox(const Visit &visit);
-    AffineMap transformOf(const pugi::xml_node &node, const Box2 &reference);
-    bool isGiven(const Visit &visit, const char *property) const;
     void contents(Visit &visit, std::string_view name, std::vector<Visit> &open);
     static Visit inside(const Visit &outer, const pugi::xml_node &child);
     bool hidden(Visit &visit);
@@ -77,9 +71,17 @@ class SvgDrawer {
     void use(Visit &visit, std::vector<Visit> &open);
     AffineMap placeOf(const Visit &visit);
     bool draws(std::size_t use, const pugi::xml_node &target) const;
+
+    // svg_values.cpp
+    bool isGiven(const Visit &visit, const char *property) const;
     double fontSizeOf(const pugi::xml_node &node, double inherited) const;
-    std::optional<double> givenLength(const Visit &visit, const char *attribute, SvgExtent extent);
     double length(const Visit &visit, const char *attribute, SvgExtent extent);
+    std::optional<double> givenLength(const Visit &visit, const char *attribute, SvgExtent extent);
+    Box2 transformBox(const Visit &visit);
+    AffineMap transformOf(const pugi::xml_node &node, const Box2 &reference);
+    void leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
+                  const std::string &message, const std::string &value = {}, std::string_view ignored = "it");
+    std::size_t byteOf(const pugi::xml_node &node, const char *attribute, std::size_t within) const;
 
     // svg_shapes.cpp
     void shape(const Visit &visit, std::string_view name);

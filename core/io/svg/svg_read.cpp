@@ -290,8 +290,11 @@ class SvgBuilder {
                          path.offset);
         }
         if (path.paint.stroked && part != Part::Nothing) {
-            source_.note("svg-stroke", "stroke widths are ignored: shapes end at the middle of their stroke",
-                         path.offset);
+            source_.note(
+                "svg-stroke",
+                "stroke widths are ignored: shapes end at the middle of their stroke; to mesh strokes, convert "
+                "them to paths in the drawing program",
+                path.offset);
         }
     }
 

@@ -1,0 +1,113 @@
+#include "core/io/svg/svg_drawer.hpp"
+#include "core/io/svg/svg_elements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+// The values that elements give: attributes and properties of style sheets, and what to do with malformed ones.
+
+namespace forefront {
+
+namespace {
+
+/// Returns true for attributes that style sheets can set, too.
+bool isGeometry(std::string_view attribute) {
+    constexpr std::array kProperties = {"x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"};
+    return std::find(kProperties.begin(), kProperties.end(), attribute) != kProperties.end();
+}
+
+} // namespace
+
+/// Returns true if an element gives a value other than "auto" or "none" for a property.
+bool SvgDrawer::isGiven(const Visit &visit, const char *property) const {
+    const std::string value = styles_.value(visit.node, property);
+    return !value.empty() && value != "auto" && value != "none";
+}
+
+/// Returns the size of an element's font in user units, which lengths in "em" refer to.
+double SvgDrawer::fontSizeOf(const pugi::xml_node &node, double inherited) const {
+    return userLength(styles_.value(node, "font-size"), SvgExtent::Width, {inherited, inherited}, inherited)
+        .value_or(inherited);
+}
+
+/// Returns a length in user units; 0 if it is absent or malformed.
+double SvgDrawer::length(const Visit &visit, const char *attribute, SvgExtent extent) {
+    return givenLength(visit, attribute, extent).value_or(0.0);
+}
+
+/// Returns a length in user units; std::nullopt if it is absent, "auto" or malformed.
+std::optional<double> SvgDrawer::givenLength(const Visit &visit, const char *attribute, SvgExtent extent) {
+    const std::string text = isGeometry(attribute) ? styles_.value(visit.node, attribute)
+                                                   : std::string(visit.node.attribute(attribute).value());
+    if (text.find_first_not_of(kBlanks) == std::string::npos || text == "auto") {
+        return std::nullopt;
+    }
+    const auto value = userLength(text, extent, visit.viewport, visit.fontSize);
+    if (!value) {
+        leaveOut(visit.node, attribute, 0, "bad-number", std::string("invalid length for ") + attribute,
+                 inQuotes(text));
+    }
+    return value;
+}
+
+/// Returns the box that percentages and the origin of an element's transform refer to.
+Box2 SvgDrawer::transformBox(const Visit &visit) {
+    const std::string kind = styles_.value(visit.node, "transform-box");
+    const bool own = !kind.empty() && kind != "view-box" && isGiven(visit, "transform");
+    const Box2 box = own ? boxOf(visit) : Box2();
+    return box.empty() ? viewportBox(visit.viewport) : box;
+}
+
+/// Returns the map of an element's own transform, an attribute or a property of CSS; a malformed one is left out.
+AffineMap SvgDrawer::transformOf(const pugi::xml_node &node, const Box2 &reference) {
+    const std::string text = styles_.valueAsWritten(node, "transform");
+    if (text.empty()) {
+        return {};
+    }
+    const auto own = parseTransform(text, reference.size());
+    if (!own) {
+        leaveOut(node, "transform", 0, "bad-transform", "invalid transform", inQuotes(text));
+        return {};
+    }
+    const std::string origin = styles_.valueAsWritten(node, "transform-origin");
+    if (origin.empty()) {
+        return *own;
+    }
+    const auto within = parseTransformOrigin(origin, reference.size());
+    if (!within) {
+        leaveOut(node, "transform-origin", 0, "bad-transform", "invalid transform-origin", inQuotes(origin));
+        return *own;
+    }
+    const Vec2 centre = reference.min + *within;
+    return AffineMap::translation(centre) * *own * AffineMap::translation(Vec2{} - centre);
+}
+
+/// Leaves out what cannot be read, as browsers do: with a note, or with a fault if the drawing must not be changed. The
+/// note, of which there may be very many, does not contain the value.
+void SvgDrawer::leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
+                         const std::string &message, const std::string &value, std::string_view ignored) {
+    if (source_.options.strict) {
+        fail(node, attribute, within, std::move(code), message + (value.empty() ? "" : ": " + value),
+             "correct the file, or leave out --strict");
+    } else if (reports_ && !measuresBox_) {
+        source_.note(code, message + "; " + std::string(ignored) + " is ignored", byteOf(node, attribute, within));
+    }
+}
+
+/// Returns the byte `within` of an attribute value, or that of the element if it cannot be located in the text.
+std::size_t SvgDrawer::byteOf(const pugi::xml_node &node, const char *attribute, std::size_t within) const {
+    const std::size_t offset = offsetOf(node);
+    const std::string_view text = source_.text;
+    std::string_view tag = text.substr(std::min(offset, text.size()));
+    tag = tag.substr(0, tag.find('>'));
+    const std::string start = std::string(attribute) + '=';
+    for (std::size_t at = tag.find(start); *attribute != '\0' && at < tag.size(); at = tag.find(start, at + 1)) {
+        if (at > 0 && static_cast<unsigned char>(tag[at - 1]) <= ' ') {
+            return std::min(offset + at + start.size() + 1 + within, source_.text.size());
+        }
+    }
+    return offset;
+}
+
+} // namespace forefront
