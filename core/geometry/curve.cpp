@@ -249,12 +249,13 @@ std::vector<double> Curve::turningPoints(Vec2 direction) const {
         const double first = std::atan2(dot(p_[2], direction), dot(p_[1], direction));
         const double low = std::min(angle(0.0), angle(1.0)), high = std::max(angle(0.0), angle(1.0));
         constexpr double kMostTurns = 64.0; // a longer arc repeats itself
-        for (double theta = first + kPi * std::ceil((low - first) / kPi);
-             theta < std::min(high, low + kMostTurns * kPi); theta += kPi) {
+        double theta = first + kPi * std::ceil((low - first) / kPi);
+        while (theta < std::min(high, low + kMostTurns * kPi)) {
             const double t = (theta - p_[3].x) / p_[3].y;
             if (t > 0.0 && t < 1.0) {
                 result.push_back(t);
             }
+            theta += kPi;
         }
     }
     return result;
