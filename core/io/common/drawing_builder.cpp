@@ -220,10 +220,11 @@ void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
     if (gaps.count > 0) {
         const std::size_t at = places_[2 * arrangement.stretches[gaps.segment].piece];
         source_.note("feature-gaps",
-                     "near another feature without touching it: " + std::to_string(gaps.count) +
-                         (gaps.count == 1 ? " node, " : " nodes, at most ") + numberText(gaps.widest, 3) +
-                         " away, first at " + placeText(gaps.first) + "; a weld tolerance of " +
-                         numberText(kSpare * gaps.widest, 3) + " (--weld) joins them",
+                     std::to_string(gaps.count) +
+                         (gaps.count == 1 ? " node nearly touches another feature, "
+                                          : " nodes nearly touch another feature, at most ") +
+                         numberText(gaps.widest, 3) + " away, first at " + placeText(gaps.first) + "; --weld " +
+                         numberText(kSpare * gaps.widest, 3) + " joins them",
                      at == PartOrigin::kNowhere ? 0 : at);
     }
 }
