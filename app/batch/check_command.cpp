@@ -106,7 +106,8 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         return checkBoundaryParts(mesh, input.path, input.options, changes);
     }
     faults = locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
-    if (!arguments.repair && arguments.drawing == DrawingArguments{}) {
+    const FileFormat *const format = input.format();
+    if (format != nullptr && format->arranges && !arguments.repair && arguments.drawing == DrawingArguments{}) {
         faults.push_back({.severity = Severity::Note,
                           .code = "default-options",
                           .message = "the domain was read with the default options",

@@ -124,6 +124,21 @@ TEST_CASE("SVG: copies inside of what they copy are ignored") {
                       "use-cycle") == doctest::Approx(4.0));
 }
 
+TEST_CASE("SVG: a malformed view box is reported") {
+    for (const char *box : {"0 0 100", "0 0 0 0", "none"}) {
+        CAPTURE(box);
+        ImportNotes notes;
+        const std::string text = "<svg viewBox=\"" + std::string(box) + "\">" + kSquare + "</svg>";
+        SourceText source = sourceOf(text);
+        source.notes = &notes;
+        REQUIRE(readSvg(source).ok());
+        REQUIRE(notes.entries().size() == 1);
+        CHECK(notes.entries().front().code == "bad-view-box");
+        source.options.strict = true;
+        CHECK_FALSE(readSvg(source).ok());
+    }
+}
+
 TEST_CASE("SVG: the note gives the place inside the attribute") {
     const std::string text = drawing("<path id=\"x\" d=\"M1 1 L2 x\"/>");
     ImportNotes notes;

@@ -131,6 +131,12 @@ void SvgDrawer::addSheet(const pugi::xml_node &node) {
 
 void SvgDrawer::placeAxes() {
     const SvgAxes axes = axesOf(root_);
+    const std::string box = root_.attribute("viewBox").value();
+    if (!box.empty() && !parseViewBox(box)) {
+        reports_ = true;
+        leaveOut(root_, "viewBox", 0, "bad-view-box", "invalid view box", inQuotes(box));
+        reports_ = false;
+    }
     axes_ = axes.map;
     if (axes.page && !source_.options.beyondPage) {
         const Vec2 corner = axes.page->corner, size = axes.page->size;
