@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace forefront {
 
@@ -108,12 +109,12 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     faults = locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
     const FileFormat *const format = input.format();
     if (format != nullptr && format->arranges && !arguments.repair && arguments.drawing == DrawingArguments{}) {
-        faults.push_back({.severity = Severity::Note,
-                          .code = "default-options",
-                          .message = "the domain was read with the default options",
-                          .advice =
-                              "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page "
-                              "or --repair"});
+        Diagnostic hint;
+        hint.severity = Severity::Note;
+        hint.code = "default-options";
+        hint.message = "the domain was read with the default options";
+        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page or --repair";
+        faults.push_back(std::move(hint));
     }
     return faults;
 }
