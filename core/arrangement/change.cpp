@@ -46,12 +46,10 @@ constexpr Words kWords[] = {
     {ChangeKind::OverlapsDecided, "overlapping-features", "resolved 1 overlap of features",
      "resolved %zu overlaps of features", true},
     {ChangeKind::VanishedShapes, "vanished-shapes",
-     "dropped 1 shape with nothing left: it lies inside others (shapes of any colour are merged), is clipped away, or "
-     "is "
-     "thinner than the tolerance",
+     "dropped 1 shape with nothing left: it lies inside others (shapes of any colour are merged), is clipped away, "
+     "or is thinner than the tolerance",
      "dropped %zu shapes with nothing left: they lie inside others (shapes of any colour are merged), are clipped "
-     "away, "
-     "or are thinner than the tolerance",
+     "away, or are thinner than the tolerance",
      false},
     {ChangeKind::InnerOutlines, "inner-outlines", "dropped 1 outline segment with the same feature on both sides",
      "dropped %zu outline segments with the same feature on both sides", false},

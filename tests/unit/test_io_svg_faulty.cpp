@@ -50,6 +50,13 @@ double areaWithout(const std::string &content, const std::string &code) {
     return areaOf(*domain);
 }
 
+/// Returns the area of a drawing on a page of 100 by 100.
+double areaOnPage(const std::string &content) {
+    const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 100 100\">" + content + "</svg>"));
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    return areaOf(*domain);
+}
+
 } // namespace
 
 TEST_CASE("SVG: a path ends where its data can no longer be read") {
@@ -151,31 +158,24 @@ TEST_CASE("SVG: the note gives the place inside the attribute") {
 }
 
 TEST_CASE("SVG: lengths in units of the font") {
-    const auto area = [](const std::string &content) {
-        const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 100 100\">" + content + "</svg>"));
-        REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-        return areaOf(*domain);
-    };
-    CHECK(area("<rect width=\"1em\" height=\"2EX\"/>") == doctest::Approx(256.0));
-    CHECK(area("<g font-size=\"10\"><rect width=\"1em\" height=\"2ch\"/></g>") == doctest::Approx(100.0));
-    CHECK(area("<g style=\"font-size:10px\"><g font-size=\"50%\"><rect width=\"1em\" height=\"1rem\"/></g></g>") ==
-          doctest::Approx(80.0));
-    CHECK(area("<g font-size=\"2em\"><rect width=\"1em\" height=\"101.6q\"/></g>") == doctest::Approx(32.0 * 96.0));
+    CHECK(areaOnPage("<rect width=\"1em\" height=\"2EX\"/>") == doctest::Approx(256.0));
+    CHECK(areaOnPage("<g font-size=\"10\"><rect width=\"1em\" height=\"2ch\"/></g>") == doctest::Approx(100.0));
+    CHECK(
+        areaOnPage("<g style=\"font-size:10px\"><g font-size=\"50%\"><rect width=\"1em\" height=\"1rem\"/></g></g>") ==
+        doctest::Approx(80.0));
+    CHECK(areaOnPage("<g font-size=\"2em\"><rect width=\"1em\" height=\"101.6q\"/></g>") ==
+          doctest::Approx(32.0 * 96.0));
 }
 
 TEST_CASE("SVG: style sheets set sizes, places and path data") {
-    const auto area = [](const std::string &content) {
-        const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 100 100\">" + content + "</svg>"));
-        REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-        return areaOf(*domain);
-    };
-    CHECK(area("<rect width=\"2\" height=\"2\" style=\"width:40px;height:30px\"/>") == doctest::Approx(1200.0));
-    CHECK(area("<style>circle{cx:30px;cy:30px;r:10px}</style><circle r=\"2\"/>") ==
+    CHECK(areaOnPage("<rect width=\"2\" height=\"2\" style=\"width:40px;height:30px\"/>") == doctest::Approx(1200.0));
+    CHECK(areaOnPage("<style>circle{cx:30px;cy:30px;r:10px}</style><circle r=\"2\"/>") ==
           doctest::Approx(314.16).epsilon(3e-3));
-    CHECK(area("<path style=\"d:path('M0 0h10v10h-10z')\"/>") == doctest::Approx(100.0));
-    CHECK(area("<ellipse cx=\"50\" cy=\"50\" rx=\"10\"/>") == doctest::Approx(314.16).epsilon(3e-3));
-    CHECK(area("<ellipse cx=\"50\" cy=\"50\" rx=\"auto\" ry=\"10\"/>") == doctest::Approx(314.16).epsilon(3e-3));
-    CHECK(area("<rect width=\"10\" height=\"10\" rx=\"auto\" ry=\"5\"/>") == doctest::Approx(78.54).epsilon(3e-3));
+    CHECK(areaOnPage("<path style=\"d:path('M0 0h10v10h-10z')\"/>") == doctest::Approx(100.0));
+    CHECK(areaOnPage("<ellipse cx=\"50\" cy=\"50\" rx=\"10\"/>") == doctest::Approx(314.16).epsilon(3e-3));
+    CHECK(areaOnPage("<ellipse cx=\"50\" cy=\"50\" rx=\"auto\" ry=\"10\"/>") == doctest::Approx(314.16).epsilon(3e-3));
+    CHECK(areaOnPage("<rect width=\"10\" height=\"10\" rx=\"auto\" ry=\"5\"/>") ==
+          doctest::Approx(78.54).epsilon(3e-3));
 }
 
 TEST_CASE("SVG: entities of the document type are replaced") {
@@ -217,7 +217,7 @@ TEST_CASE("SVG: transforms of CSS, with units and origin") {
     CHECK(distance(corner("transform=\"scale(.5)\" transform-origin=\"1 1\""), {1, 19.5}) < 1e-12);
 }
 
-TEST_CASE("files: empty and compressed ones are refused, whatever their format") {
+TEST_CASE("files: empty and compressed files of any format are refused") {
     const TemporaryFolder folder;
     for (const char *name : {"a.svg", "a.svgz", "a.geojson", "a.poly", "a.unknown"}) {
         CAPTURE(name);

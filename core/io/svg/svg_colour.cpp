@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -38,47 +39,47 @@ SvgColour hexColour(std::string_view digits) {
     return {luminanceOf(part[0], part[1], part[2]), part[3], true};
 }
 
-/// Reads the arguments of rgb(), rgba(): numbers up to 255 or percentages, and the opacity as a number up to 1.
-SvgColour functionColour(std::string_view arguments) {
-    std::array<double, 4> part{0.0, 0.0, 0.0, 1.0};
+/// An argument of a colour function.
+struct Component {
+    double value = 0.0;
+    bool percent = false;
+    /// Returns the argument as a fraction of `whole`, or of 100 if it is a percentage; limited to 0 to 1.
+    double of(double whole) const { return std::clamp(value / (percent ? 100.0 : whole), 0.0, 1.0); }
+};
+using Components = std::array<Component, 4>; ///< the last one is the opacity
+
+/// Reads the arguments of a colour function; std::nullopt if they are malformed.
+std::optional<Components> componentsOf(std::string_view arguments) {
+    Components components{{{}, {}, {}, {1.0}}};
     SvgNumbers numbers(arguments);
-    for (std::size_t k = 0; k < part.size() && !numbers.atEnd(); ++k) {
+    for (std::size_t k = 0; k < components.size() && !numbers.atEnd(); ++k) {
         if (numbers.peek() == '/') {
             numbers.skip();
         }
-        double value = 0.0;
-        if (!numbers.number(value)) {
-            return kWhite;
+        if (!numbers.number(components[k].value)) {
+            return std::nullopt;
         }
-        const bool percent = !numbers.atEnd() && numbers.peek() == '%';
-        if (percent) {
-            numbers.skip();
-        }
-        part[k] = std::clamp(value / (percent ? 100.0 : k < 3 ? 255.0 : 1.0), 0.0, 1.0);
+        components[k].percent = numbers.unit() == "%";
     }
-    return {luminanceOf(part[0], part[1], part[2]), part[3], true};
+    return components;
 }
 
-/// Reads the arguments of hsl(), hsla(): the hue in degrees, saturation and lightness as percentages, and the opacity.
-SvgColour hueColour(std::string_view arguments) {
-    std::array<double, 4> part{0.0, 0.0, 0.0, 1.0};
-    SvgNumbers numbers(arguments);
-    for (std::size_t k = 0; k < part.size() && !numbers.atEnd(); ++k) {
-        if (numbers.peek() == '/') {
-            numbers.skip();
-        }
-        if (!numbers.number(part[k])) {
-            return kWhite;
-        }
-        part[k] /= numbers.unit() == "%" ? 100.0 : 1.0;
-    }
-    const double saturation = std::clamp(part[1], 0.0, 1.0), lightness = std::clamp(part[2], 0.0, 1.0);
+/// Returns the colour of rgb(), rgba(): numbers up to 255 or percentages.
+SvgColour fromRgb(const Components &c) {
+    constexpr double kWhole = 255.0;
+    return {luminanceOf(c[0].of(kWhole), c[1].of(kWhole), c[2].of(kWhole)), c[3].of(1.0), true};
+}
+
+/// Returns the colour of hsl(), hsla(): the hue in degrees, saturation and lightness as percentages (formula of CSS
+/// Color 4).
+SvgColour fromHsl(const Components &c) {
+    const double saturation = c[1].of(1.0), lightness = c[2].of(1.0);
     const double range = saturation * std::min(lightness, 1.0 - lightness);
-    const auto component = [&](double shift) { // formula of CSS Color 4
-        const double turn = std::fmod(std::fmod(shift + part[0] / 30.0, 12.0) + 12.0, 12.0);
+    const auto component = [&](double shift) {
+        const double turn = std::fmod(std::fmod(shift + c[0].value / 30.0, 12.0) + 12.0, 12.0);
         return lightness - range * std::clamp(std::min(turn - 3.0, 9.0 - turn), -1.0, 1.0);
     };
-    return {luminanceOf(component(0.0), component(8.0), component(4.0)), std::clamp(part[3], 0.0, 1.0), true};
+    return {luminanceOf(component(0.0), component(8.0), component(4.0)), c[3].of(1.0), true};
 }
 
 } // namespace
@@ -101,8 +102,8 @@ SvgColour parseColour(std::string_view text, const SvgColour &current) {
         if (open > close || close == text.npos) {
             return kWhite;
         }
-        const std::string_view arguments = text.substr(open + 1, close - open - 1);
-        return text.starts_with("rgb") ? functionColour(arguments) : hueColour(arguments);
+        const auto components = componentsOf(text.substr(open + 1, close - open - 1));
+        return !components ? kWhite : text.starts_with("rgb") ? fromRgb(*components) : fromHsl(*components);
     }
     // The luminance of the names that masks use; others count as light, with a note.
     constexpr std::pair<std::string_view, double> kNamed[] = {

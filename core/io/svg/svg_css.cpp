@@ -11,6 +11,7 @@ namespace forefront {
 
 namespace {
 
+constexpr std::size_t kMaxDepth = 128;         ///< number of elements around one that are looked at, for hostile files
 constexpr std::size_t kLongestValue = 100'000; ///< bounds the growth by variables
 // Weights of declarations: elements count 1.
 constexpr std::int64_t kClassWeight = std::int64_t{1} << 20;
@@ -117,9 +118,8 @@ const std::vector<SvgStyles::Weighted> &SvgStyles::declarationsFor(const pugi::x
     if (recent_.size() >= kMaxRecent) {
         recent_.clear();
     }
-    constexpr std::size_t kDepth = 128; // bounds the time for hostile files
     std::vector<pugi::xml_node> around;
-    for (pugi::xml_node at = node.parent(); at.type() == pugi::node_element && around.size() < kDepth;) {
+    for (pugi::xml_node at = node.parent(); at.type() == pugi::node_element && around.size() < kMaxDepth;) {
         around.push_back(at);
         at = at.parent();
     }
@@ -295,9 +295,8 @@ std::string SvgStyles::resolved(const pugi::xml_node &node, std::string value) c
 
 /// Returns the value of a variable, which elements inherit.
 std::string SvgStyles::variable(const pugi::xml_node &node, std::string_view name) const {
-    constexpr int kDepth = 100; // bounds the time for hostile files
     pugi::xml_node at = node;
-    for (int depth = 0; depth < kDepth && at.type() == pugi::node_element; ++depth, at = at.parent()) {
+    for (std::size_t depth = 0; depth < kMaxDepth && at.type() == pugi::node_element; ++depth, at = at.parent()) {
         if (std::string value = declared(at, name); !value.empty()) {
             return value;
         }

@@ -18,8 +18,7 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
     });
     if (moves) {
         source.note("svg-css-transform",
-                    "the CSS properties rotate, scale, translate and offset-path are ignored; use "
-                    "transform",
+                    "the properties rotate, scale, translate and offset-path are ignored; use transform",
                     offsetOf(node));
     }
     for (const pugi::xml_node child : node.children()) {

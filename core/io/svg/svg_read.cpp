@@ -292,8 +292,8 @@ class SvgBuilder {
         if (path.paint.stroked && part != Part::Nothing) {
             source_.note(
                 "svg-stroke",
-                "stroke widths are ignored: shapes end at the middle of their stroke; to mesh strokes, convert "
-                "them to paths in the drawing program",
+                "stroke widths are ignored: shapes end at the middle of their stroke; to mesh a stroke, convert "
+                "it to a path in the drawing program",
                 path.offset);
         }
     }

@@ -60,7 +60,7 @@ std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 v
                                                            : std::sqrt(0.5 * lengthSquared(viewport));
         return whole > 0.0 ? std::optional(length->value / 100.0 * whole) : std::nullopt;
     }
-    const bool half = length->unit == "ex" || length->unit == "ch"; // as CSS defines where the font is unknown
+    const bool half = length->unit == "ex" || length->unit == "ch"; // CSS: half an em where the font is unknown
     const auto factor = half                    ? std::optional(0.5 * fontSize)
                         : length->unit == "em"  ? std::optional(fontSize)
                         : length->unit == "rem" ? std::optional(kMediumFont)
