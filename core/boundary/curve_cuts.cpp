@@ -21,20 +21,24 @@ double upper(const CurveStretch &stretch) {
     return std::max(stretch.t0, stretch.t1);
 }
 
+/// Returns true if a piece is close enough to the curve in place of shorter ones.
+bool canJoin(const CurvePath &path, double from, double to) {
+    constexpr double kVisible = 0.4; // relative to the tolerance: 1/5000 of the diagonal by default
+    return path.allows(from, to) || path.deviation(from, to) < kVisible * path.tolerance;
+}
+
 /// Removes cuts beside pieces far shorter than the spacing where the joined piece is close to the curve, but leaves
 /// `minimum` pieces. A bend too small to be seen, such as the hook that a control point beyond its end makes, would
 /// otherwise become a separate piece with sharp elements beside it.
 void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, const SpacingField &spacing,
                      std::size_t minimum) {
-    constexpr double kShort = 0.25;  // relative to the spacing
-    constexpr double kUneven = 0.5;  // relative to the longer piece
-    constexpr double kVisible = 0.4; // relative to the tolerance: 1/5000 of the diagonal by default
+    constexpr double kShort = 0.25; // relative to the spacing
+    constexpr double kUneven = 0.5; // relative to the longer piece
     for (std::size_t i = 1; i + 1 < fractions.size() && fractions.size() > minimum + 1;) {
         const double from = fractions[i - 1], to = fractions[i + 1];
         const Vec2 at = path.at(fractions[i]);
         const auto [shorter, longer] = std::minmax({distance(path.at(from), at), distance(at, path.at(to))});
-        if (shorter < kUneven * longer && shorter < kShort * spacing.at(at) &&
-            (path.allows(from, to) || path.deviation(from, to) < kVisible * path.tolerance)) {
+        if (shorter < kUneven * longer && shorter < kShort * spacing.at(at) && canJoin(path, from, to)) {
             fractions.erase(fractions.begin() + static_cast<std::ptrdiff_t>(i));
             i -= i > 1 ? 1 : 0; // the previous piece now has a longer neighbour
         } else {
@@ -139,6 +143,25 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
         cuts_[chain].push_back(std::lerp(about.t0, about.t1, fraction));
     }
     return outcome;
+}
+
+void CurveCuts::joinEnd(std::uint32_t chain, bool atStart, double length) {
+    const CurveChain &about = chains_.list[chain];
+    if (about.start == about.end || elementsAlong(domain_, about) > 0) {
+        return;
+    }
+    std::vector<double> &cuts = cuts_[chain];
+    const CurvePath path{&curve(chain), 0.0, 1.0, tolerance_};
+    const std::size_t last = cuts.size() - 1;
+    const auto cut = [&](std::size_t k) { return cuts[atStart ? k : last - k]; };
+    const Vec2 end = path.at(cut(0));
+    std::size_t joined = 0;
+    while (joined + 1 < last && distance(path.at(cut(joined + 1)), end) < length &&
+           canJoin(path, std::min(cut(0), cut(joined + 2)), std::max(cut(0), cut(joined + 2)))) {
+        ++joined;
+    }
+    const auto begin = atStart ? cuts.begin() + 1 : cuts.end() - 1 - static_cast<std::ptrdiff_t>(joined);
+    cuts.erase(begin, begin + static_cast<std::ptrdiff_t>(joined));
 }
 
 bool CurveCuts::isFine(const ChainPiece &piece) const {

@@ -41,6 +41,9 @@ class CurveCuts {
     /// afterwards it holds the location of a fault, if any.
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
+    /// Removes the cuts within a distance of an end, as far as the piece there stays close to the curve; none of a
+    /// chain that asks for a number of elements, or of a loop.
+    void joinEnd(std::uint32_t chain, bool atStart, double length);
     /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight
     /// segments instead, and what is left of the chain must be divided again. Duplicates in the list count once.
     void refine(std::vector<ChainPiece> pieces);

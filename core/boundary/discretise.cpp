@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
 
 namespace forefront {
 
@@ -70,7 +71,7 @@ class Discretiser {
                 return faults;
             }
             if (narrowTips_ == NarrowTips::Whole) {
-                narrowEnds_ = findNarrowEnds(domain_, spacing_, left_, right_);
+                narrowEnds_ = findNarrowEnds(domain_, spacing_, left_, right_, curves_ ? &*curves_ : nullptr);
             }
         }
         // Rounding may push an inserted node across a part that is closer than the last digits: such segments are cut
@@ -276,6 +277,7 @@ class Discretiser {
             if (outcome != SpacingIntegral::Outcome::Done) {
                 return faultOf(outcome, curve.point(std::midpoint(chain.t0, chain.t1)));
             }
+            joinPiecesInTips(c);
         }
         const std::vector<double> &cuts = curves_->cuts(c);
         std::uint32_t from = number(chain.start);
@@ -339,14 +341,33 @@ class Discretiser {
         return {};
     }
 
+    std::span<const NarrowEnd> narrowEndsOf(std::uint32_t segment) const {
+        const auto before = [](const NarrowEnd &end, std::uint32_t s) { return end.segment < s; };
+        const auto after = [](std::uint32_t s, const NarrowEnd &end) { return s < end.segment; };
+        return {std::lower_bound(narrowEnds_.begin(), narrowEnds_.end(), segment, before),
+                std::upper_bound(narrowEnds_.begin(), narrowEnds_.end(), segment, after)};
+    }
+
+    /// Removes the cuts of a chain that lie in narrow tips.
+    void joinPiecesInTips(std::uint32_t c) {
+        const CurveChain &chain = curves_->chain(c);
+        for (const bool atStart : {true, false}) {
+            const std::uint32_t s = atStart ? chain.segments.front() : chain.segments.back();
+            for (const NarrowEnd &end : narrowEndsOf(s)) {
+                const DomainSegment &segment = domain_.segments[s];
+                if ((end.atA ? segment.a : segment.b) == (atStart ? chain.start : chain.end)) {
+                    curves_->joinEnd(c, atStart, end.length);
+                }
+            }
+        }
+    }
+
     /// Removes the cuts of a segment that lie in narrow tips. `forward`: fractions count from its first node.
     void dropCutsInTips(std::uint32_t s, bool forward) {
-        const auto before = [](const NarrowEnd &end, std::uint32_t segment) { return end.segment < segment; };
-        auto end = std::lower_bound(narrowEnds_.begin(), narrowEnds_.end(), s, before);
         const double span = distance(domain_.nodes[domain_.segments[s].a], domain_.nodes[domain_.segments[s].b]);
-        for (; end != narrowEnds_.end() && end->segment == s; ++end) {
-            const double part = end->length / span;
-            std::erase_if(fractions_, [&](double t) { return end->atA == forward ? t < part : t > 1.0 - part; });
+        for (const NarrowEnd &end : narrowEndsOf(s)) {
+            const double part = end.length / span;
+            std::erase_if(fractions_, [&](double t) { return end.atA == forward ? t < part : t > 1.0 - part; });
         }
     }
 

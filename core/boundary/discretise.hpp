@@ -53,8 +53,8 @@ struct DiscreteDomain {
     Box2 bounds() const;
 };
 
-/// What becomes of tips of less than 20 degrees, straight and between nothing but the outside, where they are narrower
-/// than 1/4 of the spacing.
+/// What becomes of tips of less than 20 degrees, between nothing but the outside, where they are narrower than 1/4 of
+/// the spacing.
 enum class NarrowTips : std::uint8_t {
     Divided, ///< divided like other parts
     Whole,   ///< left undivided: one long element instead of many thin ones

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -22,11 +24,42 @@ struct Arm {
     Vec2 along; ///< to its other end
 };
 
+/// A side of a tip: a segment, or the chain that it belongs to.
+struct Side {
+    Vec2 direction;               ///< unit vector along a straight one
+    double length = 0.0;          ///< distance between its ends
+    const Curve *curve = nullptr; ///< null: straight
+    double t = 0.0;               ///< parameter of the last place, at first that of the corner
+    double end = 0.0;             ///< that of the other end
+
+    /// Returns the place at a distance from the corner, which must not be less than that of the last place.
+    Vec2 at(Vec2 corner, double x) {
+        if (curve == nullptr) {
+            return corner + x * direction;
+        }
+        double next = t, step = kFirstStep * (end - t);
+        while (next != end && !(distance(curve->point(next), corner) >= x)) {
+            t = next;
+            next = std::fabs(step) < std::fabs(end - next) ? next + step : end;
+            step *= 2.0;
+        }
+        for (int k = 0; k < kHalvings && t != next; ++k) {
+            const double middle = std::midpoint(t, next);
+            (distance(curve->point(middle), corner) < x ? t : next) = middle;
+        }
+        return curve->point(t);
+    }
+
+  private:
+    static constexpr double kFirstStep = 1e-6;
+    static constexpr int kHalvings = 24;
+};
+
 class TipFinder {
   public:
     TipFinder(const Domain &domain, const SpacingField &spacing, std::span<const std::uint32_t> left,
-              std::span<const std::uint32_t> right)
-        : domain_(domain), spacing_(spacing), left_(left), right_(right) {}
+              std::span<const std::uint32_t> right, const CurveCuts *curves)
+        : domain_(domain), spacing_(spacing), left_(left), right_(right), curves_(curves) {}
 
     std::vector<NarrowEnd> run() {
         listSegments();
@@ -99,7 +132,7 @@ class TipFinder {
         const double cosine = dot(first.along, second.along);
         if (!(cosine > 0.0) ||
             !(cosine * cosine > kSharp * dot(first.along, first.along) * dot(second.along, second.along)) ||
-            !(cross(first.along, second.along) > 0.0) || follows(first) || follows(second)) {
+            !(cross(first.along, second.along) > 0.0)) {
             return;
         }
         const auto leftOf = [&](const Arm &arm) { return (arm.fromA ? left_ : right_)[arm.segment]; };
@@ -107,7 +140,8 @@ class TipFinder {
         if (leftOf(first) == kOutside || rightOf(first) != kOutside || leftOf(second) != kOutside) {
             return;
         }
-        const double tip = tipLength(domain_.nodes[node], first.along, second.along);
+        const std::optional<Side> sideA = sideOf(first), sideB = sideOf(second);
+        const double tip = sideA && sideB ? tipLength(domain_.nodes[node], *sideA, *sideB) : 0.0;
         for (const Arm &arm : {first, second}) {
             if (tip > 0.0) {
                 ends_.push_back({arm.segment, arm.fromA, tip});
@@ -115,18 +149,36 @@ class TipFinder {
         }
     }
 
-    bool follows(const Arm &arm) const { return domain_.segments[arm.segment].stretch.follows(); }
+    /// Returns the side that begins with an arm; none for a loop.
+    std::optional<Side> sideOf(const Arm &arm) const {
+        const std::uint32_t c = curves_ != nullptr ? curves_->chainOf(arm.segment) : kNoIndex;
+        if (c == kNoIndex) {
+            const double length = forefront::length(arm.along);
+            return Side{(1.0 / length) * arm.along, length};
+        }
+        const CurveStretch &stretch = domain_.segments[arm.segment].stretch;
+        const CurveChain &chain = curves_->chain(c);
+        const Curve &curve = curves_->curve(c);
+        const double t = arm.fromA ? stretch.t0 : stretch.t1;
+        if (chain.start == chain.end || (t != chain.t0 && t != chain.t1)) {
+            return std::nullopt;
+        }
+        const double far = t == chain.t0 ? chain.t1 : chain.t0;
+        return Side{{}, distance(curve.point(t), curve.point(far)), &curve, t, far};
+    }
 
     /// Returns how far from the corner the tip is narrow.
-    double tipLength(Vec2 corner, Vec2 first, Vec2 second) const {
-        const double lengthA = length(first), lengthB = length(second), longest = std::min(lengthA, lengthB);
-        const Vec2 directionA = (1.0 / lengthA) * first, directionB = (1.0 / lengthB) * second;
-        const Vec2 middle = 0.5 * (directionA + directionB);
-        const double opening = length(directionB - directionA);
+    double tipLength(Vec2 corner, Side a, Side b) const {
+        const bool straight = a.curve == nullptr && b.curve == nullptr;
+        const Vec2 middle = 0.5 * (a.direction + b.direction);
+        const double opening = length(b.direction - a.direction);
+        const double longest = std::min(a.length, b.length);
         double narrow = 0.0;
         for (double x = 0.0; narrow < longest;) {
-            const double rho = spacing_.at(corner + x * middle);
-            if (!(x * opening < kNarrow * rho) || !(x + kStep * rho > x)) {
+            const Vec2 p = straight ? Vec2{} : a.at(corner, x), q = straight ? Vec2{} : b.at(corner, x);
+            const double width = straight ? x * opening : distance(p, q);
+            const double rho = spacing_.at(straight ? corner + x * middle : midpoint(p, q));
+            if (!(width < kNarrow * rho) || !(x + kStep * rho > x)) {
                 break;
             }
             narrow = x;
@@ -138,6 +190,7 @@ class TipFinder {
     const Domain &domain_;
     const SpacingField &spacing_;
     std::span<const std::uint32_t> left_, right_;
+    const CurveCuts *curves_;
     std::vector<std::array<std::uint32_t, 2>> pair_; // per node: its segments
     std::vector<NarrowEnd> ends_;
 };
@@ -145,8 +198,9 @@ class TipFinder {
 } // namespace
 
 std::vector<NarrowEnd> findNarrowEnds(const Domain &domain, const SpacingField &spacing,
-                                      std::span<const std::uint32_t> left, std::span<const std::uint32_t> right) {
-    return TipFinder(domain, spacing, left, right).run();
+                                      std::span<const std::uint32_t> left, std::span<const std::uint32_t> right,
+                                      const CurveCuts *curves) {
+    return TipFinder(domain, spacing, left, right, curves).run();
 }
 
 } // namespace forefront

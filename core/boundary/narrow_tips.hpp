@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/boundary/curve_cuts.hpp"
 #include "core/domain/domain.hpp"
 #include "core/spacing/spacing_field.hpp"
 
@@ -13,17 +14,18 @@ namespace forefront {
 struct NarrowEnd {
     std::uint32_t segment = 0;
     bool atA = true;     ///< the tip is at DomainSegment::a, otherwise at DomainSegment::b
-    double length = 0.0; ///< of the part beside the tip
+    double length = 0.0; ///< of the part beside the tip, as a distance from it
 };
 
 /// Finds the narrow tips of the domain, and returns both segments of each, ordered by segment.
 ///
-/// A tip lies inside the domain between two straight segments that meet at less than 20 degrees, with nothing but the
-/// outside beyond them. It is narrow as far from the corner as the segments are closer to each other than 1/4 of the
-/// spacing: nodes there would add thin elements, and none of them would be better for it.
+/// A tip lies inside the domain between two segments that meet at less than 20 degrees, or the curves that these
+/// follow, with nothing but the outside beyond them. It is narrow as far from the corner as its sides are closer to
+/// each other than 1/4 of the spacing: nodes there would add thin elements, and none of them would be better for it.
 ///
-/// `left` and `right` are the regions beside each segment, or kOutside.
+/// `left` and `right` are the regions beside each segment, or kOutside; `curves` are those of the domain, or null.
 std::vector<NarrowEnd> findNarrowEnds(const Domain &domain, const SpacingField &spacing,
-                                      std::span<const std::uint32_t> left, std::span<const std::uint32_t> right);
+                                      std::span<const std::uint32_t> left, std::span<const std::uint32_t> right,
+                                      const CurveCuts *curves);
 
 } // namespace forefront
