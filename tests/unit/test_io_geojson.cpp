@@ -37,6 +37,14 @@ std::size_t count(const Domain &domain, SegmentRole role) {
     return number;
 }
 
+std::vector<std::int32_t> tagsOf(const Domain &domain) {
+    std::vector<std::int32_t> tags;
+    for (const DomainSegment &segment : domain.segments) {
+        tags.push_back(segment.tag);
+    }
+    return tags;
+}
+
 const DomainSegment &between(const Domain &domain, Vec2 a, Vec2 b) {
     for (const DomainSegment &segment : domain.segments) {
         const Vec2 p = domain.nodes[segment.a], q = domain.nodes[segment.b];
@@ -153,4 +161,32 @@ TEST_CASE("GeoJSON: faults have a location") {
     CHECK(codeOf(feature("Polygon", "[[[0,0],[1,null],[2,3],[0,0]]]")) == "bad-number");
     CHECK(codeOf(feature("LineString", "[[0,0]]")) == "bad-count");
     CHECK(codeOf(feature("Point", "3")) == "bad-field");
+}
+
+TEST_CASE("GeoJSON: features may be separate texts, by lines or with record separators") {
+    const std::string land = feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"name\": \"land\"}"),
+                      sea = feature("Polygon", "[[[1,0],[2,0],[2,1],[1,1],[1,0]]]", "{\"tag\": 1, \"name\": \"sea\"}");
+    const Domain whole = domainOf(collection({land, sea}));
+    CHECK(whole.regionNames == std::map<std::int32_t, std::string>{{1, "sea"}, {2, "land"}});
+    for (const std::string &text :
+         {land + "\n" + sea + "\n", land + "\r\n\r\n" + sea, land + sea, "\x1e" + land + "\n\x1e" + sea + "\n",
+          collection({land}) + "\n" + collection({sea})}) {
+        CAPTURE(text);
+        CHECK(looksLikeGeoJson(text));
+        const Domain domain = domainOf(text);
+        CHECK(domain.nodes == whole.nodes);
+        CHECK(tagsOf(domain) == tagsOf(whole));
+        CHECK(domain.regionNames == whole.regionNames);
+    }
+    for (const auto &[text, message, line] :
+         {std::tuple{land + "\n" + sea + "}\n", "expected the end of the file", 2U},
+          std::tuple{land + "\n{\"type\": \"Feature\"\n", "expected ',' or '}'", 3U},
+          std::tuple{"\x1e" + land + "\n\x1e[]", "expected the end of the file", 2U},
+          std::tuple{std::string("\x1e\n"), "expected a value", 2U}}) {
+        CAPTURE(text);
+        const auto domain = readGeoJson(sourceOf(text));
+        REQUIRE_FALSE(domain.ok());
+        CHECK(domain.faults()[0].message.starts_with(message));
+        CHECK(domain.faults()[0].line == line);
+    }
 }

@@ -50,15 +50,21 @@ class GeoJsonReader {
   public:
     explicit GeoJsonReader(const SourceText &source) : source_(source), check_(source), builder_(source) {}
 
-    Result<Domain> read(const JsonValue &root) {
-        reserveTags(root);
-        noteReferenceSystem(root);
-        anything(root, {});
+    /// `texts`: an array of GeoJSON texts, usually one.
+    Result<Domain> read(const JsonValue &texts) {
+        for (const JsonValue text : texts) {
+            reserveTags(text);
+        }
+        for (const JsonValue text : texts) {
+            noteReferenceSystem(text);
+            anything(text, {});
+        }
         if (!check_.faults().empty()) {
             return check_.faults();
         }
         if (polygons_.empty() && lines_.empty()) {
-            check_.fault(root, "empty-domain", "the file holds no polygon and no line that could bound a domain");
+            check_.fault(*texts.begin(), "empty-domain",
+                         "the file holds no polygon and no line that could bound a domain");
             return check_.faults();
         }
         addPolygons();
@@ -152,17 +158,22 @@ class GeoJsonReader {
         builder_.from(std::move(offsets));
     }
 
-    void reserveTags(const JsonValue &root) {
-        const auto features = root.find("features");
+    void reserveTags(const JsonValue &text) {
+        const auto features = text.find("features");
         if (!features) {
+            reserveTag(text);
             return;
         }
         for (const JsonValue feature : *features) {
-            const auto properties = feature.find("properties");
-            if (const auto tag = properties ? tagIn(*properties) : std::nullopt) {
-                boundaries_.reserve(*tag);
-                regions_.reserve(*tag);
-            }
+            reserveTag(feature);
+        }
+    }
+
+    void reserveTag(const JsonValue &feature) {
+        const auto properties = feature.find("properties");
+        if (const auto tag = properties ? tagIn(*properties) : std::nullopt) {
+            boundaries_.reserve(*tag);
+            regions_.reserve(*tag);
         }
     }
 
@@ -384,15 +395,15 @@ class GeoJsonReader {
 } // namespace
 
 bool looksLikeGeoJson(std::string_view head) {
-    const bool object =
-        head.find_first_not_of(" \t\r\n") != std::string_view::npos && head[head.find_first_not_of(" \t\r\n")] == '{';
-    return object && (head.find("\"FeatureCollection\"") != std::string_view::npos ||
-                      head.find("\"Feature\"") != std::string_view::npos ||
-                      head.find("\"coordinates\"") != std::string_view::npos);
+    const std::size_t start = head.find_first_not_of(" \t\r\n\x1e");
+    return start != std::string_view::npos && head[start] == '{' &&
+           (head.find("\"FeatureCollection\"") != std::string_view::npos ||
+            head.find("\"Feature\"") != std::string_view::npos ||
+            head.find("\"coordinates\"") != std::string_view::npos);
 }
 
 Result<Domain> readGeoJson(const SourceText &source) {
-    const auto json = JsonDocument::parse(source);
+    const auto json = JsonDocument::parseSequence(source);
     if (!json) {
         return json.faults();
     }

@@ -9,6 +9,7 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
+constexpr char kRecordSeparator = '\x1e';
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
@@ -54,7 +55,8 @@ std::uint32_t hexAt(std::string_view text, std::size_t at) {
 /// A parser without recursion: the open containers are a stack of tape entries.
 class JsonParser {
   public:
-    explicit JsonParser(const SourceText &source) : source_(source), text_(source.text) {}
+    /// `sequence`: the text holds any number of values.
+    JsonParser(const SourceText &source, bool sequence) : source_(source), text_(source.text), sequence_(sequence) {}
 
     Result<JsonDocument> run() {
         document_.text_ = text_;
@@ -62,11 +64,7 @@ class JsonParser {
             fail("too-large", "a JSON text of 4 GiB or more cannot be read");
             return faults_;
         }
-        while (faults_.empty()) {
-            if (value() && afterValue()) {
-                break;
-            }
-        }
+        sequence_ ? readSequence() : readWhole();
         if (!faults_.empty()) {
             return faults_;
         }
@@ -74,6 +72,36 @@ class JsonParser {
     }
 
   private:
+    void readWhole() {
+        readValue();
+        if (at_ < text_.size()) {
+            expected("the end of the file");
+        }
+    }
+
+    /// Reads values one after the other into an array. After the first one, each must be an object.
+    void readSequence() {
+        const std::uint32_t all = push(JsonKind::Array);
+        do {
+            readValue();
+            skipSeparators();
+        } while (at_ < text_.size() && text_[at_] == '{' && faults_.empty());
+        close(all);
+        if (at_ < text_.size()) {
+            expected("the end of the file");
+        }
+    }
+
+    /// Reads one value with all that it contains, and the blanks around it.
+    void readValue() {
+        skipSeparators();
+        while (faults_.empty()) {
+            if (value() && afterValue()) {
+                break;
+            }
+        }
+    }
+
     void fail(std::string code, std::string message) {
         if (faults_.empty()) {
             faults_.push_back(faultAt(source_, at_, std::move(code), std::move(message)));
@@ -89,6 +117,13 @@ class JsonParser {
         while (at_ < text_.size() &&
                (text_[at_] == ' ' || text_[at_] == '\n' || text_[at_] == '\t' || text_[at_] == '\r')) {
             ++at_;
+        }
+    }
+    /// Skips blanks and the record separators of RFC 8142.
+    void skipSeparators() {
+        skipBlanks();
+        while (sequence_ && take(kRecordSeparator)) {
+            skipBlanks();
         }
     }
     bool take(char c) {
@@ -158,14 +193,11 @@ class JsonParser {
         }
     }
 
-    /// Closes the containers that end here. Returns true at the end of the text.
+    /// Closes the containers that end here. Returns true at the end of the outermost value.
     bool afterValue() {
         while (faults_.empty()) {
             skipBlanks();
             if (open_.empty()) {
-                if (at_ < text_.size()) {
-                    expected("the end of the file");
-                }
                 return true;
             }
             const bool object = document_.tape_[open_.back()].kind == JsonKind::Object;
@@ -270,6 +302,7 @@ class JsonParser {
 
     const SourceText &source_;
     std::string_view text_;
+    bool sequence_;
     std::size_t at_ = 0;
     JsonDocument document_;
     std::vector<std::uint32_t> open_;
@@ -277,7 +310,11 @@ class JsonParser {
 };
 
 Result<JsonDocument> JsonDocument::parse(const SourceText &source) {
-    return JsonParser(source).run();
+    return JsonParser(source, false).run();
+}
+
+Result<JsonDocument> JsonDocument::parseSequence(const SourceText &source) {
+    return JsonParser(source, true).run();
 }
 
 std::size_t JsonValue::count() const {

@@ -34,6 +34,9 @@ class JsonDocument {
     /// Parses a JSON text. Faults: json-syntax, too-deep (more than 64 levels), too-large (more than 2^32 bytes), each
     /// located.
     static Result<JsonDocument> parse(const SourceText &source);
+    /// Parses one JSON text after the other, divided by blanks or by the record separators of RFC 8142, into an array;
+    /// after the first one, each must be an object. Faults: the same.
+    static Result<JsonDocument> parseSequence(const SourceText &source);
 
     class JsonValue root() const;
 
