@@ -1,6 +1,7 @@
 #include "core/io/files.hpp"
 
 #include "core/edit/document.hpp"
+#include "core/io/foreign_files.hpp"
 #include "core/io/format.hpp"
 #include "core/io/source/reorder_origin.hpp"
 #include "core/io/text/atomic_file.hpp"
@@ -107,6 +108,9 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
         if (bytes.starts_with("\x1f\x8b")) {
             return named(
                 error("compressed", "the file is compressed", "unpack it first, such as by gunzip -c FILE >NEW"), path);
+        }
+        if (Diagnostics foreign = foreignFile(bytes); !foreign.empty() && options.formatId.empty()) {
+            return named(std::move(foreign), path);
         }
         const Result<const Format *> format = chooseFormat(path, bytes, options, accepts);
         if (!format) {

@@ -1,0 +1,118 @@
+#include "core/io/foreign_files.hpp"
+
+#include "core/base/lower_case.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kHead = 4096; ///< bytes that are looked at
+
+std::string_view withoutBlanks(std::string_view text) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n"sv);
+    return start == std::string_view::npos ? std::string_view() : text.substr(start);
+}
+
+/// Returns the name of the outermost element of XML or HTML, in lower case; empty if there is none.
+std::string rootElement(std::string_view head) {
+    if (!withoutBlanks(head.starts_with("\xef\xbb\xbf") ? head.substr(3) : head).starts_with('<')) {
+        return {};
+    }
+    for (std::size_t at = head.find('<'); at != std::string_view::npos; at = head.find('<', at + 1)) {
+        if (head.substr(at).starts_with("<!--")) {
+            at = std::min(head.find("-->", at), head.size());
+            continue;
+        }
+        const std::size_t end = head.find_first_of(" \t\r\n/>"sv, at + 1);
+        const std::string_view name = head.substr(at + 1, end == std::string_view::npos ? end : end - at - 1);
+        if (!name.empty() && name.front() != '?' && name.front() != '!') {
+            return lowerCase(name);
+        }
+    }
+    return {};
+}
+
+/// Returns true for JSON whose first "type" is Topology.
+bool isTopology(std::string_view head) {
+    const std::size_t key = head.find("\"type\"");
+    if (!withoutBlanks(head).starts_with('{') || key == std::string_view::npos) {
+        return false;
+    }
+    const std::string_view colon = withoutBlanks(head.substr(key + 6));
+    return colon.starts_with(':') && withoutBlanks(colon.substr(1)).starts_with("\"Topology\"");
+}
+
+bool isWellKnownText(std::string_view head) {
+    const std::string start = lowerCase(withoutBlanks(head).substr(0, 24));
+    const std::size_t length = std::min(start.find_first_of(" (;="), start.size());
+    const std::string_view word = std::string_view(start).substr(0, length);
+    constexpr std::string_view kWords[] = {
+        "point",           "linestring",         "polygon", "multipoint", "multipolygon",
+        "multilinestring", "geometrycollection", "srid"};
+    return length < start.size() && std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+}
+
+bool isDxf(std::string_view head) {
+    const std::string_view start = withoutBlanks(head);
+    return start.starts_with('0') && withoutBlanks(start.substr(1)).starts_with("SECTION") && start.size() > 1 &&
+           (start[1] == '\r' || start[1] == '\n');
+}
+
+constexpr char kToGeoJson[] = "convert it to GeoJSON, such as by ogr2ogr NEW.geojson FILE";
+
+/// What a file is and what to do with it.
+struct Kind {
+    std::string_view name, advice;
+};
+
+Kind kindOf(std::string_view head) {
+    constexpr std::pair<std::string_view, Kind> kSignatures[] = {
+        {"\0\0\x27\x0a"sv, {"an ESRI shapefile", kToGeoJson}},
+        {"SQLite format 3"sv, {"a database, perhaps a GeoPackage", kToGeoJson}},
+        {"PK\x03\x04"sv, {"a ZIP archive", "unpack it first, such as by unzip FILE"}},
+        {"%PDF"sv, {"a PDF document", "convert it to SVG, such as by pdftocairo -svg FILE NEW.svg"}},
+        {"%!PS"sv,
+         {"a PostScript drawing", "convert it to PDF and then to SVG, such as by ps2pdf and pdftocairo -svg"}},
+        {"AC10"sv, {"a DWG drawing", "save it as SVG in the program that made it"}},
+        {"\xff\xd8\xff"sv, {"a JPEG picture", "trace its outlines first, such as by Path > Trace Bitmap in Inkscape"}},
+    };
+    for (const auto &[signature, kind] : kSignatures) {
+        if (head.starts_with(signature)) {
+            return kind;
+        }
+    }
+    if (isTopology(head)) {
+        return {"a TopoJSON file", "convert it to GeoJSON, such as by mapshaper FILE -o format=geojson NEW.geojson"};
+    }
+    if (isWellKnownText(head)) {
+        return {"well-known text", "write its geometries as GeoJSON"};
+    }
+    if (isDxf(head)) {
+        return {"a DXF drawing", "save it as SVG in the program that made it"};
+    }
+    const std::string root = rootElement(head);
+    if (root == "html") {
+        return {"a web page", "save the drawing or map itself, not the page that shows it"};
+    }
+    if (root == "kml" || root == "gpx" || root.starts_with("gml:") || root.starts_with("wfs:")) {
+        return {root == "kml" ? "a KML file" : root == "gpx" ? "a GPX file" : "a GML file", kToGeoJson};
+    }
+    return {};
+}
+
+} // namespace
+
+Diagnostics foreignFile(std::string_view bytes) {
+    const Kind kind = kindOf(bytes.substr(0, kHead));
+    return kind.name.empty()
+               ? Diagnostics{}
+               : error("foreign-format", "the file is " + std::string(kind.name) + ", which cannot be read",
+                       std::string(kind.advice));
+}
+
+} // namespace forefront

@@ -1,0 +1,66 @@
+#include "core/io/files.hpp"
+#include "core/io/foreign_files.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+using namespace std::string_literals;
+
+TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to convert them") {
+    const struct {
+        std::string bytes, name, advice;
+    } cases[] = {
+        {"\0\0\x27\x0a\0\0\0\0"s, "shapefile", "ogr2ogr"},
+        {"SQLite format 3\0"s, "GeoPackage", "ogr2ogr"},
+        {"PK\x03\x04\x14", "ZIP", "unzip"},
+        {"%PDF-1.7\n", "PDF", "pdftocairo"},
+        {"%!PS-Adobe-3.0 EPSF-3.0\n", "PostScript", "SVG"},
+        {"AC1027\0"s, "DWG", "SVG"},
+        {"\xff\xd8\xff\xe0", "JPEG", "trace"},
+        {" {\"type\" : \"Topology\", \"arcs\": []}", "TopoJSON", "mapshaper"},
+        {"MultiPolygon (((0 0, 1 0, 1 1, 0 0)))\n", "well-known text", "GeoJSON"},
+        {"SRID=4326;POINT(1 2)", "well-known text", "GeoJSON"},
+        {"  0\r\nSECTION\r\n  2\r\nHEADER\r\n", "DXF", "SVG"},
+        {"<!DOCTYPE html>\n<HTML lang=\"en\"><body><svg/></body></HTML>", "web page", "map itself"},
+        {"<?xml version=\"1.0\"?>\n<!-- <svg> -->\n<kml xmlns=\"x\"><Document/></kml>", "KML", "ogr2ogr"},
+        {"<gpx version=\"1.1\"/>", "GPX", "ogr2ogr"},
+        {"\xef\xbb\xbf<gml:FeatureCollection>", "GML", "ogr2ogr"},
+    };
+    const TemporaryFolder folder;
+    for (const auto &[bytes, name, advice] : cases) {
+        CAPTURE(name);
+        for (const char *file : {"a.svg", "a.json", "a.geojson", "a.other"}) {
+            std::ofstream(folder / file, std::ios::binary) << bytes;
+            const auto domain = readDomain(folder / file);
+            REQUIRE(hasCode(domain.faults(), "foreign-format"));
+            CHECK(domain.faults()[0].message.find(name) != std::string::npos);
+            CHECK(domain.faults()[0].advice.find(advice) != std::string::npos);
+            CHECK(domain.faults()[0].file == (folder / file).string());
+        }
+    }
+}
+
+TEST_CASE("Foreign files: all that can be read, and fragments of what cannot, are left to the readers") {
+    for (const std::string &bytes :
+         {""s, " "s, "<"s, "<!--"s, "<!-- never closed <html>"s, "<?"s, "{\"type\""s, "{\"type\":"s, "0"s, "0\n"s,
+          "point"s, "polygonal (1)"s, "<svg xmlns=\"x\"><foreignObject><html/></foreignObject></svg>"s,
+          "{\"format\": \"forefront\", \"version\": 2, \"name\": \"Topology\"}"s, "{\"type\": \"FeatureCollection\"}"s,
+          "4 2 0 0\n1 0 0\n"s, "$MeshFormat\n2.2 0 8\n"s, "<VTKFile type=\"UnstructuredGrid\">"s, "\x89PNG\r\n"s}) {
+        CAPTURE(bytes);
+        CHECK(foreignFile(bytes).empty());
+    }
+}
+
+TEST_CASE("Foreign files: a format that is given explicitly is tried") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.html") << "<html><svg/></html>";
+    ImportOptions options;
+    options.formatId = "svg";
+    CHECK(hasCode(readDomain(folder / "a.html", options).faults(), "not-svg"));
+}
