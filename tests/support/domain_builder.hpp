@@ -52,6 +52,14 @@ class DomainBuilder {
     Domain domain;
 };
 
+/// Returns a square with a corner at the origin, of one segment a side.
+inline Domain squareDomain(double side) {
+    Domain domain;
+    domain.nodes = {{0, 0}, {side, 0}, {side, side}, {0, side}};
+    domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    return domain;
+}
+
 /// Returns a star-shaped polygon about the centre with radii in [low, high]·radius.
 inline std::vector<Vec2> star(RandomSource &random, Vec2 centre, double radius, double low, double high, int count) {
     const double phase = random.between(0.0, 6.28);

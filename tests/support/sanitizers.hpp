@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define FOREFRONT_SANITIZED 1
 #elif defined(__has_feature)
@@ -17,5 +19,8 @@ inline constexpr bool kSanitized = true;
 #else
 inline constexpr bool kSanitized = false;
 #endif
+
+/// The step between the seeds of random domains in the longest cases; not a divisor of the number of their families.
+inline constexpr std::uint64_t kSeedStep = kSanitized ? 23 : 1;
 
 } // namespace forefront::testing

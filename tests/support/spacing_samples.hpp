@@ -1,9 +1,15 @@
 #pragma once
 
+#include "core/domain/domain.hpp"
 #include "core/spacing/spacing_field.hpp"
+
+#include <doctest/doctest.h>
 
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <memory>
+#include <span>
 #include <utility>
 
 namespace forefront::testing {
@@ -37,6 +43,13 @@ inline SpacingFunction constantSpacing(double rho) {
 inline SpacingFunction spacingAround(Vec2 centre, double minimum, double growth) {
     return {[=](Vec2 p) { return std::fmax(minimum, growth * distance(p, centre)); }, minimum,
             std::numeric_limits<double>::infinity()};
+}
+
+/// Returns the spacing in a domain, which must be valid.
+inline std::shared_ptr<const SpacingField> fieldOf(const SpacingSpec &spec, const Domain &domain) {
+    auto field = SpacingField::build(spec, domain);
+    REQUIRE_MESSAGE(field.ok(), toString(field.ok() ? Diagnostic{} : field.faults().front()));
+    return *std::move(field);
 }
 
 } // namespace forefront::testing

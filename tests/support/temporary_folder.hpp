@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -20,6 +22,10 @@ class TemporaryFolder {
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
 
     std::filesystem::path operator/(std::string_view name) const { return path / name; }
+    /// Returns the number of files and folders directly in it.
+    std::size_t fileCount() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path), {}));
+    }
 
     const std::filesystem::path path;
 

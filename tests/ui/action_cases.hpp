@@ -23,6 +23,10 @@ struct StateBefore {
     std::size_t logged;
 };
 
+// Short names for tables of cases.
+using D = Draughtsman;
+using B = StateBefore;
+
 /// A situation in which an action can run, and what it must change there.
 struct ActionCase {
     std::string id;

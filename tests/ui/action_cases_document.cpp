@@ -10,9 +10,6 @@ namespace forefront::test {
 
 namespace {
 
-using D = Draughtsman;
-using B = StateBefore;
-
 std::vector<ActionCase> fileCases() {
     return {{"file.new", drawTriangle, [](D &d, const B &) { return dialogIs(d, "unsaved"); }},
             {"file.open", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "open"); }},

@@ -88,8 +88,6 @@ CurveKind firstCurve(Draughtsman &driver) {
 }
 
 std::vector<ActionCase> pathCases() {
-    using D = Draughtsman;
-    using B = StateBefore;
     return {{"path.corner", drawSmooth, [](D &d, const B &) { return firstKind(d) == NodeKind::Corner; }},
             {"path.smooth",
              [](D &d) {
@@ -135,8 +133,6 @@ std::vector<ActionCase> pathCases() {
 }
 
 std::vector<ActionCase> arrangementCases() {
-    using D = Draughtsman;
-    using B = StateBefore;
     return {{"shape.alignLeft", drawThree,
              [](D &d, const B &) {
                  return allAre(
@@ -194,8 +190,6 @@ std::vector<ActionCase> arrangementCases() {
 }
 
 std::vector<ActionCase> visibilityCases() {
-    using D = Draughtsman;
-    using B = StateBefore;
     const auto hidden = [](D &d) {
         drawTriangle(d);
         d.key('H', {Modifiers::kControl});
@@ -219,8 +213,6 @@ std::vector<ActionCase> visibilityCases() {
 }
 
 std::vector<ActionCase> operationCases() {
-    using D = Draughtsman;
-    using B = StateBefore;
     return {{"edit.union", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 28); }},
             {"edit.difference", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 12); }},
             {"edit.intersection", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 4); }},

@@ -10,9 +10,6 @@ namespace forefront::test {
 
 namespace {
 
-using D = Draughtsman;
-using B = StateBefore;
-
 std::vector<ActionCase> cameraCases() {
     return {{"view.fit",
              [](D &d) {

@@ -1,9 +1,9 @@
 #include "tests/ui/edit_driver.hpp"
+#include "tests/ui/percentile.hpp"
 
 #include <doctest/doctest.h>
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -19,14 +19,6 @@ namespace {
 
 double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double percentile(std::vector<double> values, double part) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
 enum class Gesture { Node, Source, Brush };

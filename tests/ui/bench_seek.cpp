@@ -1,9 +1,9 @@
 #include "tests/ui/edit_driver.hpp"
+#include "tests/ui/percentile.hpp"
 
 #include <doctest/doctest.h>
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -17,11 +17,6 @@ namespace {
 
 double millisecondsNow() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double percentile(std::vector<double> values, double part) {
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
 /// Seeks to random positions of a run, and measures when the worker has arrived and when the window shows it.

@@ -24,13 +24,6 @@ void drawLeaf(Draughtsman &driver) {
     driver.key(key::kEnter);
 }
 
-void fill(Draughtsman &driver, const char *field, const char *number) {
-    driver.click(field);
-    driver.key('A', {Modifiers::kControl});
-    driver.type(number);
-    driver.key(key::kEnter);
-}
-
 } // namespace
 
 TEST_CASE("Pen: a drag makes a smooth node with two control points, and two of them close a path") {
@@ -84,14 +77,14 @@ TEST_CASE("Ellipse: drawn from corner to corner of its box, or with typed width 
 TEST_CASE("Rectangle: the corner radius of the options rounds the next one; the inspector changes it") {
     Draughtsman driver;
     driver.key('R');
-    fill(driver, "options/cornerradius", "1.5");
+    driver.fill("options/cornerradius", "1.5");
     driver.dragPlaces({1, 1}, {9, 7});
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.document().shapes[0]->radius == 1.5);
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(48.0 - 2.25 * (4.0 - std::numbers::pi)));
     driver.key('V');
     driver.unfold("inspector");
-    fill(driver, "inspector/cornerradius", "0.5");
+    driver.fill("inspector/cornerradius", "0.5");
     CHECK(driver.document().shapes[0]->radius == 0.5);
     driver.click("inspector/topath");
     CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
@@ -101,7 +94,7 @@ TEST_CASE("Rectangle: the corner radius of the options rounds the next one; the 
 TEST_CASE("Regular polygon: sides from the options, radius and angle typed") {
     Draughtsman driver;
     driver.key('H');
-    fill(driver, "options/sides", "5");
+    driver.fill("options/sides", "5");
     driver.clickPlace({5, 5});
     driver.moveToPlace({7, 7});
     driver.type("3");

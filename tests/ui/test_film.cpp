@@ -52,11 +52,6 @@ class Filmmaker : public MeshedSquare {
     }
 };
 
-std::size_t filesIn(const std::filesystem::path &folder) {
-    const std::filesystem::directory_iterator first(folder);
-    return static_cast<std::size_t>(std::distance(begin(first), end(first)));
-}
-
 } // namespace
 
 TEST_CASE("Film: numbers out of range are refused at their fields, and the old ones kept") {
@@ -88,7 +83,7 @@ TEST_CASE("Film: the dialog writes an animation, numbered pictures and a drawing
     driver.enter("frames", "3");
     driver.enter("width", "200");
     driver.confirm(folder / "frame.png");
-    CHECK(filesIn(folder.path) == 4);
+    CHECK(folder.fileCount() == 4);
     for (const char *name : {"frame-1.png", "frame-2.png", "frame-3.png"}) {
         CHECK(textOf(folder / name).starts_with("\x89PNG"));
     }
@@ -120,7 +115,7 @@ TEST_CASE("Film: a name with %d writes one drawing per frame, even with the filt
     const TemporaryFolder folder;
     driver.openDialog("20", "3");
     driver.confirm(folder / "run-%d.svg");
-    CHECK(filesIn(folder.path) == 3);
+    CHECK(folder.fileCount() == 3);
     CHECK(textOf(folder / "run-1.svg") != textOf(folder / "run-3.svg"));
 }
 
@@ -138,7 +133,7 @@ TEST_CASE("Film: a cancelled film leaves no file") {
     driver.click("dialog/writing/cancel");
     driver.until([&] { return !driver.context().dialogs.any(); });
     CHECK(driver.logHas("cancelled"));
-    CHECK(filesIn(folder.path) == 0);
+    CHECK(folder.fileCount() == 0);
 }
 
 } // namespace forefront::test

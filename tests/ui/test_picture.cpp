@@ -45,20 +45,19 @@ const BackgroundPicture &pictureOf(Draughtsman &driver) {
     return *driver.document().picture;
 }
 
-/// Returns the amounts of red and blue of a pixel.
-std::pair<int, int> colourAt(const Driver::Picture &shot, Pixel pixel) {
+std::pair<int, int> redAndBlue(const Driver::Picture &shot, Pixel pixel) {
     const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(shot.size.width) +
                          static_cast<std::size_t>(pixel.x));
     return {shot.rgba[at], shot.rgba[at + 2]};
 }
 
 bool looksRed(const Driver::Picture &shot, Pixel pixel) {
-    const auto [red, blue] = colourAt(shot, pixel);
+    const auto [red, blue] = redAndBlue(shot, pixel);
     return red > blue + 30;
 }
 
 bool looksBlue(const Driver::Picture &shot, Pixel pixel) {
-    const auto [red, blue] = colourAt(shot, pixel);
+    const auto [red, blue] = redAndBlue(shot, pixel);
     return blue > red + 60;
 }
 

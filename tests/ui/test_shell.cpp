@@ -21,10 +21,6 @@ bool within(const PixelRect &inner, PixelSize size) {
            inner.y + inner.height <= size.height + 0.5;
 }
 
-bool overlap(const PixelRect &a, const PixelRect &b) {
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
 } // namespace
 
 TEST_CASE("Editor: opens with the sample in view and the hint strip shown") {
@@ -223,7 +219,7 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
                     legends += legend ? 1 : 0;
                     if (legend || name == "hints" || name == "options") {
                         const std::string message = name;
-                        CHECK_MESSAGE(!overlap(widget.rect, drawing), message);
+                        CHECK_MESSAGE(!widget.rect.overlaps(drawing), message);
                     }
                 }
                 CHECK(legends == 1);
@@ -264,7 +260,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
                 for (std::size_t j = 0; j < i; ++j) {
                     const std::string other = plates[j].first;
                     const bool transient = name == "canvas/news"; // covers other plates for a few seconds
-                    CHECK_MESSAGE((transient || !overlap(rect, plates[j].second)), name << " over " << other);
+                    CHECK_MESSAGE((transient || !rect.overlaps(plates[j].second)), name << " over " << other);
                 }
             }
             for (const auto &each_tool : driver.context().tools.tools) {
@@ -275,10 +271,10 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
         }
         const WidgetRegistry::Map &all = driver.context().widgets.all();
         const auto rectOf = [&](const char *name) { return all.find(name)->second.rect; };
-        CHECK_FALSE(overlap(rectOf("timeline/scrubber"), rectOf("timeline/position")));
-        CHECK_FALSE(overlap(rectOf("timeline/scrubber"), rectOf("timeline/granularity/Layer")));
-        CHECK_FALSE(overlap(rectOf("menu/Help"), rectOf("menu/title")));
-        CHECK_FALSE(overlap(rectOf("menu/panels"), rectOf("menu/title")));
+        CHECK_FALSE(rectOf("timeline/scrubber").overlaps(rectOf("timeline/position")));
+        CHECK_FALSE(rectOf("timeline/scrubber").overlaps(rectOf("timeline/granularity/Layer")));
+        CHECK_FALSE(rectOf("menu/Help").overlaps(rectOf("menu/title")));
+        CHECK_FALSE(rectOf("menu/panels").overlaps(rectOf("menu/title")));
         for (const char *tab :
              {"panel/steps", "panel/histogram", "panel/statistics", "panel/checks", "panel/log", "panel/names"}) {
             CHECK(within(rectOf(tab), each.first));

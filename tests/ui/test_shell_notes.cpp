@@ -14,10 +14,6 @@ namespace forefront::test {
 
 namespace {
 
-bool overlap(const PixelRect &a, const PixelRect &b) {
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
 /// A square that takes long enough to mesh to observe the run in progress.
 struct LongRun : Draughtsman {
     LongRun() {
@@ -47,8 +43,8 @@ TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
     for (const char *option : {"options/tag", "options/snap/drawing", "options/snap/grid"}) {
         REQUIRE(driver.has(option));
         const PixelRect rect = driver.context().widgets.find(option)->rect;
-        CHECK_FALSE(overlap(rect, cancel));
-        CHECK_FALSE(overlap(rect, progress));
+        CHECK_FALSE(rect.overlaps(cancel));
+        CHECK_FALSE(rect.overlaps(progress));
     }
     driver.click("canvas/cancel");
     driver.settle();
@@ -251,7 +247,7 @@ TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
         for (const auto &[name, widget] : driver.context().widgets.all()) {
             if (name.starts_with("spacing/") || name.starts_with("meshing/") || name.starts_with("panel/")) {
                 const std::string message = name;
-                CHECK_MESSAGE(!overlap(tip, widget.rect), message);
+                CHECK_MESSAGE(!tip.overlaps(widget.rect), message);
             }
         }
     }
@@ -260,7 +256,7 @@ TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
     driver.frames(40);
     REQUIRE(driver.has("tooltip"));
     CHECK_FALSE(
-        overlap(driver.context().widgets.find("tooltip")->rect, driver.context().widgets.find("options")->rect));
+        driver.context().widgets.find("tooltip")->rect.overlaps(driver.context().widgets.find("options")->rect));
 }
 
 TEST_CASE("Tooltips: lie outside the window of their widget and inside the display") {
@@ -272,8 +268,8 @@ TEST_CASE("Tooltips: lie outside the window of their widget and inside the displ
         CHECK(tip.y >= 0.0);
         CHECK(tip.x + tip.width <= 1280.0);
         CHECK(tip.y + tip.height <= 800.0);
-        CHECK_FALSE(overlap(tip, window));
-        CHECK_FALSE(overlap(tip, widget));
+        CHECK_FALSE(tip.overlaps(window));
+        CHECK_FALSE(tip.overlaps(widget));
     };
     check({975, 34, 305, 660}, {1070, 660, 200, 26}); // a field low in the column
     check({0, 34, 46, 660}, {6, 42, 34, 34});         // a tool
@@ -282,7 +278,7 @@ TEST_CASE("Tooltips: lie outside the window of their widget and inside the displ
     check({58, 46, 500, 40}, {300, 53, 76, 26});      // options of a tool
     // Above the widget if there is no room elsewhere.
     const PixelRect wide{100, 50, 1080, 700}, button{700, 400, 80, 26};
-    CHECK_FALSE(overlap(ui::placeTooltip(button, wide, size, display, 740, 6.0), button));
+    CHECK_FALSE(ui::placeTooltip(button, wide, size, display, 740, 6.0).overlaps(button));
 }
 
 TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh") {

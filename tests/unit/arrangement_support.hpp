@@ -7,8 +7,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +68,32 @@ inline std::map<std::int32_t, double> areas(const Domain &domain) {
         }
     }
     return result;
+}
+
+/// Returns the area inside, summed about the centre, so that it is accurate far from the origin too.
+inline double insideArea(const Domain &domain) {
+    const FacesOf of(domain);
+    const Vec2 centre = domain.bounds().centre();
+    double twice = 0.0;
+    for (std::size_t e = 0; e < of.graph.edges.size(); ++e) {
+        const PlaneEdge &edge = of.graph.edges[e];
+        const double part = cross(of.graph.points[edge.a] - centre, of.graph.points[edge.b] - centre);
+        twice += of.labels.inside[of.faces.left[e]] * part - of.labels.inside[of.faces.right[e]] * part;
+    }
+    return 0.5 * twice;
+}
+
+/// Returns the segments by their coordinates, smaller end first.
+inline std::set<std::array<double, 4>> segmentSet(const Domain &domain) {
+    std::set<std::array<double, 4>> set;
+    for (const DomainSegment &segment : domain.segments) {
+        Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
+        if (comesBefore(b, a)) {
+            std::swap(a, b);
+        }
+        set.insert({a.x, a.y, b.x, b.y});
+    }
+    return set;
 }
 
 /// Returns the arrangement and requires that its domain is valid.

@@ -48,28 +48,28 @@ inline Selection selected(std::set<std::uint32_t> shapes) {
 }
 
 /// A segment by its coordinates, smaller end first: compares domains independently of the order of nodes and segments.
-using PlacedSegment = std::tuple<double, double, double, double, std::int32_t, int>;
+using SortedSegment = std::tuple<double, double, double, double, std::int32_t, int>;
 
-inline std::vector<PlacedSegment> placedSegments(const Domain &domain) {
-    std::vector<PlacedSegment> placed;
+inline std::vector<SortedSegment> sortedSegments(const Domain &domain) {
+    std::vector<SortedSegment> sorted;
     for (const DomainSegment &s : domain.segments) {
         Vec2 a = domain.nodes[s.a], b = domain.nodes[s.b];
         if (std::tuple(b.x, b.y) < std::tuple(a.x, a.y)) {
             std::swap(a, b);
         }
-        placed.emplace_back(a.x, a.y, b.x, b.y, s.tag, static_cast<int>(s.role));
+        sorted.emplace_back(a.x, a.y, b.x, b.y, s.tag, static_cast<int>(s.role));
     }
-    std::sort(placed.begin(), placed.end());
-    return placed;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
 }
 
-inline std::vector<std::pair<double, double>> placedNodes(const Domain &domain) {
-    std::vector<std::pair<double, double>> placed;
+inline std::vector<std::pair<double, double>> sortedNodes(const Domain &domain) {
+    std::vector<std::pair<double, double>> sorted;
     for (const Vec2 node : domain.nodes) {
-        placed.emplace_back(node.x, node.y);
+        sorted.emplace_back(node.x, node.y);
     }
-    std::sort(placed.begin(), placed.end());
-    return placed;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
 }
 
 /// Returns true if p is inside by the even-odd rule over Boundary segments.

@@ -86,8 +86,10 @@ inline DiscreteDomain squareDomain(const Mesh &mesh, double area = 1.0) {
     return domain;
 }
 
-inline std::set<std::string> codes(const Diagnostics &diagnostics) {
-    std::set<std::string> all;
+using Codes = std::set<std::string>;
+
+inline Codes codes(const Diagnostics &diagnostics) {
+    Codes all;
     for (const Diagnostic &d : diagnostics) {
         all.insert(d.code);
     }

@@ -23,7 +23,7 @@ using namespace forefront;
 
 namespace {
 
-std::vector<double> valuesOf(const Mesh &mesh, double (*f)(Vec2)) {
+std::vector<double> nodeValues(const Mesh &mesh, double (*f)(Vec2)) {
     std::vector<double> values;
     for (const Vec2 p : mesh.nodes) {
         values.push_back(f(p));
@@ -50,7 +50,7 @@ Mesh uniformMesh(const Domain &domain, double size) {
 
 TEST_CASE("recoverGradient: recovers the gradient of a linear field exactly, at the boundary as well") {
     const Mesh mesh = samples::square(7, 5, 0.2);
-    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return 3.0 * p.x - 2.0 * p.y + 1.0; });
+    const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return 3.0 * p.x - 2.0 * p.y + 1.0; });
     const Result<CornerGradients> recovered = recoverGradient(mesh, *elementGradients(mesh, values));
     REQUIRE(recovered);
     for (const auto &corners : *recovered) {
@@ -63,7 +63,7 @@ TEST_CASE("recoverGradient: recovers the gradient of a linear field exactly, at 
 
 TEST_CASE("recoverGradient: a curved field is recovered better than by its elements") {
     const Mesh mesh = samples::square(20, 20, 0.15);
-    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::sin(3.0 * p.x) * std::exp(p.y); });
+    const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return std::sin(3.0 * p.x) * std::exp(p.y); });
     const CornerGradients recovered = *recoverGradient(mesh, *elementGradients(mesh, values));
     const std::vector<Vec2> constant = *elementGradients(mesh, values);
     double best = 0.0, plain = 0.0;
@@ -80,7 +80,7 @@ TEST_CASE("recoverGradient: a curved field is recovered better than by its eleme
 
 TEST_CASE("estimateError: a gradient may jump only where regions meet") {
     Mesh mesh = samples::square(8, 8);
-    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::abs(p.x - 0.5); });
+    const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return std::abs(p.x - 0.5); });
     CHECK(estimateError(mesh, values)->relative() > 0.1);
     for (const Element &element : mesh.elements) {
         double x = 0.0;
@@ -309,7 +309,7 @@ TEST_CASE("adapt: reports each round and stops when finer meshes do not lower th
 
 TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports") {
     const Mesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports per stage
-    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::atan(20.0 * (length(p) - 0.7)); });
+    const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return std::atan(20.0 * (length(p) - 0.7)); });
     const AdaptTarget target{0.02, 0.0, 0.2, 0.3};
     std::vector<std::string> reports;
     std::stop_source stop;

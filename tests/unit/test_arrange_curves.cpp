@@ -19,7 +19,7 @@ using namespace forefront::testing;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Curve circle(Vec2 centre, double radius, double firstAngle = 0.0) {
     return Curve::arc(centre, {radius, 0}, {0, radius}, firstAngle);
@@ -85,7 +85,7 @@ TEST_CASE("arrange: a line that crosses a circle less deeply than the chords dev
         const Arrangement result = arranged(drawing.input, 1e-6);
         const double cap = capArea(30, d);
         const auto areas = curvedAreas(result.domain);
-        CHECK(areas.at(1) == doctest::Approx(900 * kPi - cap).epsilon(1e-12));
+        CHECK(areas.at(1) == doctest::Approx(900 * pi - cap).epsilon(1e-12));
         CHECK(areas.at(2) == doctest::Approx(100 * (60 - d)).epsilon(1e-12));
         CHECK(greatestOffset(result.domain) < 1e-13);
         CHECK(count(result, ChangeKind::CrossingSegments) == 2);
@@ -128,9 +128,9 @@ TEST_CASE("arrange: curves that come closer than their chords deviate, but not t
     const Arrangement result = arranged(drawing.input, 1e-6);
     CHECK(result.changes.empty());
     const auto areas = curvedAreas(result.domain);
-    CHECK(areas.at(1) == doctest::Approx(kPi * (1 - 0.999 * 0.999)).epsilon(1e-12));
-    CHECK(areas.at(2) == doctest::Approx(kPi * 0.999 * 0.999).epsilon(1e-12));
-    CHECK(areas.at(3) == doctest::Approx(kPi).epsilon(1e-12));
+    CHECK(areas.at(1) == doctest::Approx(pi * (1 - 0.999 * 0.999)).epsilon(1e-12));
+    CHECK(areas.at(2) == doctest::Approx(pi * 0.999 * 0.999).epsilon(1e-12));
+    CHECK(areas.at(3) == doctest::Approx(pi).epsilon(1e-12));
 }
 
 TEST_CASE("arrange: curves that touch, or nearly do, are joined at one node") {
@@ -183,10 +183,10 @@ TEST_CASE("arrange: a circle drawn twice with other ends is one circle") {
     const std::uint32_t contour = drawing.input.addContour(shape, FillRule::NonZero);
     drawing.loop({circle({3, 4}, 1)}, contour, 1);
     drawing.loop({Curve::arc({3, 4}, {0, 1}, {-1, 0}, 0.123, 2.0), Curve::arc({3, 4}, {0, 1}, {-1, 0}, 2.123, 1.0),
-                  Curve::arc({3, 4}, {0, 1}, {-1, 0}, 3.123, 2 * kPi - 3.0)},
+                  Curve::arc({3, 4}, {0, 1}, {-1, 0}, 3.123, 2 * pi - 3.0)},
                  contour, 1);
     const Arrangement result = arranged(drawing.input, 1e-6);
-    CHECK(curvedAreas(result.domain).at(1) == doctest::Approx(kPi).epsilon(1e-6));
+    CHECK(curvedAreas(result.domain).at(1) == doctest::Approx(pi).epsilon(1e-6));
     CHECK(count(result, ChangeKind::CrossingSegments) == 0);
     std::size_t boundaries = 0;
     for (const DomainSegment &segment : result.domain.segments) {
@@ -205,7 +205,7 @@ TEST_CASE("arrange: a curve that runs along part of another one becomes one with
         {arc, Curve::line(arc.point(1.0), {0, 3}), Curve::line({0, 3}, {3, 0}), Curve::line({3, 0}, arc.point(0.0))});
     const Arrangement result = arranged(drawing.input, 1e-7);
     const auto areas = curvedAreas(result.domain);
-    CHECK(areas.at(1) == doctest::Approx(kPi).epsilon(1e-6));
+    CHECK(areas.at(1) == doctest::Approx(pi).epsilon(1e-6));
     double outer = 0.0; // of the second feature
     for (const Curve &curve :
          {Curve::line(arc.point(1.0), {0, 3}), Curve::line({0, 3}, {3, 0}), Curve::line({3, 0}, arc.point(0.0)), arc}) {

@@ -4,6 +4,7 @@
 #include "tests/support/curve_drawing.hpp"
 #include "tests/support/curved_area.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/unit/arrangement_support.hpp"
 
 #include <doctest/doctest.h>
 
@@ -20,7 +21,7 @@ using namespace forefront::testing;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Closed curves that cross, touch, coincide and run along each other, with a tolerance and a scale and place in the
 /// plane.
@@ -62,7 +63,7 @@ class RandomCurves {
         const double first = random_.chance(0.5) ? 0.0 : random_.between(0.0, 6.0);
         CurveLoop loop;
         for (int k = 0; k < count; ++k) {
-            loop.push_back(Curve::arc(centre, u, v, first + 2.0 * kPi * k / count, 2.0 * kPi / count));
+            loop.push_back(Curve::arc(centre, u, v, first + 2.0 * pi * k / count, 2.0 * pi / count));
         }
         return loop;
     }
@@ -135,16 +136,6 @@ class RandomCurves {
     double unit_ = 0.0;
     CurveDrawing drawing_{1.0};
 };
-
-std::set<std::array<double, 4>> segmentSet(const Domain &domain) {
-    std::set<std::array<double, 4>> set;
-    for (const DomainSegment &segment : domain.segments) {
-        const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
-        const bool turned = b.x != a.x ? b.x < a.x : b.y < a.y;
-        turned ? set.insert({b.x, b.y, a.x, a.y}) : set.insert({a.x, a.y, b.x, b.y});
-    }
-    return set;
-}
 
 /// Returns true if the place is inside the loop by the even-odd rule; `near` if it is about as near as `reach`.
 bool insideLoop(const CurveLoop &loop, Vec2 p, double reach, bool &near) {

@@ -142,18 +142,6 @@ std::set<std::uint32_t> featuresAt(const ArrangementInput &input, Vec2 p) {
     return features;
 }
 
-std::set<std::array<double, 4>> segmentSet(const Domain &domain) {
-    std::set<std::array<double, 4>> set;
-    for (const DomainSegment &segment : domain.segments) {
-        Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
-        if (comesBefore(b, a)) {
-            std::swap(a, b);
-        }
-        set.insert({a.x, a.y, b.x, b.y});
-    }
-    return set;
-}
-
 /// Compares faces and features of the result with winding numbers of the input at places away from all pieces.
 void compareAtSamples(RandomSource &random, const RandomDrawing &drawing, const Arrangement &result) {
     const ArrangementInput &input = drawing.input;

@@ -19,10 +19,6 @@ std::string contentOf(const std::filesystem::path &file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::ptrdiff_t filesIn(const TemporaryFolder &folder) {
-    return std::distance(std::filesystem::directory_iterator(folder.path), {});
-}
-
 } // namespace
 
 TEST_CASE("AtomicFile: the complete file appears on commit, and nothing else") {
@@ -33,7 +29,7 @@ TEST_CASE("AtomicFile: the complete file appears on commit, and nothing else") {
     CHECK(file.write("second"));
     CHECK(file.commit().empty());
     CHECK(contentOf(folder / "a.txt") == "first second");
-    CHECK(filesIn(folder) == 1);
+    CHECK(folder.fileCount() == 1);
 }
 
 TEST_CASE("AtomicFile: without commit the old content stays and no temporary file remains") {
@@ -42,10 +38,10 @@ TEST_CASE("AtomicFile: without commit the old content stays and no temporary fil
     {
         AtomicFile file(folder / "a.txt");
         CHECK(file.write("new"));
-        CHECK(filesIn(folder) == 2);
+        CHECK(folder.fileCount() == 2);
     }
     CHECK(contentOf(folder / "a.txt") == "old");
-    CHECK(filesIn(folder) == 1);
+    CHECK(folder.fileCount() == 1);
 }
 
 TEST_CASE("AtomicFile: two writers of one name do not mix, and the last commit wins") {
@@ -56,7 +52,7 @@ TEST_CASE("AtomicFile: two writers of one name do not mix, and the last commit w
     CHECK(second.commit().empty());
     CHECK(first.commit().empty());
     CHECK(contentOf(folder / "a.txt") == "first");
-    CHECK(filesIn(folder) == 1);
+    CHECK(folder.fileCount() == 1);
 }
 
 TEST_CASE("AtomicFile: keeps the permissions of the previous file and follows links") {
@@ -87,7 +83,7 @@ TEST_CASE("AtomicFile: cancelling stops the writing and leaves the old file") {
         CHECK(status[0].code == "cancelled");
     }
     CHECK(contentOf(folder / "a.txt") == "old");
-    CHECK(filesIn(folder) == 1);
+    CHECK(folder.fileCount() == 1);
 }
 
 TEST_CASE("AtomicFile: folders and missing folders are refused with path and reason") {
@@ -101,5 +97,5 @@ TEST_CASE("AtomicFile: folders and missing folders are refused with path and rea
         CHECK(status[0].file == path.string());
         CHECK(status[0].message.find(path.string()) != std::string::npos);
     }
-    CHECK(filesIn(folder) == 0);
+    CHECK(folder.fileCount() == 0);
 }

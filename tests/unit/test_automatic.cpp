@@ -23,7 +23,7 @@ Domain loopOf(const std::vector<Vec2> &loop) {
     return domain;
 }
 
-std::vector<Vec2> circle(Vec2 centre, double radius, int pieces) {
+std::vector<Vec2> circleLoop(Vec2 centre, double radius, int pieces) {
     std::vector<Vec2> loop;
     for (int i = 0; i < pieces; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / pieces;
@@ -151,7 +151,7 @@ TEST_CASE("Automatic spacing: ignores gaps outside the domain") {
 
 TEST_CASE("Automatic spacing: orientation and order of the segments do not matter") {
     Domain domain = loopOf({{0, 0}, {4, 0}, {4, 1.9}, {6, 1.9}, {6, 0}, {10, 0}, {10, 4}, {0, 4}});
-    addLoop(domain, circle({2, 3.7}, 0.2, 24));
+    addLoop(domain, circleLoop({2, 3.7}, 0.2, 24));
     Domain shuffled = domain;
     std::mt19937 random(5);
     std::shuffle(shuffled.segments.begin(), shuffled.segments.end(), random);
@@ -241,11 +241,11 @@ TEST_CASE("Automatic spacing: keeps the gradation within 2 % and its own bounds"
     std::mt19937 random(23);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (int round = 0; round < 6; ++round) {
-        Domain domain = loopOf(circle({0, 0}, 10, 20 + 40 * round));
+        Domain domain = loopOf(circleLoop({0, 0}, 10, 20 + 40 * round));
         for (int hole = 0; hole < 5; ++hole) {
             const double angle = hole * 1.2566;
-            addLoop(domain, circle(6.0 * Vec2{std::cos(angle), std::sin(angle)}, 0.3 + 3.0 * share(random),
-                                   12 + static_cast<int>(60 * share(random))));
+            addLoop(domain, circleLoop(6.0 * Vec2{std::cos(angle), std::sin(angle)}, 0.3 + 3.0 * share(random),
+                                       12 + static_cast<int>(60 * share(random))));
         }
         const auto field = automatic(domain);
         for (int i = 0; i < 4000; ++i) {
@@ -306,7 +306,7 @@ TEST_CASE("Automatic spacing: broken domains neither crash nor give unusable val
 
 TEST_CASE("Automatic spacing: scales with the domain, however small or large or far away") {
     Domain domain = loopOf({{0, 0}, {4, 0}, {4, 1.9}, {6, 1.9}, {6, 0}, {10, 0}, {10, 4}, {0, 4}});
-    addLoop(domain, circle({2, 3.7}, 0.2, 24));
+    addLoop(domain, circleLoop({2, 3.7}, 0.2, 24));
     const auto field = automatic(domain);
     std::mt19937 random(6);
     std::uniform_real_distribution<double> share(0.0, 1.0);

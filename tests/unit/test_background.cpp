@@ -1,5 +1,7 @@
 #include "core/domain/domain.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/domain_builder.hpp"
+#include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,17 +10,9 @@
 #include <random>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
-
-Domain square(double side) {
-    Domain domain;
-    domain.nodes = {{0, 0}, {side, 0}, {side, side}, {0, side}};
-    for (std::uint32_t i = 0; i < 4; ++i) {
-        domain.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
-    }
-    return domain;
-}
 
 /// A lattice of n x n squares, each cut in two, over [low, high]², nodes graded by `power`, values from f.
 template <class F>
@@ -43,16 +37,10 @@ std::shared_ptr<const BackgroundMesh> lattice(double low, double high, std::uint
     return mesh;
 }
 
-std::shared_ptr<const SpacingField> built(const SpacingSpec &spec, double side) {
-    auto field = SpacingField::build(spec, square(side));
-    REQUIRE_MESSAGE(field.ok(), toString(field.ok() ? Diagnostic{} : field.faults().front()));
-    return *field;
-}
-
 std::string refusal(const BackgroundMesh &mesh) {
     SpacingSpec spec;
     spec.background = std::make_shared<BackgroundMesh>(mesh);
-    const auto field = SpacingField::build(spec, square(1));
+    const auto field = SpacingField::build(spec, squareDomain(1));
     return field.ok() ? std::string() : field.faults().front().code + ": " + field.faults().front().message;
 }
 
@@ -63,7 +51,7 @@ TEST_CASE("Background mesh: a linear field is reproduced everywhere, graded mesh
     for (const double power : {1.0, 4.0}) {
         SpacingSpec spec;
         spec.background = lattice(0.0, 10.0, 60, power, linear);
-        const auto field = built(spec, 10.0);
+        const auto field = fieldOf(spec, squareDomain(10));
         std::mt19937 random(1);
         std::uniform_real_distribution<double> place(0.0, 10.0);
         for (int i = 0; i < 5000; ++i) {
@@ -81,20 +69,20 @@ TEST_CASE("Background mesh: outside of it, the other parts apply") {
     SpacingSpec spec;
     spec.background = lattice(2.0, 4.0, 8, 1.0, [](Vec2) { return 0.1; });
     spec.size = 0.7;
-    CHECK(built(spec, 10)->at({3, 3}) == doctest::Approx(0.1));
-    CHECK(built(spec, 10)->at({5, 3}) == 0.7);
+    CHECK(fieldOf(spec, squareDomain(10))->at({3, 3}) == doctest::Approx(0.1));
+    CHECK(fieldOf(spec, squareDomain(10))->at({5, 3}) == 0.7);
     spec.gradation = 0.2;
-    CHECK(built(spec, 10)->at({5, 3}) == doctest::Approx(0.3).epsilon(0.01));
+    CHECK(fieldOf(spec, squareDomain(10))->at({5, 3}) == doctest::Approx(0.3).epsilon(0.01));
 }
 
 TEST_CASE("Background mesh: automatic spacing continues it outside, without a step") {
     SpacingSpec spec;
     spec.background = lattice(0.0, 5.0, 10, 1.0, [](Vec2) { return 1.0; });
-    const auto coarse = built(spec, 10);
+    const auto coarse = fieldOf(spec, squareDomain(10));
     CHECK(coarse->at({3, 3}) == doctest::Approx(1.0)); // coarser than automatic spacing, as intended
     CHECK(coarse->at({9, 9}) == doctest::Approx(std::sqrt(200.0) / 45.0));
     spec.background = lattice(0.0, 5.0, 10, 1.0, [](Vec2) { return 0.05; });
-    const auto fine = built(spec, 10);
+    const auto fine = fieldOf(spec, squareDomain(10));
     CHECK(fine->at({3, 5.2}) == doctest::Approx(0.1).epsilon(0.01));
     CHECK(fine->sample({3, 5.2}).describe.find("limited by gradation 0.25 from the background mesh") == 0);
 }
@@ -104,9 +92,9 @@ TEST_CASE("Background mesh: a steep field is limited by the gradation formula wi
     std::uniform_real_distribution<double> share(0.0, 1.0);
     SpacingSpec spec;
     spec.background = lattice(0.0, 10.0, 12, 1.0, [&](Vec2) { return 0.2 + 3.0 * std::pow(share(random), 3.0); });
-    const auto plain = built(spec, 10);
+    const auto plain = fieldOf(spec, squareDomain(10));
     spec.gradation = 0.15;
-    const auto limited = built(spec, 10);
+    const auto limited = fieldOf(spec, squareDomain(10));
     for (int n = 0; n < 60; ++n) {
         const Vec2 p{10 * share(random), 10 * share(random)};
         double expected = plain->at(p);
@@ -134,7 +122,7 @@ TEST_CASE("Background mesh: a node with many triangles, and needles, are located
     SpacingSpec spec;
     spec.size = 50.0;
     spec.background = mesh;
-    const auto field = built(spec, 10);
+    const auto field = fieldOf(spec, squareDomain(10));
     for (double r = 0.0; r < 3.99; r += 0.01) {
         const Vec2 p = Vec2{5, 5} + r * Vec2{std::cos(7 * r), std::sin(7 * r)};
         CHECK(field->at(p) == doctest::Approx(1.0 + r / 4.0).epsilon(1e-3));

@@ -14,7 +14,7 @@ using forefront::testing::RandomSource;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vec2 randomPoint(RandomSource &random) {
@@ -125,7 +125,7 @@ TEST_CASE("curve: lengths agree with fine polylines and with closed forms") {
         const double fine = polylineLength(samples(curve, t0, t1, 8000));
         CHECK(curve.length(t0, t1) == doctest::Approx(fine + (fine - coarse) / 3.0).epsilon(1e-7));
     }
-    CHECK(Curve::circle({1, 2}, {4, 6}).length() == doctest::Approx(10.0 * kPi).epsilon(1e-14));
+    CHECK(Curve::circle({1, 2}, {4, 6}).length() == doctest::Approx(10.0 * pi).epsilon(1e-14));
     CHECK(Curve::line({1, 2}, {4, 6}).length(0.2, 0.6) == doctest::Approx(2.0).epsilon(1e-15));
     // The parabola y = x² from 0 to 1: (2 √5 + asinh 2) / 4.
     const Curve parabola = Curve::quadratic({0, 0}, {0.5, 0}, {1, 1});
@@ -149,8 +149,8 @@ TEST_CASE("curve: turning is the sum of the angles of a fine polyline") {
         }
         CHECK(curve.turning(t0, t1) == doctest::Approx(sum).epsilon(1e-3).scale(1.0));
     }
-    CHECK(Curve::circle({0, 0}, {1, 0}).turning() == doctest::Approx(2.0 * kPi));
-    CHECK(Curve::cubic({-1, 0}, {1, 1}, {-1, 1}, {1, 0}).turning() > kPi); // the cusp counts
+    CHECK(Curve::circle({0, 0}, {1, 0}).turning() == doctest::Approx(2.0 * pi));
+    CHECK(Curve::cubic({-1, 0}, {1, 1}, {-1, 1}, {1, 0}).turning() > pi); // the cusp counts
 }
 
 TEST_CASE("curve: the box holds the curve and touches it on all sides") {
@@ -182,7 +182,7 @@ TEST_CASE("curve: the deviation is the maximum distance from the chord") {
         for (const Vec2 p : samples(curve, t0, t1, 5000)) {
             maximum = std::max(maximum, distanceToSegment(curve.point(t0), curve.point(t1), p));
         }
-        const double least = curve.turning(t0, t1) < 0.5 * kPi ? maximum - 1e-12 : 0.95 * maximum;
+        const double least = curve.turning(t0, t1) < 0.5 * pi ? maximum - 1e-12 : 0.95 * maximum;
         CHECK(curve.deviation(t0, t1) >= least);
         CHECK(curve.deviation(t0, t1) <= maximum + 1e-4);
     }
@@ -260,7 +260,7 @@ TEST_CASE("curve: a flattened curve stays within the tolerance and ends exactly"
                     worst = std::max(worst, distanceToSegment(curve.point(from), curve.point(to), p));
                 }
                 CHECK(worst <= tolerance * (1.0 + 1e-9));
-                const double mostTurn = curve.kind() == CurveKind::Cubic ? 0.5 * kPi + 1e-9 : kPi;
+                const double mostTurn = curve.kind() == CurveKind::Cubic ? 0.5 * pi + 1e-9 : pi;
                 const bool tiny = curve.bounds(from, to).diagonal() <= 0.125 * tolerance; // at a cusp
                 CHECK((tiny || curve.turning(from, to) < mostTurn));
                 CHECK((to > from) == (t1 > t0));

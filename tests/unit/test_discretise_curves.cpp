@@ -20,7 +20,7 @@ using namespace forefront::testing;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Checks that the nodes between the ends of chains are those of the curve, and that edges stay near it.
 void checkOnCurves(const Domain &domain, const DiscreteDomain &discrete) {
@@ -121,9 +121,9 @@ TEST_CASE("discretise: a circle is divided by the spacing, regardless of its cho
             domain.curveTolerance = 0.01;
             const auto discrete = discretise(domain, constantSpacing(rho), false);
             REQUIRE(discrete.ok());
-            const double ideal = 2.0 * kPi / rho;
+            const double ideal = 2.0 * pi / rho;
             CHECK(std::fabs(static_cast<double>(discrete->segments.size()) - ideal) <= 1.0);
-            const double chord = 2.0 * std::sin(kPi / static_cast<double>(discrete->segments.size()));
+            const double chord = 2.0 * std::sin(pi / static_cast<double>(discrete->segments.size()));
             for (const DiscreteSegment &s : discrete->segments) {
                 CHECK(distance(discrete->nodes[s.a], discrete->nodes[s.b]) == doctest::Approx(chord).epsilon(1e-6));
             }
@@ -139,8 +139,8 @@ TEST_CASE("discretise: edges stay within the curve tolerance however large the s
         const auto discrete = discretise(domain, constantSpacing(100.0), false);
         REQUIRE(discrete.ok());
         const auto n = static_cast<double>(discrete->segments.size());
-        CHECK(1.0 - std::cos(kPi / n) <= tolerance);
-        CHECK(n <= std::max(10.0, 1.3 * kPi / std::acos(1.0 - tolerance) + 1.0));
+        CHECK(1.0 - std::cos(pi / n) <= tolerance);
+        CHECK(n <= std::max(10.0, 1.3 * pi / std::acos(1.0 - tolerance) + 1.0));
     }
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("discretise: curves that cross although their chords do not are taken 
     polygon(domain, 0.9999, 1);
     domain.curves[1] = Curve::arc({0, 0}, {0.9999, 0}, {0, 0.9999 + 2e-4}); // an ellipse that leaves the circle
     for (std::uint32_t i = 0; i < 12; ++i) {
-        const double angle = i * kPi / 6.0;
+        const double angle = i * pi / 6.0;
         domain.nodes[12 + i] = {0.9999 * std::cos(angle), 0.9999 * std::sin(angle)};
     }
     REQUIRE(validate(domain).empty());
@@ -329,7 +329,7 @@ TEST_CASE("validate: segments refer to curves that exist, with finite numbers an
     bad.curves.push_back(Curve::circle({0, 0}, {std::numeric_limits<double>::infinity(), 0}));
     bad.segments[2].stretch.curve = 1;
     CHECK(codeOf(bad) == "non-finite");
-    bad.curves[1] = Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, 2.1 * kPi);
+    bad.curves[1] = Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, 2.1 * pi);
     CHECK(codeOf(bad) == "bad-curve");
 }
 

@@ -8,7 +8,7 @@ using namespace forefront;
 
 namespace {
 
-Document plate() {
+Document outlineDocument() {
     Shape outline;
     outline.kind = ShapeKind::Polygon;
     outline.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
@@ -18,7 +18,7 @@ Document plate() {
 } // namespace
 
 TEST_CASE("pinNode: a place inside becomes a constraint point") {
-    const Document next = pinNode(plate(), {1, 2}, 5).value();
+    const Document next = pinNode(outlineDocument(), {1, 2}, 5).value();
     REQUIRE(next.shapes.size() == 2);
     CHECK(next.shapes[1]->kind == ShapeKind::Point);
     CHECK(next.shapes[1]->use == ShapeUse::Constraint);
@@ -27,23 +27,23 @@ TEST_CASE("pinNode: a place inside becomes a constraint point") {
 }
 
 TEST_CASE("pinNode: a place on a segment becomes one of its nodes, and one on a node is refused") {
-    const Document next = pinNode(plate(), {1, 1e-12}, 5).value();
+    const Document next = pinNode(outlineDocument(), {1, 1e-12}, 5).value();
     REQUIRE(next.shapes.size() == 1);
     REQUIRE(next.shapes[0]->nodes.size() == 5);
     CHECK(next.shapes[0]->nodes[1] == Vec2{1, 1e-12});
     const auto again = pinNode(next, {4, 3}, 5);
     REQUIRE_FALSE(again.ok());
     CHECK(again.faults().front().code == "not-possible");
-    CHECK_FALSE(pinNode(plate(), {std::nan(""), 1}, 5).ok());
+    CHECK_FALSE(pinNode(outlineDocument(), {std::nan(""), 1}, 5).ok());
 }
 
 TEST_CASE("keepEdge: an edge becomes a constraint segment that shares its ends with the segments there") {
-    const Document inside = keepEdge(plate(), {1, 1}, {2, 1}, 7).value();
+    const Document inside = keepEdge(outlineDocument(), {1, 1}, {2, 1}, 7).value();
     REQUIRE(inside.shapes.size() == 2);
     CHECK(inside.shapes[1]->kind == ShapeKind::Polyline);
     CHECK(inside.shapes[1]->tag == 7);
     CHECK(inside.shapes[0]->nodes.size() == 4);
-    const Document touching = keepEdge(plate(), {2, 1}, {2, 0}, 7).value();
+    const Document touching = keepEdge(outlineDocument(), {2, 1}, {2, 0}, 7).value();
     CHECK(touching.shapes[0]->nodes.size() == 5);
     CHECK(toDomain(touching).nodes.size() == 6); // 4 corners, the shared end, the other end
 }

@@ -30,14 +30,14 @@ using namespace forefront::testing;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 const Curve kWave = Curve::cubic({0, 0}, {1, -2}, {3, 2}, {4, 0});
 
 /// A closed path: a wave at the bottom, a half circle on the right, a straight line back.
 Shape sail() {
     Shape shape = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}}, ShapeUse::Boundary, 3);
-    shape.curves = {kWave, Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, kPi), {}};
+    shape.curves = {kWave, Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, pi), {}};
     shape.segmentTags = {3, 4, 5};
     return shape;
 }
@@ -166,13 +166,13 @@ TEST_CASE("Curved drawings: loops of one curve become circles and ellipses, and 
     CHECK(loops->shapes[0]->kind == ShapeKind::Circle);
     CHECK(circleRadius(*loops->shapes[0]) == doctest::Approx(4.0));
     CHECK(loops->shapes[1]->kind == ShapeKind::Ellipse);
-    CHECK(areaOf(*loops->shapes[1]) == doctest::Approx(18.0 * kPi));
+    CHECK(areaOf(*loops->shapes[1]) == doctest::Approx(18.0 * pi));
     const Result<Document> crossing = readDocument(fileOf(kDrawings[5], folder));
     REQUIRE(crossing.ok());
     REQUIRE(crossing->shapes.size() == 1);
     CHECK(curvedSegments(*crossing) >= 2);
     const double lens = 2.0 * (36.0 * std::acos(0.5) - 3.0 * std::sqrt(27.0));
-    CHECK(areaOf(*crossing->shapes[0]) == doctest::Approx(72.0 * kPi - lens).epsilon(2e-3));
+    CHECK(areaOf(*crossing->shapes[0]) == doctest::Approx(72.0 * pi - lens).epsilon(2e-3));
 }
 
 TEST_CASE("toDomain: curved segments become chords that follow their curves, with the tags of the segments") {
@@ -200,16 +200,16 @@ TEST_CASE("Shapes with curves: bounds, area and length are those of the curves")
     const Shape shape = sail();
     CHECK(boundsOf(shape).max == Vec2{6, 4});
     CHECK(boundsOf(shape).min.y == doctest::Approx(kWave.bounds().min.y));
-    CHECK(areaOf(shape) == doctest::Approx(8.0 + 2.0 * kPi)); // the wave is symmetric
-    CHECK(lengthOf(shape) == doctest::Approx(kWave.length() + 2.0 * kPi + std::sqrt(32.0)));
+    CHECK(areaOf(shape) == doctest::Approx(8.0 + 2.0 * pi)); // the wave is symmetric
+    CHECK(lengthOf(shape) == doctest::Approx(kWave.length() + 2.0 * pi + std::sqrt(32.0)));
     CHECK(contains(shape, {5.5, 2}));
     CHECK_FALSE(contains(shape, {5.9, 0.2}));
     Shape ellipse = makeShape(ShapeKind::Ellipse, {{1, 1}, {4, 1}, {1, 3}});
-    CHECK(areaOf(ellipse) == doctest::Approx(6.0 * kPi));
+    CHECK(areaOf(ellipse) == doctest::Approx(6.0 * pi));
     CHECK(boundsOf(ellipse).min.x == doctest::Approx(-2.0));
     CHECK(boundsOf(ellipse).max.y == doctest::Approx(3.0));
-    CHECK(areaOf(roundedBox(1.0)) == doctest::Approx(24.0 - 4.0 + kPi));
-    CHECK(lengthOf(roundedBox(1.0)) == doctest::Approx(12.0 + 2.0 * kPi));
+    CHECK(areaOf(roundedBox(1.0)) == doctest::Approx(24.0 - 4.0 + pi));
+    CHECK(lengthOf(roundedBox(1.0)) == doctest::Approx(12.0 + 2.0 * pi));
 }
 
 TEST_CASE("A rectangle with rounded corners: sides without length vanish, tags are those of the sides") {
@@ -244,7 +244,7 @@ TEST_CASE("convertToPath: a circle becomes a path of four arcs") {
     CHECK(shape.kind == ShapeKind::Polygon);
     CHECK(shape.nodes.size() == 4);
     CHECK(curvedSegments(*path) == 4);
-    CHECK(areaOf(shape) == doctest::Approx(25.0 * kPi));
+    CHECK(areaOf(shape) == doctest::Approx(25.0 * pi));
     CHECK(shape.tag == 7);
     CHECK(convertToPath(*path, 1).faults().front().code == "not-possible");
 }
@@ -278,7 +278,7 @@ TEST_CASE("insertNode and deleteSelection: a divided curve keeps its shape, and 
     node.nodes = {{1, 2}};
     const Curve whole = deleteSelection(*arc, node).shapes[0]->curves[1]; // arcs of one circle join exactly
     REQUIRE(whole.kind() == CurveKind::Arc);
-    CHECK(whole.numbers()[7] == doctest::Approx(kPi));
+    CHECK(whole.numbers()[7] == doctest::Approx(pi));
 }
 
 TEST_CASE("moveSelection: curves move with their shapes, and bend with their nodes") {
@@ -292,8 +292,8 @@ TEST_CASE("moveSelection: curves move with their shapes, and bend with their nod
     const Shape bent = *moveSelection(document, node, {0, -1})->shapes[0];
     CHECK(bent.curves[0] == Curve::cubic({0, 0}, {1, -2}, {3, 1}, {4, -1}));
     CHECK(joins(bent.curves[1], {4, -1}, {4, 4}));
-    CHECK(bent.curves[1].turning() == doctest::Approx(kPi)); // still a half circle
-    both.segments = {{1, 1}};                                // both ends by the length of the arc's chord
+    CHECK(bent.curves[1].turning() == doctest::Approx(pi)); // still a half circle
+    both.segments = {{1, 1}};                               // both ends by the length of the arc's chord
     const Shape shifted = *moveSelection(document, both, {0, 4})->shapes[0];
     CHECK(joins(shifted.curves[1], {4, 4}, {4, 8}));
     CHECK(moveSelection(document, node, {0, 4}).faults().front().code == "bad-curve"); // an arc without a chord
@@ -392,7 +392,7 @@ TEST_CASE("joinToSegments: a line that begins on a circle or an ellipse divides 
 
 TEST_CASE("joins: the ends of an arc are judged by its size, not by its distance from the origin") {
     const Vec2 centre{500000, 5000000};
-    const Curve arc = Curve::arc(centre, {5, 0}, {0, 5}, 0.0, kPi);
+    const Curve arc = Curve::arc(centre, {5, 0}, {0, 5}, 0.0, pi);
     CHECK(joins(arc, centre + Vec2{5, 0}, centre - Vec2{5, 0}));
     CHECK(joins(arc, centre + Vec2{5.000001, 0}, centre - Vec2{5, 0}));
     CHECK_FALSE(joins(arc, centre + Vec2{5.001, 0}, centre - Vec2{5, 0}));
@@ -415,7 +415,7 @@ TEST_CASE("combineShapes: curves stay curves") {
     const Result<Document> cut = combineShapes(document, {1, 2}, ShapeOperation::Difference);
     REQUIRE(cut.ok());
     REQUIRE(cut->shapes.size() == 1);
-    CHECK(areaOf(*cut->shapes[0]) == doctest::Approx(50.0 - 2.0 * kPi).epsilon(1e-9));
+    CHECK(areaOf(*cut->shapes[0]) == doctest::Approx(50.0 - 2.0 * pi).epsilon(1e-9));
     CHECK(curvedSegments(*cut) <= 2); // the circle begins at (2, 0)
     const Document apart = documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}), roundedBox(1.0)});
     const Result<Document> both = combineShapes(apart, {1, 2}, ShapeOperation::Exclusion);
@@ -449,13 +449,13 @@ TEST_CASE("checkShape: refuses curves that are not finite, have no radius or mis
         return faults.empty() ? std::string() : faults.front().code;
     };
     CHECK(codeWith(sail().curves[1]).empty());
-    CHECK(codeWith(Curve::arc({4, 2}, {0, -2}, {0, 2}, 0.0, kPi)) == "bad-curve");
+    CHECK(codeWith(Curve::arc({4, 2}, {0, -2}, {0, 2}, 0.0, pi)) == "bad-curve");
     CHECK(codeWith(Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, 0.0)) == "bad-curve");
-    CHECK(codeWith(Curve::arc({4, 2.1}, {0, -2}, {2, 0}, 0.0, kPi)) == "bad-curve");
+    CHECK(codeWith(Curve::arc({4, 2.1}, {0, -2}, {2, 0}, 0.0, pi)) == "bad-curve");
     CHECK(codeWith(Curve::cubic({4, 0}, {std::nan(""), 0}, {5, 5}, {4, 4})) == "bad-curve");
     Shape lens = makeShape(ShapeKind::Polygon, {{0, 0}, {2, 0}});
     CHECK(checkShape(lens).front().code == "bad-shape");
-    lens.curves = {Curve::arc({1, 0}, {-1, 0}, {0, -1}, 0.0, kPi), {}};
+    lens.curves = {Curve::arc({1, 0}, {-1, 0}, {0, -1}, 0.0, pi), {}};
     CHECK(checkShape(lens).empty());
     CHECK(validate(toDomain(documentOf({lens}))).empty());
     CHECK(checkShape(makeShape(ShapeKind::Ellipse, {{0, 0}, {1, 0}, {2, 0}})).front().code == "bad-shape");

@@ -19,7 +19,7 @@ using namespace forefront::edit_test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Returns the offset shapes of a shape.
 std::vector<Shape> offsetsOf(const Shape &shape, double d) {
@@ -110,7 +110,7 @@ TEST_CASE("offsetShapes: parallels of slender ellipses are accurate outside and 
         CHECK(worstMiss(made, shape, test.d) < 1e-6 * (test.a + std::fabs(test.d)));
         CHECK(made[0].nodes.size() < 600);
         if (test.d > 0.0) {
-            const double steiner = areaOf(shape) + test.d * lengthOf(shape) + kPi * test.d * test.d;
+            const double steiner = areaOf(shape) + test.d * lengthOf(shape) + pi * test.d * test.d;
             CHECK(areaOf(made[0]) == doctest::Approx(steiner).epsilon(1e-6));
         }
     }
@@ -134,7 +134,7 @@ TEST_CASE("offsetShapes: coinciding nodes make no notches") {
     const Shape plate = makeShape(ShapeKind::Polygon, corners);
     const std::vector<Shape> wide = offsetsOf(plate, 0.5);
     REQUIRE(wide.size() == 1);
-    CHECK(areaOf(wide[0]) == doctest::Approx(16.0 + 16.0 * 0.5 + 0.25 * kPi));
+    CHECK(areaOf(wide[0]) == doctest::Approx(16.0 + 16.0 * 0.5 + 0.25 * pi));
     const std::vector<Shape> narrow = offsetsOf(plate, -0.5);
     REQUIRE(narrow.size() == 1);
     CHECK(areaOf(narrow[0]) == doctest::Approx(9.0));
@@ -147,7 +147,7 @@ TEST_CASE("offsetShapes: an outline may have either direction and may cross itse
     lens.curves = {arcThrough({0, 0}, {0.5, 5e-4}, {1, 0}), arcThrough({1, 0}, {0.5, -5e-4}, {0, 0})};
     const std::vector<Shape> wide = offsetsOf(lens, 0.1);
     REQUIRE(wide.size() == 1);
-    CHECK(areaOf(wide[0]) == doctest::Approx(areaOf(lens) + 0.1 * lengthOf(lens) + 0.01 * kPi));
+    CHECK(areaOf(wide[0]) == doctest::Approx(areaOf(lens) + 0.1 * lengthOf(lens) + 0.01 * pi));
     const std::vector<Shape> thin = offsetsOf(lens, -1e-4);
     REQUIRE(thin.size() == 1);
     CHECK(areaOf(thin[0]) < areaOf(lens));

@@ -20,10 +20,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-std::size_t fileCount(const TemporaryFolder &folder) {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path), {}));
-}
-
 /// Replaces projectText: the size of the document in many words, so that deltas have a common beginning and end.
 std::string words(const Document &document) {
     std::string text = "begin ";
@@ -110,7 +106,7 @@ TEST_CASE("RecoveryJournal: no file before the first change, none after a clean 
         RecoveryJournal journal(folder.path / "state", words);
         journal.recordSaved();
         journal.flush();
-        CHECK(fileCount(folder) == 0);
+        CHECK(folder.fileCount() == 0);
         journal.record(numbered(5), {});
         journal.flush();
         CHECK(std::filesystem::exists(journal.file()));
@@ -138,7 +134,7 @@ TEST_CASE("RecoveryJournal: the file holds the newest document, however long it 
         CHECK(content.path == "/tmp/x.forefront");
         CHECK(bytes.size() < 3000000);
     }
-    CHECK(fileCount(folder) == 1);
+    CHECK(folder.fileCount() == 1);
 }
 
 TEST_CASE("RecoveryJournal: a folder that cannot be made is reported once") {
@@ -190,7 +186,7 @@ TEST_CASE("RecoveryJournal: a killed program loses at most the last second, whet
         CHECK(orphans[0].savedAt() == savedAt);
         CHECK(findOrphanedJournals(folder.path).empty()); // held while it is offered
         orphans[0].discard();
-        CHECK(fileCount(folder) == 0);
+        CHECK(folder.fileCount() == 0);
     }
 }
 
@@ -213,6 +209,6 @@ TEST_CASE("findOrphanedJournals: newest first; removes empty and corrupt ones an
         CHECK(orphans[0].text() == "new");
         CHECK(orphans[1].text() == "old");
     }
-    CHECK(fileCount(folder) == 3);
+    CHECK(folder.fileCount() == 3);
     CHECK(findOrphanedJournals(folder.path / "nowhere").empty());
 }

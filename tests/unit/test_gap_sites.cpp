@@ -6,6 +6,7 @@
 #include "core/mesher/pipeline.hpp"
 #include "core/spacing/part_list.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/spacing_samples.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -16,6 +17,7 @@
 #include <vector>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
 
@@ -38,12 +40,6 @@ double fewestAcross(const Mesh &mesh) {
         fewest = value < fewest ? value : fewest; // false for NaN
     }
     return fewest;
-}
-
-std::shared_ptr<const SpacingField> fieldOf(const Domain &domain, const SpacingSpec &spacing) {
-    auto field = SpacingField::build(spacing, domain);
-    REQUIRE(field.ok());
-    return *field;
 }
 
 /// Two basins of 40 x 30, joined by a channel of width 1 and length 20.
@@ -73,13 +69,13 @@ TEST_CASE("Elements across gaps: a channel gets the number with a given size, an
             CAPTURE(count);
             CHECK(fewestAcross(mesh) >= count);
             CHECK(fewestAcross(mesh) <= 1.5 * count + 1.0);
-            CHECK(fieldOf(domain, spec)->at({50.0, 15.5}) == doctest::Approx(1.0 / count).epsilon(0.02));
+            CHECK(fieldOf(spec, domain)->at({50.0, 15.5}) == doctest::Approx(1.0 / count).epsilon(0.02));
         }
         spec.elementsAcross.reset();
     }
     CHECK(fewestAcross(meshOf(domain, specs[0])) < 2.0);
     specs[0].elementsAcross = 4.0;
-    const auto field = fieldOf(domain, specs[0]);
+    const auto field = fieldOf(specs[0], domain);
     CHECK(field->at({5.0, 4.0}) == doctest::Approx(5.0)); // the basins stay coarse
     CHECK(field->sample({50.0, 15.2}).describe == "narrow channel beside 'boundary_1' at (50, 15)");
 }
@@ -117,7 +113,7 @@ TEST_CASE("Elements across gaps: wide places and corners stay as they are") {
     same(wedge(25.0));
     // A needle is followed down to a width of 1/8 of the size.
     const Domain needle = wedge(5.0);
-    const auto field = fieldOf(needle, with);
+    const auto field = fieldOf(with, needle);
     CHECK(field->at({18.0, 0.5}) < 0.45);
     CHECK(field->minimum() >= 1.0 / 8.0 / 4.0);
     CHECK(meshOf(needle, with).elements.size() < 2000);
@@ -133,7 +129,7 @@ TEST_CASE("Elements across gaps: 0 leaves narrow places to the other parts, the 
     least.size = 5.0;
     least.elementsAcross = 20.0;
     least.minimum = 0.25;
-    CHECK(fieldOf(domain, least)->at({50.0, 15.5}) == doctest::Approx(0.25));
+    CHECK(fieldOf(least, domain)->at({50.0, 15.5}) == doctest::Approx(0.25));
     SpacingSpec bad;
     bad.elementsAcross = -1.0;
     CHECK(checkSpacing(bad, domain).front().message ==

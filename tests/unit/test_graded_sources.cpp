@@ -5,6 +5,8 @@
 #include "core/edit/transform.hpp"
 #include "core/io/project/project.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/domain_builder.hpp"
+#include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,21 +16,9 @@
 #include <random>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
-
-Domain boxDomain(double side) {
-    Domain domain;
-    domain.nodes = {{0, 0}, {side, 0}, {side, side}, {0, side}};
-    domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-    return domain;
-}
-
-std::shared_ptr<const SpacingField> fieldOf(const SpacingSpec &spec) {
-    const auto field = SpacingField::build(spec, boxDomain(10));
-    REQUIRE(field.ok());
-    return *field;
-}
 
 SizeSource gradedLine(Vec2 a, Vec2 b, double size, double endSize, double growth, double radius = 0.0) {
     return {SourceShape::Line, a, b, radius, size, growth, "wake", endSize};
@@ -47,7 +37,7 @@ double unlimited(const SizeSource &source, Vec2 p) {
 TEST_CASE("Graded sources: the size changes linearly along the line and grows with the distance from it") {
     SpacingSpec spec;
     spec.sources = {gradedLine({2, 3}, {8, 3}, 0.1, 0.7, 0.2)};
-    const auto field = fieldOf(spec);
+    const auto field = fieldOf(spec, squareDomain(10));
     CHECK(field->at({2, 3}) == doctest::Approx(0.1));
     CHECK(field->at({5, 3}) == doctest::Approx(0.4));
     CHECK(field->at({8, 3}) == doctest::Approx(0.7));
@@ -59,7 +49,7 @@ TEST_CASE("Graded sources: the size changes linearly along the line and grows wi
     CHECK(field->sample({5, 3}).origin == SpacingOrigin::Source);
     // The same line the other way round.
     spec.sources = {gradedLine({8, 3}, {2, 3}, 0.7, 0.1, 0.2)};
-    const auto reversed = fieldOf(spec);
+    const auto reversed = fieldOf(spec, squareDomain(10));
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(0.0, 10.0);
     for (int i = 0; i < 500; ++i) {
@@ -79,7 +69,7 @@ TEST_CASE("Graded sources: combine with other sources by minimum, within the bou
             spec.sources.push_back(gradedLine(a, a + Vec2{4 * share(random), 4 * share(random)}, 0.01 + share(random),
                                               0.01 + share(random), share(random), 0.5 * share(random)));
         }
-        const auto field = fieldOf(spec);
+        const auto field = fieldOf(spec, squareDomain(10));
         for (int i = 0; i < 300; ++i) {
             const Vec2 p{10 * share(random), 10 * share(random)};
             double expected = std::numeric_limits<double>::infinity();
@@ -106,7 +96,7 @@ TEST_CASE("Graded sources: a gradation limits them to the largest function with 
         SizeSource source = gradedLine(a, b, 0.1, 0.1 + 0.8 * share(random) * distance(a, b), 0.8 * share(random),
                                        round % 2 == 0 ? 0.0 : 0.3);
         spec.sources = {source};
-        const auto field = fieldOf(spec);
+        const auto field = fieldOf(spec, squareDomain(10));
         for (int i = 0; i < 20; ++i) {
             const Vec2 p{1 + 7 * share(random), 2 + 5 * share(random)};
             double expected = unlimited(source, p);
@@ -131,17 +121,17 @@ TEST_CASE("Graded sources: equal sizes, and a line that is a point, are as witho
     SpacingSpec spec;
     spec.size = 1.0;
     spec.sources = {{SourceShape::Line, {2, 3}, {8, 5}, 0.25, 0.1, 0.2, "wall"}};
-    const auto plain = fieldOf(spec);
+    const auto plain = fieldOf(spec, squareDomain(10));
     spec.sources[0].endSize = 0.1;
-    const auto same = fieldOf(spec);
+    const auto same = fieldOf(spec, squareDomain(10));
     for (int i = 0; i < 400; ++i) {
         const int row = i / 20;
         const Vec2 p{0.5 * (i % 20), 0.5 * row};
         REQUIRE(same->at(p) == plain->at(p));
     }
     spec.sources = {gradedLine({2, 3}, {2, 3}, 0.3, 0.1, 0.2)};
-    CHECK(fieldOf(spec)->at({2, 3}) == doctest::Approx(0.1));
-    CHECK(fieldOf(spec)->at({4, 3}) == doctest::Approx(0.5));
+    CHECK(fieldOf(spec, squareDomain(10))->at({2, 3}) == doctest::Approx(0.1));
+    CHECK(fieldOf(spec, squareDomain(10))->at({4, 3}) == doctest::Approx(0.5));
 }
 
 TEST_CASE("Graded sources: an invalid end size is refused with the name of the source") {

@@ -2,6 +2,8 @@
 #include "core/edit/spacing_commands.hpp"
 #include "core/io/project/project.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/domain_builder.hpp"
+#include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,15 +12,9 @@
 #include <random>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
-
-Domain plate() {
-    Domain domain;
-    domain.nodes = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-    domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-    return domain;
-}
 
 SizeSource gradient(Vec2 a, Vec2 b, double size, double endSize, bool geometric = false) {
     SizeSource source{SourceShape::Line, a, b, 0.0, size, 0.2, "ramp", endSize};
@@ -27,18 +23,12 @@ SizeSource gradient(Vec2 a, Vec2 b, double size, double endSize, bool geometric 
     return source;
 }
 
-std::shared_ptr<const SpacingField> fieldOf(const SpacingSpec &spec) {
-    const auto field = SpacingField::build(spec, plate());
-    REQUIRE(field.ok());
-    return *field;
-}
-
 } // namespace
 
 TEST_CASE("Gradients: linear between the ends, constant beyond them, and the same beside the line") {
     SpacingSpec spec;
     spec.sources = {gradient({2, 3}, {8, 3}, 0.1, 0.7)};
-    const auto field = fieldOf(spec);
+    const auto field = fieldOf(spec, squareDomain(10));
     for (const double y : {0.0, 3.0, 9.5}) {
         CHECK(field->at({0.5, y}) == doctest::Approx(0.1));
         CHECK(field->at({5, y}) == doctest::Approx(0.4));
@@ -50,17 +40,17 @@ TEST_CASE("Gradients: linear between the ends, constant beyond them, and the sam
     // It covers the plane, so there is no automatic spacing, even if other sources keep it.
     spec.keepAutomatic = true;
     CHECK_FALSE(spec.usesAutomatic());
-    CHECK(fieldOf(spec)->at({5, 9}) == doctest::Approx(0.4));
+    CHECK(fieldOf(spec, squareDomain(10))->at({5, 9}) == doctest::Approx(0.4));
     // The same from the other end.
     SpacingSpec turned;
     turned.sources = {gradient({8, 3}, {2, 3}, 0.7, 0.1)};
-    CHECK(fieldOf(turned)->at({3.3, 8}) == doctest::Approx(field->at({3.3, 8})));
+    CHECK(fieldOf(turned, squareDomain(10))->at({3.3, 8}) == doctest::Approx(field->at({3.3, 8})));
 }
 
 TEST_CASE("Gradients: geometric ones change by equal factors") {
     SpacingSpec spec;
     spec.sources = {gradient({0, 1}, {0, 9}, 0.05, 0.8, true)};
-    const auto field = fieldOf(spec);
+    const auto field = fieldOf(spec, squareDomain(10));
     CHECK(field->at({3, 1}) == doctest::Approx(0.05));
     CHECK(field->at({7, 3}) == doctest::Approx(0.1));
     CHECK(field->at({7, 5}) == doctest::Approx(0.2));
@@ -75,7 +65,7 @@ TEST_CASE("Gradients: steep ones are limited by the gradation, exactly") {
         SpacingSpec spec;
         spec.gradation = 0.2;
         spec.sources = {gradient({4, 5}, {6, 6}, 0.1, 2.0, geometric)};
-        const auto field = fieldOf(spec);
+        const auto field = fieldOf(spec, squareDomain(10));
         CHECK(field->at({4, 5}) == doctest::Approx(0.1));
         const Vec2 along = (1.0 / std::sqrt(5.0)) * Vec2{2, 1};
         // The largest function with this slope: the minimum over all positions of the free one, plus the distance.
@@ -115,5 +105,5 @@ TEST_CASE("Gradients: one whose ends coincide is refused") {
           "size source 0 'ramp' has a gradient whose ends coincide; expected two different places");
     SpacingSpec spec;
     spec.sources = {gradient({1, 1}, {1, 1}, 0.1, 0.5)};
-    CHECK_FALSE(SpacingField::build(spec, plate()).ok());
+    CHECK_FALSE(SpacingField::build(spec, squareDomain(10)).ok());
 }

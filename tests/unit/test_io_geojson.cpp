@@ -23,7 +23,7 @@ std::string collection(const std::vector<std::string> &features) {
     return text + "]}";
 }
 
-Domain domainOf(const std::string &text) {
+Domain geoJsonDomain(const std::string &text) {
     const auto domain = readGeoJson(sourceOf(text));
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     return *domain;
@@ -60,8 +60,8 @@ const DomainSegment &between(const Domain &domain, Vec2 a, Vec2 b) {
 
 TEST_CASE("GeoJSON: neighbouring polygons share their common side as an interface") {
     const Domain domain =
-        domainOf(collection({feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"name\": \"land\"}"),
-                             feature("Polygon", "[[[1,0],[2,0,17.5],[2,1],[1,1]]]", "{\"name\": \"sea\"}")}));
+        geoJsonDomain(collection({feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"name\": \"land\"}"),
+                                  feature("Polygon", "[[[1,0],[2,0,17.5],[2,1],[1,1]]]", "{\"name\": \"sea\"}")}));
     CHECK(domain.nodes.size() == 6);
     CHECK(domain.segments.size() == 7);
     CHECK(count(domain, SegmentRole::Constraint) == 1);
@@ -75,18 +75,18 @@ TEST_CASE("GeoJSON: neighbouring polygons share their common side as an interfac
 
 TEST_CASE("GeoJSON: a hole is outside, a polygon that fills it is a region, one inside a face divides it") {
     const std::string outer = "[[[0,0],[9,0],[9,9],[0,9],[0,0]],[[1,1],[3,1],[3,3],[1,3],[1,1]]]";
-    const Domain hole = domainOf(feature("Polygon", outer));
+    const Domain hole = geoJsonDomain(feature("Polygon", outer));
     CHECK(count(hole, SegmentRole::Boundary) == 8);
     CHECK(hole.regionMarkers.empty());
-    const Domain filled = domainOf(collection(
+    const Domain filled = geoJsonDomain(collection(
         {feature("Polygon", outer), feature("Polygon", "[[[1,1],[3,1],[3,3],[1,3],[1,1]]]", "{\"name\": \"lake\"}")}));
     CHECK(count(filled, SegmentRole::Boundary) == 4);
     CHECK(count(filled, SegmentRole::Constraint) == 4);
-    const Domain island =
-        domainOf(collection({feature("Polygon", outer), feature("Polygon", "[[[1.5,1.5],[2,1.5],[2,2],[1.5,1.5]]]")}));
+    const Domain island = geoJsonDomain(
+        collection({feature("Polygon", outer), feature("Polygon", "[[[1.5,1.5],[2,1.5],[2,2],[1.5,1.5]]]")}));
     CHECK(count(island, SegmentRole::Boundary) == 11);
     const Domain nested =
-        domainOf(collection({feature("Polygon", "[[[5,5],[6,5],[6,6],[5,5]]]"), feature("Polygon", outer)}));
+        geoJsonDomain(collection({feature("Polygon", "[[[5,5],[6,5],[6,6],[5,5]]]"), feature("Polygon", outer)}));
     CHECK(count(nested, SegmentRole::Boundary) == 8);
     CHECK(count(nested, SegmentRole::Constraint) == 3);
     CHECK(nested.regionMarkers.size() == 2);
@@ -94,16 +94,16 @@ TEST_CASE("GeoJSON: a hole is outside, a polygon that fills it is a region, one 
 
 TEST_CASE("GeoJSON: a polygon given twice is one polygon") {
     const std::string triangle = "[[[0,0],[1,0],[0,1],[0,0]]]";
-    const Domain domain = domainOf(collection({feature("Polygon", triangle), feature("Polygon", triangle)}));
+    const Domain domain = geoJsonDomain(collection({feature("Polygon", triangle), feature("Polygon", triangle)}));
     CHECK(count(domain, SegmentRole::Boundary) == 3);
 }
 
 TEST_CASE("GeoJSON: lines are constraints and name the sides they coincide with; points are kept") {
     const Domain domain =
-        domainOf(collection({feature("LineString", "[[0,0],[1,0]]", "{\"name\": \"inlet\"}"),
-                             feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"tag\": 7}"),
-                             feature("MultiLineString", "[[[0.2,0.2],[0.4,0.2],[0.4,0.2],[0.4,0.4]]]"),
-                             feature("MultiPoint", "[[0.7,0.7]]", "{\"name\": \"gauge\"}")}));
+        geoJsonDomain(collection({feature("LineString", "[[0,0],[1,0]]", "{\"name\": \"inlet\"}"),
+                                  feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"tag\": 7}"),
+                                  feature("MultiLineString", "[[[0.2,0.2],[0.4,0.2],[0.4,0.2],[0.4,0.4]]]"),
+                                  feature("MultiPoint", "[[0.7,0.7]]", "{\"name\": \"gauge\"}")}));
     CHECK(boundaryName(domain.boundaryNames, between(domain, {0, 0}, {1, 0}).tag) == "inlet");
     CHECK(between(domain, {0, 0}, {1, 0}).role == SegmentRole::Boundary);
     CHECK(between(domain, {1, 0}, {1, 1}).tag == 7);
@@ -116,9 +116,9 @@ TEST_CASE("GeoJSON: lines are constraints and name the sides they coincide with;
 }
 
 TEST_CASE("GeoJSON: several polygons and a geometry collection without features") {
-    const Domain domain =
-        domainOf("{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"MultiPolygon\", \"coordinates\": "
-                 "[[[[0,0],[1,0],[0,1],[0,0]]], [[[5,0],[6,0],[5,1],[5,0]]]]}]}");
+    const Domain domain = geoJsonDomain(
+        "{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"MultiPolygon\", \"coordinates\": "
+        "[[[[0,0],[1,0],[0,1],[0,0]]], [[[5,0],[6,0],[5,1],[5,0]]]]}]}");
     CHECK(count(domain, SegmentRole::Boundary) == 6);
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("GeoJSON: a polygon thinner than a millionth of the map stays if it is
     CHECK(notes.entries().front().code == "finer-weld");
     CHECK(notes.entries().front().message ==
           "used a weld tolerance of 0.313 instead of 10, which would change the area by over 0.1 %");
-    CHECK(nodesAt(domainOf(collection({square, needle, continent})), {1e6, 110.0}) == 0);
+    CHECK(nodesAt(geoJsonDomain(collection({square, needle, continent})), {1e6, 110.0}) == 0);
 }
 
 TEST_CASE("GeoJSON: faults have a location") {
@@ -166,14 +166,14 @@ TEST_CASE("GeoJSON: faults have a location") {
 TEST_CASE("GeoJSON: features may be separate texts, by lines or with record separators") {
     const std::string land = feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"name\": \"land\"}"),
                       sea = feature("Polygon", "[[[1,0],[2,0],[2,1],[1,1],[1,0]]]", "{\"tag\": 1, \"name\": \"sea\"}");
-    const Domain whole = domainOf(collection({land, sea}));
+    const Domain whole = geoJsonDomain(collection({land, sea}));
     CHECK(whole.regionNames == std::map<std::int32_t, std::string>{{1, "sea"}, {2, "land"}});
     for (const std::string &text :
          {land + "\n" + sea + "\n", land + "\r\n\r\n" + sea, land + sea, "\x1e" + land + "\n\x1e" + sea + "\n",
           collection({land}) + "\n" + collection({sea})}) {
         CAPTURE(text);
         CHECK(looksLikeGeoJson(text));
-        const Domain domain = domainOf(text);
+        const Domain domain = geoJsonDomain(text);
         CHECK(domain.nodes == whole.nodes);
         CHECK(tagsOf(domain) == tagsOf(whole));
         CHECK(domain.regionNames == whole.regionNames);

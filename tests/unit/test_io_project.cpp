@@ -19,7 +19,7 @@ using namespace forefront::testing;
 
 namespace {
 
-Diagnostics faultsOf(const std::string &text) {
+Diagnostics projectFaults(const std::string &text) {
     const auto document = parseProject(text, "test.json");
     return document ? Diagnostics{} : document.faults();
 }
@@ -87,7 +87,8 @@ TEST_CASE("Project: the level of improvement is a word; the flag of older projec
 }
 
 TEST_CASE("Project: a newer version is refused with the advice to update") {
-    const Diagnostics faults = faultsOf("{\"format\": \"forefront\",\n  \"version\": 3, \"shapes\": \"who knows\"}");
+    const Diagnostics faults =
+        projectFaults("{\"format\": \"forefront\",\n  \"version\": 3, \"shapes\": \"who knows\"}");
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].code == "newer-version");
     CHECK(faults[0].line == 2);
@@ -161,8 +162,8 @@ TEST_CASE("Project: shapes with numbers near the limit are renumbered, so that n
 
 TEST_CASE("Project: several wrong fields are all reported, each at its line and column") {
     const Diagnostics faults =
-        faultsOf(kHead + "\n{\"id\": 1, \"kind\": \"hexagon\", \"nodes\": [[0, 0]]},\n"
-                         "{\"id\": 1, \"kind\": \"point\", \"tag\": 0, \"nodes\": [[0, 1e999]]}]\n}");
+        projectFaults(kHead + "\n{\"id\": 1, \"kind\": \"hexagon\", \"nodes\": [[0, 0]]},\n"
+                              "{\"id\": 1, \"kind\": \"point\", \"tag\": 0, \"nodes\": [[0, 1e999]]}]\n}");
     REQUIRE(faults.size() == 4);
     CHECK(faults[0].line == 3);
     CHECK(faults[0].column == 19);
@@ -205,14 +206,14 @@ TEST_CASE("Project: wrong values of every kind are refused") {
           R"("regionMarkers": [{"at": [0, 0, 0], "tag": 1}])",
           R"("nextId": -4)"}) {
         CAPTURE(field);
-        const Diagnostics faults = faultsOf(kHead + "],\n" + field + "}");
+        const Diagnostics faults = projectFaults(kHead + "],\n" + field + "}");
         CHECK(!faults.empty());
         CHECK(allLocated(faults));
     }
 }
 
 TEST_CASE("Project: refuses shapes with the wrong number of nodes or tags") {
-    const auto shape = [](const char *rest) { return faultsOf(kHead + "{\"id\": 3, " + rest + "}]}"); };
+    const auto shape = [](const char *rest) { return projectFaults(kHead + "{\"id\": 3, " + rest + "}]}"); };
     CHECK(shape(R"("kind": "circle", "nodes": [[0, 0], [1, 0]])").empty());
     CHECK(hasCode(shape(R"("kind": "circle", "nodes": [[0, 0]])"), "bad-count"));
     CHECK(hasCode(shape(R"("kind": "rectangle", "nodes": [[0, 0], [1, 1], [2, 2]])"), "bad-count"));
@@ -245,8 +246,8 @@ TEST_CASE("Project: version 1 is read as before, and written as version 2") {
 
 TEST_CASE("Project: invalid curves are refused with their line and column") {
     const auto faultOf = [](const std::string &members) {
-        const Diagnostics faults =
-            faultsOf(kHead + "\n{\"id\": 1, \"kind\": \"polygon\", \"nodes\": [[0, 0], [2, 0]],\n" + members + "}]}");
+        const Diagnostics faults = projectFaults(
+            kHead + "\n{\"id\": 1, \"kind\": \"polygon\", \"nodes\": [[0, 0], [2, 0]],\n" + members + "}]}");
         CHECK(allLocated(faults));
         return faults.empty() ? Diagnostic() : faults.front();
     };
@@ -278,13 +279,13 @@ TEST_CASE("Project: invalid curves are refused with their line and column") {
     CHECK(faultOf(R"("cuts": [[0.5], [], []])").code == "bad-count");
     CHECK(faultOf(R"("radius": -1)").code == "bad-number");
     CHECK(faultOf(R"("curves": [{"cubic": [[0, 1e61], [2, 1]]}, null])").message == "a control point lies beyond 1e60");
-    CHECK(faultsOf(kHead + R"({"id": 1, "kind": "polygon", "nodes": [[1, 1], [1, 1]], "curves": )" +
-                   R"([{"cubic": [[1, 1], [1, 1]]}, null]}]})")
+    CHECK(projectFaults(kHead + R"({"id": 1, "kind": "polygon", "nodes": [[1, 1], [1, 1]], "curves": )" +
+                        R"([{"cubic": [[1, 1], [1, 1]]}, null]}]})")
               .front()
               .message.starts_with("the cubic is a point"));
-    CHECK(hasCode(faultsOf(kHead + R"({"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]], "curves": []}]})"),
+    CHECK(hasCode(projectFaults(kHead + R"({"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]], "curves": []}]})"),
                   "bad-curve"));
-    CHECK(hasCode(faultsOf(kHead + R"({"id": 1, "kind": "ellipse", "nodes": [[0, 0], [1, 0]]}]})"), "bad-count"));
+    CHECK(hasCode(projectFaults(kHead + R"({"id": 1, "kind": "ellipse", "nodes": [[0, 0], [1, 0]]}]})"), "bad-count"));
 }
 
 TEST_CASE("JSON: syntax faults are located at the offending byte") {
@@ -390,7 +391,7 @@ TEST_CASE("Files: writing is atomic, keeps permissions and follows links") {
     CHECK(content.str() == "two");
     CHECK(std::filesystem::status(path).permissions() ==
           (std::filesystem::perms::owner_read | std::filesystem::perms::owner_write));
-    CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);
+    CHECK(folder.fileCount() == 2);
 }
 
 TEST_CASE("Files: read and write failures are reported with path and reason") {
@@ -450,7 +451,7 @@ TEST_CASE("Project: the path of the background picture is relative to the projec
 
 TEST_CASE("Project: faults of the background picture have a place") {
     const auto faultOf = [](const std::string &members) {
-        const Diagnostics faults = faultsOf(kHead + "],\n\"picture\": {" + members + "}}");
+        const Diagnostics faults = projectFaults(kHead + "],\n\"picture\": {" + members + "}}");
         REQUIRE_MESSAGE(faults.size() <= 1, messages(faults));
         return faults.empty() ? Diagnostic{} : faults.front();
     };

@@ -4,16 +4,18 @@
 #include "core/io/svg/svg_pen.hpp"
 #include "core/io/svg/svg_transform.hpp"
 #include "tests/unit/io_samples.hpp"
+#include "tests/unit/svg_samples.hpp"
 
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <numbers>
 
 using namespace forefront;
 using namespace forefront::testing;
 
 namespace {
+
+using std::numbers::pi;
 
 std::string drawing(const std::string &content, const std::string &attributes = "viewBox=\"0 0 10 10\"") {
     return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + attributes + ">\n" + content +
@@ -34,15 +36,6 @@ Diagnostic faultOf(const std::string &text) {
     REQUIRE(!domain.ok());
     CHECK(allLocated(domain.faults()));
     return domain.faults()[0];
-}
-
-/// Returns the absolute area enclosed by the boundary segments, for drawings of one loop.
-double areaOf(const Domain &domain) {
-    double area = 0.0;
-    for (const DomainSegment &segment : domain.segments) {
-        area += 0.5 * cross(domain.nodes[segment.a], domain.nodes[segment.b]);
-    }
-    return std::fabs(area);
 }
 
 } // namespace
@@ -75,13 +68,13 @@ TEST_CASE("SVG: all path commands, absolute and relative, with numbers run toget
 }
 
 TEST_CASE("SVG: circles, ellipses and rounded rectangles keep their area within the tolerance") {
-    const double pi = std::numbers::pi;
-    CHECK(areaOf(domainOf(drawing("<circle cx=\"5\" cy=\"5\" r=\"2\"/>"), 1e-4)) ==
+    CHECK(enclosedArea(domainOf(drawing("<circle cx=\"5\" cy=\"5\" r=\"2\"/>"), 1e-4)) ==
           doctest::Approx(4 * pi).epsilon(2e-4));
-    CHECK(areaOf(domainOf(drawing("<ellipse rx=\"2\" ry=\"1\"/>"), 1e-4)) == doctest::Approx(2 * pi).epsilon(2e-4));
-    CHECK(areaOf(domainOf(drawing("<rect x=\"1\" width=\"4\" height=\"3\" rx=\"1\"/>"), 1e-4)) ==
+    CHECK(enclosedArea(domainOf(drawing("<ellipse rx=\"2\" ry=\"1\"/>"), 1e-4)) ==
+          doctest::Approx(2 * pi).epsilon(2e-4));
+    CHECK(enclosedArea(domainOf(drawing("<rect x=\"1\" width=\"4\" height=\"3\" rx=\"1\"/>"), 1e-4)) ==
           doctest::Approx(12 - 4 + pi).epsilon(2e-4));
-    CHECK(areaOf(domainOf(drawing("<rect width=\"4\" height=\"3\"/>"))) == 12.0);
+    CHECK(enclosedArea(domainOf(drawing("<rect width=\"4\" height=\"3\"/>"))) == 12.0);
     CHECK(domainOf(drawing("<circle r=\"2\"/>"), 1e-5).nodes.size() >
           2 * domainOf(drawing("<circle r=\"2\"/>"), 1e-4).nodes.size());
 }
@@ -92,7 +85,7 @@ TEST_CASE("SVG: transforms of groups and elements are combined, and hidden parts
                 "<rect transform=\"rotate(90)\" width=\"1\" height=\"2\"/></g>"
                 "<g style=\"fill:red;display:none\"><circle r=\"1\"/></g><g display=\"none\"><circle r=\"1\"/></g>"));
     REQUIRE(domain.nodes.size() == 4);
-    CHECK(areaOf(domain) == doctest::Approx(8.0));
+    CHECK(enclosedArea(domain) == doctest::Approx(8.0));
     CHECK(distance(domain.nodes[0], {2, 7}) < 1e-12);
     CHECK(distance(domain.nodes[1], {2, 5}) < 1e-12);
     CHECK(distance(domain.nodes[3], {-2, 7}) < 1e-12);

@@ -1,6 +1,7 @@
 #include "core/io/svg/svg.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
+#include "tests/unit/svg_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,27 +16,13 @@ using namespace forefront::testing;
 
 namespace {
 
-std::string drawing(const std::string &content) {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 10 10\">\n" + content + "\n</svg>\n";
-}
-
-Domain domainOf(const std::string &content, ImportNotes *notes = nullptr) {
-    const std::string text = drawing(content);
-    SourceText source = sourceOf(text, "drawing.svg");
-    source.notes = notes;
-    source.options.beyondPage = true;
-    const auto domain = readSvg(source);
-    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    return *domain;
-}
-
 double areaOf(const std::string &content) {
-    return areas(domainOf(content)).at(1);
+    return areas(svgDomain(svgDrawing(content))).at(1);
 }
 
 bool notes(const std::string &content, const std::string &code) {
     ImportNotes found;
-    domainOf(content, &found);
+    svgDomain(svgDrawing(content), &found);
     return std::any_of(found.entries().begin(), found.entries().end(),
                        [&](const ImportNote &note) { return note.code == code; });
 }
@@ -142,7 +129,7 @@ TEST_CASE("SVG clips: clip paths and masks that refer to themselves are ignored 
                 "<path d=\"M0 0h1v1z\" transform=\"translate(1)\" clip-path=\"url(#c" + std::to_string(k - 1) +
                 ")\"/></clipPath>";
     }
-    const std::string text = drawing(bomb + "<rect width=\"1\" height=\"1\" clip-path=\"url(#c39)\"/>");
+    const std::string text = svgDrawing(bomb + "<rect width=\"1\" height=\"1\" clip-path=\"url(#c39)\"/>");
     const auto domain = readSvg(sourceOf(text));
     REQUIRE_FALSE(domain.ok());
     CHECK(hasCode(domain.faults(), "too-large"));
@@ -203,7 +190,7 @@ TEST_CASE("SVG clips: what is not plainly black or white in a mask is shown, and
 
 TEST_CASE("SVG clips: boundary parts along a clip have the name of its shape, or of the clip path") {
     const auto namesIn = [](const std::string &content) {
-        const Domain domain = domainOf(content);
+        const Domain domain = svgDomain(svgDrawing(content));
         std::set<std::string> names;
         for (const DomainSegment &segment : domain.segments) {
             names.insert(boundaryName(domain.boundaryNames, segment.tag));
@@ -224,8 +211,8 @@ TEST_CASE("SVG clips: boundary parts along a clip have the name of its shape, or
 
 TEST_CASE("SVG clips: lines are cut at their clip") {
     const Domain domain =
-        domainOf(kHalf + "<rect width=\"10\" height=\"10\"/><path id=\"l\" d=\"M1 3H9\" fill=\"none\" "
-                         "stroke=\"red\" clip-path=\"url(#m)\"/>");
+        svgDomain(svgDrawing(kHalf + "<rect width=\"10\" height=\"10\"/><path id=\"l\" d=\"M1 3H9\" fill=\"none\" "
+                                     "stroke=\"red\" clip-path=\"url(#m)\"/>"));
     double length = 0.0;
     for (const DomainSegment &segment : domain.segments) {
         length +=
@@ -237,8 +224,8 @@ TEST_CASE("SVG clips: lines are cut at their clip") {
 }
 
 TEST_CASE("SVG clips: shapes that are imported apart are not clipped, and a note says so") {
-    const std::string text = drawing(kHalf + "<mask id=\"k\"/><rect width=\"9\" height=\"9\" clip-path=\"url(#m)\"/>"
-                                             "<rect x=\"20\" width=\"9\" height=\"9\" mask=\"url(#k)\"/>");
+    const std::string text = svgDrawing(kHalf + "<mask id=\"k\"/><rect width=\"9\" height=\"9\" clip-path=\"url(#m)\"/>"
+                                                "<rect x=\"20\" width=\"9\" height=\"9\" mask=\"url(#k)\"/>");
     ImportNotes found;
     SourceText source = sourceOf(text, "drawing.svg");
     source.notes = &found;

@@ -15,9 +15,9 @@ using namespace forefront::testing;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
-Domain domainOf(const std::string &content, double tolerance = 0.0) {
+Domain iconDomain(const std::string &content, double tolerance = 0.0) {
     const std::string text = "<svg viewBox=\"0 0 24 24\">" + content + "</svg>";
     SourceText source = sourceOf(text);
     source.options.curveTolerance = tolerance;
@@ -44,20 +44,20 @@ struct Logo {
 
 // Drawn for this test, in the manner of icon sets: rings, rounded corners, relative commands, short fillets.
 const Logo kLogos[] = {
-    {"disc", "M12 0a12 12 0 1 0 0 24 12 12 0 0 0 0-24z", 144.0 * kPi},
-    {"ring", "M12 1a11 11 0 1 1 0 22 11 11 0 0 1 0-22zm0 2a9 9 0 1 0 0 18 9 9 0 0 0 0-18z", 40.0 * kPi},
+    {"disc", "M12 0a12 12 0 1 0 0 24 12 12 0 0 0 0-24z", 144.0 * pi},
+    {"ring", "M12 1a11 11 0 1 1 0 22 11 11 0 0 1 0-22zm0 2a9 9 0 1 0 0 18 9 9 0 0 0 0-18z", 40.0 * pi},
     {"rounded square", "M5 2h14a3 3 0 0 1 3 3v14a3 3 0 0 1-3 3H5a3 3 0 0 1-3-3V5a3 3 0 0 1 3-3z",
-     400.0 - 36.0 + 9.0 * kPi},
+     400.0 - 36.0 + 9.0 * pi},
     {"short fillets",
      "M2.05 2h19.9a.05.05 0 0 1 .05.05v19.9a.05.05 0 0 1-.05.05H2.05A.05.05 0 0 1 2 21.95V2.05A.05.05 0 "
      "0 1 2.05 2z",
-     400.0 - 0.01 + 0.0025 * kPi},
+     400.0 - 0.01 + 0.0025 * pi},
     {"bubble",
      "M12 3C6.5 3 2 6.6 2 11c0 2.1 1 4 2.700 5.400L4 21l4.500-2.300C9.600 18.900 10.800 19 12 19c5.500 0 "
      "10-3.600 10-8s-4.500-8-10-8z",
      0.0},
     {"dots", "M3 12a2 2 0 1 0 4 0 2 2 0 0 0-4 0zm7 0a2 2 0 1 0 4 0 2 2 0 0 0-4 0zm7 0a2 2 0 1 0 4 0 2 2 0 0 0-4 0z",
-     12.0 * kPi},
+     12.0 * pi},
     {"wave", "M0 12c4-8 8-8 12 0s8 8 12 0v2c-4 8-8 8-12 0s-8-8-12 0z", 48.0},
 };
 
@@ -66,7 +66,7 @@ const Logo kLogos[] = {
 TEST_CASE("SVG curves: logos get a few hundred to a few thousand triangles and the right area") {
     for (const Logo &logo : kLogos) {
         CAPTURE(std::string(logo.what));
-        const Domain domain = domainOf(std::string("<path d=\"") + logo.path + "\"/>");
+        const Domain domain = iconDomain(std::string("<path d=\"") + logo.path + "\"/>");
         CHECK(!domain.curves.empty());
         const MeshingOutcome outcome = meshOf(domain);
         CHECK(outcome.mesh.elements.size() >= 400);
@@ -79,7 +79,7 @@ TEST_CASE("SVG curves: logos get a few hundred to a few thousand triangles and t
 
 TEST_CASE("SVG curves: the number of triangles does not depend on the flattening") {
     const std::string ring = std::string("<path d=\"") + kLogos[1].path + "\"/>";
-    Domain coarse = domainOf(ring, 0.1), fine = domainOf(ring, 1e-4);
+    Domain coarse = iconDomain(ring, 0.1), fine = iconDomain(ring, 1e-4);
     CHECK(fine.segments.size() > 20 * coarse.segments.size());
     coarse.curveTolerance = fine.curveTolerance = 0.02;
     const auto elements = [](const Domain &domain) { return static_cast<double>(meshOf(domain).mesh.elements.size()); };
@@ -87,7 +87,8 @@ TEST_CASE("SVG curves: the number of triangles does not depend on the flattening
 }
 
 TEST_CASE("SVG curves: a transformed circle is an exact ellipse, with every node of the mesh's boundary on it") {
-    const Domain domain = domainOf("<circle r=\"3\" transform=\"translate(12 12) rotate(30) scale(3 1) skewX(20)\"/>");
+    const Domain domain =
+        iconDomain("<circle r=\"3\" transform=\"translate(12 12) rotate(30) scale(3 1) skewX(20)\"/>");
     REQUIRE(domain.curves.size() == 1);
     const MeshingOutcome outcome = meshOf(domain);
     const Curve &ellipse = domain.curves.front();
@@ -98,29 +99,29 @@ TEST_CASE("SVG curves: a transformed circle is an exact ellipse, with every node
         CHECK(distance(ellipse.point(stretch.t0), outcome.mesh.nodes[index(outcome.mesh.edges[e].a)]) < 1e-12);
         CHECK(distance(ellipse.point(stretch.t1), outcome.mesh.nodes[index(outcome.mesh.edges[e].b)]) < 1e-12);
     }
-    CHECK(outcome.boundary->area() == doctest::Approx(27.0 * kPi).epsilon(0.005));
+    CHECK(outcome.boundary->area() == doctest::Approx(27.0 * pi).epsilon(0.005));
 }
 
 TEST_CASE("SVG curves: all kinds of curves are kept, and drawings without curves have none") {
-    const Domain domain = domainOf("<path d=\"M2 12C2 2 8 2 8 12Q10 20 14 12A4 3 20 0 1 22 12L22 22 2 22z\"/>");
+    const Domain domain = iconDomain("<path d=\"M2 12C2 2 8 2 8 12Q10 20 14 12A4 3 20 0 1 22 12L22 22 2 22z\"/>");
     REQUIRE(domain.curves.size() == 3);
     CHECK(domain.curves[0] == Curve::cubic({2, 12}, {2, 22}, {8, 22}, {8, 12}));
     CHECK(domain.curves[1].kind() == CurveKind::Cubic);
     CHECK(domain.curves[2].kind() == CurveKind::Arc);
     CHECK(curveChains(domain).list.size() == 3);
-    CHECK(domainOf("<path d=\"M2 2L8 2 8 8z\"/>").curves.empty());
+    CHECK(iconDomain("<path d=\"M2 2L8 2 8 8z\"/>").curves.empty());
 }
 
 TEST_CASE("SVG curves: where outlines cross, their curves end at the crossing") {
-    const Domain domain = domainOf("<circle cx=\"9\" cy=\"12\" r=\"5\"/><circle cx=\"15\" cy=\"12\" r=\"5\"/>");
+    const Domain domain = iconDomain("<circle cx=\"9\" cy=\"12\" r=\"5\"/><circle cx=\"15\" cy=\"12\" r=\"5\"/>");
     CHECK(domain.curves.size() == 2);
     const MeshingOutcome outcome = meshOf(domain);
     const double lens = 2.0 * 25.0 * std::acos(3.0 / 5.0) - 0.5 * 6.0 * std::sqrt(4.0 * 25.0 - 36.0);
-    CHECK(outcome.boundary->area() == doctest::Approx(50.0 * kPi - lens).epsilon(0.005));
+    CHECK(outcome.boundary->area() == doctest::Approx(50.0 * pi - lens).epsilon(0.005));
 }
 
 TEST_CASE("SVG curves: a check notices a node that is off its curve") {
-    const Domain domain = domainOf("<circle cx=\"12\" cy=\"12\" r=\"9\"/>");
+    const Domain domain = iconDomain("<circle cx=\"12\" cy=\"12\" r=\"9\"/>");
     MeshingOutcome outcome = meshOf(domain);
     outcome.mesh.nodes[index(outcome.mesh.edges[5].b)] += Vec2{1e-4, 1e-4};
     CHECK_FALSE(verifyAgainst(outcome.mesh, domain).empty());

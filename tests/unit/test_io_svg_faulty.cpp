@@ -4,10 +4,10 @@
 #include "core/io/svg/svg.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/io_samples.hpp"
+#include "tests/unit/svg_samples.hpp"
 
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <fstream>
 #include <string>
 
@@ -19,22 +19,14 @@ namespace {
 /// What is beside the faulty part: a square of 2 by 2.
 constexpr char kSquare[] = "<rect x=\"7\" y=\"7\" width=\"2\" height=\"2\"/>";
 
-std::string drawing(const std::string &content) {
+std::string withSquare(const std::string &content) {
     return "<svg viewBox=\"0 0 10 10\">\n" + content + "\n" + kSquare + "</svg>\n";
-}
-
-double areaOf(const Domain &domain) {
-    double area = 0.0;
-    for (const DomainSegment &segment : domain.segments) {
-        area += 0.5 * cross(domain.nodes[segment.a], domain.nodes[segment.b]);
-    }
-    return std::fabs(area);
 }
 
 /// Reads a drawing with a faulty part; checks that one note reports it, and that it is refused under `strict`.
 /// Returns the area of the rest.
 double areaWithout(const std::string &content, const std::string &code) {
-    const std::string text = drawing(content);
+    const std::string text = withSquare(content);
     ImportNotes notes;
     SourceText source = sourceOf(text, "faulty.svg");
     source.notes = &notes;
@@ -47,14 +39,14 @@ double areaWithout(const std::string &content, const std::string &code) {
     strict.options.strict = true;
     const auto refused = readSvg(strict);
     CHECK((!refused && hasCode(refused.faults(), code) && allLocated(refused.faults())));
-    return areaOf(*domain);
+    return enclosedArea(*domain);
 }
 
 /// Returns the area of a drawing on a page of 100 by 100.
 double areaOnPage(const std::string &content) {
     const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 100 100\">" + content + "</svg>"));
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    return areaOf(*domain);
+    return enclosedArea(*domain);
 }
 
 } // namespace
@@ -83,9 +75,9 @@ TEST_CASE("SVG: a nested drawing without a valid size fills its parent, one of s
     const std::string inside = "viewBox=\"0 0 5 5\"><rect width=\"1\" height=\"1\"/></svg>";
     CHECK(areaWithout("<svg width=\"foo\" height=\"5\" " + inside, "bad-number") == doctest::Approx(5.0));
     const auto area = [&](const std::string &size) {
-        const auto domain = readSvg(sourceOf(drawing("<svg " + size + " " + inside)));
+        const auto domain = readSvg(sourceOf(withSquare("<svg " + size + " " + inside)));
         REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-        return areaOf(*domain);
+        return enclosedArea(*domain);
     };
     CHECK(area("width=\"auto\"") == doctest::Approx(8.0));
     CHECK(area("width=\"0\"") == doctest::Approx(4.0));
@@ -101,7 +93,7 @@ TEST_CASE("SVG: very many notes that differ are counted together") {
     for (int k = 0; k < 1000; ++k) {
         content += "<rect width=\"1\" height=\"1\" clip-path=\"url(#c" + std::to_string(k) + ")\"/>";
     }
-    const std::string text = drawing(content);
+    const std::string text = withSquare(content);
     ImportNotes notes;
     SourceText source = sourceOf(text);
     source.notes = &notes;
@@ -147,7 +139,7 @@ TEST_CASE("SVG: a malformed view box is reported") {
 }
 
 TEST_CASE("SVG: the note gives the place inside the attribute") {
-    const std::string text = drawing("<path id=\"x\" d=\"M1 1 L2 x\"/>");
+    const std::string text = withSquare("<path id=\"x\" d=\"M1 1 L2 x\"/>");
     ImportNotes notes;
     SourceText source = sourceOf(text, "faulty.svg");
     source.notes = &notes;
@@ -186,7 +178,7 @@ TEST_CASE("SVG: entities of the document type are replaced") {
     const auto styled = read("<!ENTITY st0 \"fill:none;\">\n<!ENTITY st1 'width:2px;&st2;'><!ENTITY st2 \"fill:red\">",
                              "<rect width=\"5\" height=\"5\" style=\"&st0;\"/><rect height=\"2\" style=\"&st1;\"/>");
     REQUIRE_MESSAGE(styled.ok(), messages(styled.faults()));
-    CHECK(areaOf(*styled) == doctest::Approx(4.0));
+    CHECK(enclosedArea(*styled) == doctest::Approx(4.0));
     std::string bomb = "<!ENTITY e0 \"0123456789\">";
     for (int k = 1; k < 9; ++k) {
         const std::string before = "&e" + std::to_string(k - 1) + ";";

@@ -13,7 +13,7 @@ using namespace forefront::testing;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What is read from a drawing, and the codes of the notes.
 struct Reading {
@@ -76,7 +76,7 @@ TEST_CASE("SVG page: a curve whose nodes lie on the page is cut where it leaves 
     const Reading half = read(kTen, "<path d=\"M1 0A4 4 0 0 1 9 0V3H1Z\"/>");
     CHECK(half.area() == doctest::Approx(24).epsilon(1e-3));
     CHECK(half.notes.count(kPageNote) == 1);
-    CHECK(read(kTen, "<circle cx=\"10\" cy=\"5\" r=\"4\"/>").area() == doctest::Approx(8 * kPi).epsilon(2e-3));
+    CHECK(read(kTen, "<circle cx=\"10\" cy=\"5\" r=\"4\"/>").area() == doctest::Approx(8 * pi).epsilon(2e-3));
 }
 
 TEST_CASE("SVG page: it is what a renderer shows of the document's size") {

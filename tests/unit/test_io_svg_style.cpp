@@ -1,6 +1,7 @@
 #include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_css.hpp"
 #include "tests/unit/io_samples.hpp"
+#include "tests/unit/svg_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,20 +13,6 @@ using namespace forefront;
 using namespace forefront::testing;
 
 namespace {
-
-std::string drawing(const std::string &content, const std::string &attributes = "viewBox=\"0 0 10 10\"") {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" " + attributes +
-           ">\n" + content + "\n</svg>\n";
-}
-
-Domain domainOf(const std::string &text, ImportNotes *notes = nullptr) {
-    SourceText source = sourceOf(text, "drawing.svg");
-    source.notes = notes;
-    source.options.beyondPage = true;
-    const auto domain = readSvg(source);
-    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    return *domain;
-}
 
 std::set<std::string> namesIn(const Domain &domain) {
     std::set<std::string> names;
@@ -42,7 +29,7 @@ std::set<std::string> visible(const std::string &style, const std::string &attri
         content += std::string("<g ") + (id == 'b' ? attributes : "") + "><rect id=\"" + id + "\" class=\"part x-" +
                    id + "\" x=\"" + std::to_string(3 * (id - 'a')) + "\" width=\"2\" height=\"2\"/></g>\n";
     }
-    return namesIn(domainOf(drawing(content)));
+    return namesIn(svgDomain(svgDrawing(content)));
 }
 
 Vec2 sizeOf(const Domain &domain) {
@@ -75,10 +62,11 @@ TEST_CASE("SVG: leaves out shapes hidden by attribute, style or style sheet") {
 
 TEST_CASE("SVG: style sheets select elements inside of others") {
     const auto shown = [](const std::string &selector) {
-        return namesIn(domainOf(drawing("<style>" + selector +
-                                        " { display: none }</style><g class=\"a\"><g class=\"b\"><g class=\"a\">"
-                                        "<rect id=\"deep\" width=\"1\" height=\"1\"/></g></g></g>"
-                                        "<g id=\"other\"><rect id=\"flat\" x=\"2\" width=\"1\" height=\"1\"/></g>")));
+        return namesIn(
+            svgDomain(svgDrawing("<style>" + selector +
+                                 " { display: none }</style><g class=\"a\"><g class=\"b\"><g class=\"a\">"
+                                 "<rect id=\"deep\" width=\"1\" height=\"1\"/></g></g></g>"
+                                 "<g id=\"other\"><rect id=\"flat\" x=\"2\" width=\"1\" height=\"1\"/></g>")));
     };
     const std::set<std::string> both = {"deep", "flat"}, flat = {"flat"}, deep = {"deep"};
     for (const char *inside : {"g g g rect", ".a rect", ".a .a > rect", "svg > g.a > .b *", ".a>.b .a> rect",
@@ -93,17 +81,17 @@ TEST_CASE("SVG: style sheets select elements inside of others") {
         CHECK(shown(nowhere) == both);
     }
     // The more exact selector wins, wherever it stands.
-    CHECK(namesIn(domainOf(drawing("<style>g .x { display: inline } .x { display: none }</style>"
-                                   "<g><rect id=\"kept\" class=\"x\" width=\"1\" height=\"1\"/></g>"))) ==
+    CHECK(namesIn(svgDomain(svgDrawing("<style>g .x { display: inline } .x { display: none }</style>"
+                                       "<g><rect id=\"kept\" class=\"x\" width=\"1\" height=\"1\"/></g>"))) ==
           std::set<std::string>{"kept"});
 }
 
 TEST_CASE("SVG: style sheets have variables, and notes on rules within rules") {
     const auto shown = [](const std::string &sheet, const std::string &attributes, ImportNotes *notes = nullptr) {
-        return namesIn(
-                   domainOf(drawing("<style>" + sheet + "</style><rect id=\"kept\" width=\"1\" height=\"1\"/><g " +
-                                    attributes + "><rect id=\"b\" class=\"b\" x=\"2\" width=\"1\" height=\"1\"/></g>"),
-                            notes))
+        return namesIn(svgDomain(svgDrawing("<style>" + sheet +
+                                            "</style><rect id=\"kept\" width=\"1\" height=\"1\"/><g " + attributes +
+                                            "><rect id=\"b\" class=\"b\" x=\"2\" width=\"1\" height=\"1\"/></g>"),
+                                 notes))
                    .count("b") == 1;
     };
     CHECK_FALSE(shown(":root { --shown: none } .b { display: var(--shown) }", ""));
@@ -123,18 +111,18 @@ TEST_CASE("SVG: many classes do not outweigh an id") {
     for (int k = 0; k < 150; ++k) {
         many += ".x";
     }
-    CHECK(namesIn(domainOf(drawing("<style>" + many +
-                                   " { display: none } #a { display: inline }</style>"
-                                   "<rect id=\"a\" class=\"x\" width=\"1\" height=\"1\"/>"))) ==
+    CHECK(namesIn(svgDomain(svgDrawing("<style>" + many +
+                                       " { display: none } #a { display: inline }</style>"
+                                       "<rect id=\"a\" class=\"x\" width=\"1\" height=\"1\"/>"))) ==
           std::set<std::string>{"a"});
 }
 
 TEST_CASE("SVG: the attribute style wins over a style sheet, and !important over both") {
     const auto shown = [](const std::string &sheet, const std::string &style) {
-        return namesIn(domainOf(drawing("<style>" + sheet +
-                                        "</style><rect id=\"a\" width=\"1\" height=\"1\"/>"
-                                        "<rect id=\"b\" x=\"2\" width=\"1\" height=\"1\" style=\"" +
-                                        style + "\"/>")))
+        return namesIn(svgDomain(svgDrawing("<style>" + sheet +
+                                            "</style><rect id=\"a\" width=\"1\" height=\"1\"/>"
+                                            "<rect id=\"b\" x=\"2\" width=\"1\" height=\"1\" style=\"" +
+                                            style + "\"/>")))
                    .count("b") == 1;
     };
     CHECK(shown("#b { display: none }", "display: block"));
@@ -144,18 +132,18 @@ TEST_CASE("SVG: the attribute style wins over a style sheet, and !important over
 }
 
 TEST_CASE("SVG: <use> draws copies of shapes, groups, symbols and other copies at the right positions") {
-    const Domain copies = domainOf(drawing("<defs><g id=\"pair\"><rect id=\"one\" width=\"1\" height=\"1\"/>"
-                                           "<use href=\"#one\" x=\"2\"/></g></defs>"
-                                           "<use xlink:href=\"#pair\" y=\"2\"/>"
-                                           "<use href=\"#pair\" transform=\"scale(2)\" x=\"1\" y=\"2\"/>"));
+    const Domain copies = svgDomain(svgDrawing("<defs><g id=\"pair\"><rect id=\"one\" width=\"1\" height=\"1\"/>"
+                                               "<use href=\"#one\" x=\"2\"/></g></defs>"
+                                               "<use xlink:href=\"#pair\" y=\"2\"/>"
+                                               "<use href=\"#pair\" transform=\"scale(2)\" x=\"1\" y=\"2\"/>"));
     CHECK(copies.segments.size() == 16);
     CHECK(sizeOf(copies) == Vec2{8, 4}); // from (0, 2) to (8, 6)
     const Domain symbol =
-        domainOf(drawing("<symbol id=\"s\" viewBox=\"0 0 4 4\"><rect width=\"4\" height=\"2\"/></symbol>"
-                         "<use id=\"left\" href=\"#s\" width=\"2\" height=\"2\"/>"));
+        svgDomain(svgDrawing("<symbol id=\"s\" viewBox=\"0 0 4 4\"><rect width=\"4\" height=\"2\"/></symbol>"
+                             "<use id=\"left\" href=\"#s\" width=\"2\" height=\"2\"/>"));
     CHECK(sizeOf(symbol) == Vec2{2, 1});
-    const Domain named = domainOf(drawing("<defs><rect id=\"r\" width=\"1\" height=\"1\"/></defs>"
-                                          "<use id=\"inlet\" href=\"#r\"/><use href=\"#r\" x=\"3\"/>"));
+    const Domain named = svgDomain(svgDrawing("<defs><rect id=\"r\" width=\"1\" height=\"1\"/></defs>"
+                                              "<use id=\"inlet\" href=\"#r\"/><use href=\"#r\" x=\"3\"/>"));
     CHECK(namesIn(named) == std::set<std::string>{"inlet", "r"});
 }
 
@@ -165,22 +153,22 @@ TEST_CASE("SVG: refuses copies that multiply without limit") {
         const std::string below = "<use href=\"#a" + std::to_string(k - 1) + "\"/>";
         bomb += "<g id=\"a" + std::to_string(k) + "\">" + below + below + "</g>";
     }
-    const auto domain = readSvg(sourceOf(drawing(bomb + "</defs><use href=\"#a39\"/>")));
+    const auto domain = readSvg(sourceOf(svgDrawing(bomb + "</defs><use href=\"#a39\"/>")));
     REQUIRE_FALSE(domain.ok());
     CHECK(hasCode(domain.faults(), "too-large"));
 }
 
 TEST_CASE("SVG: draws the first supported child of a <switch>") {
-    const Domain domain = domainOf(drawing("<switch><foreignObject/><g requiredExtensions=\"http://example.org\">"
-                                           "<rect width=\"9\" height=\"9\"/></g><g systemLanguage=\"de\">"
-                                           "<rect width=\"8\" height=\"8\"/></g><rect width=\"2\" height=\"3\"/>"
-                                           "<rect width=\"7\" height=\"7\"/></switch>"));
+    const Domain domain = svgDomain(svgDrawing("<switch><foreignObject/><g requiredExtensions=\"http://example.org\">"
+                                               "<rect width=\"9\" height=\"9\"/></g><g systemLanguage=\"de\">"
+                                               "<rect width=\"8\" height=\"8\"/></g><rect width=\"2\" height=\"3\"/>"
+                                               "<rect width=\"7\" height=\"7\"/></switch>"));
     CHECK(sizeOf(domain) == Vec2{2, 3});
 }
 
 TEST_CASE("SVG: a document in millimetres gives millimetres, for any view box") {
     const std::string rect = "<rect width=\"200\" height=\"100\"/>";
-    const auto size = [&](const std::string &attributes) { return sizeOf(domainOf(drawing(rect, attributes))); };
+    const auto size = [&](const std::string &attributes) { return sizeOf(svgDomain(svgDrawing(rect, attributes))); };
     CHECK(size("width=\"50mm\" height=\"25mm\" viewBox=\"0 0 200 100\"") == Vec2{50, 25});
     CHECK(size("width=\"5cm\" viewBox=\"0 0 200 100\"") == Vec2{5, 2.5});
     CHECK(size("width=\"400\" height=\"200\" viewBox=\"0 0 200 100\"") ==
@@ -189,19 +177,21 @@ TEST_CASE("SVG: a document in millimetres gives millimetres, for any view box") 
     CHECK(size("width=\"50mm\" height=\"50mm\" viewBox=\"0 0 200 100\"") == Vec2{50, 25});
     CHECK(size("width=\"50mm\" height=\"50mm\" preserveAspectRatio=\"none\" viewBox=\"0 0 200 100\"") == Vec2{50, 50});
     // Without a view box a user unit is 1/96 of an inch.
-    const Domain plain = domainOf(drawing("<rect width=\"30mm\" height=\"1cm\"/>", "width=\"60mm\" height=\"60mm\""));
+    const Domain plain =
+        svgDomain(svgDrawing("<rect width=\"30mm\" height=\"1cm\"/>", "width=\"60mm\" height=\"60mm\""));
     CHECK(sizeOf(plain).x == doctest::Approx(30.0));
     CHECK(sizeOf(plain).y == doctest::Approx(10.0));
     // A percentage is one of the view box.
-    CHECK(sizeOf(domainOf(drawing("<rect width=\"50%\" height=\"10%\"/>", "viewBox=\"0 0 40 20\""))) == Vec2{20, 2});
+    CHECK(sizeOf(svgDomain(svgDrawing("<rect width=\"50%\" height=\"10%\"/>", "viewBox=\"0 0 40 20\""))) ==
+          Vec2{20, 2});
 }
 
 TEST_CASE("SVG: reports unused content once per kind with its count") {
     ImportNotes notes;
-    domainOf(drawing("<style>g + rect { fill: red }</style>\n<text>Lake</text>\n<text>Sea</text>\n<image/>\n"
-                     "<rect width=\"2\" height=\"2\" clip-path=\"url(#c)\" style=\"rotate: 3deg\"/>\n"
-                     "<rect x=\"3\" width=\"2\" height=\"2\" display=\"none\"/>\n<use href=\"other.svg#a\"/>"),
-             &notes);
+    svgDomain(svgDrawing("<style>g + rect { fill: red }</style>\n<text>Lake</text>\n<text>Sea</text>\n<image/>\n"
+                         "<rect width=\"2\" height=\"2\" clip-path=\"url(#c)\" style=\"rotate: 3deg\"/>\n"
+                         "<rect x=\"3\" width=\"2\" height=\"2\" display=\"none\"/>\n<use href=\"other.svg#a\"/>"),
+              &notes);
     std::map<std::string, std::size_t> counts;
     for (const ImportNote &note : notes.entries()) {
         counts[note.code] += note.count;

@@ -3,6 +3,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "core/io/project/project.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,6 +11,7 @@
 #include <numbers>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
 
@@ -25,12 +27,6 @@ Domain star() {
     return domain;
 }
 
-std::shared_ptr<const SpacingField> fieldOf(const SpacingSpec &spec) {
-    const auto field = SpacingField::build(spec, star());
-    REQUIRE(field.ok());
-    return *field;
-}
-
 SizeSource fine(Vec2 at) {
     SizeSource source;
     source.a = at;
@@ -41,14 +37,14 @@ SizeSource fine(Vec2 at) {
 } // namespace
 
 TEST_CASE("SpacingField: sources that keep automatic spacing refine it, and leave it as it is elsewhere, bit for bit") {
-    const auto automatic = fieldOf({});
+    const auto automatic = fieldOf({}, star());
     for (const int sources : {1, 6, 9}) {
         SpacingSpec spec;
         spec.keepAutomatic = true;
         for (int k = 0; k < sources; ++k) {
             spec.sources.push_back(fine({0.1 * k, 0.5}));
         }
-        const auto kept = fieldOf(spec);
+        const auto kept = fieldOf(spec, star());
         CHECK(kept->at({0, 0.5}) == doctest::Approx(0.01).epsilon(0.02));
         CHECK(kept->sample({0, 0.5}).describe == "source 0");
         std::size_t unchanged = 0, finer = 0;
@@ -72,13 +68,13 @@ TEST_CASE("SpacingField: without keepAutomatic, sources alone set the spacing") 
     SpacingSpec spec;
     spec.sources = {fine({0, 0.5})};
     CHECK_FALSE(spec.usesAutomatic());
-    CHECK(fieldOf(spec)->at({0, 3.5}) == doctest::Approx(0.61));
+    CHECK(fieldOf(spec, star())->at({0, 3.5}) == doctest::Approx(0.61));
     spec.keepAutomatic = true;
     CHECK(spec.usesAutomatic());
     CHECK_FALSE(spec.automatic());
     spec.size = 0.5; // replaces automatic spacing in any case
     CHECK_FALSE(spec.usesAutomatic());
-    CHECK(fieldOf(spec)->at({0, 3.5}) == 0.5);
+    CHECK(fieldOf(spec, star())->at({0, 3.5}) == 0.5);
 }
 
 TEST_CASE("addSource: a first source keeps automatic spacing, unless the user has switched that off before") {

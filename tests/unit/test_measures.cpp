@@ -18,7 +18,7 @@ using samples::node;
 namespace {
 
 /// A right triangle with legs 3 and 4, an equilateral one of side 4 below its leg, and a node without elements.
-Mesh twoTriangles() {
+Mesh unlikeTriangles() {
     Mesh mesh;
     mesh.nodes = {{0, 0}, {4, 0}, {0, 3}, {2, -2 * std::numbers::sqrt3}, {9, 9}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}};
@@ -41,7 +41,7 @@ std::shared_ptr<const SpacingField> uniformSpacing(const Mesh &mesh, double size
 } // namespace
 
 TEST_CASE("Measures: elements have the values that follow from their corners") {
-    const Mesh mesh = twoTriangles();
+    const Mesh mesh = unlikeTriangles();
     const double small = std::atan2(3.0, 4.0) * 180.0 / std::numbers::pi;
     CHECK(values(Measure::MinAngle, mesh)[0] == doctest::Approx(small));
     CHECK(values(Measure::MaxAngle, mesh)[0] == doctest::Approx(90.0));
@@ -57,7 +57,7 @@ TEST_CASE("Measures: elements have the values that follow from their corners") {
 }
 
 TEST_CASE("Measures: edges are compared with the spacing at their middles") {
-    const Mesh mesh = twoTriangles();
+    const Mesh mesh = unlikeTriangles();
     const MeshEdges edges = edgesOf(mesh);
     REQUIRE(edges.edges.size() == 5);
     CHECK(edges.edges[0].a == node(0)); // 0-1, 0-2, 0-3, 1-2, 1-3
@@ -78,7 +78,7 @@ TEST_CASE("Measures: edges are compared with the spacing at their middles") {
 }
 
 TEST_CASE("Measures: parts without a value are NaN and do not count") {
-    const Mesh mesh = twoTriangles();
+    const Mesh mesh = unlikeTriangles();
     const std::vector<double> valences = values(Measure::Valence, mesh);
     CHECK(valences[0] == 2.0);
     CHECK(valences[2] == 1.0);
@@ -91,7 +91,7 @@ TEST_CASE("Measures: parts without a value are NaN and do not count") {
 }
 
 TEST_CASE("Measures: flat and inverted elements have the worst angles and an unbounded area ratio") {
-    Mesh mesh = twoTriangles();
+    Mesh mesh = unlikeTriangles();
     std::swap(mesh.elements[0][0], mesh.elements[0][1]);
     CHECK(values(Measure::MinAngle, mesh)[0] == 0.0);
     CHECK(values(Measure::MaxAngle, mesh)[0] == 180.0);
@@ -150,7 +150,7 @@ TEST_CASE("Measures: elements across a gap are counted between parts of the boun
         CHECK(narrowest(samples::square(40, rows), {10.0, 1.0}).minimum == static_cast<double>(rows));
     }
     CHECK(narrowest(samples::square(12, 12, 0.1), {1.0, 1.0}).count == 0); // neither corners nor a square are gaps
-    CHECK(narrowest(twoTriangles(), {1.0, 1.0}).count == 0);
+    CHECK(narrowest(unlikeTriangles(), {1.0, 1.0}).count == 0);
 }
 
 TEST_CASE("Measures: where holes touch at a node, the elements around it are not across a gap") {
@@ -213,7 +213,7 @@ TEST_CASE("Measures: the worst parts come first, and equal ones are ordered by n
 }
 
 TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places") {
-    const Mesh mesh = twoTriangles();
+    const Mesh mesh = unlikeTriangles();
     MeshLimits limits;
     CHECK_FALSE(limits.any());
     CHECK(judge(mesh, limits, nullptr).empty());

@@ -20,8 +20,6 @@ using namespace forefront::testing;
 
 namespace {
 
-constexpr std::uint64_t kShare = kSanitized ? 23 : 1; // not a divisor of the number of families
-
 /// Returns the number of random domains to mesh: FOREFRONT_CURVE_DOMAINS, or as many as take a few seconds.
 std::uint64_t curvedDomains() {
     constexpr std::uint64_t kDefault = 210;
@@ -61,7 +59,7 @@ MeshingOutcome meshed(const MeshingJob &job) {
 } // namespace
 
 TEST_CASE("Meshing curves: one valid mesh for all grids and numbers of threads, by either method") {
-    for (std::uint64_t seed = 0; seed < 42; seed += kShare) {
+    for (std::uint64_t seed = 0; seed < 42; seed += kSeedStep) {
         CAPTURE(seed);
         MeshingJob job;
         job.domain = randomCurvedDomain(seed);
@@ -84,7 +82,7 @@ TEST_CASE("Meshing curves: one valid mesh for all grids and numbers of threads, 
 }
 
 TEST_CASE("Meshing curves: random domains of curves give valid meshes on their curves") {
-    for (std::uint64_t seed = 1000; seed < 1000 + curvedDomains(); seed += kShare) {
+    for (std::uint64_t seed = 1000; seed < 1000 + curvedDomains(); seed += kSeedStep) {
         CAPTURE(seed);
         MeshingJob job;
         job.domain = randomCurvedDomain(seed);

@@ -11,18 +11,17 @@
 #include <string>
 
 using namespace forefront;
+using forefront::testing::kSeedStep;
 using forefront::testing::randomDomain;
 
 namespace {
 
-constexpr std::uint64_t kShare = forefront::testing::kSanitized ? 23 : 1; // not a divisor of the number of families
-
-struct Run {
+struct RunResult {
     std::uint64_t hash = 0;
     std::uint64_t tested = 0;
 };
 
-Run runOn(const PreparedJob &prepared, Method method, GridKind grid) {
+RunResult runOn(const PreparedJob &prepared, Method method, GridKind grid) {
     MeshingOptions options;
     options.method = method;
     options.grid = grid;
@@ -32,7 +31,7 @@ Run runOn(const PreparedJob &prepared, Method method, GridKind grid) {
 }
 
 /// Explains every other advance before it is done; does every seventh, undoes it and does it again.
-Run runTracedAndStepped(const PreparedJob &prepared, Method method) {
+RunResult runTracedAndStepped(const PreparedJob &prepared, Method method) {
     MeshingOptions options;
     options.method = method;
     Timeline timeline(Mesher::create(prepared.boundary, prepared.spacing, options));
@@ -53,19 +52,19 @@ Run runTracedAndStepped(const PreparedJob &prepared, Method method) {
 } // namespace
 
 TEST_CASE("Meshing: the same mesh for every grid, traced or not, stepped or run, on 200 random domains") {
-    for (std::uint64_t seed = 0; seed < 200; seed += kShare) {
+    for (std::uint64_t seed = 0; seed < 200; seed += kSeedStep) {
         CAPTURE(seed);
         MeshingJob job;
         job.domain = randomDomain(seed);
         const Result<PreparedJob> prepared = prepare(job);
         REQUIRE_MESSAGE(prepared, samples::list(prepared ? Diagnostics{} : prepared.faults()));
         for (const Method method : {Method::Fast, Method::Classic}) {
-            const Run none = runOn(*prepared, method, GridKind::None);
-            std::vector<Run> runs{runTracedAndStepped(*prepared, method)};
+            const RunResult none = runOn(*prepared, method, GridKind::None);
+            std::vector<RunResult> runs{runTracedAndStepped(*prepared, method)};
             for (const GridKind grid : valuesOf<GridKind>()) {
                 runs.push_back(runOn(*prepared, method, grid));
             }
-            for (const Run &run : runs) {
+            for (const RunResult &run : runs) {
                 REQUIRE(run.hash == none.hash);
                 if (method == Method::Classic) { // the fast one stops at the first obstacle that the grid delivers
                     REQUIRE(run.tested == none.tested);
@@ -76,7 +75,7 @@ TEST_CASE("Meshing: the same mesh for every grid, traced or not, stepped or run,
 }
 
 TEST_CASE("Meshing: 2,000 hostile random domains give valid meshes") {
-    for (std::uint64_t seed = 1000; seed < 3000; seed += kShare) {
+    for (std::uint64_t seed = 1000; seed < 3000; seed += kSeedStep) {
         CAPTURE(seed);
         MeshingJob job;
         job.domain = randomDomain(seed);

@@ -2,6 +2,8 @@
 #include "core/spacing/parts/paint/paint.hpp"
 #include "core/spacing/parts/paint/painted_part.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/domain_builder.hpp"
+#include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,23 +12,9 @@
 #include <random>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
-
-Domain square(double side) {
-    Domain domain;
-    domain.nodes = {{0, 0}, {side, 0}, {side, side}, {0, side}};
-    for (std::uint32_t i = 0; i < 4; ++i) {
-        domain.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
-    }
-    return domain;
-}
-
-std::shared_ptr<const SpacingField> built(const SpacingSpec &spec, const Domain &domain) {
-    auto field = SpacingField::build(spec, domain);
-    REQUIRE_MESSAGE(field.ok(), toString(field.ok() ? Diagnostic{} : field.faults().front()));
-    return *field;
-}
 
 PaintedSpacing canvas(double side) {
     return emptyPaint({{0, 0}, {side, side}});
@@ -131,7 +119,7 @@ TEST_CASE("SpacingField: a painted patch holds its value and blends outwards by 
     SpacingSpec spec;
     spec.size = 1.0;
     spec.paint = forefront::paint(canvas(10), {{5, 5}, 1.0, 0.05, 1.0, 0.0});
-    const auto field = built(spec, square(10));
+    const auto field = fieldOf(spec, squareDomain(10));
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(0.0, 10.0);
     const double pitch = spec.paint.pitch;
@@ -165,7 +153,7 @@ TEST_CASE("SpacingField: painted values are bilinear between four painted nodes,
     (*tile)[17] = 4.0F;
     (*tile)[2] = 5.0F;
     spec.paint.tiles[{0, 0}] = tile;
-    const auto field = built(spec, square(10));
+    const auto field = fieldOf(spec, squareDomain(10));
     CHECK(field->at({0.5, 0.5}) == doctest::Approx(2.5));
     CHECK(field->at({0.25, 0.75}) == doctest::Approx(1.0 + 0.25 + 0.75 * 2.0));
     CHECK(field->at({1.5, 0.5}) == doctest::Approx(2.0)); // nodes 2, 5, 4 and an unpainted one
@@ -188,7 +176,7 @@ TEST_CASE("SpacingField: random paint keeps the gradation within 2 %") {
                                                        place(random),
                                                        n % 2 == 0 ? 1.0 : 0.0});
         }
-        const auto field = built(spec, square(10));
+        const auto field = fieldOf(spec, squareDomain(10));
         for (int i = 0; i < 4000; ++i) {
             const Vec2 p{10 * place(random), 10 * place(random)};
             const double reach = i % 2 == 0 ? 10.0 : 0.2;
@@ -216,9 +204,9 @@ TEST_CASE("SpacingField: a size source beside a long stroke keeps its exact valu
     source.a = {5, 8};
     source.size = 0.05;
     source.growth = 0.2;
-    const auto strokeAlone = built(spec, square(10));
+    const auto strokeAlone = fieldOf(spec, squareDomain(10));
     spec.sources = {source};
-    const auto field = built(spec, square(10));
+    const auto field = fieldOf(spec, squareDomain(10));
     for (int n = 0; n <= 100; ++n) {
         const Vec2 p{0.1 * n, 7.0}; // nearer to the source in the middle
         const double expected = std::min(strokeAlone->at(p), 0.05 + 0.2 * distance(p, source.a));
@@ -232,14 +220,14 @@ TEST_CASE("SpacingField: refuses invalid paint") {
     SpacingSpec spec;
     spec.paint.pitch = 0.0;
     spec.paint.tiles[{0, 0}] = std::make_shared<PaintedSpacing::Tile>();
-    CHECK(SpacingField::build(spec, square(1)).faults().front().code == "bad-paint");
+    CHECK(SpacingField::build(spec, squareDomain(1)).faults().front().code == "bad-paint");
     spec.paint.pitch = 1e-12;
-    CHECK(SpacingField::build(spec, square(1)).faults().front().code == "bad-paint");
+    CHECK(SpacingField::build(spec, squareDomain(1)).faults().front().code == "bad-paint");
     spec.paint.pitch = 0.1;
     auto tile = std::make_shared<PaintedSpacing::Tile>();
     (*tile)[17] = -1.0F;
     spec.paint.tiles[{2, 0}] = tile;
-    const auto refused = SpacingField::build(spec, square(1));
+    const auto refused = SpacingField::build(spec, squareDomain(1));
     REQUIRE(!refused.ok());
     CHECK(refused.faults().front().at->x == doctest::Approx(3.3));
 }

@@ -10,6 +10,7 @@
 #include "core/spacing/parts/regions/region_part.hpp"
 #include "core/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
+#include "tests/support/spacing_samples.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -22,6 +23,7 @@
 using namespace forefront;
 using namespace forefront::edit_test;
 using forefront::testing::DomainBuilder;
+using forefront::testing::fieldOf;
 using forefront::testing::RandomSource;
 
 namespace {
@@ -40,12 +42,6 @@ Domain halves(RegionMarker left, RegionMarker right) {
 
 RegionMarker sized(std::int32_t tag, double size, double growth, double maxArea = 0.0) {
     return {{}, tag, maxArea, size, growth};
-}
-
-std::shared_ptr<const SpacingField> fieldOf(const SpacingSpec &spec, const Domain &domain) {
-    const auto field = SpacingField::build(spec, domain);
-    REQUIRE(field.ok());
-    return *field;
 }
 
 SpacingSpec coarse() {

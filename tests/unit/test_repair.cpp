@@ -3,6 +3,8 @@
 #include "core/domain/validate.hpp"
 #include "core/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/unit/arrangement_support.hpp"
+#include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,6 +16,7 @@
 
 using namespace forefront;
 using namespace forefront::testing;
+using samples::codes;
 
 namespace {
 
@@ -33,14 +36,6 @@ std::vector<Vec2> square(double x, double y, double side) {
     return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
-std::set<std::string> codes(const Diagnostics &faults) {
-    std::set<std::string> result;
-    for (const Diagnostic &fault : faults) {
-        result.insert(fault.code);
-    }
-    return result;
-}
-
 /// Returns the repaired domain, which must be valid; repairing again changes nothing.
 Domain repaired(const Domain &domain) {
     const auto result = repair(domain);
@@ -52,20 +47,6 @@ Domain repaired(const Domain &domain) {
     REQUIRE(again->changes.empty());
     REQUIRE(again->domain.nodes == result->domain.nodes);
     return result->domain;
-}
-
-/// Returns the area inside, from the faces.
-double insideArea(const Domain &domain) {
-    const DomainGraph graph = graphOf(domain);
-    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
-    const Faces faces = findFaces(graph.points, graph.edges, sweep);
-    const FaceLabels labels = labelFaces(domain, graph, faces);
-    double twice = 0.0;
-    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-        const double part = cross(graph.points[graph.edges[e].a], graph.points[graph.edges[e].b]);
-        twice += labels.inside[faces.left[e]] * part - labels.inside[faces.right[e]] * part;
-    }
-    return 0.5 * twice;
 }
 
 std::size_t constraintCount(const Domain &domain) {

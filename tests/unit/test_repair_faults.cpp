@@ -1,8 +1,8 @@
 #include "core/arrangement/repair.hpp"
-#include "core/domain/domain_graph.hpp"
 #include "core/domain/validate.hpp"
 #include "core/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/unit/arrangement_support.hpp"
 
 #include <doctest/doctest.h>
 
@@ -111,20 +111,6 @@ class FaultyDomain {
     Domain clean, faulty;
     double tolerance = 0.0;
 };
-
-/// Returns the area inside.
-double insideArea(const Domain &domain) {
-    const DomainGraph graph = graphOf(domain);
-    const Faces faces = findFaces(graph.points, graph.edges, sweepPlane(graph.points, graph.edges));
-    const FaceLabels labels = labelFaces(domain, graph, faces);
-    const Vec2 origin = domain.bounds().centre();
-    double twice = 0.0;
-    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-        const double part = cross(graph.points[graph.edges[e].a] - origin, graph.points[graph.edges[e].b] - origin);
-        twice += labels.inside[faces.left[e]] * part - labels.inside[faces.right[e]] * part;
-    }
-    return 0.5 * twice;
-}
 
 /// Returns the length of the boundary by tag.
 std::map<std::int32_t, double> boundaryLengths(const Domain &domain) {

@@ -3,6 +3,7 @@
 #include "core/spacing/part_list.hpp"
 #include "core/spacing/parts/paint/paint.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,6 +14,7 @@
 #include <utility>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
 
@@ -24,12 +26,6 @@ Domain notched() {
         domain.segments.push_back({i, (i + 1) % 8, 1, SegmentRole::Boundary});
     }
     return domain;
-}
-
-std::shared_ptr<const SpacingField> fieldOf(const SpacingSpec &spec, const Domain &domain) {
-    const auto field = SpacingField::build(spec, domain);
-    REQUIRE(field.ok());
-    return *field;
 }
 
 PaintedSpacing canvas() {

@@ -2,6 +2,7 @@
 #include "core/spacing/scaled_field.hpp"
 #include "core/spacing/spacing_field.hpp"
 #include "tests/support/sanitizers.hpp"
+#include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,6 +12,7 @@
 #include <thread>
 
 using namespace forefront;
+using namespace forefront::testing;
 
 namespace {
 
@@ -32,18 +34,12 @@ Domain rectangle(double width, double height, int piecesX, int piecesY) {
     return domain;
 }
 
-std::shared_ptr<const SpacingField> built(const SpacingSpec &spec, const Domain &domain) {
-    auto field = SpacingField::build(spec, domain);
-    REQUIRE_MESSAGE(field.ok(), toString(field.ok() ? Diagnostic{} : field.faults().front()));
-    return *field;
-}
-
 } // namespace
 
 TEST_CASE("SpacingField: a constant spacing is the same everywhere and is reported as constant") {
     SpacingSpec spec;
     spec.size = 0.3;
-    const auto field = built(spec, rectangle(2, 1, 4, 2));
+    const auto field = fieldOf(spec, rectangle(2, 1, 4, 2));
     CHECK(field->at({0.1, 0.2}) == 0.3);
     CHECK(field->minimum() == 0.3);
     CHECK(field->maximum() == 0.3);
@@ -58,7 +54,7 @@ TEST_CASE("SpacingField: sources, constant and expression combine by minimum and
     spec.sources.push_back({SourceShape::Point, {3, 3}, {}, 0.0, 0.05, 0.2, "pier head"});
     spec.sources.push_back({SourceShape::Line, {0, 9}, {10, 9}, 0.5, 0.2, 0.3, ""});
     spec.sources.push_back({SourceShape::Circle, {8, 2}, {}, 1.0, 0.1, 0.5, "tank"});
-    const auto field = built(spec, rectangle(10, 10, 4, 4));
+    const auto field = fieldOf(spec, rectangle(10, 10, 4, 4));
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(0.0, 10.0);
     for (int i = 0; i < 2000; ++i) {
@@ -84,11 +80,11 @@ TEST_CASE("SpacingField: a sample names the rule with the next larger size") {
     domain.boundaryNames[5] = "outlet";
     SpacingSpec spec;
     spec.size = 1.0;
-    const auto constant = built(spec, domain);
+    const auto constant = fieldOf(spec, domain);
     CHECK_FALSE(constant->sample({4, 2}).runnerUp);
     spec.sources.push_back({SourceShape::Point, {2, 2}, {}, 0.0, 0.25, 0.25, "pier"});
     spec.partSizes = {{5, {0.125, 0.25}}};
-    const auto field = built(spec, domain);
+    const auto field = fieldOf(spec, domain);
     const auto check = [&](Vec2 p, const char *winner, double rho, const char *next) {
         const SpacingSample sample = field->sample(p);
         CHECK(sample.describe == winner);
@@ -105,7 +101,7 @@ TEST_CASE("SpacingField: a sample names the rule with the next larger size") {
     check({4.7, 2}, "source 'pier'", 0.95, "size of 'outlet'"); // 0.925
     check({0, 0}, "source 'pier'", 1.0, "constant");
     spec.size = 0.1;
-    const auto fine = built(spec, domain);
+    const auto fine = fieldOf(spec, domain);
     CHECK(fine->sample({2, 2}).describe == "constant");
     CHECK(fine->sample({2, 2}).runnerUp->describe == "source 'pier'");
     CHECK(scaledField(fine, 2.0)->sample({2, 2}).runnerUp->rho == doctest::Approx(0.5));
@@ -117,7 +113,7 @@ TEST_CASE("SpacingField: the lengths of all boundary segments are one rule, with
         SpacingSpec spec;
         spec.fromBoundary = true;
         spec.size = 5.0;
-        const auto field = built(spec, rectangle(10, 10, pieces, pieces));
+        const auto field = fieldOf(spec, rectangle(10, 10, pieces, pieces));
         for (const Vec2 p : {Vec2{5, 0.1}, Vec2{0.3, 0.2}, Vec2{9.9, 7}}) {
             const SpacingSample sample = field->sample(p);
             CHECK(sample.describe.starts_with("length of a segment of 'boundary_1' at ("));
@@ -130,7 +126,7 @@ TEST_CASE("SpacingField: the lengths of all boundary segments are one rule, with
 
 TEST_CASE("SpacingField: automatic spacing respects short segments and is graded") {
     const Domain domain = rectangle(10, 5, 200, 5);
-    const auto field = built({}, domain);
+    const auto field = fieldOf({}, domain);
     CHECK(field->at({5, 0}) == doctest::Approx(0.05).epsilon(0.01));
     CHECK(field->maximum() <= 0.5);
     std::mt19937 random(11);
@@ -167,7 +163,7 @@ TEST_CASE("SpacingField: an expression without a positive value somewhere is ref
 TEST_CASE("SpacingField: an expression without gradation is left exactly as given") {
     SpacingSpec spec;
     spec.expression = "max(0.1, 0.8*abs(dist(5, 5) - 3))";
-    const auto field = built(spec, rectangle(10, 10, 1, 1));
+    const auto field = fieldOf(spec, rectangle(10, 10, 1, 1));
     for (double x = 0.05; x < 10.0; x += 0.37) {
         CHECK(field->at({x, 4.2}) ==
               doctest::Approx(std::max(0.1, 0.8 * std::fabs(distance({x, 4.2}, {5, 5}) - 3))).epsilon(1e-14));
@@ -183,9 +179,9 @@ TEST_CASE("SpacingField: a steep expression is limited by the gradation formula 
         SpacingSpec spec;
         spec.expression = text;
         const Domain domain = rectangle(10, 10, 1, 1);
-        const auto plain = built(spec, domain);
+        const auto plain = fieldOf(spec, domain);
         spec.gradation = 0.2;
-        const auto limited = built(spec, domain);
+        const auto limited = fieldOf(spec, domain);
         std::mt19937 random(31);
         std::uniform_real_distribution<double> place(0.0, 10.0);
         for (int n = 0; n < (forefront::testing::kSanitized ? 8 : 40); ++n) {
@@ -211,7 +207,7 @@ TEST_CASE("SpacingField: the gradation limits the difference between any two pla
     spec.maximum = 0.8;
     spec.gradation = 0.2;
     spec.fromBoundary = true;
-    const auto field = built(spec, rectangle(10, 10, 40, 7));
+    const auto field = fieldOf(spec, rectangle(10, 10, 40, 7));
     std::mt19937 random(12);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (int i = 0; i < 20000; ++i) {
@@ -236,10 +232,10 @@ TEST_CASE("SpacingField: a minimum makes an expression that falls to zero valid,
     const Domain domain = rectangle(10, 10, 1, 1);
     CHECK(!SpacingField::build(spec, domain).ok());
     spec.minimum = 0.05;
-    CHECK(built(spec, domain)->at({5, 5}) == 0.05);
+    CHECK(fieldOf(spec, domain)->at({5, 5}) == 0.05);
     spec.expression = "1/x";
     spec.maximum = 2.0;
-    CHECK(built(spec, domain)->at({0, 5}) == 2.0);
+    CHECK(fieldOf(spec, domain)->at({0, 5}) == 2.0);
     spec.expression = "sqrt(x - 1)";
     const auto refused = SpacingField::build(spec, domain);
     REQUIRE(!refused.ok());
@@ -250,10 +246,10 @@ TEST_CASE("SpacingField: a minimum makes an expression that falls to zero valid,
 TEST_CASE("SpacingField: values between the probes are always valid") {
     SpacingSpec spec;
     spec.expression = "abs(x - 0.501234) + abs(y - 0.301234)"; // zero at one place only
-    const auto field = built(spec, rectangle(1, 1, 1, 1));
+    const auto field = fieldOf(spec, rectangle(1, 1, 1, 1));
     CHECK(field->at({0.501234, 0.301234}) > 0.0);
     spec.expression = "x == 0.501234 ? sqrt(-1) : 1";
-    CHECK(std::isfinite(built(spec, rectangle(1, 1, 1, 1))->at({0.501234, 0.3})));
+    CHECK(std::isfinite(fieldOf(spec, rectangle(1, 1, 1, 1))->at({0.501234, 0.3})));
 }
 
 TEST_CASE("SpacingField: many sources give the same as few, within the tolerance of the tree") {
@@ -270,7 +266,7 @@ TEST_CASE("SpacingField: many sources give the same as few, within the tolerance
                                     a, a + Vec2{share(random), share(random)}, 0.3 * share(random),
                                     0.01 + 0.3 * share(random), share(random), ""});
         }
-        const auto field = built(spec, rectangle(10, 10, 1, 1));
+        const auto field = fieldOf(spec, rectangle(10, 10, 1, 1));
         for (int i = 0; i < 3000; ++i) {
             const Vec2 p{10 * share(random), 10 * share(random)};
             double expected = 2.0;
@@ -294,8 +290,8 @@ TEST_CASE("SpacingField: single, bulk, repeated and threaded evaluation give bit
     spec.expression = "0.5 + 0.3*sin(x)*cos(y)";
     spec.fromBoundary = true;
     const Domain domain = rectangle(10, 6, 100, 30);
-    const auto one = built(spec, domain);
-    const auto other = built(spec, domain);
+    const auto one = fieldOf(spec, domain);
+    const auto other = fieldOf(spec, domain);
     std::vector<Vec2> points;
     for (int i = 0; i < 5000; ++i) {
         points.push_back({10.0 * (i % 97) / 97.0, 6.0 * (i % 89) / 89.0});
@@ -323,12 +319,12 @@ TEST_CASE("SpacingField: single, bulk, repeated and threaded evaluation give bit
 TEST_CASE("SpacingField: boundary lengths alone give a spacing everywhere") {
     SpacingSpec spec;
     spec.fromBoundary = true;
-    const auto field = built(spec, rectangle(10, 10, 50, 2));
+    const auto field = fieldOf(spec, rectangle(10, 10, 50, 2));
     CHECK(field->at({5, 0}) == doctest::Approx(0.2).epsilon(0.01));
     CHECK(field->at({5, 2}) == doctest::Approx(0.7).epsilon(0.01));
     CHECK(field->sample({5, 2}).origin == SpacingOrigin::Boundary);
     spec.fromBoundary = true;
-    CHECK(std::isfinite(built(spec, Domain{})->at({0, 0})));
+    CHECK(std::isfinite(fieldOf(spec, Domain{})->at({0, 0})));
 }
 
 TEST_CASE("SpacingField: refuses all invalid numbers at once, naming the sources") {
@@ -372,7 +368,7 @@ TEST_CASE(
     SpacingSpec spec;
     spec.size = 1.0;
     spec.partSizes = {{5, {0.125, 0.25}}, {7, {0.25, 0.5}}};
-    const auto field = built(spec, domain);
+    const auto field = fieldOf(spec, domain);
     CHECK(field->at({8, 2}) == doctest::Approx(0.125));
     CHECK(field->at({7, 2}) == doctest::Approx(0.375));
     CHECK(field->at({0, 0}) == doctest::Approx(1.0));

@@ -1,6 +1,7 @@
 #include "core/base/number_text.hpp"
 #include "core/domain/validate.hpp"
 #include "core/geometry/predicates.hpp"
+#include "tests/support/domain_builder.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>
@@ -14,13 +15,6 @@ using namespace forefront::testing;
 
 namespace {
 
-Domain square(double size = 4.0) {
-    Domain domain;
-    domain.nodes = {{0, 0}, {size, 0}, {size, size}, {0, size}};
-    domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-    return domain;
-}
-
 std::uint32_t addNode(Domain &domain, Vec2 at) {
     domain.nodes.push_back(at);
     return static_cast<std::uint32_t>(domain.nodes.size() - 1);
@@ -31,7 +25,7 @@ void addConstraint(Domain &domain, Vec2 a, Vec2 b) {
     domain.segments.push_back({from, to, 2, SegmentRole::Constraint});
 }
 
-std::string codes(const Diagnostics &faults) {
+std::string codeList(const Diagnostics &faults) {
     std::string text;
     for (const Diagnostic &fault : faults) {
         text += (text.empty() ? "" : " ") + fault.code;
@@ -54,7 +48,7 @@ std::vector<std::uint32_t> indices(const Diagnostic &fault) {
 
 void checkOne(const Domain &domain, const char *code, Vec2 at, const std::vector<std::uint32_t> &ids) {
     const Diagnostics faults = validate(domain);
-    REQUIRE(codes(faults) == code);
+    REQUIRE(codeList(faults) == code);
     CHECK(faults[0].at == at);
     CHECK(indices(faults[0]) == ids);
     CHECK_FALSE(faults[0].advice.empty());
@@ -68,57 +62,57 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 TEST_CASE("validate: thousands of random domains of every family have no fault") {
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
         CAPTURE(seed);
-        REQUIRE(codes(validate(randomDomain(seed))) == "");
+        REQUIRE(codeList(validate(randomDomain(seed))) == "");
     }
 }
 
 TEST_CASE("validate: distinguishes crossing, touching and overlapping segments, with their places") {
-    Domain crossing = square();
+    Domain crossing = squareDomain(4);
     addConstraint(crossing, {1, 1}, {3, 3});
     addConstraint(crossing, {1, 3}, {3, 1});
     checkOne(crossing, "crossing-segments", {2, 2}, {4, 5});
-    Domain touching = square();
+    Domain touching = squareDomain(4);
     addConstraint(touching, {1, 1}, {4, 2});
     checkOne(touching, "touching-segments", {4, 2}, {5, 1});
-    Domain overlapping = square();
+    Domain overlapping = squareDomain(4);
     addConstraint(overlapping, {1, 1}, {3, 1});
     addConstraint(overlapping, {2, 1}, {3.5, 1});
     checkOne(overlapping, "overlapping-segments", {2.5, 1}, {4, 5});
 }
 
 TEST_CASE("validate: a constraint point on a segment touches it, but one at a corner does not") {
-    Domain domain = square();
+    Domain domain = squareDomain(4);
     domain.points = {{1, 5}};
-    CHECK(codes(validate(domain)) == "");
+    CHECK(codeList(validate(domain)) == "");
     domain.points.push_back({addNode(domain, {2, 0}), 1});
     checkOne(domain, "touching-segments", {2, 0}, {4, 0});
 }
 
 TEST_CASE("validate: reports duplicate nodes and segments and segments without length") {
-    Domain nodes = square();
+    Domain nodes = squareDomain(4);
     nodes.segments[3] = {3, addNode(nodes, {0, 0})};
     checkOne(nodes, "duplicate-node", {0, 0}, {0, 4});
-    Domain segments = square();
+    Domain segments = squareDomain(4);
     segments.segments.push_back({2, 1});
     checkOne(segments, "duplicate-segment", {4, 2}, {1, 4});
-    Domain empty = square();
+    Domain empty = squareDomain(4);
     empty.segments.push_back({2, 2});
     checkOne(empty, "zero-length", {4, 4}, {4});
 }
 
 TEST_CASE("validate: reports open chains and odd numbers of boundary segments at a node") {
-    Domain open = square();
+    Domain open = squareDomain(4);
     open.segments.pop_back();
     const Diagnostics faults = validate(open);
-    CHECK(codes(faults) == "open-chain open-chain");
+    CHECK(codeList(faults) == "open-chain open-chain");
     CHECK(indices(faults[0]) == std::vector<std::uint32_t>{0});
     CHECK(indices(faults[1]) == std::vector<std::uint32_t>{3});
     CHECK(faults[0].message == faults[1].message);
-    Domain tee = square();
+    Domain tee = squareDomain(4);
     tee.segments.push_back({0, 2});
-    CHECK(codes(validate(tee)) == "open-chain open-chain");
+    CHECK(codeList(validate(tee)) == "open-chain open-chain");
     tee.segments.back().role = SegmentRole::Constraint;
-    CHECK(codes(validate(tee)) == "");
+    CHECK(codeList(validate(tee)) == "");
 }
 
 TEST_CASE("validate: a boundary of very many loose segments is refused with a list of limited length") {
@@ -138,12 +132,12 @@ TEST_CASE("validate: a boundary of very many loose segments is refused with a li
 TEST_CASE("validate: reports the distance from an open end to the nearest other end, and advises welding only for "
           "narrow gaps") {
     const auto faultsOf = [](double gap) {
-        Domain open = square();
+        Domain open = squareDomain(4);
         open.segments.pop_back();
         open.nodes[3] = {open.nodes[0].x, open.nodes[0].y + gap};
         return validate(open);
     };
-    const double size = square().bounds().diagonal();
+    const double size = squareDomain(4).bounds().diagonal();
     for (const Diagnostic &fault : faultsOf(0.001 * size)) {
         CHECK(fault.message == "the boundary ends at a node, " + numberText(0.001 * size, 3) +
                                    " from the nearest other end; expected a closed loop");
@@ -157,42 +151,42 @@ TEST_CASE("validate: reports the distance from an open end to the nearest other 
 }
 
 TEST_CASE("validate: numbers that are not finite, indices out of range and tags below 1 are refused") {
-    Domain number = square();
+    Domain number = squareDomain(4);
     number.nodes[2].y = kNan;
     checkOne(number, "non-finite", {4, 0}, {2});
-    Domain index = square();
+    Domain index = squareDomain(4);
     index.segments[1].b = 77;
     CHECK(indices(*find(validate(index), "bad-index")) == std::vector<std::uint32_t>{1});
-    index = square();
+    index = squareDomain(4);
     index.points.push_back({5, 1});
-    CHECK(codes(validate(index)) == "bad-index");
-    Domain tag = square();
+    CHECK(codeList(validate(index)) == "bad-index");
+    Domain tag = squareDomain(4);
     tag.segments[2].tag = 0;
     checkOne(tag, "bad-tag", {2, 4}, {2});
-    Domain marker = square();
+    Domain marker = squareDomain(4);
     marker.regionMarkers.push_back({{kNan, 1}, 1});
-    CHECK(codes(validate(marker)) == "non-finite");
-    CHECK(codes(validate(square(1e70))) == "out-of-range out-of-range out-of-range");
-    CHECK(codes(validate(square(1e-70))) == "out-of-range");
+    CHECK(codeList(validate(marker)) == "non-finite");
+    CHECK(codeList(validate(squareDomain(1e70))) == "out-of-range out-of-range out-of-range");
+    CHECK(codeList(validate(squareDomain(1e-70))) == "out-of-range");
 }
 
 TEST_CASE("validate: a domain too far from the origin to tell its nodes apart is refused") {
-    Domain domain = square();
+    Domain domain = squareDomain(4);
     for (Vec2 &p : domain.nodes) {
         p += {1e12, -1e12};
     }
-    CHECK(codes(validate(domain)) == "");
+    CHECK(codeList(validate(domain)) == "");
     for (Vec2 &p : domain.nodes) {
         p += {1e13, 0};
     }
-    CHECK(codes(validate(domain)) == "out-of-range");
+    CHECK(codeList(validate(domain)) == "out-of-range");
     CHECK_FALSE(validate(domain)[0].advice.empty());
 }
 
 TEST_CASE("validate: places of faults are finite for any coordinates") {
     for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1.7e308, -1e200}) {
         for (std::size_t n = 0; n < 4; ++n) {
-            Domain domain = square(1.6e308);
+            Domain domain = squareDomain(1.6e308);
             domain.nodes[n] = {bad, bad};
             domain.segments[n].tag = -1;
             domain.segments.push_back({0, 2});
@@ -209,16 +203,16 @@ TEST_CASE("validate: places of faults are finite for any coordinates") {
 }
 
 TEST_CASE("validate: reports unreferenced nodes and parts outside the domain") {
-    Domain node = square();
+    Domain node = squareDomain(4);
     addNode(node, {1, 1});
     checkOne(node, "unreferenced-node", {1, 1}, {4});
-    Domain point = square();
+    Domain point = squareDomain(4);
     point.points.push_back({addNode(point, {5, 1}), 1});
     checkOne(point, "point-outside", {5, 1}, {4});
-    Domain segment = square();
+    Domain segment = squareDomain(4);
     addConstraint(segment, {5, 1}, {7, 1});
     checkOne(segment, "segment-outside", {6, 1}, {4});
-    Domain marker = square();
+    Domain marker = squareDomain(4);
     marker.regionMarkers = {{{2, 2}, 1}, {{9, 9}, 3}};
     checkOne(marker, "region-marker-outside", {9, 9}, {1});
     marker.regionMarkers[1].at = {4, 1};
@@ -226,27 +220,27 @@ TEST_CASE("validate: reports unreferenced nodes and parts outside the domain") {
     marker.regionMarkers[1].at = {3, 3};
     checkOne(marker, "region-marker-conflict", {3, 3}, {0, 1});
     marker.regionMarkers[1].tag = 1;
-    CHECK(codes(validate(marker)) == "");
+    CHECK(codeList(validate(marker)) == "");
 }
 
 TEST_CASE("validate: under HoleMarkers holes need markers in bounded parts, and free ends may lie inside") {
-    Domain domain = square();
+    Domain domain = squareDomain(4);
     domain.insideRule = InsideRule::HoleMarkers;
     domain.segments.push_back({0, addNode(domain, {2, 2})});
-    CHECK(codes(validate(domain)) == "");
+    CHECK(codeList(validate(domain)) == "");
     domain.holeMarkers = {{9, 9}};
     checkOne(domain, "hole-outside", {9, 9}, {0});
-    domain = square();
+    domain = squareDomain(4);
     domain.insideRule = InsideRule::HoleMarkers;
     domain.holeMarkers = {{1, 3}};
-    CHECK(codes(validate(domain)) == "empty-domain");
+    CHECK(codeList(validate(domain)) == "empty-domain");
     domain.holeMarkers.clear();
     domain.segments.erase(domain.segments.begin() + 2); // open: nothing is bounded
-    CHECK(codes(validate(domain)) == "open-chain open-chain");
+    CHECK(codeList(validate(domain)) == "open-chain open-chain");
 }
 
 TEST_CASE("validate: an empty domain is refused") {
-    CHECK(codes(validate({})) == "empty-domain");
+    CHECK(codeList(validate({})) == "empty-domain");
     Domain nodes;
     nodes.nodes = {{0, 0}, {1, 1}};
     CHECK(find(validate(nodes), "empty-domain") != nullptr);
@@ -258,7 +252,7 @@ TEST_CASE("validate: an empty domain is refused") {
 }
 
 TEST_CASE("validate: faults of different kinds are all reported at once") {
-    Domain domain = square();
+    Domain domain = squareDomain(4);
     addConstraint(domain, {1, 1}, {3, 3});
     addConstraint(domain, {1, 3}, {3, 1});
     domain.segments.push_back({0, 0});
@@ -277,7 +271,7 @@ TEST_CASE("validate: faults of different kinds are all reported at once") {
 }
 
 TEST_CASE("validate: lists faults up to the limit and counts the rest") {
-    Domain domain = square(1000.0);
+    Domain domain = squareDomain(1000.0);
     for (int i = 1; i <= 30; ++i) {
         addConstraint(domain, {10.0 * i, 5}, {10.0 * i, 995});
         addConstraint(domain, {5, 10.0 * i}, {995, 10.0 * i});

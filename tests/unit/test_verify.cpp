@@ -8,9 +8,9 @@
 #include <map>
 
 using namespace forefront;
+using samples::Codes;
 using samples::codes;
 using samples::node;
-using Codes = std::set<std::string>;
 
 namespace {
 

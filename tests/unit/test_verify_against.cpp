@@ -4,20 +4,20 @@
 #include <doctest/doctest.h>
 
 using namespace forefront;
+using samples::Codes;
 using samples::codes;
 using samples::node;
-using Codes = std::set<std::string>;
 
 namespace {
 
 /// A square with an inner constraint along x = 1/2 that separates two regions, and a constraint point.
-struct Case {
+struct TwoRegions {
     Mesh mesh;
     DiscreteDomain domain;
 };
 
-Case twoRegions(Vec2 offset = {}) {
-    Case c{samples::square(8, 8, 0.0, offset), {}};
+TwoRegions twoRegions(Vec2 offset = {}) {
+    TwoRegions c{samples::square(8, 8, 0.0, offset), {}};
     Mesh &mesh = c.mesh;
     for (const Element &e : mesh.elements) {
         const Vec2 sum = mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])];
@@ -43,9 +43,8 @@ Case twoRegions(Vec2 offset = {}) {
     return c;
 }
 
-template <class Change>
-Codes after(Change &&change) {
-    Case c = twoRegions();
+Codes after(void (*change)(TwoRegions &)) {
+    TwoRegions c = twoRegions();
     change(c);
     return codes(verifyAgainst(c.mesh, c.domain));
 }
@@ -54,18 +53,18 @@ Codes after(Change &&change) {
 
 TEST_CASE("verifyAgainst: a mesh has no fault against its discrete domain, even far from the origin") {
     for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{1e5 + 0.3, 1e5 + 0.7}}) {
-        const Case c = twoRegions(offset);
+        const TwoRegions c = twoRegions(offset);
         const Diagnostics faults = verifyAgainst(c.mesh, c.domain);
         CHECK_MESSAGE(faults.empty(), samples::list(faults));
     }
 }
 
 TEST_CASE("verifyAgainst: the mesh's own faults come first") {
-    CHECK(after([](Case &c) { c.mesh.nodes.push_back({9, 9}); }) == Codes{"unreferenced-node"});
+    CHECK(after([](TwoRegions &c) { c.mesh.nodes.push_back({9, 9}); }) == Codes{"unreferenced-node"});
 }
 
 TEST_CASE("verifyAgainst: a segment that is not an edge of the mesh is missing, with its place") {
-    Case c = twoRegions();
+    TwoRegions c = twoRegions();
     const auto first = static_cast<std::uint32_t>(c.domain.nodes.size());
     c.domain.nodes.insert(c.domain.nodes.end(), {{0.0, 0.0}, {0.25, 0.125}});
     c.domain.segments.push_back({first, first + 1, 9, 0, 0, 0});
@@ -75,25 +74,27 @@ TEST_CASE("verifyAgainst: a segment that is not an edge of the mesh is missing, 
 }
 
 TEST_CASE("verifyAgainst: edge tags must be present, correct, single and on segments") {
-    CHECK(after([](Case &c) { c.mesh.edges[3].tag = 77; }) == Codes{"wrong-tag"});
+    CHECK(after([](TwoRegions &c) { c.mesh.edges[3].tag = 77; }) == Codes{"wrong-tag"});
     // The nodes of the edge taken away stay known by their other edges.
-    CHECK(after([](Case &c) { c.mesh.edges.erase(c.mesh.edges.begin() + 4); }) == Codes{"missing-tagged-edge"});
-    CHECK(after([](Case &c) { c.mesh.edges.push_back(c.mesh.edges[0]); }) == Codes{"duplicate-tagged-edge"});
-    CHECK(after([](Case &c) { c.mesh.edges.push_back({node(10), node(11), 1}); }) == Codes{"unexpected-tagged-edge"});
+    CHECK(after([](TwoRegions &c) { c.mesh.edges.erase(c.mesh.edges.begin() + 4); }) == Codes{"missing-tagged-edge"});
+    CHECK(after([](TwoRegions &c) { c.mesh.edges.push_back(c.mesh.edges[0]); }) == Codes{"duplicate-tagged-edge"});
+    CHECK(after([](TwoRegions &c) {
+              c.mesh.edges.push_back({node(10), node(11), 1});
+          }) == Codes{"unexpected-tagged-edge"});
 }
 
 TEST_CASE("verifyAgainst: regions must be correct on both sides of segments and change nowhere else") {
-    CHECK(after([](Case &c) { c.domain.regions[1].tag = 8; }) == Codes{"wrong-region"});
-    CHECK(after([](Case &c) { c.mesh.regions[36] = 6; }) == Codes{"wrong-region"});
+    CHECK(after([](TwoRegions &c) { c.domain.regions[1].tag = 8; }) == Codes{"wrong-region"});
+    CHECK(after([](TwoRegions &c) { c.mesh.regions[36] = 6; }) == Codes{"wrong-region"});
     // An element that no segment borders: only the change of region across its edges shows the fault.
-    CHECK(after([](Case &c) { c.mesh.regions[2 * 9 + 1] = 7; }) == Codes{"wrong-region"});
+    CHECK(after([](TwoRegions &c) { c.mesh.regions[2 * 9 + 1] = 7; }) == Codes{"wrong-region"});
 }
 
 TEST_CASE("verifyAgainst: elements must cover the inside and nothing else") {
-    CHECK(after([](Case &c) { c.domain.segments[0].leftRegion = kOutside; }).count("element-outside") == 1);
-    CHECK(after([](Case &c) { c.domain.segments[0].rightRegion = 0; }).count("missing-element") == 1);
+    CHECK(after([](TwoRegions &c) { c.domain.segments[0].leftRegion = kOutside; }).count("element-outside") == 1);
+    CHECK(after([](TwoRegions &c) { c.domain.segments[0].rightRegion = 0; }).count("missing-element") == 1);
     // A mesh with a hole that the domain does not have.
-    CHECK(after([](Case &c) {
+    CHECK(after([](TwoRegions &c) {
               for (const std::size_t e : {37U, 36U}) {
                   c.mesh.elements.erase(c.mesh.elements.begin() + e);
                   c.mesh.regions.erase(c.mesh.regions.begin() + e);
@@ -102,18 +103,18 @@ TEST_CASE("verifyAgainst: elements must cover the inside and nothing else") {
 }
 
 TEST_CASE("verifyAgainst: constraint points must be tagged nodes") {
-    CHECK(after([](Case &c) { c.mesh.points[0].tag = 5; }) == Codes{"wrong-tag"});
-    CHECK(after([](Case &c) { c.mesh.points.clear(); }) == Codes{"missing-point"});
-    CHECK(after([](Case &c) { c.domain.nodes.back() += {1e-12, 0.0}; }) == Codes{"missing-point"});
+    CHECK(after([](TwoRegions &c) { c.mesh.points[0].tag = 5; }) == Codes{"wrong-tag"});
+    CHECK(after([](TwoRegions &c) { c.mesh.points.clear(); }) == Codes{"missing-point"});
+    CHECK(after([](TwoRegions &c) { c.domain.nodes.back() += {1e-12, 0.0}; }) == Codes{"missing-point"});
 }
 
 TEST_CASE("verifyAgainst: the area must be the domain's within rounding") {
-    CHECK(after([](Case &c) { c.domain.regions[0].area += 1e-9; }) == Codes{"area"});
-    CHECK(after([](Case &c) { c.domain.regions[0].area += 1e-13; }).empty());
+    CHECK(after([](TwoRegions &c) { c.domain.regions[0].area += 1e-9; }) == Codes{"area"});
+    CHECK(after([](TwoRegions &c) { c.domain.regions[0].area += 1e-13; }).empty());
 }
 
 TEST_CASE("verifyAgainst: a mesh without any tags is compared by its shape alone") {
-    Case c = twoRegions();
+    TwoRegions c = twoRegions();
     c.mesh.edges.clear();
     c.mesh.points.clear();
     c.mesh.regions.clear();

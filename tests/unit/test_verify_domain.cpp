@@ -5,21 +5,21 @@
 #include <doctest/doctest.h>
 
 using namespace forefront;
+using samples::Codes;
 using samples::codes;
 using samples::node;
-using Codes = std::set<std::string>;
 
 namespace {
 
 /// A square of 12 x 12 cells, turned by `turn` so that no side is parallel to an axis, whose right half is region 6,
 /// with a constraint point; and the domain of seven segments that it meshes.
-struct Case {
+struct TurnedSquare {
     Mesh mesh;
     Domain domain;
 };
 
-Case turnedSquare(double turn = 0.3, Vec2 offset = {}) {
-    Case c{samples::square(12, 12, 0.2), {}};
+TurnedSquare turnedSquare(double turn = 0.3, Vec2 offset = {}) {
+    TurnedSquare c{samples::square(12, 12, 0.2), {}};
     Mesh &mesh = c.mesh;
     for (std::size_t j = 0; j <= 12; ++j) {
         mesh.nodes[13 * j + 6].x = 0.5; // the constraint is straight
@@ -45,9 +45,8 @@ Case turnedSquare(double turn = 0.3, Vec2 offset = {}) {
     return c;
 }
 
-template <class Change>
-Codes after(Change &&change) {
-    Case c = turnedSquare();
+Codes after(void (*change)(TurnedSquare &)) {
+    TurnedSquare c = turnedSquare();
     change(c);
     return codes(verifyAgainst(c.mesh, c.domain));
 }
@@ -57,7 +56,7 @@ Codes after(Change &&change) {
 TEST_CASE("verifyAgainst domain: accepts a mesh that divides segments, rotated and far from the origin") {
     for (const double turn : {0.0, 0.3, 2.0}) {
         for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{123456.7, 1e5 + 0.3}}) {
-            const Case c = turnedSquare(turn, offset);
+            const TurnedSquare c = turnedSquare(turn, offset);
             const Diagnostics faults = verifyAgainst(c.mesh, c.domain);
             CHECK_MESSAGE(faults.empty(), samples::list(faults));
         }
@@ -65,22 +64,24 @@ TEST_CASE("verifyAgainst domain: accepts a mesh that divides segments, rotated a
 }
 
 TEST_CASE("verifyAgainst domain: reports the faults of an invalid domain") {
-    CHECK(after([](Case &c) { c.domain.segments.pop_back(), c.domain.segments.pop_back(); }).count("open-chain") == 1);
+    CHECK(after([](TurnedSquare &c) {
+              c.domain.segments.pop_back(), c.domain.segments.pop_back();
+          }).count("open-chain") == 1);
 }
 
 TEST_CASE("verifyAgainst domain: given nodes must be nodes of the mesh exactly") {
-    CHECK(after([](Case &c) { c.domain.nodes[0].x -= 1e-15; }) == Codes{"missing-node"});
-    CHECK(after([](Case &c) { c.domain.nodes[6].x += 1e-15; }) == Codes{"missing-point"});
+    CHECK(after([](TurnedSquare &c) { c.domain.nodes[0].x -= 1e-15; }) == Codes{"missing-node"});
+    CHECK(after([](TurnedSquare &c) { c.domain.nodes[6].x += 1e-15; }) == Codes{"missing-point"});
 }
 
 TEST_CASE("verifyAgainst domain: inserted nodes must lie on their segment") {
     // Node 3 lies on the bottom side; out of it by 1e-12 is rounding, by 1e-6 is a fault.
-    CHECK(after([](Case &c) { c.mesh.nodes[3].y -= 1e-12; }).empty());
-    CHECK(after([](Case &c) { c.mesh.nodes[3].y -= 1e-6; }) == Codes{"missing-segment"});
+    CHECK(after([](TurnedSquare &c) { c.mesh.nodes[3].y -= 1e-12; }).empty());
+    CHECK(after([](TurnedSquare &c) { c.mesh.nodes[3].y -= 1e-6; }) == Codes{"missing-segment"});
 }
 
 TEST_CASE("verifyAgainst domain: reports missing segments with their position") {
-    Case c = turnedSquare();
+    TurnedSquare c = turnedSquare();
     c.domain.segments.push_back({0, 6, 1, SegmentRole::Constraint});
     const Diagnostics faults = verifyAgainst(c.mesh, c.domain);
     CHECK_MESSAGE(codes(faults) == Codes{"missing-segment"}, samples::list(faults));
@@ -90,7 +91,7 @@ TEST_CASE("verifyAgainst domain: reports missing segments with their position") 
 
 TEST_CASE("verifyAgainst domain: a mesh of a larger or smaller domain does not pass") {
     // The domain has a hole that the mesh fills.
-    CHECK(!after([](Case &c) {
+    CHECK(!after([](TurnedSquare &c) {
                const auto first = static_cast<std::uint32_t>(c.domain.nodes.size());
                for (const std::size_t n : {14U, 15U, 41U}) {
                    c.domain.nodes.push_back(c.mesh.nodes[n]);
@@ -102,7 +103,7 @@ TEST_CASE("verifyAgainst domain: a mesh of a larger or smaller domain does not p
                c.domain.nodes.pop_back();
            }).empty());
     // The mesh has a hole that the domain does not have.
-    CHECK(after([](Case &c) {
+    CHECK(after([](TurnedSquare &c) {
               for (const std::size_t e : {31U, 30U}) {
                   c.mesh.elements.erase(c.mesh.elements.begin() + e);
                   c.mesh.regions.erase(c.mesh.regions.begin() + e);
@@ -111,20 +112,22 @@ TEST_CASE("verifyAgainst domain: a mesh of a larger or smaller domain does not p
 }
 
 TEST_CASE("verifyAgainst domain: tags and regions are compared") {
-    CHECK(after([](Case &c) { c.domain.segments[0].tag = 3; }) == Codes{"wrong-tag"});
-    CHECK(after([](Case &c) { c.mesh.edges[5].tag = 2; }) == Codes{"wrong-tag"});
-    CHECK(after([](Case &c) { c.domain.points[0].tag = 1; }) == Codes{"wrong-tag"});
-    CHECK(after([](Case &c) { c.domain.regionMarkers[1].tag = 7; }) == Codes{"wrong-region"});
-    CHECK(after([](Case &c) { c.mesh.edges.push_back({node(14), node(15), 2}); }) == Codes{"unexpected-tagged-edge"});
+    CHECK(after([](TurnedSquare &c) { c.domain.segments[0].tag = 3; }) == Codes{"wrong-tag"});
+    CHECK(after([](TurnedSquare &c) { c.mesh.edges[5].tag = 2; }) == Codes{"wrong-tag"});
+    CHECK(after([](TurnedSquare &c) { c.domain.points[0].tag = 1; }) == Codes{"wrong-tag"});
+    CHECK(after([](TurnedSquare &c) { c.domain.regionMarkers[1].tag = 7; }) == Codes{"wrong-region"});
+    CHECK(after([](TurnedSquare &c) {
+              c.mesh.edges.push_back({node(14), node(15), 2});
+          }) == Codes{"unexpected-tagged-edge"});
 }
 
 TEST_CASE("verifyAgainst domain: a mesh from a format without tags is compared by its shape") {
-    CHECK(after([](Case &c) {
+    CHECK(after([](TurnedSquare &c) {
               c.mesh.edges.clear();
               c.mesh.points.clear();
               c.mesh.regions.clear();
           }).empty());
-    CHECK(after([](Case &c) {
+    CHECK(after([](TurnedSquare &c) {
               c.mesh.edges.clear();
               c.mesh.points.clear();
               c.mesh.regions.clear();
