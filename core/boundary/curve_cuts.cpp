@@ -21,7 +21,7 @@ double upper(const CurveStretch &stretch) {
     return std::max(stretch.t0, stretch.t1);
 }
 
-/// Returns true if a piece is close enough to the curve in place of shorter ones.
+/// Returns true if one piece between two fractions is close enough to the curve.
 bool canJoin(const CurvePath &path, double from, double to) {
     constexpr double kVisible = 0.4; // relative to the tolerance: 1/5000 of the diagonal by default
     return path.allows(from, to) || path.deviation(from, to) < kVisible * path.tolerance;
@@ -145,19 +145,23 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
     return outcome;
 }
 
+bool CurveCuts::allowsPiece(std::uint32_t chain, double from, double to) const {
+    return canJoin({&curve(chain), 0.0, 1.0, tolerance_}, std::min(from, to), std::max(from, to));
+}
+
 void CurveCuts::joinEnd(std::uint32_t chain, bool atStart, double length) {
     const CurveChain &about = chains_.list[chain];
     if (about.start == about.end || elementsAlong(domain_, about) > 0) {
         return;
     }
     std::vector<double> &cuts = cuts_[chain];
-    const CurvePath path{&curve(chain), 0.0, 1.0, tolerance_};
+    const Curve &along = curve(chain);
     const std::size_t last = cuts.size() - 1;
     const auto cut = [&](std::size_t k) { return cuts[atStart ? k : last - k]; };
-    const Vec2 end = path.at(cut(0));
+    const Vec2 end = along.point(cut(0));
     std::size_t joined = 0;
-    while (joined + 1 < last && distance(path.at(cut(joined + 1)), end) < length &&
-           canJoin(path, std::min(cut(0), cut(joined + 2)), std::max(cut(0), cut(joined + 2)))) {
+    while (joined + 1 < last && distance(along.point(cut(joined + 1)), end) < length &&
+           allowsPiece(chain, cut(0), cut(joined + 2))) {
         ++joined;
     }
     const auto begin = atStart ? cuts.begin() + 1 : cuts.end() - 1 - static_cast<std::ptrdiff_t>(joined);

@@ -41,6 +41,8 @@ class CurveCuts {
     /// afterwards it holds the location of a fault, if any.
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
+    /// Returns true if one piece between two parameters is close enough to the curve of a chain.
+    bool allowsPiece(std::uint32_t chain, double from, double to) const;
     /// Removes the cuts within a distance of an end, as far as the piece there stays close to the curve; none of a
     /// chain that asks for a number of elements, or of a loop.
     void joinEnd(std::uint32_t chain, bool atStart, double length);

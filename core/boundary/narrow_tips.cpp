@@ -31,21 +31,23 @@ struct Side {
     const Curve *curve = nullptr; ///< null: straight
     double t = 0.0;               ///< parameter of the last place, at first that of the corner
     double end = 0.0;             ///< that of the other end
+    std::uint32_t chain = kNoIndex;
+    double corner = 0.0; ///< parameter of the corner
 
-    /// Returns the place at a distance from the corner, which must not be less than that of the last place.
-    Vec2 at(Vec2 corner, double x) {
+    /// Returns the place at distance x from the corner. Call it with x that never decreases.
+    Vec2 at(Vec2 tip, double x) {
         if (curve == nullptr) {
-            return corner + x * direction;
+            return tip + x * direction;
         }
         double next = t, step = kFirstStep * (end - t);
-        while (next != end && !(distance(curve->point(next), corner) >= x)) {
+        while (next != end && !(distance(curve->point(next), tip) >= x)) {
             t = next;
             next = std::fabs(step) < std::fabs(end - next) ? next + step : end;
             step *= 2.0;
         }
         for (int k = 0; k < kHalvings && t != next; ++k) {
             const double middle = std::midpoint(t, next);
-            (distance(curve->point(middle), corner) < x ? t : next) = middle;
+            (distance(curve->point(middle), tip) < x ? t : next) = middle;
         }
         return curve->point(t);
     }
@@ -164,7 +166,7 @@ class TipFinder {
             return std::nullopt;
         }
         const double far = t == chain.t0 ? chain.t1 : chain.t0;
-        return Side{{}, distance(curve.point(t), curve.point(far)), &curve, t, far};
+        return Side{{}, distance(curve.point(t), curve.point(far)), &curve, t, far, c, t};
     }
 
     /// Returns how far from the corner the tip is narrow.
@@ -178,13 +180,18 @@ class TipFinder {
             const Vec2 p = straight ? Vec2{} : a.at(corner, x), q = straight ? Vec2{} : b.at(corner, x);
             const double width = straight ? x * opening : distance(p, q);
             const double rho = spacing_.at(straight ? corner + x * middle : midpoint(p, q));
-            if (!(width < kNarrow * rho) || !(x + kStep * rho > x)) {
+            if (!(width < kNarrow * rho) || !(x + kStep * rho > x) || !canBeWhole(a) || !canBeWhole(b)) {
                 break;
             }
             narrow = x;
             x = std::min(longest, x + kStep * rho);
         }
         return narrow;
+    }
+
+    /// Returns true if a side can be one piece from the corner to its last place.
+    bool canBeWhole(const Side &side) const {
+        return side.curve == nullptr || curves_->allowsPiece(side.chain, side.corner, side.t);
     }
 
     const Domain &domain_;

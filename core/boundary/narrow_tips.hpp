@@ -21,7 +21,8 @@ struct NarrowEnd {
 ///
 /// A tip lies inside the domain between two segments that meet at less than 20 degrees, or the curves that these
 /// follow, with nothing but the outside beyond them. It is narrow as far from the corner as its sides are closer to
-/// each other than 1/4 of the spacing: nodes there would add thin elements, and none of them would be better for it.
+/// each other than 1/4 of the spacing and a curve can be followed by one piece: nodes there would add thin elements,
+/// and none of them would be better for it.
 ///
 /// `left` and `right` are the regions beside each segment, or kOutside; `curves` are those of the domain, or null.
 std::vector<NarrowEnd> findNarrowEnds(const Domain &domain, const SpacingField &spacing,

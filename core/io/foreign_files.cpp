@@ -20,27 +20,29 @@ std::string_view withoutBlanks(std::string_view text) {
 
 /// Returns the name of the outermost element of XML or HTML, in lower case; empty if there is none.
 std::string rootElement(std::string_view head) {
-    if (!withoutBlanks(head.starts_with("\xef\xbb\xbf") ? head.substr(3) : head).starts_with('<')) {
+    if (!withoutBlanks(head).starts_with('<')) {
         return {};
     }
     for (std::size_t at = head.find('<'); at != std::string_view::npos; at = head.find('<', at + 1)) {
-        if (head.substr(at).starts_with("<!--")) {
-            at = std::min(head.find("-->", at), head.size());
+        const std::string_view rest = head.substr(at);
+        if (rest.starts_with("<!--") || rest.starts_with("<?")) {
+            at = std::min(head.find(rest.starts_with("<?") ? "?>" : "-->", at), head.size());
             continue;
         }
         const std::size_t end = head.find_first_of(" \t\r\n/>"sv, at + 1);
         const std::string_view name = head.substr(at + 1, end == std::string_view::npos ? end : end - at - 1);
-        if (!name.empty() && name.front() != '?' && name.front() != '!') {
+        if (!name.empty() && name.front() != '!') {
             return lowerCase(name);
         }
     }
     return {};
 }
 
-/// Returns true for JSON whose first "type" is Topology.
+/// Returns true for JSON whose first "type" is Topology, and that names no Feature.
 bool isTopology(std::string_view head) {
     const std::size_t key = head.find("\"type\"");
-    if (!withoutBlanks(head).starts_with('{') || key == std::string_view::npos) {
+    if (!withoutBlanks(head).starts_with('{') || key == std::string_view::npos ||
+        head.find("\"Feature") != std::string_view::npos) {
         return false;
     }
     const std::string_view colon = withoutBlanks(head.substr(key + 6));
@@ -49,12 +51,16 @@ bool isTopology(std::string_view head) {
 
 bool isWellKnownText(std::string_view head) {
     const std::string start = lowerCase(withoutBlanks(head).substr(0, 24));
-    const std::size_t length = std::min(start.find_first_of(" (;="), start.size());
-    const std::string_view word = std::string_view(start).substr(0, length);
+    const std::size_t length = std::min(start.find_first_of(" \t\r\n(;="), start.size());
+    const std::string_view word = std::string_view(start).substr(0, length),
+                           after = withoutBlanks(start).substr(length);
     constexpr std::string_view kWords[] = {
         "point",           "linestring",         "polygon", "multipoint", "multipolygon",
         "multilinestring", "geometrycollection", "srid"};
-    return length < start.size() && std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+    constexpr std::string_view kNext[] = {"(", ";", "=", "z", "m", "empty"};
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords) &&
+           std::any_of(std::begin(kNext), std::end(kNext),
+                       [&](std::string_view next) { return withoutBlanks(after).starts_with(next); });
 }
 
 bool isDxf(std::string_view head) {
@@ -75,8 +81,8 @@ Kind kindOf(std::string_view head) {
         {"\0\0\x27\x0a"sv, {"an ESRI shapefile", kToGeoJson}},
         {"SQLite format 3"sv, {"a database, perhaps a GeoPackage", kToGeoJson}},
         {"PK\x03\x04"sv, {"a ZIP archive", "unpack it first, such as by unzip FILE"}},
-        {"%PDF"sv, {"a PDF document", "convert it to SVG, such as by pdftocairo -svg FILE NEW.svg"}},
-        {"%!PS"sv,
+        {"%PDF-"sv, {"a PDF document", "convert it to SVG, such as by pdftocairo -svg FILE NEW.svg"}},
+        {"%!PS-Adobe"sv,
          {"a PostScript drawing", "convert it to PDF and then to SVG, such as by ps2pdf and pdftocairo -svg"}},
         {"AC10"sv, {"a DWG drawing", "save it as SVG in the program that made it"}},
         {"\xff\xd8\xff"sv, {"a JPEG picture", "trace its outlines first, such as by Path > Trace Bitmap in Inkscape"}},
@@ -99,7 +105,7 @@ Kind kindOf(std::string_view head) {
     if (root == "html") {
         return {"a web page", "save the drawing or map itself, not the page that shows it"};
     }
-    if (root == "kml" || root == "gpx" || root.starts_with("gml:") || root.starts_with("wfs:")) {
+    if (root == "kml" || root == "gpx" || root.ends_with("featurecollection")) {
         return {root == "kml" ? "a KML file" : root == "gpx" ? "a GPX file" : "a GML file", kToGeoJson};
     }
     return {};

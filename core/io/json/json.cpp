@@ -55,7 +55,7 @@ std::uint32_t hexAt(std::string_view text, std::size_t at) {
 /// A parser without recursion: the open containers are a stack of tape entries.
 class JsonParser {
   public:
-    /// `sequence`: the text holds any number of values.
+    /// `sequence`: the text holds one or more values.
     JsonParser(const SourceText &source, bool sequence) : source_(source), text_(source.text), sequence_(sequence) {}
 
     Result<JsonDocument> run() {
