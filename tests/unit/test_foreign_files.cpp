@@ -26,6 +26,8 @@ TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to con
         {" {\"type\" : \"Topology\", \"arcs\": []}", "TopoJSON", "mapshaper"},
         {"MultiPolygon (((0 0, 1 0, 1 1, 0 0)))\n", "well-known text", "GeoJSON"},
         {"SRID=4326;POINT(1 2)", "well-known text", "GeoJSON"},
+        {"POLYGON\n((0 0, 1 0, 1 1, 0 0))", "well-known text", "GeoJSON"},
+        {"<ogr:FeatureCollection xmlns:gml=\"x\">", "GML", "ogr2ogr"},
         {"  0\r\nSECTION\r\n  2\r\nHEADER\r\n", "DXF", "SVG"},
         {"<!DOCTYPE html>\n<HTML lang=\"en\"><body><svg/></body></HTML>", "web page", "map itself"},
         {"<?xml version=\"1.0\"?>\n<!-- <svg> -->\n<kml xmlns=\"x\"><Document/></kml>", "KML", "ogr2ogr"},
@@ -47,11 +49,30 @@ TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to con
 }
 
 TEST_CASE("Foreign files: all that can be read, and fragments of what cannot, are left to the readers") {
-    for (const std::string &bytes :
-         {""s, " "s, "<"s, "<!--"s, "<!-- never closed <html>"s, "<?"s, "{\"type\""s, "{\"type\":"s, "0"s, "0\n"s,
-          "point"s, "polygonal (1)"s, "<svg xmlns=\"x\"><foreignObject><html/></foreignObject></svg>"s,
-          "{\"format\": \"forefront\", \"version\": 2, \"name\": \"Topology\"}"s, "{\"type\": \"FeatureCollection\"}"s,
-          "4 2 0 0\n1 0 0\n"s, "$MeshFormat\n2.2 0 8\n"s, "<VTKFile type=\"UnstructuredGrid\">"s, "\x89PNG\r\n"s}) {
+    for (const std::string &bytes : {""s,
+                                     " "s,
+                                     "<"s,
+                                     "<!--"s,
+                                     "<!-- never closed <html>"s,
+                                     "<?"s,
+                                     "{\"type\""s,
+                                     "{\"type\":"s,
+                                     "0"s,
+                                     "0\n"s,
+                                     "point"s,
+                                     "polygonal (1)"s,
+                                     "<svg xmlns=\"x\"><foreignObject><html/></foreignObject></svg>"s,
+                                     "{\"format\": \"forefront\", \"version\": 2, \"name\": \"Topology\"}"s,
+                                     "{\"type\": \"FeatureCollection\"}"s,
+                                     "4 2 0 0\n1 0 0\n"s,
+                                     "$MeshFormat\n2.2 0 8\n"s,
+                                     "<VTKFile type=\"UnstructuredGrid\">"s,
+                                     "\x89PNG\r\n"s,
+                                     "<?note <html> ?><svg/>"s,
+                                     "% PDF"s,
+                                     "%PDF export by a solver\nNDIME= 2\n"s,
+                                     "point cloud outline\nv 0 0 0\n"s,
+                                     "{\"properties\": {\"type\": \"Topology\"}, \"type\": \"Feature\"}"s}) {
         CAPTURE(bytes);
         CHECK(foreignFile(bytes).empty());
     }
