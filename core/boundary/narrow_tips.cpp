@@ -26,13 +26,13 @@ struct Arm {
 
 /// A side of a tip: a segment, or the chain that it belongs to.
 struct Side {
-    Vec2 direction;               ///< unit vector along a straight one
-    double length = 0.0;          ///< distance between its ends
-    const Curve *curve = nullptr; ///< null: straight
-    double t = 0.0;               ///< parameter of the last place, at first that of the corner
-    double end = 0.0;             ///< that of the other end
-    std::uint32_t chain = kNoIndex;
-    double corner = 0.0; ///< parameter of the corner
+    Vec2 direction;                 ///< unit vector along a straight one
+    double length = 0.0;            ///< distance between its ends
+    const Curve *curve = nullptr;   ///< null: straight
+    double t = 0.0;                 ///< parameter of the last place, at first that of the corner
+    double end = 0.0;               ///< that of the other end
+    std::uint32_t chain = kNoIndex; ///< of the curve
+    double corner = 0.0;            ///< parameter of the corner
 
     /// Returns the place at distance x from the corner. Call it with x that never decreases.
     Vec2 at(Vec2 tip, double x) {

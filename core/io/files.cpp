@@ -109,8 +109,10 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
             return named(
                 error("compressed", "the file is compressed", "unpack it first, such as by gunzip -c FILE >NEW"), path);
         }
-        if (Diagnostics foreign = foreignFile(bytes); !foreign.empty() && options.formatId.empty()) {
-            return named(std::move(foreign), path);
+        if (options.formatId.empty()) {
+            if (Diagnostics foreign = foreignFile(bytes); !foreign.empty()) {
+                return named(std::move(foreign), path);
+            }
         }
         const Result<const Format *> format = chooseFormat(path, bytes, options, accepts);
         if (!format) {

@@ -314,7 +314,7 @@ TEST_CASE("Slot: handles change the ends and the width; commands that need nodes
     CHECK(validate(domain).empty());
     Shape path = slot;
     becomePath(path);
-    CHECK(sortedNodes(domain) == sortedNodes(toDomain(documentOf({path})))); // as slots were before
+    CHECK(sortedNodes(domain) == sortedNodes(toDomain(documentOf({path})))); // the slots keep their places
 }
 
 TEST_CASE("Slot: one without a direction or a width is a single place, which validation reports") {

@@ -73,7 +73,7 @@ TEST_CASE("Narrow tips: between curves that touch, one long element on the curve
     CHECK(meshOf(asked).mesh.edges.size() == 160);
 }
 
-TEST_CASE("Narrow tips: between a curve and a segment, whatever the order and direction of the segments") {
+TEST_CASE("Narrow tips: between a curve and a segment, with the segments in either order") {
     const Vec2 corner{0, 0}, top{4, 0.4}, right{4, 0};
     const CurveLoop shape{Curve::line(corner, right), Curve::line(right, top),
                           Curve::quadratic(top, {2, 0.02}, corner)};
