@@ -29,6 +29,7 @@ esac
 jobs=$(nproc)
 times=
 failed=
+failed_tests=
 began=$(date +%s)
 # step NAME COMMAND...: runs the command, records its time and whether it failed, and continues either way.
 step() {
@@ -52,6 +53,7 @@ finish() {
     printf '%6d s  total\n' $(($(date +%s) - began))
     if [ -n "$failed" ]; then
         echo "FAILED:$failed"
+        [ -z "$failed_tests" ] || printf 'tests that failed:\n%s' "$failed_tests"
         exit 1
     fi
     echo "all tests passed"
@@ -65,7 +67,12 @@ need() { # a step that the others depend on
 run_tests() { # run_tests PRESET [CTEST OPTION...]
     preset=$1
     shift
-    ctest --test-dir "build/$preset" --output-on-failure --progress -j "$jobs" "$@"
+    rm -f "build/$preset/Testing/Temporary/LastTestsFailed.log"
+    ctest --test-dir "build/$preset" --output-on-failure --progress -j "$jobs" "$@" && return
+    # Named again at the end, where a log that was cut still shows them.
+    failed_tests="$failed_tests$(sed "s|^[0-9]*:|  $preset: |" "build/$preset/Testing/Temporary/LastTestsFailed.log")
+"
+    return 1
 }
 
 need 'install packages' sh app/install.sh --tests
