@@ -138,8 +138,8 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
     }
 }
 
-/// Converts a domain with curves to a document and back, so that it meshes the same in the editor and in batch;
-/// reorders `origin`, if not null, accordingly.
+/// Converts a domain to a document and back, which orders its segments by chains, so that it meshes the same in the
+/// editor and in batch; reorders `origin`, if not null, accordingly.
 Domain asDrawn(const Domain &domain, DomainOrigin *origin) {
     Domain drawn = toDomain(fromDomain(domain));
     if (origin != nullptr) {
@@ -158,7 +158,7 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
     }
     if (format.readDomain != nullptr) {
         Result<Domain> domain = format.readDomain(source);
-        if (domain && !domain->curves.empty()) {
+        if (domain && (format.about.arranges || !domain->curves.empty())) {
             return asDrawn(*domain, source.origin);
         }
         return domain;

@@ -71,6 +71,18 @@ std::string svgOf(const Drawing &drawing) {
     return std::string("<svg viewBox=\"0 0 24 24\">") + drawing.content + "</svg>";
 }
 
+// Neighbours share borders, and not from end to end; one lies inside another. The order of their chains is not that of
+// their segments.
+const char *const kMap = R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "west"}, "geometry": {"type": "Polygon", "coordinates":
+        [[[0, 0], [5, 0], [5, 3], [4, 4], [5, 8], [0, 8], [0, 0]], [[1, 1], [2, 1], [2, 2], [1, 2], [1, 1]]]}},
+    {"type": "Feature", "properties": {"name": "enclave"}, "geometry": {"type": "Polygon", "coordinates":
+        [[[1, 1], [2, 1], [2, 2], [1, 2], [1, 1]]]}},
+    {"type": "Feature", "properties": {"name": "south-east"}, "geometry": {"type": "Polygon", "coordinates":
+        [[[9, 0], [9, 3], [5, 3], [5, 0], [9, 0]]]}},
+    {"type": "Feature", "properties": {"name": "north-east"}, "geometry": {"type": "Polygon", "coordinates":
+        [[[5, 8], [4, 4], [5, 3], [9, 3], [9, 8], [5, 8]]]}}]})";
+
 /// Writes a drawing into a folder and returns its path.
 std::filesystem::path fileOf(const Drawing &drawing, const TemporaryFolder &folder) {
     REQUIRE(writeFileAtomically(folder / "drawing.svg", svgOf(drawing)).empty());
@@ -123,6 +135,21 @@ TEST_CASE("Curved drawings: a document meshes like its file, also after it was s
         CHECK(hashOf(toDomain(*again)) == hashOf(*domain));
         CHECK(sameContent(fromDomain(toDomain(*document)), *document));
     }
+}
+
+TEST_CASE("Maps: a document meshes like its file, also after it was saved and read again") {
+    const TemporaryFolder folder;
+    REQUIRE(writeFileAtomically(folder / "map.geojson", kMap).empty());
+    const Result<Domain> domain = readDomain(folder / "map.geojson");
+    const Result<Document> document = readDocument(folder / "map.geojson");
+    REQUIRE(domain.ok());
+    REQUIRE(document.ok());
+    REQUIRE(document->shapes.size() > 4);
+    CHECK(sameDomain(toDomain(*document), *domain));
+    const Result<Document> again = parseProject(projectText(*document), "again.forefront");
+    REQUIRE_MESSAGE(again.ok(), messages(again.faults()));
+    CHECK(hashOf(toDomain(*again)) == hashOf(*domain));
+    CHECK(sameContent(fromDomain(toDomain(*document)), *document));
 }
 
 TEST_CASE("fromDomain: a curve of one chord keeps it, also in a project file") {
