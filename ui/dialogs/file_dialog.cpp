@@ -223,6 +223,7 @@ bool FileDialog::choose(Shell &context) {
         }
     } else if (!std::filesystem::exists(file, ignored)) {
         fault_ = file.filename().string() + " not found";
+        focusName_ = true;
         return false;
     }
     replace_.reset();
@@ -242,6 +243,7 @@ bool FileDialog::choose(Shell &context) {
 bool FileDialog::show(Shell &context, const Diagnostics &faults) {
     context.log.keep(faults);
     fault_ = faults.empty() ? std::string() : lineOf(faults.front());
+    focusName_ = focusName_ || !faults.empty(); // to type another
     return faults.empty();
 }
 
