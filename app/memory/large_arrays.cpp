@@ -1,5 +1,5 @@
-// The programs' operator new: large arrays and the heap behind them get pages of 2 MiB. The library leaves operator new to
-// the programs that use it.
+// The programs' operator new: large arrays and the heap behind them get pages of 2 MiB. The library leaves operator new
+// to the programs that use it.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -9,10 +9,10 @@
 
 namespace {
 
-/// Asks the system for large pages where an array will be written, and from there to the end of the heap, so that smaller
-/// arrays get them too. Unlike preferLargePages(), includes the pages that the array shares with others: arrays of a few
-/// megabytes would else have half of their pages small. Free memory in such a page is taken from the system as well,
-/// together at most a few megabytes.
+/// Asks the system for large pages where an array will be written, and from there to the end of the heap, so that
+/// smaller arrays get them too. Unlike preferLargePages(), includes the pages that the array shares with others: arrays
+/// of a few megabytes would else have half of their pages small. Free memory in such a page is taken from the system as
+/// well, together at most a few megabytes.
 void useLargePages(void *array, std::size_t bytes) {
     constexpr std::uintptr_t kPage = 2U << 20U;
     const auto begin = reinterpret_cast<std::uintptr_t>(array);

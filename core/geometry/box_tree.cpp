@@ -1,14 +1,14 @@
 #include "core/geometry/box_tree.hpp"
 
 #include "core/base/key_order.hpp"
-#include "core/geometry/morton.hpp"
+#include "core/geometry/hilbert.hpp"
 
 #include <algorithm>
 
 namespace forefront {
 namespace {
 
-std::vector<std::uint64_t> mortonCodes(std::span<const Box2> boxes) {
+std::vector<std::uint64_t> hilbertCodes(std::span<const Box2> boxes) {
     Box2 whole;
     for (const Box2 &box : boxes) {
         if (isFinite(box.min) && isFinite(box.max)) {
@@ -17,13 +17,13 @@ std::vector<std::uint64_t> mortonCodes(std::span<const Box2> boxes) {
     }
     std::vector<std::uint64_t> codes(boxes.size());
     std::transform(boxes.begin(), boxes.end(), codes.begin(),
-                   [&](const Box2 &box) { return std::uint64_t{mortonCode(box, whole)}; });
+                   [&](const Box2 &box) { return std::uint64_t{hilbertCode(mortonCode(box, whole))}; });
     return codes;
 }
 
 } // namespace
 
-BoxTree::BoxTree(std::span<const Box2> boxes) : items_(orderByKeys(mortonCodes(boxes))) {
+BoxTree::BoxTree(std::span<const Box2> boxes) : items_(orderByKeys(hilbertCodes(boxes))) {
     if (boxes.empty()) {
         return;
     }
@@ -39,6 +39,17 @@ BoxTree::BoxTree(std::span<const Box2> boxes) : items_(orderByKeys(mortonCodes(b
             level[k / kFan].add(below[k]);
         }
         levels_.push_back(std::move(level));
+    }
+    Box2 whole;
+    for (const Box2 &box : levels_.back()) {
+        whole.add(box);
+    }
+    scale_ = StepScale(whole);
+    for (const std::vector<Box2> &level : levels_) {
+        std::vector<BoxBlock> &blocks = blocks_.emplace_back((level.size() + kFan - 1) / kFan);
+        for (std::size_t k = 0; k < level.size(); ++k) {
+            blocks[k / kFan].set(k % kFan, scale_(level[k]));
+        }
     }
 }
 

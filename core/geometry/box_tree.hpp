@@ -2,8 +2,10 @@
 
 #include "core/base/ids.hpp"
 #include "core/base/vec2.hpp"
+#include "core/geometry/box_block.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -13,9 +15,9 @@ namespace forefront {
 
 /// A static tree over boxes, for finding the items near a place. Works for any sizes and distribution.
 ///
-/// Items lie in Morton order of their centres, with `kFan` children per box. Building sorts once, O(n log n). A query
-/// visits items in an order that depends on the boxes alone. Boxes may be degenerate, or as large as doubles go; an
-/// item whose box holds a NaN is never found.
+/// Items lie in the order of their centres along a Hilbert curve, with `kFan` children per box. Building sorts once,
+/// O(n log n). A query visits items in an order that depends on the boxes alone. Boxes may be degenerate, or as large
+/// as doubles go; an item whose box holds a NaN is never found.
 class BoxTree {
   public:
     BoxTree() = default;
@@ -28,11 +30,17 @@ class BoxTree {
     /// Calls visit(item) for every item whose box meets `box`.
     template <class Visit>
     void query(const Box2 &box, Visit &&visit) const {
-        search([&](const Box2 &other) { return other.overlaps(box); },
-               [&](std::uint32_t item) {
-                   visit(item);
-                   return true;
-               });
+        search(box, [&](std::uint32_t item) {
+            visit(item);
+            return true;
+        });
+    }
+
+    /// Does the same until visit returns false. A visit may shrink the box. Returns false if a visit stopped the
+    /// search.
+    template <class Visit>
+    bool search(const Box2 &box, const Visit &visit) const {
+        return levels_.empty() || descend(topLevel(), 0, scale_(box), box, visit);
     }
 
     /// Calls visit(item) for every item whose box passes meets(box), until visit returns false. meets() must also be
@@ -78,10 +86,24 @@ class BoxTree {
     }
 
   private:
-    static constexpr std::size_t kFan = 8;
+    static constexpr std::size_t kFan = BoxBlock::kWidth;
 
     std::size_t lastChild(std::size_t level, std::size_t k) const {
         return std::min((k + 1) * kFan, levels_[level - 1].size());
+    }
+
+    /// Searches the children from `first` on. `rough` is the box as it was at the beginning.
+    template <class Visit>
+    bool descend(std::size_t level, std::size_t first, const StepBox &rough, const Box2 &box,
+                 const Visit &visit) const {
+        for (unsigned near = blocks_[level][first / kFan].overlapping(rough); near != 0; near &= near - 1) {
+            const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(near));
+            if (levels_[level][k].overlaps(box) &&
+                !(level == 0 ? visit(items_[k]) : descend(level - 1, k * kFan, rough, box, visit))) {
+                return false;
+            }
+        }
+        return true;
     }
 
     template <class Meets, class Visit>
@@ -170,8 +192,10 @@ class BoxTree {
         return std::sqrt(dx * dx + dy * dy);
     }
 
-    std::vector<std::uint32_t> items_;      ///< in Morton order
-    std::vector<std::vector<Box2>> levels_; ///< levels_[0][k] is the box of items_[k]
+    std::vector<std::uint32_t> items_;          ///< along the curve
+    std::vector<std::vector<Box2>> levels_;     ///< levels_[0][k] is the box of items_[k]
+    std::vector<std::vector<BoxBlock>> blocks_; ///< the same, rounded, kFan at a time
+    StepScale scale_;                           ///< of the blocks
 };
 
 } // namespace forefront

@@ -1,10 +1,13 @@
 #include "core/geometry/box_tree.hpp"
+#include "core/geometry/hilbert.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -31,7 +34,115 @@ Pairs sorted(Pairs pairs) {
     return pairs;
 }
 
+/// Random boxes, most of them in a spot far smaller than the whole, at any scale and far from the origin.
+std::vector<Box2> crowdedBoxes(RandomSource &random, double scale, double offset) {
+    std::vector<Box2> boxes = randomBoxes(random, 300);
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const double factor = k % 8 == 0 ? scale : 1e-7 * scale;
+        const Vec2 shift{offset * scale, offset * scale};
+        boxes[k] = {factor * boxes[k].min + shift, factor * boxes[k].max + shift};
+    }
+    return boxes;
+}
+
+std::vector<std::uint32_t> found(const BoxTree &tree, const Box2 &box) {
+    std::vector<std::uint32_t> items;
+    tree.query(box, [&](std::uint32_t item) { items.push_back(item); });
+    std::sort(items.begin(), items.end());
+    return items;
+}
+
+std::vector<std::uint32_t> overlapping(const std::vector<Box2> &boxes, const Box2 &box) {
+    std::vector<std::uint32_t> items;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].overlaps(box)) {
+            items.push_back(i);
+        }
+    }
+    return items;
+}
+
 } // namespace
+
+TEST_CASE("BoxTree: a query finds exactly the boxes that meet the given one") {
+    RandomSource random(13);
+    for (const double scale : {1.0, 1e-300, 1e300}) {
+        for (const double offset : {0.0, -1e4}) {
+            const std::vector<Box2> boxes = crowdedBoxes(random, scale, offset);
+            const BoxTree tree(boxes);
+            std::size_t all = 0;
+            for (const Box2 &box : crowdedBoxes(random, scale, offset)) {
+                CHECK(found(tree, box) == overlapping(boxes, box));
+                all += overlapping(boxes, box).size();
+            }
+            CHECK(all > 300);
+        }
+    }
+}
+
+TEST_CASE("BoxTree: a query finds boxes of any shape") {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity(), kMost = std::numeric_limits<double>::max();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Box2 point = boxOf(Vec2{2, 3}, Vec2{2, 3}), whole{{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
+    const Box2 most{{-kMost, -kMost}, {kMost, kMost}}, column{{1, -kInfinity}, {2, kInfinity}};
+    const Box2 left{{-kMost, 0}, {-kMost, 1}}, unknown{{nan, 0}, {nan, 9}};
+    const std::vector<std::vector<Box2>> sets = {{},
+                                                 {point},
+                                                 {point, point},
+                                                 {unknown, point},
+                                                 {whole, point},
+                                                 {most, point, left},
+                                                 {column, left, point, unknown}};
+    for (const std::vector<Box2> &boxes : sets) {
+        const BoxTree tree(boxes);
+        for (const Box2 &box : {point, whole, most, column, left, unknown, boxOf(Vec2{2, 4}, Vec2{5, 9})}) {
+            CHECK(found(tree, box) == overlapping(boxes, box));
+        }
+    }
+}
+
+TEST_CASE("BoxTree: a search whose visits shrink the box finds what meets the last one, and little else") {
+    RandomSource random(14);
+    const std::vector<Box2> boxes = randomBoxes(random, 2000);
+    const BoxTree tree(boxes);
+    for (int i = 0; i < 50; ++i) {
+        const Vec2 centre{random.between(0.0, 1.0), random.between(0.0, 1.0)};
+        double reach = 0.5;
+        Box2 around = boxAround(centre, reach);
+        std::vector<std::uint32_t> items;
+        CHECK(tree.search(around, [&](std::uint32_t item) {
+            CHECK(boxes[item].overlaps(around));
+            items.push_back(item);
+            reach = std::max(0.9 * reach, 0.02);
+            around = boxAround(centre, reach);
+            return true;
+        }));
+        std::sort(items.begin(), items.end());
+        const std::vector<std::uint32_t> last = overlapping(boxes, around);
+        CHECK(std::includes(items.begin(), items.end(), last.begin(), last.end()));
+        CHECK(items.size() < 1000);
+    }
+    int visits = 0;
+    CHECK_FALSE(tree.search(boxOf(Vec2{0, 0}, Vec2{1, 1}), [&](std::uint32_t) { return ++visits < 7; }));
+    CHECK(visits == 7);
+}
+
+TEST_CASE("hilbertCode: cells that follow each other share a side") {
+    constexpr std::uint32_t kSide = 64;
+    std::vector<std::pair<std::uint32_t, std::pair<int, int>>> cells;
+    for (std::uint32_t x = 0; x < kSide; ++x) {
+        for (std::uint32_t y = 0; y < kSide; ++y) {
+            cells.push_back({hilbertCode(morton::spread(x) | morton::spread(y) << 1), {x, y}});
+        }
+    }
+    std::sort(cells.begin(), cells.end());
+    for (std::size_t k = 1; k < cells.size(); ++k) {
+        CHECK(cells[k].first == cells[k - 1].first + 1);
+        const auto [x, y] = cells[k].second;
+        const auto [lastX, lastY] = cells[k - 1].second;
+        CHECK(std::abs(x - lastX) + std::abs(y - lastY) == 1);
+    }
+}
 
 TEST_CASE("BoxTree: joining trees finds each pair of boxes within reach once") {
     RandomSource random(11);

@@ -50,9 +50,7 @@ void SiteSet::dropDominated() {
         const double reach = sites[i].growth > 0.0 ? slack * sites[i].size / sites[i].growth : 0.0;
         state[i] = Kept;
         if (!found) {
-            found =
-                !tree.search([box = boxAround(sites[i].a, reach)](const Box2 &other) { return other.overlaps(box); },
-                             [&](std::uint32_t j) { return !dominated(j); });
+            found = !tree.search(boxAround(sites[i].a, reach), [&](std::uint32_t j) { return !dominated(j); });
         }
         state[i] = found ? Dropped : Kept;
     }

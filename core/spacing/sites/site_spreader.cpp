@@ -45,6 +45,8 @@ class SiteSpreader : SiteTreeWriter {
   private:
     static constexpr std::size_t kMaxCells = 2'000'000;
     static constexpr std::size_t kMaxCellsPerSite = 24;
+    static constexpr std::size_t kFew =
+        3; ///< as many sites are listed: checking their minimum takes longer than it saves
     static constexpr std::size_t kLongestList = 12;
     static constexpr double kTolerance = 2.0 * SiteTree::kTolerance;
 
@@ -324,6 +326,9 @@ class SiteSpreader : SiteTreeWriter {
     /// Offers a site to a leaf.
     void offer(std::uint32_t leaf, std::uint32_t site) {
         Leaf &taker = leaves_[leaf];
+        if (taker.site == site) {
+            return;
+        }
         const double value = tree_.sites_[site].at(centreOf(taker));
         if (value < taker.value) {
             taker.value = value;
@@ -371,7 +376,7 @@ class SiteSpreader : SiteTreeWriter {
         const Leaf &leaf = leaves_[index];
         const double span = static_cast<double>(1U << leaf.level);
         gatherCompetitors(index, 0.70711 * span * tree_.unit_);
-        if (competitors_.size() > 1 && isSmooth(leaf.x, leaf.y, span, kTolerance)) {
+        if (competitors_.size() > kFew && isSmooth(leaf.x, leaf.y, span, kTolerance)) {
             storeSmooth(leaf.slot, corners_);
             return;
         }

@@ -37,9 +37,10 @@ Vec2 nearestOn(Vec2 a, Vec2 b, Vec2 p) {
     return SizeSite::segment(a, b, 1.0, 0.0).nearest(p);
 }
 
-/// Returns the closest points of two segments that do not cross; at least one of them is an end.
-Pair closest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const SizeSite first = SizeSite::segment(a, b, 1.0, 0.0), second = SizeSite::segment(c, d, 1.0, 0.0);
+/// Returns the closest points of two segments, a site from a to b and one from c to d, that do not cross; at least one
+/// of them is an end.
+Pair closest(const SizeSite &first, Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const SizeSite second = SizeSite::segment(c, d, 1.0, 0.0);
     Pair best;
     const auto consider = [&](Vec2 p, Vec2 q) {
         const double square = distanceSquared(p, q);
@@ -132,21 +133,24 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
     return leavesLeft ? Sides{odd, !odd} : Sides{!odd, odd};
 }
 
-GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const {
+GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides,
+                                    std::uint32_t likely) const {
     // A reach as large as the domain would visit all of it, so the search begins nearby.
     constexpr double kWider = 4.0;
     for (double near = 2.0 * std::max(length(b - a), shortest_); rules_.everywhere && near < reach; near *= kWider) {
-        if (const Facing found = facingWithin(position, a, b, near, sides); found.width != kNothing) {
+        if (const Facing found = facingWithin(position, a, b, near, sides, likely); found.width != kNothing) {
             return found;
         }
     }
-    return facingWithin(position, a, b, reach, sides);
+    return facingWithin(position, a, b, reach, sides, likely);
 }
 
-GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const {
+GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides,
+                                          std::uint32_t likely) const {
     const PlacedSegment &own = index_.segments[position];
     const DomainSegment &ends = domain_.segments[own.index];
     const Vec2 normal = (1.0 / own.length()) * leftNormal(own.b - own.a);
+    const SizeSite site = SizeSite::segment(a, b, 1.0, 0.0);
     Facing best;
     double square = reach * reach;
     const Box2 part = boxOf(a, b);
@@ -160,7 +164,7 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
         if (!(sides.left && std::max(sideA, sideB) > 0.0) && !(sides.right && std::min(sideA, sideB) < 0.0)) {
             return;
         }
-        const Pair pair = closest(a, b, wall.a, wall.b);
+        const Pair pair = closest(site, a, b, wall.a, wall.b);
         if (pair.square == 0.0) {
             // They share an end; the corner is sharp if the wall runs back along the part.
             const Vec2 along = pair.p == a ? own.b - own.a : own.a - own.b;
@@ -177,6 +181,7 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
             return;
         }
         square = pair.square;
+        best.wall = other;
         best.width = std::sqrt(square);
         around = part.grown(best.width + rounding_);
         best.corner = best.needle = false;
@@ -189,25 +194,33 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
             best.needle = best.corner && dot(along, back) > kNeedle * length(along) * length(back);
         }
     };
-    const Cone cone{a, normal, part, sides.left, sides.right};
-    index_.tree.search(
-        [&](const Box2 &box) { return box.overlaps(around) && (!rules_.everywhere || cone.reaches(box)); },
-        [&](std::uint32_t other) {
-            visit(other);
-            return true;
-        });
+    if (likely != kNoIndex) { // only to look no farther
+        visit(likely);
+        best = {};
+        square = reach * reach;
+    }
+    const auto visitOn = [&](std::uint32_t other) {
+        visit(other);
+        return true;
+    };
+    if (rules_.everywhere) {
+        const Cone cone{a, normal, part, sides.left, sides.right};
+        index_.tree.search([&](const Box2 &box) { return box.overlaps(around) && cone.reaches(box); }, visitOn);
+    } else {
+        index_.tree.search(around, visitOn);
+    }
     return best;
 }
 
-void GapFinder::divide(std::uint32_t position, double from, double to, double reach, Sides sides,
-                       std::vector<Gap> &gaps) const {
+void GapFinder::divide(std::uint32_t position, double from, double to, double reach, Sides sides, Found &found) const {
     if (progress_.cancelled()) {
         return;
     }
     const PlacedSegment &own = index_.segments[position];
     const Vec2 a = lerp(own.a, own.b, from);
     const Vec2 b = to == 1.0 ? own.b : lerp(own.a, own.b, to); // exactly the end, where neighbours touch it
-    const Facing nearest = facing(position, a, b, rules_.across * reach, sides);
+    const Facing nearest = facing(position, a, b, rules_.across * reach, sides, found.wall);
+    found.wall = nearest.wall;
     // Near a sharp corner the width falls to zero with the distance to it, so it is followed only down to a floor.
     const double floor = nearest.tip || nearest.corner ? std::max(shortest_, kCornerFloor * reach) : shortest_;
     const bool wide = nearest.width == kNothing;
@@ -215,7 +228,7 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
         const auto varies = [&] {
             // Widths beyond twice the narrowest are all the same here.
             const double farthest = std::min(rules_.across * reach, 2.0 * nearest.width + rounding_);
-            const auto widthAt = [&](Vec2 p) { return facing(position, p, p, farthest, sides).width; };
+            const auto widthAt = [&](Vec2 p) { return facing(position, p, p, farthest, sides, nearest.wall).width; };
             const double atA = widthAt(a), atB = widthAt(b);
             const double narrowest = std::min(nearest.width, std::min(atA, atB));
             if (!(length(b - a) > narrowest)) {
@@ -227,8 +240,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
         };
         if (nearest.tip || varies()) {
             const double middle = 0.5 * (from + to);
-            divide(position, from, middle, reach, sides, gaps);
-            divide(position, middle, to, reach, sides, gaps);
+            divide(position, from, middle, reach, sides, found);
+            divide(position, middle, to, reach, sides, found);
             return;
         }
     }
@@ -238,8 +251,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
                               ? blunt || nearest.width < (nearest.needle ? kCornerFloor * reach : shortest_)
                               : negligible && (nearest.needle || (!blunt && length(b - a) > kLongGap * nearest.width));
     if (!wide && !hopeless) {
-        gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, blunt ? 2.0 * kCornerFloor * reach : 0.0),
-                        own.index, nearest.corner});
+        found.gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, blunt ? 2.0 * kCornerFloor * reach : 0.0),
+                              own.index, nearest.corner});
     }
 }
 
@@ -328,14 +341,14 @@ std::vector<GapFinder::Sides> GapFinder::findSides() const {
 
 std::vector<Gap> GapFinder::find() const {
     const std::vector<Sides> sides = findSides();
-    std::vector<Gap> gaps;
+    Found found;
     for (std::uint32_t i = 0; i < index_.segments.size() && !progress_.cancelled(); ++i) {
         const PlacedSegment &segment = index_.segments[i];
         if (!isPoint(segment) && (sides[i].left || sides[i].right)) {
-            divide(i, 0.0, 1.0, reachOf(segment), sides[i], gaps);
+            divide(i, 0.0, 1.0, reachOf(segment), sides[i], found);
         }
     }
-    return gaps;
+    return std::move(found.gaps);
 }
 
 double GapFinder::clearance(std::uint32_t position) const {

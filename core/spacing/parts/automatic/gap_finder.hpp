@@ -64,6 +64,7 @@ class GapFinder {
   private:
     struct Facing {
         double width = std::numeric_limits<double>::infinity(); ///< infinite: nothing faces the part
+        std::uint32_t wall = kNoIndex;                          ///< position of the facing segment
         bool corner = false;                                    ///< the facing segment is a neighbour
         bool needle = false; ///< the facing segment is a neighbour at a corner of less than 20 degrees
         bool tip = false;    ///< the part starts at a corner of less than 60 degrees
@@ -83,11 +84,15 @@ class GapFinder {
     std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;
-    /// Finds what faces the part of the segment from a to b at the smallest distance.
-    Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const;
-    Facing facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const;
-    void divide(std::uint32_t position, double from, double to, double reach, Sides sides,
-                std::vector<Gap> &gaps) const;
+    /// Finds what faces the part of the segment from a to b at the smallest distance. `likely`: position of what may
+    /// do, or kNoIndex; it shortens the search and changes nothing.
+    Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides, std::uint32_t likely) const;
+    Facing facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides, std::uint32_t likely) const;
+    struct Found {
+        std::vector<Gap> gaps;
+        std::uint32_t wall = kNoIndex; ///< what faces the last part, if anything
+    };
+    void divide(std::uint32_t position, double from, double to, double reach, Sides sides, Found &found) const;
 
     const Domain &domain_;
     const SegmentIndex &index_;
