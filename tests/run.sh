@@ -67,10 +67,11 @@ need() { # a step that the others depend on
 run_tests() { # run_tests PRESET [CTEST OPTION...]
     preset=$1
     shift
-    rm -f "build/$preset/Testing/Temporary/LastTestsFailed.log"
+    failed_log=build/$preset/Testing/Temporary/LastTestsFailed.log
+    rm -f "$failed_log"
     ctest --test-dir "build/$preset" --output-on-failure --progress -j "$jobs" "$@" && return
     # Named again at the end, where a log that was cut still shows them.
-    failed_tests="$failed_tests$(sed "s|^[0-9]*:|  $preset: |" "build/$preset/Testing/Temporary/LastTestsFailed.log")
+    [ ! -f "$failed_log" ] || failed_tests="$failed_tests$(sed "s|^[0-9]*:|  $preset: |" "$failed_log")
 "
     return 1
 }

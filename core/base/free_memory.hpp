@@ -17,8 +17,8 @@ inline void releaseFreeMemory() {
 
 /// Makes the allocator keep the memory of freed arrays for later ones. Otherwise the GNU C library returns every large
 /// array to the system at once, and the next one is made of new pages, which the system must clear: a tenth of the time
-/// to prepare a large mesh. It also grows in steps of many large pages: see preferLargePages(). For programs that mesh
-/// and end; one that goes on should give its memory back.
+/// to prepare a large mesh. The heap then grows by 32 MiB at a time, so that whole large pages fit. For programs
+/// that mesh and end; one that goes on should give its memory back.
 inline void keepFreedMemory() {
 #ifdef __GLIBC__
     constexpr int kStep = 32 << 20;

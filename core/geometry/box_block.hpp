@@ -34,7 +34,7 @@ class StepScale {
   private:
     static constexpr double kSteps = 65534.0;
 
-    /// 0, with all boxes alike, if the extent is 0, infinite or not a number.
+    /// 0, with all boxes alike, if the extent is 0, too small, infinite or not a number.
     static double perUnit(double extent) {
         return extent > 0.0 && kSteps / extent < std::numeric_limits<double>::infinity() ? kSteps / extent : 0.0;
     }
@@ -73,11 +73,20 @@ struct alignas(64) BoxBlock {
 
     /// Returns a bit per lane whose box overlaps the given one.
     unsigned overlapping(const StepBox &box) const;
+    /// The same for any processor.
+    unsigned overlappingOneByOne(const StepBox &box) const {
+        unsigned lanes = 0;
+        for (unsigned k = 0; k < kWidth; ++k) {
+            lanes |= static_cast<unsigned>((minX[k] <= box.maxX) & (maxX[k] >= box.minX) & (minY[k] <= box.maxY) &
+                                           (maxY[k] >= box.minY))
+                     << k;
+        }
+        return lanes;
+    }
 };
 
-#ifdef __SSE2__
-
 inline unsigned BoxBlock::overlapping(const StepBox &box) const {
+#ifdef __SSE2__
     const auto lanes = [](const std::array<std::int16_t, kWidth> &values) {
         return _mm_load_si128(reinterpret_cast<const __m128i *>(values.data()));
     };
@@ -86,20 +95,9 @@ inline unsigned BoxBlock::overlapping(const StepBox &box) const {
                                        _mm_or_si128(_mm_cmpgt_epi16(lanes(minY), _mm_set1_epi16(box.maxY)),
                                                     _mm_cmpgt_epi16(_mm_set1_epi16(box.minY), lanes(maxY))));
     return ~static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(apart, _mm_setzero_si128()))) & 0xffU;
-}
-
 #else
-
-inline unsigned BoxBlock::overlapping(const StepBox &box) const {
-    unsigned lanes = 0;
-    for (unsigned k = 0; k < kWidth; ++k) {
-        lanes |= static_cast<unsigned>((minX[k] <= box.maxX) & (maxX[k] >= box.minX) & (minY[k] <= box.maxY) &
-                                       (maxY[k] >= box.minY))
-                 << k;
-    }
-    return lanes;
-}
-
+    return overlappingOneByOne(box);
 #endif
+}
 
 } // namespace forefront

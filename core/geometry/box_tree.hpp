@@ -36,8 +36,8 @@ class BoxTree {
         });
     }
 
-    /// Does the same until visit returns false. A visit may shrink the box. Returns false if a visit stopped the
-    /// search.
+    /// Calls visit(item) for every item whose box meets `box`, until visit returns false. A visit may shrink the box.
+    /// Returns false if a visit stopped the search.
     template <class Visit>
     bool search(const Box2 &box, const Visit &visit) const {
         return levels_.empty() || descend(topLevel(), 0, scale_(box), box, visit);
@@ -92,7 +92,7 @@ class BoxTree {
         return std::min((k + 1) * kFan, levels_[level - 1].size());
     }
 
-    /// Searches the children from `first` on. `rough` is the box as it was at the beginning.
+    /// Searches the children from `first` on. `rough` is the rounded box from when the search began.
     template <class Visit>
     bool descend(std::size_t level, std::size_t first, const StepBox &rough, const Box2 &box,
                  const Visit &visit) const {

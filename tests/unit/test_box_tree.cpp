@@ -66,7 +66,7 @@ std::vector<std::uint32_t> overlapping(const std::vector<Box2> &boxes, const Box
 
 TEST_CASE("BoxTree: a query finds exactly the boxes that meet the given one") {
     RandomSource random(13);
-    for (const double scale : {1.0, 1e-300, 1e300}) {
+    for (const double scale : {1.0, 1e-300, 1e-306, 1e300}) {
         for (const double offset : {0.0, -1e4}) {
             const std::vector<Box2> boxes = crowdedBoxes(random, scale, offset);
             const BoxTree tree(boxes);
@@ -77,6 +77,45 @@ TEST_CASE("BoxTree: a query finds exactly the boxes that meet the given one") {
             }
             CHECK(all > 300);
         }
+    }
+}
+
+TEST_CASE("BoxTree: a query finds boxes that only touch the given one") {
+    std::vector<Box2> boxes;
+    for (int x = 0; x < 20; ++x) {
+        for (int y = 0; y < 20; ++y) {
+            const Vec2 corner{1.0 * x, 1.0 * y};
+            boxes.push_back(boxOf(corner, corner + Vec2{1, 1}));
+        }
+    }
+    const BoxTree tree(boxes);
+    for (const Box2 &box : boxes) {
+        CHECK(found(tree, box) == overlapping(boxes, box));
+        CHECK(found(tree, box).size() >= 4);
+        CHECK(found(tree, boxAround(box.max, 0.0)) == overlapping(boxes, boxAround(box.max, 0.0)));
+    }
+}
+
+TEST_CASE("BoxBlock: vector instructions find what comparisons find, at the first and last steps, too") {
+    RandomSource random(15);
+    const auto step = [&] {
+        constexpr int kLast = 32766;
+        const int choice = random.integer(0, 3);
+        return static_cast<std::int16_t>(choice == 0 ? -kLast - 1 : choice == 1 ? kLast : random.integer(-3, 3));
+    };
+    const auto box = [&] {
+        const std::int16_t x1 = step(), x2 = step(), y1 = step(), y2 = step();
+        return StepBox{std::min(x1, x2), std::min(y1, y2), std::max(x1, x2), std::max(y1, y2)};
+    };
+    for (int run = 0; run < 500; ++run) {
+        BoxBlock block;
+        const auto filled = static_cast<std::size_t>(random.integer(0, 8));
+        for (std::size_t lane = 0; lane < filled; ++lane) {
+            block.set(lane, box());
+        }
+        const StepBox sought = box();
+        CHECK(block.overlapping(sought) == block.overlappingOneByOne(sought));
+        CHECK((block.overlapping(sought) >> filled) == 0U);
     }
 }
 

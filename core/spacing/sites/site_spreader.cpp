@@ -45,8 +45,8 @@ class SiteSpreader : SiteTreeWriter {
   private:
     static constexpr std::size_t kMaxCells = 2'000'000;
     static constexpr std::size_t kMaxCellsPerSite = 24;
-    static constexpr std::size_t kFew =
-        3; ///< as many sites are listed: checking their minimum takes longer than it saves
+    /// Up to this many sites, a cell lists them: testing whether their minimum is smooth costs more than it saves.
+    static constexpr std::size_t kFew = 3;
     static constexpr std::size_t kLongestList = 12;
     static constexpr double kTolerance = 2.0 * SiteTree::kTolerance;
 

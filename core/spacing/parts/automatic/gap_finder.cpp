@@ -194,10 +194,10 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
             best.needle = best.corner && dot(along, back) > kNeedle * length(along) * length(back);
         }
     };
-    if (likely != kNoIndex) { // only to look no farther
+    if (likely != kNoIndex) { // only narrows the search, in which it may be found again
         visit(likely);
+        square = best.wall == kNoIndex ? square : std::nextafter(square, kNothing);
         best = {};
-        square = reach * reach;
     }
     const auto visitOn = [&](std::uint32_t other) {
         visit(other);

@@ -84,8 +84,8 @@ class GapFinder {
     std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;
-    /// Finds what faces the part of the segment from a to b at the smallest distance. `likely`: position of what may
-    /// do, or kNoIndex; it shortens the search and changes nothing.
+    /// Finds what faces the part of the segment from a to b at the smallest distance. `likely`: position of a segment
+    /// that probably does, such as the one that faced the part before, or kNoIndex; it only speeds up the search.
     Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides, std::uint32_t likely) const;
     Facing facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides, std::uint32_t likely) const;
     struct Found {
