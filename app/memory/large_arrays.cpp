@@ -17,7 +17,7 @@ namespace {
 
 /// Asks the system for large pages where an array will be written. In the heap, does so from there to the end, so that
 /// smaller arrays get them too, and includes the page in which the array begins: otherwise half the pages of an array
-/// of a few megabytes would stay small. Where little of a large page is in use, all of it is taken from the system.
+/// of a few megabytes would stay small. A large page takes 2 MiB, however little of it is in use.
 void useLargePages(void *array, std::size_t bytes) {
     const int error = errno;
     constexpr std::uintptr_t kPage = 2U << 20U;

@@ -9,8 +9,8 @@ namespace forefront {
 
 namespace hilbert {
 
-/// The curve enters a square in one of four ways. For each, and each quarter of the square in Morton order: the place
-/// of the quarter along the curve, and how the curve enters it.
+/// The curve enters a square in one of four ways. The tables give, for each way and each quarter in Morton order, the
+/// place of the quarter along the curve and the way into the quarter.
 inline constexpr std::uint8_t kPlace[4][4] = {{0, 3, 1, 2}, {0, 1, 3, 2}, {2, 3, 1, 0}, {2, 1, 3, 0}};
 inline constexpr std::uint8_t kWay[4][4] = {{1, 2, 0, 0}, {0, 1, 3, 1}, {2, 0, 2, 3}, {3, 3, 1, 2}};
 

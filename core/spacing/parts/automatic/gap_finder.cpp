@@ -37,8 +37,8 @@ Vec2 nearestOn(Vec2 a, Vec2 b, Vec2 p) {
     return SizeSite::segment(a, b, 1.0, 0.0).nearest(p);
 }
 
-/// Returns the closest points of two segments, a site from a to b and one from c to d, that do not cross; at least one
-/// of them is an end.
+/// Returns the closest points of two segments that do not cross; at least one of the points is an end. `first` is the
+/// segment from a to b.
 Pair closest(const SizeSite &first, Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const SizeSite second = SizeSite::segment(c, d, 1.0, 0.0);
     Pair best;
