@@ -8,9 +8,13 @@
 namespace forefront {
 
 /// Returns unused memory from the allocator to the system, where the C library supports it. Each thread otherwise keeps
-/// a few megabytes that large arrays and other threads cannot use. Takes less than a millisecond.
+/// a few megabytes that large arrays and other threads cannot use. Takes less than a millisecond. Threads may call it
+/// at the same time.
 inline void releaseFreeMemory() {
 #ifdef __GLIBC__
+    // In a program with another allocator (jemalloc, the address sanitizer) the first call sets up the one of the C
+    // library, and a second thread would find it half set up. So others wait until a first call has ended.
+    [[maybe_unused]] static const int first = malloc_trim(0);
     malloc_trim(0);
 #endif
 }

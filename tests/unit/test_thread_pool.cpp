@@ -1,3 +1,4 @@
+#include "core/base/free_memory.hpp"
 #include "core/base/thread_pool.hpp"
 
 #include <doctest/doctest.h>
@@ -5,6 +6,7 @@
 #include <atomic>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 
 using namespace forefront;
 
@@ -95,4 +97,24 @@ TEST_CASE("ThreadPool: rethrows a task's exception to the caller and remains usa
     std::atomic<int> count = 0;
     pool.run(100, [&](std::size_t, unsigned) { ++count; });
     CHECK(count == 100);
+}
+
+// With the address sanitizer, the allocator of the C library is set up by the first of these calls.
+TEST_CASE("Free memory: threads may release it at the same time, the first call included") {
+    constexpr int kThreads = 8;
+    std::atomic<int> ready = 0;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < kThreads; ++i) {
+        threads.emplace_back([&ready] {
+            ++ready;
+            while (ready < kThreads) {
+                std::this_thread::yield();
+            }
+            releaseFreeMemory();
+        });
+    }
+    for (std::thread &thread : threads) {
+        thread.join();
+    }
+    CHECK(ready == kThreads);
 }
