@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 namespace forefront {
@@ -35,13 +36,32 @@ void distribute(const std::vector<Entry> &from, std::vector<Entry> &to, unsigned
     }
 }
 
+bool before(const Entry &s, const Entry &t) {
+    return s.key != t.key ? s.key < t.key : s.item < t.item;
+}
+
+/// Sorts by the upper digits of the bits that vary, which tell nearly all keys apart, then each run of those that they
+/// do not.
 void sortByDigits(std::vector<Entry> &entries, std::uint64_t varying) {
+    constexpr unsigned kUpper = 3 * kDigitBits;
+    const auto bits = static_cast<unsigned>(std::bit_width(varying));
+    const unsigned lowest = bits > kUpper ? bits - kUpper : 0;
     std::vector<Entry> other(entries.size());
-    for (unsigned shift = 0; shift < 64; shift += kDigitBits) {
-        if (digit(varying, shift) != 0) {
-            distribute(entries, other, shift);
-            entries.swap(other);
+    for (unsigned shift = lowest; shift < bits; shift += kDigitBits) {
+        distribute(entries, other, shift);
+        entries.swap(other);
+    }
+    if (((varying >> lowest) << lowest) == varying) {
+        return;
+    }
+    for (auto first = entries.begin(); first != entries.end();) {
+        const std::uint64_t upper = first->key >> lowest;
+        const auto last =
+            std::find_if(first + 1, entries.end(), [=](const Entry &entry) { return entry.key >> lowest != upper; });
+        if (last - first > 1) {
+            std::sort(first, last, before);
         }
+        first = last;
     }
 }
 
@@ -55,8 +75,7 @@ std::vector<std::uint32_t> orderByKeys(std::span<const std::uint64_t> keys) {
         varying |= keys[i] ^ keys[0];
     }
     if (entries.size() < kFew) {
-        std::sort(entries.begin(), entries.end(),
-                  [](const Entry &s, const Entry &t) { return s.key != t.key ? s.key < t.key : s.item < t.item; });
+        std::sort(entries.begin(), entries.end(), before);
     } else {
         sortByDigits(entries, varying);
     }

@@ -31,8 +31,8 @@ inline std::array<std::uint32_t, 2> pairOf(std::uint64_t key) {
 }
 
 /// Returns the indices of the keys in ascending order of the keys; equal keys stay in their order. There are fewer than
-/// 2³² keys. Takes time proportional to their number: a radix sort, which avoids the mispredicted branches of
-/// comparisons.
+/// 2³² keys. A radix sort by the upper bits that vary, which avoids the mispredicted branches of comparisons; it takes
+/// time proportional to their number unless many keys differ only in the bits below.
 std::vector<std::uint32_t> orderByKeys(std::span<const std::uint64_t> keys);
 
 } // namespace forefront

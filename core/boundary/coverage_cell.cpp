@@ -41,23 +41,6 @@ bool crossesVertical(const BoundaryPiece &piece, double x) {
     return (piece.a.x <= x) != (piece.b.x <= x);
 }
 
-/// Returns true if an odd number of pieces is crossed on the way from p up or down to the height of q, then level to q.
-bool crossesOddly(Vec2 p, Vec2 q, std::span<const std::uint32_t> pieces, std::span<const BoundaryPiece> all) {
-    bool odd = false;
-    for (const std::uint32_t i : pieces) {
-        const BoundaryPiece &piece = all[i];
-        if (crossesVertical(piece, p.x)) {
-            const double y = heightAt(piece, p.x);
-            odd ^= (y <= p.y) != (y <= q.y);
-        }
-        if ((piece.a.y <= q.y) != (piece.b.y <= q.y)) {
-            const double x = piece.a.x + (piece.b.x - piece.a.x) * ((q.y - piece.a.y) / (piece.b.y - piece.a.y));
-            odd ^= (x <= p.x) != (x <= q.x);
-        }
-    }
-    return odd;
-}
-
 /// Returns the signed area of the box beyond a part of a piece from p to q, as seen from the vertical line through the
 /// middle of the box, which the part does not cross.
 double areaBeyond(Vec2 p, Vec2 q, double middle, const Box2 &box) {
@@ -114,15 +97,41 @@ double CoverageCell::coveredArea(std::span<const BoundaryPiece> all) const {
     return std::clamp(area, 0.0, size.x * size.y);
 }
 
-CoverageCell CoverageCell::quarter(unsigned k, std::span<const BoundaryPiece> all) const {
+// A centre of a quarter is inside if an odd number of pieces is crossed on the way to it from one that is: up or down
+// to its height, then level. Most pieces cross neither way, and meet one quarter.
+std::array<CoverageCell, 4> CoverageCell::quarters(std::span<const BoundaryPiece> all) const {
     const Vec2 centre = box.centre();
-    CoverageCell result;
-    result.box.min = {k % 2 != 0 ? centre.x : box.min.x, k / 2 != 0 ? centre.y : box.min.y};
-    result.box.max = {k % 2 != 0 ? box.max.x : centre.x, k / 2 != 0 ? box.max.y : centre.y};
-    result.centreInside = centreInside != crossesOddly(centre, result.box.centre(), pieces, all);
+    std::array<CoverageCell, 4> result;
+    for (unsigned k = 0; k < 4; ++k) {
+        result[k].box.min = {k % 2 != 0 ? centre.x : box.min.x, k / 2 != 0 ? centre.y : box.min.y};
+        result[k].box.max = {k % 2 != 0 ? box.max.x : centre.x, k / 2 != 0 ? box.max.y : centre.y};
+        result[k].centreInside = centreInside;
+    }
+    const std::array<Vec2, 2> diagonal{result[0].box.centre(), result[3].box.centre()};
+    const auto crossIf = [&result](unsigned k, bool crossed) { result[k].centreInside ^= crossed; };
     for (const std::uint32_t i : pieces) {
-        if (meetsBox(all[i], result.box)) {
-            result.pieces.push_back(i);
+        const BoundaryPiece &piece = all[i];
+        if (crossesVertical(piece, centre.x)) {
+            const double y = heightAt(piece, centre.x);
+            for (unsigned k = 0; k < 4; ++k) {
+                crossIf(k, (y <= centre.y) != (y <= diagonal[k / 2].y));
+            }
+        }
+        for (unsigned row = 0; row < 2; ++row) {
+            const double y = diagonal[row].y;
+            if ((piece.a.y <= y) != (piece.b.y <= y)) {
+                const double x = piece.a.x + (piece.b.x - piece.a.x) * ((y - piece.a.y) / (piece.b.y - piece.a.y));
+                crossIf(2 * row, (x <= centre.x) != (x <= diagonal[0].x));
+                crossIf(2 * row + 1, (x <= centre.x) != (x <= diagonal[1].x));
+            }
+        }
+        const Box2 around = boxOf(piece.a, piece.b);
+        for (unsigned k = 0; k < 4; ++k) {
+            const bool besideX = k % 2 != 0 ? around.max.x < centre.x : around.min.x > centre.x;
+            const bool besideY = k / 2 != 0 ? around.max.y < centre.y : around.min.y > centre.y;
+            if (!besideX && !besideY && meetsBox(piece, result[k].box)) {
+                result[k].pieces.push_back(i);
+            }
         }
     }
     return result;

@@ -2,6 +2,7 @@
 
 #include "core/base/vec2.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,8 +25,8 @@ struct CoverageCell {
     /// Returns the area of the part inside the domain, in [0, area of the box], up to rounding.
     double coveredArea(std::span<const BoundaryPiece> all) const;
 
-    /// Returns quarter k: bit 0 selects the right half, bit 1 the upper half.
-    CoverageCell quarter(unsigned k, std::span<const BoundaryPiece> all) const;
+    /// Returns the quarters: bit 0 of their index selects the right half, bit 1 the upper half.
+    std::array<CoverageCell, 4> quarters(std::span<const BoundaryPiece> all) const;
 };
 
 /// Returns true if the closed segment meets the closed box.

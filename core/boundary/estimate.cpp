@@ -46,8 +46,9 @@ class MeanDensity {
             sum_ -= parent.value;
             error_ -= parent.error;
             area_ -= parent.covered;
+            std::array<CoverageCell, 4> quarters = parent.coverage.quarters(pieces_);
             for (unsigned k = 0; k < 4; ++k) {
-                add(parent.coverage.quarter(k, pieces_), parent.densities[k]);
+                add(std::move(quarters[k]), parent.densities[k]);
             }
         }
         return area_ > 0.0 ? sum_ / area_ : 1.0;

@@ -77,9 +77,9 @@ struct alignas(64) BoxBlock {
     unsigned overlappingOneByOne(const StepBox &box) const {
         unsigned lanes = 0;
         for (unsigned k = 0; k < kWidth; ++k) {
-            lanes |= static_cast<unsigned>((minX[k] <= box.maxX) & (maxX[k] >= box.minX) & (minY[k] <= box.maxY) &
-                                           (maxY[k] >= box.minY))
-                     << k;
+            const bool overlaps =
+                minX[k] <= box.maxX && maxX[k] >= box.minX && minY[k] <= box.maxY && maxY[k] >= box.minY;
+            lanes |= static_cast<unsigned>(overlaps) << k;
         }
         return lanes;
     }

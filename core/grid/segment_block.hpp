@@ -98,9 +98,8 @@ inline unsigned SegmentBlock::holding(SlotId slot) const {
 inline unsigned SegmentBlock::overlapping(const CellBox &box) const {
     unsigned lanes = 0;
     for (unsigned k = 0; k < kWidth; ++k) {
-        lanes |= static_cast<unsigned>((minX[k] <= box.maxX) & (maxX[k] >= box.minX) & (minY[k] <= box.maxY) &
-                                       (maxY[k] >= box.minY))
-                 << k;
+        const bool overlaps = minX[k] <= box.maxX && maxX[k] >= box.minX && minY[k] <= box.maxY && maxY[k] >= box.minY;
+        lanes |= static_cast<unsigned>(overlaps) << k;
     }
     return lanes;
 }

@@ -121,7 +121,9 @@ class Improvement {
             return false;
         }
         if (!smoother) {
-            releaseFreeMemory(); // memory use is about to peak
+            if (options_.threads > 1) {
+                releaseFreeMemory(); // memory use is about to peak
+            }
             smoother.emplace(work_, options_.spacing, progress_.stop);
         } else {
             smoother->renewSpacing(progress_.stop);

@@ -99,11 +99,12 @@ TEST_CASE("CoverageCell: covered areas of quarters agree with Monte Carlo sampli
             REQUIRE(cell.centreInside == covers(cell.box.centre()));
             REQUIRE(std::fabs(cell.coveredArea(pieces) / (size.x * size.y) - found / 10000.0) < 0.01);
             double sum = 0.0;
-            for (unsigned k = 0; k < 4; ++k) {
-                sum += cell.quarter(k, pieces).coveredArea(pieces);
+            const std::array<CoverageCell, 4> quarters = cell.quarters(pieces);
+            for (const CoverageCell &quarter : quarters) {
+                sum += quarter.coveredArea(pieces);
             }
             REQUIRE(sum == doctest::Approx(cell.coveredArea(pieces)).epsilon(1e-9));
-            cell = cell.quarter(static_cast<unsigned>(random.integer(0, 3)), pieces);
+            cell = quarters[static_cast<std::size_t>(random.integer(0, 3))];
         }
     }
 }

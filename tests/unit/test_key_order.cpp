@@ -49,6 +49,15 @@ TEST_CASE("orderByKeys: keys that differ in their highest and lowest bits only")
     CHECK(orderByKeys(keys) == stableOrder(keys));
 }
 
+TEST_CASE("orderByKeys: runs of keys that agree in their upper bits") {
+    testing::RandomSource random(11);
+    std::vector<std::uint64_t> keys(6000);
+    for (std::uint64_t &key : keys) {
+        key = static_cast<std::uint64_t>(random.integer(0, 50)) << 50U | randomKey(random, 3);
+    }
+    CHECK(orderByKeys(keys) == stableOrder(keys));
+}
+
 TEST_CASE("sortKey: orders numbers of both signs and all sizes as they are") {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const std::vector<double> ascending{-kInfinity, -1e300, -1.0, -1e-300,     -5e-324, 0.0,

@@ -10,7 +10,9 @@ namespace forefront {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
-constexpr double kFacing = 0.5; ///< cosine of the widest angle to the normal
+constexpr double kFacing = 0.5;                  ///< cosine of the widest angle to the normal
+constexpr double kSteepest = 1.7320508075688772; ///< √3, its tangent
+constexpr double kSafely = 1.0 + 1e-9;           ///< for rounding errors
 /// Beside a sharp corner the width falls to zero; parts there are at least this fraction of their reach.
 constexpr double kCornerFloor = 0.125;
 constexpr double kNeedle = 0.9396926207859084; ///< cosine of 20 degrees
@@ -152,9 +154,11 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
     const Vec2 normal = (1.0 / own.length()) * leftNormal(own.b - own.a);
     const SizeSite site = SizeSite::segment(a, b, 1.0, 0.0);
     Facing best;
-    double square = reach * reach;
+    double within = reach, square = reach * reach;
     const Box2 part = boxOf(a, b);
     Box2 around = part.grown(reach); // shrinks as nearer ones are found
+    const double partLength = length(b - a);
+    const Vec2 direction{normal.y, -normal.x}; // from a to b
     const auto visit = [&](std::uint32_t other) {
         if (other == position) {
             return;
@@ -164,14 +168,23 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
         if (!(sides.left && std::max(sideA, sideB) > 0.0) && !(sides.right && std::min(sideA, sideB) < 0.0)) {
             return;
         }
-        const Pair pair = closest(site, a, b, wall.a, wall.b);
-        if (pair.square == 0.0) {
+        if (wall.a == a || wall.b == a || wall.a == b || wall.b == b) {
             // They share an end; the corner is sharp if the wall runs back along the part.
-            const Vec2 along = pair.p == a ? own.b - own.a : own.a - own.b;
-            const Vec2 back = pair.q == wall.a ? wall.b - wall.a : wall.a - wall.b;
+            const Vec2 along = wall.a == a || wall.b == a ? own.b - own.a : own.a - own.b;
+            const Vec2 back = wall.a == a || wall.a == b ? wall.b - wall.a : wall.a - wall.b;
             best.tip = best.tip || (dot(along, back) > kFacing * length(along) * length(back) &&
                                     (dot(back, normal) > 0.0 ? sides.left : sides.right));
             return;
+        }
+        // All of the wall may be ahead of the part or behind it, too far away or too far off the normal.
+        const double alongA = dot(wall.a - a, direction), alongB = dot(wall.b - a, direction);
+        const double ahead = std::max(std::min(alongA, alongB) - partLength, -std::max(alongA, alongB)) - rounding_;
+        if (ahead > kSafely * within || ahead > kSafely * kSteepest * std::max(std::fabs(sideA), std::fabs(sideB))) {
+            return;
+        }
+        const Pair pair = closest(site, a, b, wall.a, wall.b);
+        if (pair.square == 0.0) {
+            return; // what touches the part elsewhere is beside it
         }
         if (pair.square >= square) {
             return;
@@ -182,8 +195,8 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
         }
         square = pair.square;
         best.wall = other;
-        best.width = std::sqrt(square);
-        around = part.grown(best.width + rounding_);
+        best.width = within = std::sqrt(square);
+        around = part.grown(within + rounding_);
         best.corner = best.needle = false;
         if (!isPoint(wall)) {
             const DomainSegment &far = domain_.segments[wall.index];
@@ -229,13 +242,18 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
             // Widths beyond twice the narrowest are all the same here.
             const double farthest = std::min(rules_.across * reach, 2.0 * nearest.width + rounding_);
             const auto widthAt = [&](Vec2 p) { return facing(position, p, p, farthest, sides, nearest.wall).width; };
-            const double atA = widthAt(a), atB = widthAt(b);
+            const double same = own.besideCurve ? kSameWidthAtCurve : kSameWidth;
+            const double atA = widthAt(a);
+            if (atA > same * nearest.width && length(b - a) > nearest.width) {
+                return true; // the other end can only add to that
+            }
+            const double atB = widthAt(b);
             const double narrowest = std::min(nearest.width, std::min(atA, atB));
             if (!(length(b - a) > narrowest)) {
                 return false;
             }
             // A side between two rounded corners is narrow at both ends alone.
-            const double limit = (own.besideCurve ? kSameWidthAtCurve : kSameWidth) * narrowest;
+            const double limit = same * narrowest;
             return std::max(atA, atB) > limit || (own.besideCurve && widthAt(midpoint(a, b)) > limit);
         };
         if (nearest.tip || varies()) {
