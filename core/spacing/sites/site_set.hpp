@@ -3,6 +3,7 @@
 #include "core/spacing/sites/size_site.hpp"
 #include "core/spacing/spec/spacing_sample.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -38,6 +39,10 @@ struct SiteSet {
     std::vector<SizeSite> sites;
     std::vector<SiteLabel> labels;
 
+    void reserve(std::size_t count) {
+        sites.reserve(count);
+        labels.reserve(count);
+    }
     void add(const SizeSite &site, const SiteLabel &label) {
         sites.push_back(site);
         labels.push_back(label);

@@ -397,10 +397,15 @@ class SiteSpreader : SiteTreeWriter {
         candidates_.assign(own.begin(), own.end());
         candidates_.push_back(leaf.site);
         for (const std::uint32_t beside : neighbours_.at(index)) {
-            candidates_.push_back(leaves_[beside].site);
+            const std::uint32_t site = leaves_[beside].site;
+            if (site != leaf.site && site != candidates_.back()) { // most leaves have the winner of those around
+                candidates_.push_back(site);
+            }
         }
-        std::sort(candidates_.begin(), candidates_.end());
-        candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+        if (candidates_.size() > 1) {
+            std::sort(candidates_.begin(), candidates_.end());
+            candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+        }
         competitors_.clear();
         double minimum = std::numeric_limits<double>::infinity();
         for (const std::uint32_t site : candidates_) {
