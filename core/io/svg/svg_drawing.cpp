@@ -193,7 +193,7 @@ void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
         return;
     }
     if (reports_) {
-        noteUnusedStyle(source_, styles_, visit.node);
+        noteUnusedStyle(source_, styles_, byId_, visit.node);
     }
     visit.paint = paintOf(visit.node, styles_, byId_, visit.paint);
     visit.fontSize = fontSizeOf(visit.node, visit.fontSize);

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pugi::xml_node &node) {
+void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const SvgIds &ids, const pugi::xml_node &node) {
     const auto given = [&](const char *property) {
         const std::string value = styles.value(node, property);
         return !value.empty() && value != "none";
@@ -19,6 +19,20 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
     if (moves) {
         source.note("svg-css-transform",
                     "the properties rotate, scale, translate and offset-path are ignored; use transform",
+                    offsetOf(node));
+    }
+    const auto refersTo = [&](const char *property, std::string_view element) {
+        const pugi::xml_node target = targetOf(styles.valueAsWritten(node, property), ids);
+        return target && localName(target) == element;
+    };
+    if (refersTo("fill", "pattern")) {
+        source.note("svg-pattern", "patterns count as a solid fill, without the gaps between their parts",
+                    offsetOf(node));
+    }
+    constexpr std::array kMarkers = {"marker", "marker-start", "marker-mid", "marker-end"};
+    if (std::any_of(kMarkers.begin(), kMarkers.end(),
+                    [&](const char *property) { return refersTo(property, "marker"); })) {
+        source.note("svg-marker", "markers, such as heads of arrows, are ignored; convert them to paths",
                     offsetOf(node));
     }
     for (const pugi::xml_node child : node.children()) {

@@ -2,6 +2,7 @@
 
 #include "core/io/source/source.hpp"
 #include "core/io/svg/svg_css.hpp"
+#include "core/io/svg/svg_elements.hpp"
 
 #include <pugixml.hpp>
 
@@ -10,8 +11,8 @@
 
 namespace forefront {
 
-/// Reports the styles and animations of an element that are not read although they change its outline in a browser.
-void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pugi::xml_node &node);
+/// Reports the styles and animations of an element that are not read although they change what it paints in a browser.
+void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const SvgIds &ids, const pugi::xml_node &node);
 /// Returns the reason why a visible element is left out, as the end of a message.
 std::string whyIgnored(std::string_view name);
 
