@@ -14,11 +14,26 @@
 namespace forefront {
 namespace {
 
+/// Returns true for a cubic that has shrunk to a point, as where all nodes of a path were moved to one place.
+bool isPoint(Vec2 from, Vec2 control1, Vec2 control2, Vec2 to) {
+    return from == to && control1 == from && control2 == from;
+}
+
+/// Returns true for curves that are written like straight segments, as null.
+bool isStraight(const Curve &curve) {
+    const std::array<double, 8> n = curve.numbers();
+    return curve.kind() == CurveKind::Line ||
+           (curve.kind() == CurveKind::Cubic && isPoint({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}, {n[6], n[7]}));
+}
+
 void writeCurve(const Curve &curve, JsonText &out) {
+    if (isStraight(curve)) {
+        out << "null";
+        return;
+    }
     const std::array<double, 8> n = curve.numbers();
     switch (curve.kind()) {
     case CurveKind::Line:
-        out << "null";
         break;
     case CurveKind::Cubic:
         out << "{\"cubic\": [";
@@ -82,12 +97,7 @@ class CurveReader {
             check_.fault(value, "bad-curve", "a control point lies beyond 1e60", "scale the drawing down");
             return {};
         }
-        if (from == to && controls[0] == from && controls[1] == from) {
-            check_.fault(value, "bad-curve", "the cubic is a point: its nodes and control points coincide",
-                         "remove a node, or move a control point");
-            return {};
-        }
-        return Curve::cubic(from, controls[0], controls[1], to);
+        return isPoint(from, controls[0], controls[1], to) ? Curve() : Curve::cubic(from, controls[0], controls[1], to);
     }
 
     Curve readArc(const JsonValue &value, std::size_t segment) {
@@ -213,7 +223,7 @@ void readCuts(const JsonValue &list, Shape &shape, JsonCheck &check) {
 } // namespace
 
 void writeCurves(const Shape &shape, JsonText &out) {
-    if (!shape.curves.empty()) {
+    if (!std::all_of(shape.curves.begin(), shape.curves.end(), isStraight)) {
         out << ", \"curves\": [";
         out.list(shape.curves, ", ", [&](const Curve &curve) { writeCurve(curve, out); });
         out << ']';

@@ -12,10 +12,13 @@ namespace forefront {
 
 namespace {
 
-/// Returns true for an arc that a transformation has pressed into a line, which the chords along it follow exactly.
-bool isFlat(const Curve &curve) {
+/// Returns true for an arc that a transformation has pressed into a line, which the chords along it follow exactly, and
+/// for a cubic pressed into a point.
+bool isPressed(const Curve &curve) {
     const std::array<double, 8> n = curve.numbers();
-    return curve.kind() == CurveKind::Arc && cross({n[2], n[3]}, {n[4], n[5]}) == 0.0;
+    const Vec2 p{n[0], n[1]}, q{n[2], n[3]}, r{n[4], n[5]}, s{n[6], n[7]};
+    return (curve.kind() == CurveKind::Arc && cross(q, r) == 0.0) ||
+           (curve.kind() == CurveKind::Cubic && p == q && p == r && p == s);
 }
 
 /// Returns the path data of an element: an attribute, or a property of CSS such as path("M 0 0 h 1").
@@ -111,7 +114,7 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
         curve = curve.mapped(visit.map);
     }
     for (CurveStretch &stretch : subpath.stretches) {
-        if (stretch.follows() && isFlat(subpath.curves[stretch.curve])) {
+        if (stretch.follows() && isPressed(subpath.curves[stretch.curve])) {
             stretch = {};
         }
     }
