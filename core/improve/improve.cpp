@@ -4,6 +4,7 @@
 #include "core/base/free_memory.hpp"
 #include "core/improve/cleanup.hpp"
 #include "core/improve/restructure.hpp"
+#include "core/improve/shape_polish.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/spatial_order.hpp"
 #include "core/improve/swap_pass.hpp"
@@ -44,6 +45,7 @@ struct Plan {
     std::span<const Round> rounds;
     std::optional<ShapeGoal> goal; ///< of the cleanup; none: no cleanup
     double minFloor = 0.0;         ///< minimum of the floors of the rounds
+    bool polishes = false;         ///< the shapes at the end, with that floor
 
     bool restructures() const {
         return std::any_of(rounds.begin(), rounds.end(), [](const Round &round) { return round.restructures; });
@@ -66,6 +68,8 @@ constexpr int kMostTimes = 4;
 constexpr Round kFurtherRounds[] = {
     {1, kBestAims, kEarlyFloor, true}, {1, kBestAims, kEarlyFloor, true}, {3, kBestAims, kLateFloor}};
 constexpr Plan kFurtherPlan{kFurtherRounds, std::nullopt, 0.8};
+/// With a floor of .8, which elements at the boundary have often just reached, polishing gains half as much.
+constexpr Plan kPolishPlan{{}, std::nullopt, 0.75, true};
 
 class Improvement {
   public:
@@ -74,7 +78,7 @@ class Improvement {
           work_(mesh, pool, progress.stop, plan.restructures() ? mesh.nodes.size() / kNodesPerSpare : 0) {}
 
     ImproveReport run() {
-        stages_ = plan_.goal ? 1 : 0;
+        stages_ = (plan_.goal ? 1 : 0) + (plan_.polishes ? 1 : 0);
         for (const Round &round : plan_.rounds) {
             stages_ += round.restructures ? 3 : 2;
         }
@@ -96,6 +100,11 @@ class Improvement {
             const CleanupCounts cleaned = cleanUpWorst(work_, *plan_.goal, report_.alphaMinBefore, progress_);
             report_.swaps += cleaned.swaps;
             report_.moves += cleaned.moves;
+            proceeding = next();
+        }
+        if (proceeding && plan_.polishes) {
+            report_.moves += polishShapes(work_, std::max(plan_.minFloor, report_.alphaMinBefore), progress_);
+            work_.measureAlpha(progress_.stop);
             proceeding = next();
         }
         if (proceeding) {
@@ -200,16 +209,22 @@ void append(ImproveReport &report, const ImproveReport &further) {
     report.seconds += further.seconds;
 }
 
-/// Adds and removes nodes of a poor mesh, again and again as long as that pays off.
+/// Adds and removes nodes of a poor mesh, then looks at the shapes alone if it stays poor, again and again as long as
+/// that pays off.
 void improveFurther(Mesh &mesh, const ImproveOptions &options, const Progress &progress, ImproveReport &report) {
     double mean = geometricMeanAlpha(mesh);
     double gain = mean < kHopelessMean ? 0.0 : 1.0;
     for (int time = 0; time < kMostTimes && mean < kPoorMean && gain >= kWorthwhileGain; ++time) {
-        append(report, improveBy(kFurtherPlan, mesh, options, progress));
-        if (progress.cancelled()) {
-            return;
+        const double before = mean;
+        for (const Plan *plan : {&kFurtherPlan, &kPolishPlan}) {
+            if (mean < kPoorMean) {
+                append(report, improveBy(*plan, mesh, options, progress));
+                if (progress.cancelled()) {
+                    return;
+                }
+                mean = geometricMeanAlpha(mesh);
+            }
         }
-        const double before = std::exchange(mean, geometricMeanAlpha(mesh));
         gain = mean - before;
     }
 }

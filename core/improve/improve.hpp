@@ -29,7 +29,8 @@ struct ImproveReport {
 
 /// Improves a mesh in place by swapping edges and smoothing nodes. Level Best also removes and adds nodes where the
 /// mesh is irregular, which changes the numbers of nodes and elements and their order; level Default goes on like that
-/// if the geometric mean of α is then from .93 to .95. Nodes of tagged edges and tagged points do not move, tagged
+/// if the geometric mean of α is then from .93 to .95, and if that does not suffice, moves nodes for the shapes alone.
+/// Nodes of tagged edges and tagged points do not move, tagged
 /// edges are not swapped, and elements keep their regions. No element becomes inverted or flat (exact sign), and the
 /// minimum α never falls. Deterministic. Cancelling leaves a valid mesh and takes about 50 ms up to 10⁶ elements,
 /// 0.4 s up to 10⁷.
