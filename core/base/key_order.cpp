@@ -40,16 +40,18 @@ bool before(const Entry &s, const Entry &t) {
     return s.key != t.key ? s.key < t.key : s.item < t.item;
 }
 
-/// Sorts by the upper digits of the bits that vary, which tell nearly all keys apart, then each run of those that they
-/// do not.
+/// Sorts by the upper digits of the bits that vary, which tell nearly all keys apart, then sorts each run of keys that
+/// agree in them.
 void sortByDigits(std::vector<Entry> &entries, std::uint64_t varying) {
     constexpr unsigned kUpper = 3 * kDigitBits;
     const auto bits = static_cast<unsigned>(std::bit_width(varying));
     const unsigned lowest = bits > kUpper ? bits - kUpper : 0;
     std::vector<Entry> other(entries.size());
     for (unsigned shift = lowest; shift < bits; shift += kDigitBits) {
-        distribute(entries, other, shift);
-        entries.swap(other);
+        if (digit(varying, shift) != 0) {
+            distribute(entries, other, shift);
+            entries.swap(other);
+        }
     }
     if (((varying >> lowest) << lowest) == varying) {
         return;
@@ -58,7 +60,7 @@ void sortByDigits(std::vector<Entry> &entries, std::uint64_t varying) {
         const std::uint64_t upper = first->key >> lowest;
         const auto last =
             std::find_if(first + 1, entries.end(), [=](const Entry &entry) { return entry.key >> lowest != upper; });
-        if (last - first > 1) {
+        if (!std::is_sorted(first, last, before)) {
             std::sort(first, last, before);
         }
         first = last;

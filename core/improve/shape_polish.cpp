@@ -10,57 +10,70 @@ namespace forefront {
 
 namespace {
 
-/// The elements around a node, each between two neighbours that follow one another.
+/// The elements around a node.
 class Star {
   public:
     Star(const ImproveWorkspace &work, std::size_t n) : centre_(work.mesh.nodes[n]) {
-        work.ringOfFree(n, [&](NodeId m) { ring_[count_++] = work.at(m); });
+        work.aroundFree(NodeId{static_cast<std::uint32_t>(n)}, [&](HalfEdge h) {
+            Corner &corner = corners_[count_++];
+            corner = {work.at(work.to(h)), work.at(work.apex(h)), sideOf(h), 0.0};
+            corner.before = alphaAt(centre_, corner);
+        });
     }
 
     Vec2 centre() const { return centre_; }
 
-    /// Returns the step that minimises a convex model of f(p) = −Σ log α at the node. With A the double area of an
-    /// element and S the sum of its squared sides, −log α = log S − log A + const. The second derivatives of −log A are
-    /// kept; of those of log S, which may be negative, the positive part.
+    /// Returns the step that minimises a convex model of −Σ log α. With A the double area of an element and S the sum
+    /// of its squared sides, −log α = log S − log A + const. The second derivatives of −log A are kept; of those of
+    /// log S, which may be negative, the positive part. Works in units of the first edge.
     Vec2 newtonStep() const {
-        Vec2 gradient{};
+        const double unit = distance(corners_[0].q, centre_), inverse = 1.0 / unit;
+        Vec2 gradient;
         double xx = 0.0, xy = 0.0, yy = 0.0;
-        forElements([&](Vec2 q, Vec2 r) {
-            const Vec2 u = q - centre_, v = r - centre_;
-            const double area = cross(u, v), squares = lengthSquared(u) + lengthSquared(v) + lengthSquared(r - q);
-            const Vec2 ofArea = (1.0 / area) * Vec2{q.y - r.y, r.x - q.x};
+        for (unsigned k = 0; k < count_; ++k) {
+            const Vec2 u = inverse * (corners_[k].q - centre_), v = inverse * (corners_[k].r - centre_);
+            const double area = cross(u, v), squares = lengthSquared(u) + lengthSquared(v) + lengthSquared(v - u);
+            const Vec2 ofArea = (1.0 / area) * Vec2{u.y - v.y, v.x - u.x};
             const Vec2 ofSquares = (-2.0 / squares) * (u + v);
             gradient = gradient + (ofSquares - ofArea);
             xx += ofArea.x * ofArea.x + 4.0 / squares;
             xy += ofArea.x * ofArea.y;
             yy += ofArea.y * ofArea.y + 4.0 / squares;
-        });
-        const double determinant = xx * yy - xy * xy;
-        return (-1.0 / determinant) * Vec2{yy * gradient.x - xy * gradient.y, xx * gradient.y - xy * gradient.x};
+        }
+        return (-unit / (xx * yy - xy * xy)) *
+               Vec2{yy * gradient.x - xy * gradient.y, xx * gradient.y - xy * gradient.x};
     }
 
-    /// Returns the product of α with the node at a place, or 0 if an element falls below the floor and below its α at
-    /// the centre.
-    double productAt(Vec2 p, double floor) const {
-        double product = 1.0;
-        forElements([&](Vec2 q, Vec2 r) {
-            const double alpha = shapeFactor(p, q, r);
-            const bool allowed = alpha >= floor || alpha >= shapeFactor(centre_, q, r);
-            product *= allowed && surelyPositive(alpha, p, q, r) ? alpha : 0.0;
-        });
-        return product;
+    /// Returns the factor by which the product of α grows if the node moves to a place, or 0 if an element would fall
+    /// below the floor and below its present α.
+    double gainAt(Vec2 p, double floor) const {
+        double gain = 1.0;
+        for (unsigned k = 0; k < count_; ++k) {
+            const Corner &corner = corners_[k];
+            const double alpha = alphaAt(p, corner);
+            const bool allowed = alpha >= std::min(floor, corner.before);
+            gain *= allowed && surelyPositive(alpha, p, corner.q, corner.r) ? alpha / corner.before : 0.0;
+        }
+        return gain;
     }
 
   private:
-    template <class Visit>
-    void forElements(const Visit &visit) const {
-        for (unsigned k = 0; k < count_; ++k) {
-            visit(ring_[k], ring_[k + 1 < count_ ? k + 1 : 0]);
-        }
+    /// An element with the node at one of its corners.
+    struct Corner {
+        Vec2 q, r;           ///< its other nodes, counter-clockwise
+        unsigned side = 0;   ///< position of the node in it
+        double before = 0.0; ///< α
+    };
+
+    /// Returns α exactly as for the element in the mesh: its rounding depends on the order of the nodes.
+    static double alphaAt(Vec2 p, const Corner &c) {
+        return c.side == 0   ? shapeFactor(p, c.q, c.r)
+               : c.side == 1 ? shapeFactor(c.r, p, c.q)
+                             : shapeFactor(c.q, c.r, p);
     }
 
     Vec2 centre_;
-    std::array<Vec2, ImproveWorkspace::kMaxValence> ring_;
+    std::array<Corner, ImproveWorkspace::kMaxValence> corners_;
     unsigned count_ = 0;
 };
 
@@ -85,9 +98,9 @@ class Polish {
     }
 
   private:
-    static constexpr std::size_t kFewestSweeps = 3, kMostSweeps = 50;
-    static constexpr std::size_t kMostVisits = 2'000'000; ///< of nodes, in all sweeps; about a second
-    static constexpr double kFewMoves = 0.01;             ///< as many as this fraction of the first sweep's end them
+    static constexpr std::size_t kFewestSweeps = 1, kMostSweeps = 50;
+    static constexpr std::size_t kMostVisits = 2'000'000; ///< of nodes, if one sweep does not take more; half a second
+    static constexpr double kFewMoves = 0.01;             ///< The sweeps end after one with this fraction of the first.
     static constexpr double kWorthwhile = 1e-6;           ///< relative gain of the product
     static constexpr int kHalvings = 3;                   ///< of a step that does not help
     static constexpr std::size_t kNodesAtOnce = 4096;     ///< between checks for cancellation
@@ -105,11 +118,10 @@ class Polish {
 
     bool move(std::size_t n) {
         const Star star(work_, n);
-        const double before = star.productAt(star.centre(), floor_);
         Vec2 step = star.newtonStep();
         for (int halving = 0; halving <= kHalvings; ++halving, step = 0.5 * step) {
             const Vec2 p = star.centre() + step;
-            if (star.productAt(p, floor_) > (1.0 + kWorthwhile) * before) {
+            if (star.gainAt(p, floor_) > 1.0 + kWorthwhile) {
                 work_.mesh.nodes[n] = p;
                 return true;
             }

@@ -38,17 +38,6 @@ std::string rootElement(std::string_view head) {
     return {};
 }
 
-/// Returns true for JSON whose first "type" is Topology, and that names no Feature.
-bool isTopology(std::string_view head) {
-    const std::size_t key = head.find("\"type\"");
-    if (!withoutBlanks(head).starts_with('{') || key == std::string_view::npos ||
-        head.find("\"Feature") != std::string_view::npos) {
-        return false;
-    }
-    const std::string_view colon = withoutBlanks(head.substr(key + 6));
-    return colon.starts_with(':') && withoutBlanks(colon.substr(1)).starts_with("\"Topology\"");
-}
-
 bool isWellKnownText(std::string_view head) {
     const std::string start = lowerCase(withoutBlanks(head).substr(0, 24));
     const std::size_t length = std::min(start.find_first_of(" \t\r\n(;="), start.size());
@@ -91,9 +80,6 @@ Kind kindOf(std::string_view head) {
         if (head.starts_with(signature)) {
             return kind;
         }
-    }
-    if (isTopology(head)) {
-        return {"a TopoJSON file", "convert it to GeoJSON, such as by mapshaper FILE -o format=geojson NEW.geojson"};
     }
     if (isWellKnownText(head)) {
         return {"well-known text", "write its geometries as GeoJSON"};

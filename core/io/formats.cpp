@@ -11,6 +11,7 @@
 #include "core/io/project/project.hpp"
 #include "core/io/su2/su2.hpp"
 #include "core/io/svg/svg.hpp"
+#include "core/io/topojson/topojson.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/io/vtk/vtk.hpp"
 
@@ -29,6 +30,10 @@ constexpr std::array kFormats = {
            .recognise = looksLikeProject,
            .readDocument = readProjectText,
            .readSpacing = readProjectSpacing},
+    Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, true},
+           .otherExtensions = ".json",
+           .recognise = looksLikeTopoJson,
+           .readDomain = readTopoJson},
     Format{.about = {"geojson", "GeoJSON", ".geojson", true, false, false, true},
            .otherExtensions = ".json",
            .recognise = looksLikeGeoJson,

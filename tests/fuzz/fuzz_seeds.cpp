@@ -77,6 +77,15 @@ const char *const kGeoJson =
     "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{\"name\":\"a\",\"tag\":2},"
     "\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,0]],[[2,1],[3,1],[3,2],[2,1]]]}},"
     "{\"type\":\"Feature\",\"geometry\":{\"type\":\"MultiPoint\",\"coordinates\":[[1,0.5,9]]}}]}";
+const char *const kTopoJson =
+    "{\"type\":\"Topology\",\"transform\":{\"scale\":[0.5,1],\"translate\":[1,2]},\"arcs\":[[[2,0],[0,3]],[[2,3],[-2,0]"
+    ",[0,-3],"
+    "[2,0]],[[2,0],[2,0],[0,3],[-2,0]],[[1,1],[0,1],[-1,0],[1,-1]]],\"objects\":{\"a\":{\"type\":"
+    "\"GeometryCollection\","
+    "\"geometries\":[{\"type\":\"Polygon\",\"properties\":{\"name\":\"w\",\"tag\":3},\"arcs\":[[0,1],[3]]},{\"type\":"
+    "\"MultiPolygon\",\"arcs\":[[[2,-1]]]},{\"type\":\"LineString\",\"arcs\":[2]},{\"type\":\"Point\",\"coordinates\":["
+    "1,1]},"
+    "{\"type\":null}]},\"b\":{\"type\":\"MultiLineString\",\"arcs\":[[-2]]}}}";
 const char *const kSvg =
     "<svg viewBox=\"0 0 9 9\"><g transform=\"rotate(30 5 5) scale(2) skewX(3) matrix(1 0 0 1 2 2)\">"
     "<path id=\"a\" d=\"M1 1h2v2C3 3 2 4 1 3zM6,6a1 2 30 1 0 1 1Q7 7 8 6t1 1s1 2 3 4z\"/></g>"
@@ -191,8 +200,13 @@ std::vector<std::string> handMade(std::string_view id) {
         return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};
     }
     static const std::map<std::string_view, std::vector<std::string>> kTexts = {
-        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},     {"svg", {kSvg, kStyledSvg, kClippedSvg}},
-        {"triangle", {kTriangle}},       {"netgen", {kNetgen}}, {"vtu", {kVtuAscii}},
+        {"geojson", {kGeoJson, kLines}},
+        {"topojson", {kTopoJson}},
+        {"poly", {kPoly}},
+        {"svg", {kSvg, kStyledSvg, kClippedSvg}},
+        {"triangle", {kTriangle}},
+        {"netgen", {kNetgen}},
+        {"vtu", {kVtuAscii}},
         {"esri", {kEsriGrid}},
     };
     const auto found = kTexts.find(id);

@@ -23,7 +23,6 @@ TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to con
         {"%!PS-Adobe-3.0 EPSF-3.0\n", "PostScript", "SVG"},
         {"AC1027\0"s, "DWG", "SVG"},
         {"\xff\xd8\xff\xe0", "JPEG", "trace"},
-        {" {\"type\" : \"Topology\", \"arcs\": []}", "TopoJSON", "mapshaper"},
         {"MultiPolygon (((0 0, 1 0, 1 1, 0 0)))\n", "well-known text", "GeoJSON"},
         {"SRID=4326;POINT(1 2)", "well-known text", "GeoJSON"},
         {"POLYGON\n((0 0, 1 0, 1 1, 0 0))", "well-known text", "GeoJSON"},

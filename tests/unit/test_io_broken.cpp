@@ -7,6 +7,7 @@
 #include "core/io/project/project.hpp"
 #include "core/io/su2/su2.hpp"
 #include "core/io/svg/svg.hpp"
+#include "core/io/topojson/topojson.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/io/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
@@ -47,6 +48,14 @@ std::vector<Seed> seeds() {
          "[2, 1], [2, 2], [1, 1]]]}}, {\"type\": \"Feature\", \"geometry\": {\"type\": \"LineString\", "
          "\"coordinates\": [[3, 3], [3.5, 3.5]]}}]}",
          faultsOf(readGeoJson)},
+        {"topojson",
+         "{\"type\": \"Topology\", \"transform\": {\"scale\": [0.5, 1], \"translate\": [1, 2]}, \"arcs\": [[[2, 0], "
+         "[0, 3]], "
+         "[[2, 3], [-2, 0], [0, -3], [2, 0]], [[2, 0], [2, 0], [0, 3], [-2, 0]]], \"objects\": {\"a\": {\"type\": "
+         "\"GeometryCollection\", \"geometries\": [{\"type\": \"Polygon\", \"arcs\": [[0, 1]]}, {\"type\": "
+         "\"MultiPolygon\", "
+         "\"arcs\": [[[2, -1]]]}, {\"type\": \"Point\", \"coordinates\": [1, 1]}]}}}",
+         faultsOf(readTopoJson)},
         {"svg",
          "<svg viewBox=\"0 0 10 10\"><g transform=\"rotate(30 5 5) scale(2)\"><path id=\"a\" d=\"M1 1h2v2C3 3 2 4 1 "
          "3zM6,6a1 2 30 1 0 1 1Q7 7 8 6t1 1z\"/></g><circle r=\"2\"/><rect width=\"3\" height=\"2\" rx=\".5\"/></svg>",

@@ -301,6 +301,19 @@ TEST_CASE("Project: cubics that have shrunk to points are read and written as st
     CHECK(again->shapes[0]->curves == std::vector{Curve(), bend, Curve()});
     CHECK(again->shapes[1]->curves.empty());
     CHECK(projectText(*again) == text);
+    for (const std::size_t nodes : {1U, 2U, 3U}) { // with cuts, which are not needed any more
+        Shape shape;
+        shape.id = 1;
+        shape.nodes.assign(nodes, {1, 1});
+        shape.curves.assign(nodes, point);
+        shape.cuts.assign(nodes, {0.5, 1.0});
+        Document one;
+        one.nextId = 2;
+        one.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
+        const auto read = parseProject(projectText(one), "again");
+        CHECK((read.ok() || !hasCode(read.faults(), "bad-count")));
+        CHECK((nodes == 1 || (read.ok() && projectText(*read) == projectText(one))));
+    }
 }
 
 TEST_CASE("JSON: syntax faults are located at the offending byte") {

@@ -215,17 +215,17 @@ TEST_CASE("SVG: reports unused content once per kind with its count") {
 
 TEST_CASE("SVG: notes say that patterns count as solid, and that markers are ignored") {
     ImportNotes notes;
-    const Domain domain = svgDomain(
-        svgDrawing("<defs><pattern id=\"p\" width=\"1\" height=\"1\"><rect width=\".5\" height=\".5\"/></pattern>"
-                   "<marker id=\"m\"><rect width=\"9\" height=\"9\"/></marker></defs>"
-                   "<rect width=\"2\" height=\"2\" fill=\"url(#p)\"/>"
-                   "<path d=\"M4 0h2v2h-2z\" style=\"marker-mid: url(#m); marker-end: none\"/>"
-                   "<path d=\"M8 0h2v2h-2z\" marker-end=\"url(#missing)\"/>"),
-        &notes);
+    const std::string definitions = "<defs><pattern id=\"p\" width=\"1\" height=\"1\"><rect width=\".5\"/></pattern>"
+                                    "<marker id=\"m\"><rect width=\"9\" height=\"9\"/></marker></defs>";
+    const std::string shapes = "<g fill=\"url(#p)\"><rect width=\"2\" height=\"2\"/>"
+                               "<rect x=\"2.5\" width=\"1\" height=\"2\" fill=\"red\" marker-end=\"url(#m)\"/></g>"
+                               "<path d=\"M4 0h2v2h-2z\" style=\"marker-mid: url(#m); marker-end: none\"/>"
+                               "<path d=\"M8 0h2v2h-2z\" marker-end=\"url(#missing)\" marker=\"url(#m)\"/>";
+    const Domain domain = svgDomain(svgDrawing(definitions + shapes), &notes);
     std::string codes;
     for (const ImportNote &note : notes.entries()) {
         codes += note.code + ' ' + std::to_string(note.count) + ' ';
     }
     CHECK(codes == "svg-pattern 1 svg-marker 1 ");
-    CHECK(enclosedArea(domain) == doctest::Approx(12.0));
+    CHECK(enclosedArea(domain) == doctest::Approx(14.0));
 }

@@ -14,20 +14,25 @@
 namespace forefront {
 namespace {
 
-/// Returns true for a cubic that has shrunk to a point, as where all nodes of a path were moved to one place.
+/// Returns true for a cubic that has shrunk to a point, as under a transform that presses a drawing into a line.
 bool isPoint(Vec2 from, Vec2 control1, Vec2 control2, Vec2 to) {
     return from == to && control1 == from && control2 == from;
 }
 
-/// Returns true for curves that are written like straight segments, as null.
-bool isStraight(const Curve &curve) {
+/// Returns true for curves that are written as null.
+bool isNull(const Curve &curve) {
     const std::array<double, 8> n = curve.numbers();
     return curve.kind() == CurveKind::Line ||
            (curve.kind() == CurveKind::Cubic && isPoint({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}, {n[6], n[7]}));
 }
 
+/// Returns true for paths without curves, which need no cuts either.
+bool isStraightPath(const Shape &shape) {
+    return isPath(shape) && std::all_of(shape.curves.begin(), shape.curves.end(), isNull);
+}
+
 void writeCurve(const Curve &curve, JsonText &out) {
-    if (isStraight(curve)) {
+    if (isNull(curve)) {
         out << "null";
         return;
     }
@@ -182,9 +187,6 @@ void readPath(const JsonValue &list, Shape &shape, JsonCheck &check) {
         shape.curves[k] = reader.read(item, k);
         ++k;
     }
-    if (std::all_of(shape.curves.begin(), shape.curves.end(), [](const Curve &curve) { return curve == Curve(); })) {
-        shape.curves.clear();
-    }
 }
 
 std::vector<double> readCutsOf(const JsonValue &item, JsonCheck &check) {
@@ -223,7 +225,10 @@ void readCuts(const JsonValue &list, Shape &shape, JsonCheck &check) {
 } // namespace
 
 void writeCurves(const Shape &shape, JsonText &out) {
-    if (!std::all_of(shape.curves.begin(), shape.curves.end(), isStraight)) {
+    if (isStraightPath(shape)) {
+        return;
+    }
+    if (!shape.curves.empty()) {
         out << ", \"curves\": [";
         out.list(shape.curves, ", ", [&](const Curve &curve) { writeCurve(curve, out); });
         out << ']';
@@ -245,6 +250,10 @@ void readCurves(const JsonValue &item, Shape &shape, JsonCheck &check) {
     }
     if (const auto cuts = item.find("cuts")) {
         readCuts(*cuts, shape, check);
+    }
+    if (isStraightPath(shape)) {
+        shape.curves.clear();
+        shape.cuts.clear();
     }
 }
 

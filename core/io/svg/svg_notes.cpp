@@ -21,17 +21,14 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const Sv
                     "the properties rotate, scale, translate and offset-path are ignored; use transform",
                     offsetOf(node));
     }
-    const auto refersTo = [&](const char *property, std::string_view element) {
-        const pugi::xml_node target = targetOf(styles.valueAsWritten(node, property), ids);
-        return target && localName(target) == element;
-    };
-    if (refersTo("fill", "pattern")) {
-        source.note("svg-pattern", "patterns count as a solid fill, without the gaps between their parts",
-                    offsetOf(node));
-    }
     constexpr std::array kMarkers = {"marker", "marker-start", "marker-mid", "marker-end"};
-    if (std::any_of(kMarkers.begin(), kMarkers.end(),
-                    [&](const char *property) { return refersTo(property, "marker"); })) {
+    const bool marked = std::any_of(kMarkers.begin(), kMarkers.end(), [&](const char *property) {
+        const bool shorthand = std::string_view(property) == "marker"; // not known as an attribute
+        return !(shorthand && !node.attribute(property).empty()) &&
+               localName(targetOf(styles.valueAsWritten(node, property), ids)) == "marker";
+    });
+    constexpr std::array<std::string_view, 4> kWithoutMarkers = {"rect", "circle", "ellipse", "image"};
+    if (marked && std::find(kWithoutMarkers.begin(), kWithoutMarkers.end(), localName(node)) == kWithoutMarkers.end()) {
         source.note("svg-marker", "markers, such as heads of arrows, are ignored; convert them to paths",
                     offsetOf(node));
     }
@@ -41,6 +38,13 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const Sv
             source.note("svg-animation", "animations are ignored: the drawing is read in its initial state",
                         offsetOf(child));
         }
+    }
+}
+
+void notePattern(const SourceText &source, const SvgPaint &paint, const pugi::xml_node &node) {
+    if (paint.filled && paint.patterned) {
+        source.note("svg-pattern", "patterns count as a solid fill, without the gaps between their parts",
+                    offsetOf(node));
     }
 }
 

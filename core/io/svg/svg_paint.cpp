@@ -33,6 +33,7 @@ SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgI
         const std::string value = paintedBy(node, "fill", given, styles, ids);
         paint.filled = value != "none";
         paint.fillGiven = true;
+        paint.patterned = localName(targetOf(styles.valueAsWritten(node, "fill"), ids)) == "pattern";
         paint.fill = parseColour(value, paint.current);
     });
     take("stroke", [&](const std::string &given) {

@@ -13,6 +13,7 @@ namespace forefront {
 struct SvgPaint {
     bool filled = true;
     bool fillGiven = false; ///< the drawing states the fill
+    bool patterned = false; ///< the fill is a pattern
     bool stroked = false;
     FillRule rule = FillRule::NonZero;
     FillRule clipRule = FillRule::NonZero; ///< the rule that applies instead inside a clip path

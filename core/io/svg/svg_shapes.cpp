@@ -2,6 +2,7 @@
 #include "core/io/common/names.hpp"
 #include "core/io/svg/svg_drawer.hpp"
 #include "core/io/svg/svg_elements.hpp"
+#include "core/io/svg/svg_notes.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,13 +13,10 @@ namespace forefront {
 
 namespace {
 
-/// Returns true for an arc that a transformation has pressed into a line, which the chords along it follow exactly, and
-/// for a cubic pressed into a point.
-bool isPressed(const Curve &curve) {
+/// Returns true for an arc that a transformation has pressed into a line, which the chords along it follow exactly.
+bool isFlat(const Curve &curve) {
     const std::array<double, 8> n = curve.numbers();
-    const Vec2 p{n[0], n[1]}, q{n[2], n[3]}, r{n[4], n[5]}, s{n[6], n[7]};
-    return (curve.kind() == CurveKind::Arc && cross(q, r) == 0.0) ||
-           (curve.kind() == CurveKind::Cubic && p == q && p == r && p == s);
+    return curve.kind() == CurveKind::Arc && cross({n[2], n[3]}, {n[4], n[5]}) == 0.0;
 }
 
 /// Returns the path data of an element: an attribute, or a property of CSS such as path("M 0 0 h 1").
@@ -35,6 +33,9 @@ std::string pathData(const pugi::xml_node &node, const SvgStyles &styles) {
 
 void SvgDrawer::shape(const Visit &visit, std::string_view name) {
     const pugi::xml_node &node = visit.node;
+    if (reports_) {
+        notePattern(source_, visit.paint, node);
+    }
     const double stretch = visit.map.stretch();
     SvgPen pen(tolerance_ && stretch > 0.0 ? std::optional(*tolerance_ / stretch) : std::nullopt);
     std::optional<SvgFault> fault;
@@ -114,7 +115,7 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
         curve = curve.mapped(visit.map);
     }
     for (CurveStretch &stretch : subpath.stretches) {
-        if (stretch.follows() && isPressed(subpath.curves[stretch.curve])) {
+        if (stretch.follows() && isFlat(subpath.curves[stretch.curve])) {
             stretch = {};
         }
     }

@@ -3,7 +3,6 @@
 #include "core/spacing/sites/size_site.hpp"
 #include "core/spacing/spec/spacing_sample.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,10 +38,6 @@ struct SiteSet {
     std::vector<SizeSite> sites;
     std::vector<SiteLabel> labels;
 
-    void reserve(std::size_t count) {
-        sites.reserve(count);
-        labels.reserve(count);
-    }
     void add(const SizeSite &site, const SiteLabel &label) {
         sites.push_back(site);
         labels.push_back(label);

@@ -398,7 +398,7 @@ class SiteSpreader : SiteTreeWriter {
         candidates_.push_back(leaf.site);
         for (const std::uint32_t beside : neighbours_.at(index)) {
             const std::uint32_t site = leaves_[beside].site;
-            if (site != leaf.site && site != candidates_.back()) { // most leaves have the winner of those around
+            if (site != leaf.site && site != candidates_.back()) { // neighbours mostly have the same winner
                 candidates_.push_back(site);
             }
         }

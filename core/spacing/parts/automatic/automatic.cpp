@@ -73,7 +73,6 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
     const CurveChains chains = curveChains(domain);
     gradation = chains.list.empty() ? gradation : std::min(gradation, kCurvedGradation);
     std::vector<PlacedSegment> segments = placedSegments(domain);
-    automatic.sites.reserve(2 * segments.size()); // often one for each, and one for a gap beside it
     applyCurveLengths(domain, chains, segments);
     dropDominated(domain, gradation, segments);
     for (const PlacedSegment &segment : segments) {

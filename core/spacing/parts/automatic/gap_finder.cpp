@@ -184,7 +184,7 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
         }
         const Pair pair = closest(site, a, b, wall.a, wall.b);
         if (pair.square == 0.0) {
-            return; // what touches the part elsewhere is beside it
+            return; // it touches the part, so there is no domain between them
         }
         if (pair.square >= square) {
             return;
@@ -245,7 +245,7 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
             const double same = own.besideCurve ? kSameWidthAtCurve : kSameWidth;
             const double atA = widthAt(a);
             if (atA > same * nearest.width && length(b - a) > nearest.width) {
-                return true; // the other end can only add to that
+                return true; // for any width at the other end
             }
             const double atB = widthAt(b);
             const double narrowest = std::min(nearest.width, std::min(atA, atB));

@@ -1,0 +1,216 @@
+#include "core/io/geojson/map_reader.hpp"
+
+#include "core/io/common/names.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+bool oneOf(std::string_view key, std::initializer_list<std::string_view> known) {
+    return std::find(known.begin(), known.end(), key) != known.end();
+}
+
+std::optional<std::int32_t> tagIn(const JsonValue &properties) {
+    const auto tag = properties.find("tag");
+    const auto number = tag ? tag->integer() : std::nullopt;
+    const bool sound = number && *number >= 1 && *number <= std::numeric_limits<std::int32_t>::max();
+    return sound ? std::optional(static_cast<std::int32_t>(*number)) : std::nullopt;
+}
+
+std::int32_t tagOf(TagAllocator &tags, const MapLabel &label) {
+    if (!label.tag) {
+        return tags.of(label.name);
+    }
+    if (!label.name.empty()) {
+        tags.name(*label.tag, label.name);
+    }
+    return *label.tag;
+}
+
+} // namespace
+
+void MapReader::Unused::add(const std::string &key, std::size_t offset) {
+    keys.insert(key);
+    first = count++ == 0 ? offset : first;
+}
+
+MapReader::MapReader(const SourceText &source, const char *format)
+    : source_(source), format_(format), check_(source), builder_(source) {}
+
+void MapReader::reserveTag(const JsonValue &feature) {
+    const auto properties = feature.find("properties");
+    if (const auto tag = properties ? tagIn(*properties) : std::nullopt) {
+        boundaries_.reserve(*tag);
+        regions_.reserve(*tag);
+    }
+}
+
+MapLabel MapReader::label(const JsonValue &feature) {
+    MapLabel label;
+    const auto properties = feature.find("properties");
+    if (!properties) {
+        return label;
+    }
+    for (const char *key : {"name", "Name", "NAME"}) {
+        const auto name = properties->find(key);
+        if (name && name->is(JsonKind::String) && label.name.empty()) {
+            label.name = cleanName(name->string());
+        }
+    }
+    label.tag = tagIn(*properties);
+    const auto tag = properties->find("tag");
+    if (tag && !label.tag) {
+        source_.note("bad-tag", "tags that are not integers of at least 1 are ignored", tag->offset());
+    }
+    for (auto member = properties->begin(); member != properties->end(); ++member) {
+        const std::string key = member.key();
+        if (!oneOf(key, {"name", "Name", "NAME", "tag"})) {
+            properties_.add(key, member.keyValue().offset());
+        }
+    }
+    return label;
+}
+
+void MapReader::noteMembers(const JsonValue &object, std::initializer_list<std::string_view> known) {
+    for (auto member = object.begin(); member != object.end(); ++member) {
+        const std::string key = member.key();
+        if (!oneOf(key, known) && !oneOf(key, {"type", "bbox", "crs"})) {
+            members_.add(key, member.keyValue().offset());
+        }
+    }
+}
+
+void MapReader::noteWithoutGeometry(const JsonValue &feature) {
+    source_.note("no-geometry", "features without a geometry are ignored", feature.offset());
+}
+
+Vec2 MapReader::position(const JsonValue &value) {
+    Vec2 place;
+    std::size_t count = 0;
+    for (const JsonValue number : value) {
+        const double coordinate = check_.number(number, "a coordinate");
+        (count == 0 ? place.x : place.y) = count < 2 ? coordinate : place.y;
+        ++count;
+    }
+    if (count > 2) {
+        heights_.add("z", value.offset());
+    }
+    if (!value.is(JsonKind::Array) || count < 2) {
+        check_.fault(value, "bad-number", "expected a position, [x, y]");
+    }
+    return place;
+}
+
+void MapReader::addPolygon(std::vector<MapPath> rings, const MapLabel &label) {
+    Polygon polygon;
+    bool flat = false; // the outline
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+        MapPath &ring = rings[k];
+        if (ring.nodes.size() > 1 && ring.nodes.front() == ring.nodes.back()) {
+            ring.nodes.pop_back();
+        } else if (ring.nodes.size() >= 3) {
+            source_.note("open-ring", "rings that do not end where they begin are closed", ring.offset);
+        }
+        if (ring.nodes.size() >= 3) {
+            polygon.rings.push_back(std::move(ring));
+        } else {
+            source_.note("flat-ring", "rings with fewer than 3 different positions are ignored", ring.offset);
+            flat = flat || k == 0;
+        }
+    }
+    if (flat || polygon.rings.empty() || !check_.faults().empty()) {
+        return;
+    }
+    polygon.boundaryTag = tagOf(boundaries_, label);
+    polygon.regionTag = tagOf(regions_, label);
+    polygon.feature = label.feature > 0 ? label.feature : nextFeature();
+    polygon.name = label.name;
+    polygons_.push_back(std::move(polygon));
+}
+
+void MapReader::addLine(MapPath line, const MapLabel &label) {
+    lines_.push_back({std::move(line), tagOf(boundaries_, label)});
+}
+
+void MapReader::addPoint(Vec2 place, std::size_t offset, const MapLabel &label) {
+    points_.push_back({place, offset, tagOf(boundaries_, label)});
+}
+
+Result<Domain> MapReader::finish(const JsonValue &whole) {
+    if (check_.faults().empty() && polygons_.empty() && lines_.empty()) {
+        check_.fault(whole, "empty-domain", "the file holds no polygon and no line that could bound a domain");
+    }
+    if (!check_.faults().empty()) {
+        return check_.faults();
+    }
+    buildPolygons();
+    for (Line &line : lines_) {
+        builder_.from(std::move(line.path.offsets));
+        builder_.addChain(line.path.nodes, line.tag);
+    }
+    for (const Point &point : points_) {
+        builder_.from({point.offset});
+        builder_.addPoint(point.place, point.tag);
+    }
+    noteUnused();
+    Result<Domain> domain = builder_.finish();
+    if (domain) {
+        domain->boundaryNames = boundaries_.names();
+        domain->regionNames = regions_.names();
+    }
+    return domain;
+}
+
+/// Reports members that are not used, once for the whole file.
+void MapReader::noteUnused() const {
+    if (heights_.count > 0) {
+        source_.note("height", "third coordinates are ignored: the domain is planar", heights_.first, heights_.count);
+    }
+    note(properties_, "properties", "properties other than \"name\" and \"tag\" are ignored: ");
+    note(members_, "members", std::string("members that ") + format_ + " does not define are ignored: ");
+}
+
+void MapReader::note(const Unused &unused, const char *code, const std::string &start) const {
+    if (unused.count == 0) {
+        return;
+    }
+    constexpr std::size_t kShown = 8;
+    std::string keys;
+    std::size_t shown = 0;
+    for (const std::string &key : unused.keys) {
+        if (shown++ < kShown) {
+            keys += (shown > 1 ? ", " : "") + inQuotes(key);
+        }
+    }
+    if (shown > kShown) {
+        keys += " and " + std::to_string(shown - kShown) + " more";
+    }
+    source_.note(code, start + keys, unused.first, unused.count);
+}
+
+/// A hole is cut only out of its own polygon.
+void MapReader::buildPolygons() {
+    std::map<std::size_t, std::uint32_t> features;
+    for (Polygon &polygon : polygons_) {
+        const auto [feature, added] = features.try_emplace(polygon.feature, 0U);
+        if (added) {
+            feature->second = builder_.addFeature(polygon.regionTag, polygon.name);
+        }
+        const std::uint32_t shape = builder_.addShape(feature->second);
+        for (std::size_t k = 0; k < polygon.rings.size(); ++k) {
+            builder_.from(std::move(polygon.rings[k].offsets));
+            builder_.addRing(builder_.addContour(shape, FillRule::NonZero, k > 0), polygon.rings[k].nodes,
+                             polygon.boundaryTag);
+        }
+    }
+    if (polygons_.size() > 1 || !regions_.names().empty() || (!polygons_.empty() && polygons_.front().regionTag != 1)) {
+        builder_.markRegions();
+    }
+}
+
+} // namespace forefront
