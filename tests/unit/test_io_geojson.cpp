@@ -1,4 +1,5 @@
 #include "core/io/geojson/geojson.hpp"
+#include "tests/support/curved_area.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -188,5 +189,36 @@ TEST_CASE("GeoJSON: features may be separate texts, by lines or with record sepa
         REQUIRE_FALSE(domain.ok());
         CHECK(domain.faults()[0].message.starts_with(message));
         CHECK(domain.faults()[0].line == line);
+    }
+}
+
+TEST_CASE("GeoJSON: holes outside the outline of their polygon are parts of it, in any order") {
+    const std::string island = "[[5,0],[6,0],[6,1],[5,0]]", land = "[[0,0],[4,0],[4,4],[0,4],[0,0]]",
+                      lake = "[[1,1],[2,1],[2,2],[1,2],[1,1]]";
+    for (const std::string &rings :
+         {island + ',' + land + ',' + lake, lake + ',' + land + ',' + island, land + ',' + lake + ',' + island}) {
+        ImportNotes notes;
+        const std::string text = feature("Polygon", "[" + rings + "]");
+        SourceText source = sourceOf(text);
+        source.notes = &notes;
+        const auto domain = readGeoJson(source);
+        REQUIRE(domain.ok());
+        CHECK(curvedAreas(*domain).at(1) == doctest::Approx(15.5));
+        REQUIRE_FALSE(notes.entries().empty());
+        CHECK(notes.entries()[0].code == "outer-hole");
+    }
+}
+
+TEST_CASE("GeoJSON: holes that touch the outline or reach beyond it are cut from their polygon") {
+    for (const char *hole :
+         {"[[0,1],[1,0],[1,1],[0,1]]", "[[3,1],[5,1],[5,2],[3,2],[3,1]]", "[[1,1],[2,1],[2,2],[1,1]]"}) {
+        ImportNotes notes;
+        const std::string text = feature("Polygon", std::string("[[[0,0],[4,0],[4,4],[0,4],[0,0]],") + hole + "]");
+        SourceText source = sourceOf(text);
+        source.notes = &notes;
+        REQUIRE(readGeoJson(source).ok());
+        for (const ImportNote &note : notes.entries()) {
+            CHECK(note.code != "outer-hole");
+        }
     }
 }

@@ -1,10 +1,14 @@
 #include "core/io/geojson/map_reader.hpp"
 
+#include "core/geometry/box_tree.hpp"
+#include "core/geometry/polygon.hpp"
+#include "core/geometry/predicates.hpp"
 #include "core/io/common/names.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace forefront {
@@ -31,6 +35,56 @@ std::int32_t tagOf(TagAllocator &tags, const MapLabel &label) {
     }
     return *label.tag;
 }
+
+/// Finds out whether other rings lie inside an outline, by the even-odd rule.
+class OutlineIndex {
+  public:
+    explicit OutlineIndex(std::span<const Vec2> outline) : outline_(outline), tree_(boxesOf(outline)) {
+        for (const Vec2 p : outline) {
+            box_.add(p);
+        }
+    }
+
+    /// Returns true if none of some nodes of the ring is inside the outline or on it.
+    bool isOutside(std::span<const Vec2> ring) const {
+        constexpr std::size_t kNodesTried = 8;
+        const std::size_t step = (ring.size() + kNodesTried - 1) / kNodesTried;
+        for (std::size_t k = 0; k < ring.size(); k += step) {
+            if (place(ring[k]) != PointPlace::Outside) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+  private:
+    static std::vector<Box2> boxesOf(std::span<const Vec2> outline) {
+        std::vector<Box2> boxes;
+        boxes.reserve(outline.size());
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            boxes.push_back(boxOf(outline[k], outline[(k + 1) % outline.size()]));
+        }
+        return boxes;
+    }
+
+    PointPlace place(Vec2 p) const {
+        if (!box_.contains(p)) {
+            return PointPlace::Outside;
+        }
+        bool odd = false, on = false;
+        tree_.query({p, {box_.max.x, p.y}}, [&](std::uint32_t k) {
+            const Vec2 a = outline_[k], b = outline_[(k + 1) % outline_.size()];
+            const int turn = orientation(a, b, p);
+            on = on || (turn == 0 && boxOf(a, b).contains(p));
+            odd ^= (a.y > p.y) != (b.y > p.y) && (b.y > a.y ? turn > 0 : turn < 0);
+        });
+        return on ? PointPlace::OnBoundary : odd ? PointPlace::Inside : PointPlace::Outside;
+    }
+
+    std::span<const Vec2> outline_;
+    BoxTree tree_;
+    Box2 box_;
+};
 
 } // namespace
 
@@ -126,11 +180,29 @@ void MapReader::addPolygon(std::vector<MapPath> rings, const MapLabel &label) {
     if (flat || polygon.rings.empty() || !check_.faults().empty()) {
         return;
     }
+    noteOuterHoles(polygon);
     polygon.boundaryTag = tagOf(boundaries_, label);
     polygon.regionTag = tagOf(regions_, label);
     polygon.feature = label.feature > 0 ? label.feature : nextFeature();
     polygon.name = label.name;
     polygons_.push_back(std::move(polygon));
+}
+
+/// Some programs write the parts of an area as the rings of one polygon, in any order.
+void MapReader::noteOuterHoles(Polygon &polygon) {
+    if (polygon.rings.size() < 2) {
+        return;
+    }
+    const OutlineIndex outline(polygon.rings.front().nodes);
+    for (std::size_t k = 1; k < polygon.rings.size(); ++k) {
+        if (outline.isOutside(polygon.rings[k].nodes)) {
+            polygon.evenOdd = true;
+            source_.note("outer-hole",
+                         "holes that do not lie in the outline of their polygon count as parts of it, by the even-odd "
+                         "rule",
+                         polygon.rings[k].offset);
+        }
+    }
 }
 
 void MapReader::addLine(MapPath line, const MapLabel &label) {
@@ -202,10 +274,13 @@ void MapReader::buildPolygons() {
             feature->second = builder_.addFeature(polygon.regionTag, polygon.name);
         }
         const std::uint32_t shape = builder_.addShape(feature->second);
+        std::uint32_t contour = 0;
         for (std::size_t k = 0; k < polygon.rings.size(); ++k) {
+            if (k == 0 || !polygon.evenOdd) {
+                contour = builder_.addContour(shape, polygon.evenOdd ? FillRule::EvenOdd : FillRule::NonZero, k > 0);
+            }
             builder_.from(std::move(polygon.rings[k].offsets));
-            builder_.addRing(builder_.addContour(shape, FillRule::NonZero, k > 0), polygon.rings[k].nodes,
-                             polygon.boundaryTag);
+            builder_.addRing(contour, polygon.rings[k].nodes, polygon.boundaryTag);
         }
     }
     if (polygons_.size() > 1 || !regions_.names().empty() || (!polygons_.empty() && polygons_.front().regionTag != 1)) {

@@ -65,6 +65,7 @@ class MapReader {
         std::int32_t regionTag = 1;
         std::size_t feature = 0;
         std::string name;
+        bool evenOdd = false; ///< the rings are parts of the area and holes in any order
     };
     struct Line {
         MapPath path;
@@ -81,6 +82,7 @@ class MapReader {
         void add(const std::string &key, std::size_t offset);
     };
 
+    void noteOuterHoles(Polygon &polygon);
     void noteUnused() const;
     void note(const Unused &unused, const char *code, const std::string &start) const;
     void buildPolygons();
