@@ -123,8 +123,25 @@ def geometries_of(data):
     return [data]
 
 
+def polygon_of(rings):
+    """Returns the area of a polygon from what its rings cover, the outline first."""
+    from shapely.ops import unary_union  # pylint: disable=import-outside-toplevel
+
+    outline, holes = rings[0], [hole for hole in rings[1:] if not hole.is_empty]
+    if not holes:
+        return outline
+    if any(outline.intersection(hole).area == 0 or hole.contains(outline) for hole in holes):
+        for hole in holes:
+            outline = outline.symmetric_difference(hole)
+        return outline
+    return outline.difference(unary_union(holes))
+
+
 def area_of_map(data):
-    """Returns the area of the union of all polygons: of each, what its outline covers without what its holes cover."""
+    """Returns the area of the union of all polygons: of each, what its outline covers without what its holes cover.
+
+    If a hole lies outside the outline, the rings are parts of the polygon and holes in any order, by the even-odd rule.
+    """
     from shapely.geometry import Polygon  # pylint: disable=import-outside-toplevel
     from shapely.ops import unary_union  # pylint: disable=import-outside-toplevel
 
@@ -141,6 +158,5 @@ def area_of_map(data):
         polygons = {"Polygon": lambda c: [c], "MultiPolygon": lambda c: c}.get(geometry["type"], lambda c: [])
         for rings in polygons(geometry["coordinates"]):
             if rings:
-                holes = unary_union([covered(ring) for ring in rings[1:]])
-                shapes.append(covered(rings[0]).difference(holes) if not holes.is_empty else covered(rings[0]))
+                shapes.append(polygon_of([covered(ring) for ring in rings]))
     return unary_union(shapes).area
