@@ -76,6 +76,28 @@ struct Cone {
     }
 };
 
+/// The part of a segment from `a` to `b`, which may coincide.
+struct SegmentPart {
+    Vec2 a, b;
+    Vec2 direction; ///< of the segment, of unit length
+    double length = 0.0;
+    double rounding = 0.0; ///< bound on the error of distances
+
+    bool touches(const PlacedSegment &wall) const { return wall.a == a || wall.b == a || wall.a == b || wall.b == b; }
+    /// Returns true if a wall that begins at an end of the part, and goes in the direction `back`, runs back along it.
+    bool isSharp(const PlacedSegment &wall, Vec2 back) const {
+        const double along = dot(wall.a == a || wall.b == a ? direction : -1.0 * direction, back);
+        return along > kFacing * forefront::length(back);
+    }
+    /// Returns true if all of a wall is ahead of the part or behind it, and farther than `within` or too far off the
+    /// normal to face it. `side`: its greatest distance from the line through the part.
+    bool isBeyond(const PlacedSegment &wall, double side, double within) const {
+        const double alongA = dot(wall.a - a, direction), alongB = dot(wall.b - a, direction);
+        const double ahead = std::max(std::min(alongA, alongB) - length, -std::max(alongA, alongB)) - rounding;
+        return ahead > kSafely * within || ahead > kSafely * kSteepest * side;
+    }
+};
+
 BoxTree treeOf(const std::vector<PlacedSegment> &segments) {
     std::vector<Box2> boxes;
     boxes.reserve(segments.size());
@@ -157,8 +179,7 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
     double within = reach, square = reach * reach;
     const Box2 part = boxOf(a, b);
     Box2 around = part.grown(reach); // shrinks as nearer ones are found
-    const double partLength = length(b - a);
-    const Vec2 direction{normal.y, -normal.x}; // from a to b
+    const SegmentPart piece{a, b, {normal.y, -normal.x}, length(b - a), rounding_};
     const auto visit = [&](std::uint32_t other) {
         if (other == position) {
             return;
@@ -168,18 +189,12 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
         if (!(sides.left && std::max(sideA, sideB) > 0.0) && !(sides.right && std::min(sideA, sideB) < 0.0)) {
             return;
         }
-        if (wall.a == a || wall.b == a || wall.a == b || wall.b == b) {
-            // They share an end; the corner is sharp if the wall runs back along the part.
-            const Vec2 along = wall.a == a || wall.b == a ? own.b - own.a : own.a - own.b;
+        if (piece.touches(wall)) {
             const Vec2 back = wall.a == a || wall.a == b ? wall.b - wall.a : wall.a - wall.b;
-            best.tip = best.tip || (dot(along, back) > kFacing * length(along) * length(back) &&
-                                    (dot(back, normal) > 0.0 ? sides.left : sides.right));
+            best.tip = best.tip || (piece.isSharp(wall, back) && (dot(back, normal) > 0.0 ? sides.left : sides.right));
             return;
         }
-        // All of the wall may be ahead of the part or behind it, too far away or too far off the normal.
-        const double alongA = dot(wall.a - a, direction), alongB = dot(wall.b - a, direction);
-        const double ahead = std::max(std::min(alongA, alongB) - partLength, -std::max(alongA, alongB)) - rounding_;
-        if (ahead > kSafely * within || ahead > kSafely * kSteepest * std::max(std::fabs(sideA), std::fabs(sideB))) {
+        if (piece.isBeyond(wall, std::max(std::fabs(sideA), std::fabs(sideB)), within)) {
             return;
         }
         const Pair pair = closest(site, a, b, wall.a, wall.b);
