@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t kMaxSpacingMarks = 600;
 constexpr std::size_t kMaxSpacingLabels = 40;
 constexpr double kMarkRing = 6.5; ///< radius, design pixels
+constexpr double kMarkGap = 16.0; ///< between markers with rings, design pixels
 
 /// Draws size sources, sizes at nodes and region markers.
 class MarksLayer final : public Layer {
@@ -43,8 +44,11 @@ class MarksLayer final : public Layer {
         for (std::size_t k = 0; k < markers.size() && seenMarkers.size() < kMaxSpacingMarks; ++k) {
             if (visible.contains(markers[k].at)) {
                 seenMarkers.push_back(k);
-                drawMarker(painter, frame, markers[k]);
             }
+        }
+        const bool crowded = areCrowded(frame, seenMarkers);
+        for (const std::size_t k : seenMarkers) {
+            drawMarker(painter, frame, markers[k], crowded);
         }
         // All marks come first, so that none is drawn across the label of another one.
         for (std::size_t k = 0; k < std::min(seenSources.size(), kMaxSpacingLabels); ++k) {
@@ -161,11 +165,28 @@ class MarksLayer final : public Layer {
         }
     }
 
-    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker) {
-        painter.dot(marker.at, 8.0, fade(frame.theme.popup, 0.82)); // the colours below may be those of the marker
-        painter.dot(marker.at, 3.5, frame.theme.accent);
-        painter.ring(marker.at, kMarkRing, frame.theme.accent, 1.25);
-        painter.reserve(marker.at, kMarkRing);
+    /// Returns true if rings around the markers would cover much of the drawing, as on a map of many towns.
+    static bool areCrowded(const LayerFrame &frame, const std::vector<std::size_t> &seen) {
+        const double gap = frame.camera.length(kMarkGap * frame.scale);
+        std::vector<Vec2> apart;
+        for (const std::size_t k : seen) {
+            const Vec2 at = frame.document.regionMarkers[k].at;
+            if (std::none_of(apart.begin(), apart.end(), [&](Vec2 other) { return distance(at, other) < gap; })) {
+                apart.push_back(at);
+            }
+        }
+        return 3 * apart.size() < 2 * seen.size();
+    }
+
+    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker, bool crowded) {
+        const double size = crowded ? 0.5 : 1.0;
+        painter.dot(marker.at, 8.0 * size,
+                    fade(frame.theme.popup, 0.82)); // the colours below may be those of the marker
+        painter.dot(marker.at, 3.5 * size, frame.theme.accent);
+        if (!crowded) {
+            painter.ring(marker.at, kMarkRing, frame.theme.accent, 1.25);
+        }
+        painter.reserve(marker.at, kMarkRing * size);
     }
 
     static void labelMarker(CanvasPainter &painter, const LayerFrame &frame, std::size_t index) {
