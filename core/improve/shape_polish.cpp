@@ -111,7 +111,7 @@ class Polish {
             if (n % kNodesAtOnce == 0 && progress_.cancelled()) {
                 break;
             }
-            moved += work_.isFree(n) && move(n) ? 1 : 0;
+            moved += work_.isFree(n) && work_.valence[n] <= ImproveWorkspace::kMaxValence && move(n) ? 1 : 0;
         }
         return moved;
     }
