@@ -3,6 +3,7 @@
 #include "core/io/esri/esri_grid.hpp"
 #include "core/io/format.hpp"
 #include "core/io/geojson/geojson.hpp"
+#include "core/io/geojson/topojson.hpp"
 #include "core/io/gmsh/gmsh.hpp"
 #include "core/io/medit/medit.hpp"
 #include "core/io/netgen/netgen.hpp"
@@ -11,7 +12,6 @@
 #include "core/io/project/project.hpp"
 #include "core/io/su2/su2.hpp"
 #include "core/io/svg/svg.hpp"
-#include "core/io/topojson/topojson.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/io/vtk/vtk.hpp"
 
@@ -30,14 +30,14 @@ constexpr std::array kFormats = {
            .recognise = looksLikeProject,
            .readDocument = readProjectText,
            .readSpacing = readProjectSpacing},
-    Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, true},
-           .otherExtensions = ".json",
-           .recognise = looksLikeTopoJson,
-           .readDomain = readTopoJson},
     Format{.about = {"geojson", "GeoJSON", ".geojson", true, false, false, true},
            .otherExtensions = ".json",
            .recognise = looksLikeGeoJson,
            .readDomain = readGeoJson},
+    Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, true},
+           .otherExtensions = ".json",
+           .recognise = looksLikeTopoJson,
+           .readDomain = readTopoJson},
     Format{.about = {"poly", "Triangle domain", ".poly", true, false, false}, .readDomain = readPoly},
     Format{.about = {"svg", "SVG drawing", ".svg", true, false, true, true},
            .recognise = looksLikeSvg,

@@ -1,6 +1,6 @@
 #include "core/io/files.hpp"
 #include "core/io/geojson/geojson.hpp"
-#include "core/io/topojson/topojson.hpp"
+#include "core/io/geojson/topojson.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/io_samples.hpp"
 

@@ -1,7 +1,7 @@
 #include "core/io/common/names.hpp"
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/geojson/map_reader.hpp"
-#include "core/io/topojson/topojson.hpp"
+#include "core/io/geojson/topojson.hpp"
 
 #include <utility>
 

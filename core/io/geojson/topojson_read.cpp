@@ -1,6 +1,6 @@
 #include "core/io/common/names.hpp"
 #include "core/io/geojson/map_reader.hpp"
-#include "core/io/topojson/topojson.hpp"
+#include "core/io/geojson/topojson.hpp"
 
 #include <algorithm>
 #include <cmath>
