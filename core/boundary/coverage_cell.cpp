@@ -97,8 +97,8 @@ double CoverageCell::coveredArea(std::span<const BoundaryPiece> all) const {
     return std::clamp(area, 0.0, size.x * size.y);
 }
 
-// A centre of a quarter is inside if an odd number of pieces is crossed on the way to it from one that is: up or down
-// to its height, then level. Most pieces cross neither way, and meet one quarter.
+// Go from the centre of the cell to that of a quarter, first up or down, then level: each piece on the way switches
+// between inside and outside. Most pieces lie on none of the four ways, and meet one quarter.
 std::array<CoverageCell, 4> CoverageCell::quarters(std::span<const BoundaryPiece> all) const {
     const Vec2 centre = box.centre();
     std::array<CoverageCell, 4> result;

@@ -24,8 +24,8 @@ class Star {
     Vec2 centre() const { return centre_; }
 
     /// Returns the step that minimises a convex model of −Σ log α. With A the double area of an element and S the sum
-    /// of its squared sides, −log α = log S − log A + const. The second derivatives of −log A are kept; of those of
-    /// log S, which may be negative, the positive part. Works in units of the first edge.
+    /// of its squared sides, −log α = log S − log A + const. The model has the second derivatives of −log A and the
+    /// positive part of those of log S. Works in units of the first edge.
     Vec2 newtonStep() const {
         const double unit = distance(corners_[0].q, centre_), inverse = 1.0 / unit;
         Vec2 gradient;

@@ -301,7 +301,7 @@ TEST_CASE("Project: cubics that have shrunk to points are read and written as st
     CHECK(again->shapes[0]->curves == std::vector{Curve(), bend, Curve()});
     CHECK(again->shapes[1]->curves.empty());
     CHECK(projectText(*again) == text);
-    for (const std::size_t nodes : {1U, 2U, 3U}) { // with cuts, which are not needed any more
+    for (const std::size_t nodes : {1U, 2U, 3U}) { // with cuts, which straight segments do not need
         Shape shape;
         shape.id = 1;
         shape.nodes.assign(nodes, {1, 1});

@@ -124,7 +124,7 @@ TEST_CASE("polishShapes: works in tiny and huge units and far from the origin") 
     }
 }
 
-TEST_CASE("improve: polishes a mesh that stays poor, alike for all threads, and reports its minimum α") {
+TEST_CASE("improve: a poor mesh becomes the same for any number of threads, and its minimum α is reported") {
     const Mesh start = samples::constrainedSquare(40, 0.0, {}, 4);
     Mesh one = start, three = start;
     const ImproveReport report = improve(one, {.threads = 1});

@@ -180,8 +180,8 @@ class MarksLayer final : public Layer {
 
     static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker, bool crowded) {
         const double size = crowded ? 0.5 : 1.0;
-        painter.dot(marker.at, 8.0 * size,
-                    fade(frame.theme.popup, 0.82)); // the colours below may be those of the marker
+        // A plate, since the colours below may be those of the marker.
+        painter.dot(marker.at, 8.0 * size, fade(frame.theme.popup, 0.82));
         painter.dot(marker.at, 3.5 * size, frame.theme.accent);
         if (!crowded) {
             painter.ring(marker.at, kMarkRing, frame.theme.accent, 1.25);

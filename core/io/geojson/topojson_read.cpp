@@ -3,7 +3,6 @@
 #include "core/io/geojson/topojson.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -234,15 +233,14 @@ class TopoJsonReader {
             }
             append(path, *index);
         }
-        const std::size_t most = kSpareNodes + kNodesPerByte * source_.text.size();
-        if (joined_ > most && check_.faults().empty()) {
+        if (repeatsTooOften() && check_.faults().empty()) {
             check_.fault(indices, "too-large", "the geometries repeat arcs too often");
         }
         return path;
     }
 
     void append(MapPath &path, std::int64_t index) {
-        if (joined_ > kSpareNodes + kNodesPerByte * source_.text.size()) {
+        if (repeatsTooOften()) {
             return;
         }
         const bool backwards = index < 0;
@@ -259,7 +257,10 @@ class TopoJsonReader {
     }
 
     /// A small file can repeat a long arc many times; sound ones use each arc once or twice.
-    static constexpr std::size_t kSpareNodes = 1'000'000, kNodesPerByte = 4;
+    bool repeatsTooOften() const {
+        constexpr std::size_t kSpareNodes = 1'000'000, kNodesPerByte = 4;
+        return joined_ > kSpareNodes + kNodesPerByte * source_.text.size();
+    }
 
     const SourceText &source_;
     MapReader map_;
