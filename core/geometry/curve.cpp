@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -38,7 +39,9 @@ void addRoots(double a, double b, double c, std::vector<double> &roots) {
 template <class Function>
 class GaussIntegral {
   public:
-    explicit GaussIntegral(const Function &function) : function_(function) {}
+    /// `noise`: bound on the rounding error of the function, to which the halves need not agree. Near a cusp, where the
+    /// speed of a curve vanishes, there is nothing else.
+    GaussIntegral(const Function &function, double noise) : function_(function), noise_(noise) {}
 
     double over(double a, double b) const {
         const double whole = rule(a, b);
@@ -60,13 +63,14 @@ class GaussIntegral {
     }
     double refine(double a, double b, double whole, double tolerance, int depth) const {
         const double middle = 0.5 * (a + b), left = rule(a, middle), right = rule(middle, b);
-        if (depth == 0 || !(std::fabs(left + right - whole) > tolerance)) {
+        if (depth == 0 || !(std::fabs(left + right - whole) > std::max(tolerance, noise_ * (b - a)))) {
             return left + right;
         }
         return refine(a, middle, left, tolerance, depth - 1) + refine(middle, b, right, tolerance, depth - 1);
     }
 
     const Function &function_;
+    double noise_;
 };
 
 double angleBetween(Vec2 a, Vec2 b) {
@@ -201,9 +205,14 @@ double Curve::length(double t0, double t1) const {
         }
         std::sort(ends.begin(), ends.end());
     }
+    // The derivative is a sum of at most three terms of this size, each with a few roundings.
+    const double size = kind_ == CurveKind::Cubic
+                            ? distance(p_[0], p_[1]) + distance(p_[1], p_[2]) + distance(p_[2], p_[3])
+                            : std::fabs(p_[3].y) * (forefront::length(p_[1]) + forefront::length(p_[2]));
+    constexpr double kRoundings = 64.0 * std::numeric_limits<double>::epsilon();
     double sum = 0.0;
     for (std::size_t k = 1; k < ends.size(); ++k) {
-        sum += GaussIntegral(speed).over(ends[k - 1], ends[k]);
+        sum += GaussIntegral(speed, kRoundings * size).over(ends[k - 1], ends[k]);
     }
     return sum;
 }

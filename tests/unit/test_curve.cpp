@@ -136,6 +136,20 @@ TEST_CASE("curve: lengths agree with fine polylines and with closed forms") {
     CHECK(Curve::cubic({0, 0}, {2, 0}, {2, 0}, {-0.5, 0}).length() > 1.5);
 }
 
+TEST_CASE("curve: lengths beside a cusp are found although the speed is nothing but rounding errors there") {
+    // Without a bound for these errors, each length below takes millions of evaluations.
+    RandomSource random(9);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec2 origin = randomPoint(random), x = randomPoint(random), y = randomPoint(random);
+        const auto at = [&](double a, double b) { return origin + a * x + b * y; };
+        const Curve cusp = Curve::cubic(at(-1, 0), at(1, 1), at(-1, 1), at(1, 0)); // at t = 1/2
+        const double bend = length(cusp.secondDerivative(0.5));
+        for (const double h : {1e-4, 1e-6, 1e-8, 1e-9, 1e-10}) {
+            CHECK(std::fabs(cusp.length(0.5 - h, 0.5 + h) - bend * h * h) <= 1e-3 * bend * h * h + 1e-14 * bend * h);
+        }
+    }
+}
+
 TEST_CASE("curve: turning is the sum of the angles of a fine polyline") {
     RandomSource random(3);
     for (int i = 0; i < 80; ++i) {
