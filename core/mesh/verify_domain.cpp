@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -54,35 +55,70 @@ class ChainEdges {
     std::vector<NodeId> others_;
 };
 
+/// A node that a walk along a line can go to next, and how far along the line that is.
+struct NextNode {
+    NodeId node = kNoNode;
+    double at = 0.0;
+    bool beside = false; ///< only within the tolerance of the line
+
+    /// Beside a needle, the other side is within the tolerance, too: nodes on the line come first.
+    friend bool operator<(const NextNode &x, const NextNode &y) {
+        return std::tie(x.beside, x.at) < std::tie(y.beside, y.at);
+    }
+};
+
+/// Returns the nodes of a walk from one node to another, which are the same for a loop; empty if there is none.
+/// `choices(nodes, reached)` returns the nodes that a walk so far can go to next. Where one leads nowhere, the walk
+/// goes back to the last other choice.
+template <class Choices>
+std::vector<NodeId> walk(NodeId from, NodeId to, double start, const Choices &choices) {
+    std::vector<NodeId> nodes{from};
+    std::vector<double> reached{start};
+    std::vector<std::vector<NextNode>> open; // per node of the walk; the best one last
+    std::set<NodeId> dead;
+    do {
+        open.push_back(choices(nodes, reached.back()));
+        std::sort(open.back().rbegin(), open.back().rend());
+        const auto isDead = [&](const NextNode &next) { return next.node != to && dead.contains(next.node); };
+        while (open.back().empty() || isDead(open.back().back())) {
+            if (!open.back().empty()) {
+                open.back().pop_back();
+                continue;
+            }
+            open.pop_back(); // back to where there may be another choice
+            if (open.empty()) {
+                return {};
+            }
+            dead.insert(nodes.back());
+            nodes.pop_back();
+            reached.pop_back();
+        }
+        nodes.push_back(open.back().back().node);
+        reached.push_back(open.back().back().at);
+        open.back().pop_back();
+    } while (nodes.back() != to);
+    return nodes;
+}
+
 /// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
 /// empty when there is no such chain.
 std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
+    constexpr double kOn = 1e-4; // of the tolerance
     const Vec2 a = mesh.nodes[index(from)];
     const Vec2 along = mesh.nodes[index(to)] - a;
     const double squared = lengthSquared(along);
     const double maxCross = tolerance * std::sqrt(squared);
-    std::vector<NodeId> nodes{from};
-    double reached = 0.0;
-    while (nodes.back() != to) {
-        NodeId best = kNoNode;
-        double bestCross = maxCross, bestAt = 0.0;
+    return walk(from, to, 0.0, [&](const std::vector<NodeId> &nodes, double reached) {
+        std::vector<NextNode> found;
         for (const NodeId next : edges.at(nodes.back())) {
             const Vec2 p = mesh.nodes[index(next)] - a;
             const double at = dot(along, p), off = std::abs(cross(along, p));
-            const bool ahead = at > reached && (at < squared || next == to);
-            if (ahead && off <= bestCross && (best == kNoNode || off < bestCross || at < bestAt)) {
-                best = next;
-                bestCross = off;
-                bestAt = at;
+            if (at > reached && (at < squared || next == to) && off <= maxCross) {
+                found.push_back({next, at, off > kOn * maxCross});
             }
         }
-        if (best == kNoNode) {
-            return {};
-        }
-        nodes.push_back(best);
-        reached = bestAt;
-    }
-    return nodes;
+        return found;
+    });
 }
 
 /// Walks along the curve of a chain from one of its ends to the other.
@@ -110,40 +146,25 @@ class CurveWalk {
     /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end, or when an edge
     /// is farther from the curve than it may be.
     std::vector<NodeId> nodes(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
-        std::vector<NodeId> nodes{from};
-        double reached = chain_.t0;
-        do {
-            NodeId best = kNoNode;
-            Spot bestSpot;
+        return walk(from, to, chain_.t0, [&](const std::vector<NodeId> &nodes, double reached) {
+            std::vector<NextNode> found;
             for (const NodeId next : edges.at(nodes.back())) {
                 if (nodes.size() > 1 && next == nodes[nodes.size() - 2]) {
                     continue; // where it came from
                 }
-                const Spot spot = next == to ? Spot{chain_.t1, false} : find(mesh.nodes[index(next)], reached);
-                // Beside a needle, the other side is on the curve within the tolerance, too.
-                if (spot.at > reached && std::tie(spot.beside, spot.at) < std::tie(bestSpot.beside, bestSpot.at)) {
-                    best = next;
-                    bestSpot = spot;
+                const NextNode spot =
+                    next == to ? NextNode{to, chain_.t1, false} : find(next, mesh.nodes[index(next)], reached);
+                if (spot.node != kNoNode && spot.at > reached && curve_.deviation(reached, spot.at) <= deviation_) {
+                    found.push_back(spot);
                 }
             }
-            if (best == kNoNode || curve_.deviation(reached, bestSpot.at) > deviation_) {
-                return {};
-            }
-            nodes.push_back(best);
-            reached = bestSpot.at;
-        } while (nodes.back() != to);
-        return nodes;
+            return found;
+        });
     }
 
   private:
-    /// A place on the curve or its chords.
-    struct Spot {
-        double at = std::numeric_limits<double>::infinity(); ///< parameter; infinite: on neither
-        bool beside = true;                                  ///< only within the tolerance
-    };
-
-    /// Finds the first parameter of a place beyond another one.
-    Spot find(Vec2 p, double reached) const {
+    /// Finds a node on the curve or its chords at the first parameter beyond another one; kNoNode: it is on neither.
+    NextNode find(NodeId node, Vec2 p, double reached) const {
         constexpr double kOn = 1e-4; // of the tolerance
         for (std::size_t k = 0; k < boxes_.size(); ++k) {
             const DomainSegment &segment = domain_.segments[chain_.segments[k]];
@@ -156,7 +177,7 @@ class CurveWalk {
             const double at = curve_.nearest(p, low, high);
             const double offset = std::min(distance(curve_.point(at), p), distanceToSegment(a, b, p));
             if (at > reached && offset <= tolerance_) {
-                return {at, offset > kOn * tolerance_};
+                return {node, at, offset > kOn * tolerance_};
             }
         }
         return {};

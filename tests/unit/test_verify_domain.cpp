@@ -158,3 +158,46 @@ TEST_CASE("verifyAgainst domain: distinguishes adjacent segments at the angle of
     const Diagnostics faults = verifyAgainst(mesh, domain);
     CHECK_MESSAGE(faults.empty(), samples::list(faults));
 }
+
+TEST_CASE("verifyAgainst domain: tells the sides of a needle apart where they are closer than the tolerance") {
+    // Beside the tip, the nearest node of each side, 7 and 8, is on the other one to rounding.
+    const double h = 1e-8;
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {2, 0}, {2, 2 * h}, {1, 0}, {1.5, 1.5 * h}, {1, -1}, {1, 1}, {2e-6, 0}, {1e-6, 1e-6 * h}};
+    mesh.elements = {{node(0), node(7), node(8)}, {node(7), node(3), node(8)}, {node(8), node(3), node(4)},
+                     {node(3), node(1), node(4)}, {node(1), node(2), node(4)}, {node(0), node(5), node(7)},
+                     {node(7), node(5), node(3)}, {node(5), node(1), node(3)}, {node(0), node(8), node(6)},
+                     {node(8), node(4), node(6)}, {node(4), node(2), node(6)}};
+    Domain domain;
+    domain.nodes = {{0, 0}, {2, 0}, {2, 2 * h}, {1, -1}, {1, 1}};
+    domain.segments = {{0, 3, 1}, {3, 1, 1}, {1, 2, 1}, {2, 4, 1}, {4, 0, 1}};
+    for (const bool curved : {false, true}) {
+        CAPTURE(curved);
+        Domain needle = domain;
+        needle.segments.push_back({0, 1, 2, SegmentRole::Constraint});
+        needle.segments.push_back({0, 2, 3, SegmentRole::Constraint});
+        if (curved) {
+            for (const std::uint32_t side : {0U, 1U}) {
+                const Vec2 end = domain.nodes[side + 1];
+                needle.curves.push_back(Curve::cubic({0, 0}, (1.0 / 3.0) * end, (2.0 / 3.0) * end, end));
+                needle.segments[5 + side].stretch = {side, 0.0, 1.0};
+            }
+        }
+        const std::vector<TaggedEdge> lower = {{node(0), node(7), 2}, {node(7), node(3), 2}, {node(3), node(1), 2}};
+        const std::vector<TaggedEdge> upper = {{node(0), node(8), 3}, {node(8), node(4), 3}, {node(4), node(2), 3}};
+        for (const bool lowerFirst : {false, true}) {
+            mesh.edges = {{node(0), node(5), 1},
+                          {node(5), node(1), 1},
+                          {node(1), node(2), 1},
+                          {node(2), node(6), 1},
+                          {node(6), node(0), 1}};
+            for (const std::vector<TaggedEdge> &side : {lowerFirst ? lower : upper, lowerFirst ? upper : lower}) {
+                mesh.edges.insert(mesh.edges.end(), side.begin(), side.end());
+            }
+            const Diagnostics faults = verifyAgainst(mesh, needle);
+            CHECK_MESSAGE(faults.empty(), samples::list(faults));
+        }
+        mesh.edges.pop_back(); // an edge of a side is missing
+        CHECK(codes(verifyAgainst(mesh, needle)) == Codes{"missing-segment"});
+    }
+}
