@@ -232,6 +232,16 @@ void CurveCuts::refine(std::vector<ChainPiece> pieces) {
     }
 }
 
+std::vector<std::uint32_t> CurveCuts::straightened() const {
+    std::vector<std::uint32_t> segments;
+    for (std::uint32_t s = 0; s < straight_.size(); ++s) {
+        if (straight_[s] != 0) {
+            segments.push_back(s);
+        }
+    }
+    return segments;
+}
+
 /// Halves pieces, given in order.
 void CurveCuts::halve(std::span<const ChainPiece> pieces) {
     for (std::size_t i = 0; i < pieces.size();) {

@@ -49,6 +49,8 @@ class CurveCuts {
     /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight
     /// segments instead, and what is left of the chain must be divided again. Duplicates in the list count once.
     void refine(std::vector<ChainPiece> pieces);
+    /// Returns the segments that were taken as straight, in order.
+    std::vector<std::uint32_t> straightened() const;
 
   private:
     void addChain(CurveChain chain);

@@ -410,6 +410,9 @@ class Discretiser {
         for (std::size_t region = 0; region < twice.size(); ++region) {
             result_.regions[region].area = 0.5 * twice[region].value();
         }
+        if (curves_) {
+            result_.straightened = curves_->straightened();
+        }
         result_.boundaryNames = domain_.boundaryNames;
         result_.regionNames = domain_.regionNames;
         progress_("discretising", 1.0);

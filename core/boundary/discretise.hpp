@@ -41,6 +41,8 @@ struct DiscreteDomain {
     std::vector<Curve> curves; ///< those of the domain
     /// Per segment, the part of a curve that it is a chord of; empty if the domain has no curves.
     std::vector<CurveStretch> stretches;
+    /// The segments of the domain that follow a curve but were taken as straight, because curves cross there.
+    std::vector<std::uint32_t> straightened;
     std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides those of segments
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;

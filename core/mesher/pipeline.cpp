@@ -64,6 +64,51 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
     return prepared;
 }
 
+/// Returns true if segments along curves were taken as straight, and one of them, or one beside them, is far shorter
+/// than the spacing there.
+bool hasShortChords(const PreparedJob &prepared, const Domain &domain) {
+    const std::vector<std::uint32_t> &straightened = prepared.boundary->straightened;
+    if (straightened.empty()) {
+        return false;
+    }
+    std::vector<std::uint8_t> isEnd(domain.nodes.size(), 0);
+    for (const std::uint32_t s : straightened) {
+        isEnd[domain.segments[s].a] = isEnd[domain.segments[s].b] = 1;
+    }
+    constexpr double kFarShorter = 0.5; // relative to the spacing
+    return std::ranges::any_of(domain.segments, [&](const DomainSegment &segment) {
+        const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
+        return segment.stretch.follows() && (isEnd[segment.a] != 0 || isEnd[segment.b] != 0) &&
+               distance(a, b) < kFarShorter * prepared.spacing->at(midpoint(a, b));
+    });
+}
+
+/// Discretises the boundary. Where curves cross, so that their chords are taken as they are, the automatic spacing is
+/// built again from a domain in which these are straight: of a curve, it knows the length of the whole, not of chords.
+Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFaces &faces,
+                                          std::shared_ptr<const SpacingField> spacing, const Progress &progress) {
+    Result<PreparedJob> prepared = discretised(job, faces, std::move(spacing), progress);
+    constexpr int kMaxRounds = 4;
+    MeshingJob again;
+    for (int round = 0; round < kMaxRounds && prepared && job.spacing.usesAutomatic() &&
+                        hasShortChords(*prepared, round == 0 ? job.domain : again.domain);
+         ++round) {
+        if (round == 0) {
+            again = job;
+            again.shared = nullptr;
+        }
+        for (const std::uint32_t s : prepared->boundary->straightened) {
+            again.domain.segments[s].stretch = {};
+        }
+        Result<std::shared_ptr<const SpacingField>> finer = spacingOf(again, progress);
+        if (!finer) {
+            return finer.faults();
+        }
+        prepared = discretised(again, faces, std::move(*finer), progress);
+    }
+    return prepared;
+}
+
 } // namespace
 
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, double budget) {
@@ -82,7 +127,7 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, dou
     if (!spacing) {
         return spacing.faults();
     }
-    Result<PreparedJob> prepared = discretised(job, faces, std::move(*spacing), progress);
+    Result<PreparedJob> prepared = discretisedWithChords(job, faces, std::move(*spacing), progress);
     if (!prepared || prepared->estimatedElements <= budget) {
         return prepared;
     }

@@ -155,6 +155,43 @@ TEST_CASE("Meshing curves: where curves touch, or nearly do, a cusp ends in few 
     }
 }
 
+TEST_CASE("Meshing curves: a short chord where curves cross has elements of its size around it") {
+    // A disc in a square, with a slit 1e-4 wide around it. Its sides cross as curves, so their chords are taken, among
+    // them one that is far shorter than the elements around it.
+    MeshingJob job;
+    Domain &domain = job.domain;
+    const auto polygon = [&domain](const std::vector<double> &parameters, double radius) {
+        const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+        const auto count = static_cast<std::uint32_t>(parameters.size());
+        const auto curve = static_cast<std::uint32_t>(domain.curves.size());
+        domain.curves.push_back(Curve::circle({0, 0}, {radius, 0}));
+        for (std::uint32_t i = 0; i < count; ++i) {
+            domain.nodes.push_back(domain.curves.back().point(parameters[i]));
+            const double end = i + 1 < count ? parameters[i + 1] : 1.0;
+            domain.segments.push_back({first + i, first + (i + 1) % count, 1, SegmentRole::Boundary,
+                                       CurveStretch{curve, parameters[i], end}});
+        }
+    };
+    std::vector<double> twelfths;
+    for (int i = 0; i < 12; ++i) {
+        twelfths.push_back(i / 12.0);
+    }
+    std::vector<double> withShort = twelfths;
+    withShort.insert(withShort.begin() + 4, 0.2502);
+    polygon(withShort, 1.0);
+    polygon(twelfths, 0.9999);
+    domain.curves[1] = Curve::arc({0, 0}, {0.9999, 0}, {0, 1.0001}); // leaves the circle at the top and the bottom
+    domain.nodes.insert(domain.nodes.end(), {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        domain.segments.push_back({25 + i, 25 + (i + 1) % 4, 1});
+    }
+    const MeshingOutcome outcome = meshed(job);
+    const double chord = distance(domain.nodes[3], domain.nodes[4]);
+    CHECK(chord < 0.002);
+    CHECK(outcome.spacing->at(domain.nodes[4]) < 1.5 * chord);
+    CHECK(measure(outcome.mesh, nullptr).minAngle > 20.0);
+}
+
 TEST_CASE("Meshing curves: a check refuses a mesh whose edges cut a curve off") {
     const Domain disc = curvedDomain({{Curve::circle({0, 0}, {1, 0})}}, 1e-3);
     std::vector<Vec2> corners;
