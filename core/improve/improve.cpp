@@ -62,6 +62,7 @@ constexpr Plan kBestPlan{kBestRounds, ShapeGoal{0.85, 39.0, 12}};
 /// cause.
 constexpr double kPoorMean = 0.95, kHopelessMean = 0.93;
 constexpr double kWorthwhileGain = 5e-4; ///< of that mean, each time
+constexpr double kNextGain = 0.25;       ///< at most, relative to the gain before; rarely above 0.15
 constexpr int kMostTimes = 4;
 /// The floor keeps the shapes that level Default has reached, so a second cleanup is not needed. On maps, one with the
 /// goal of level Best took half of the time of further improvement and lowered the mean by .002 to .003.
@@ -214,7 +215,11 @@ void append(ImproveReport &report, const ImproveReport &further) {
 void improveFurther(Mesh &mesh, const ImproveOptions &options, const Progress &progress, ImproveReport &report) {
     double mean = geometricMeanAlpha(mesh);
     double gain = mean < kHopelessMean ? 0.0 : 1.0;
-    for (int time = 0; time < kMostTimes && mean < kPoorMean && gain >= kWorthwhileGain; ++time) {
+    // In a small mesh, trying takes no time.
+    const auto isWithinReach = [&] {
+        return mesh.elements.size() <= kSmallMesh || kPoorMean - mean < kNextGain * gain;
+    };
+    for (int time = 0; time < kMostTimes && mean < kPoorMean && gain >= kWorthwhileGain && isWithinReach(); ++time) {
         const double before = mean;
         for (const Plan *plan : {&kFurtherPlan, &kPolishPlan}) {
             if (mean < kPoorMean) {
