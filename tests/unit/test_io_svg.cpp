@@ -91,6 +91,22 @@ TEST_CASE("SVG: transforms of groups and elements are combined, and hidden parts
     CHECK(distance(domain.nodes[3], {-2, 7}) < 1e-12);
 }
 
+TEST_CASE("SVG: elements may have any prefix that stands for SVG; those of other namespaces are private") {
+    const std::string shapes = "<a:g id=\"g\"><a:path d=\"M1 1h2v2h-2z\"/><b:path d=\"M5 1h2v2h-2z\"/></a:g>"
+                               "<a:use b:href=\"#g\" y=\"4\"/><svg:path d=\"M5 5h2v2h-2z\"/>"
+                               "<c:path xmlns:c=\"http://www.w3.org/2000/svg\" d=\"M8 8h1v1h-1z\"/>";
+    const std::string text = "<?xml version=\"1.0\"?><!DOCTYPE svg>\n<a:svg xmlns:a=\"http://www.w3.org/2000/svg\" "
+                             "xmlns:b=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 10 10\">" +
+                             shapes + "</a:svg>";
+    CHECK(looksLikeSvg(text));
+    CHECK(enclosedArea(domainOf(text)) == doctest::Approx(13.0));
+    CHECK(looksLikeSvg("<svg width=\"1\">"));
+    for (const char *const other : {"<html><b>svg</b>", "<a href=\"x:svg\">", "svg", "< a:svgs", "<!-- :svg -->"}) {
+        CAPTURE(other);
+        CHECK_FALSE(looksLikeSvg(other));
+    }
+}
+
 TEST_CASE("SVG: transform lists are parsed") {
     const auto at = [](const char *text, Vec2 p) {
         const auto map = parseTransform(text, {10, 20});

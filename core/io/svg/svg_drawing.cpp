@@ -186,7 +186,7 @@ void SvgDrawer::visitAll(std::vector<Visit> &open) {
 void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
     const std::string_view name = localName(visit.node);
     const bool drawn = visit.size.has_value() || !isDefinition(name);
-    if (!drawn || std::string_view(visit.node.name()).find(':') < std::string_view(visit.node.name()).find("svg:")) {
+    if (!drawn || !isOfSvg(visit.node)) {
         return; // definitions, and private data of editors
     }
     if (hidden(visit) || !drawnInClip(visit, name)) {
@@ -302,8 +302,7 @@ void SvgDrawer::chosen(const Visit &visit, std::vector<Visit> &open) const {
 }
 
 void SvgDrawer::use(Visit &visit, std::vector<Visit> &open) {
-    const char *plain = visit.node.attribute("href").value();
-    const std::string_view href = *plain != '\0' ? plain : visit.node.attribute("xlink:href").value();
+    const std::string_view href = hrefOf(visit.node);
     const auto found = href.starts_with('#') ? byId_.find(std::string(href.substr(1))) : byId_.end();
     if (found == byId_.end()) {
         if (reports_) {

@@ -12,10 +12,34 @@ std::string_view localName(const pugi::xml_node &node) {
     return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-std::string_view prefixOf(const pugi::xml_node &node) {
+bool isOfSvg(const pugi::xml_node &node) {
     const std::string_view name = node.name();
     const std::size_t colon = name.find(':');
-    return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+    if (colon == std::string_view::npos || name.substr(0, colon) == "svg") {
+        return true;
+    }
+    constexpr int kDepth = 100; // bounds the time for hostile files
+    const std::string declaration = "xmlns:" + std::string(name.substr(0, colon));
+    pugi::xml_node at = node;
+    for (int depth = 0; at && at.attribute(declaration.c_str()).empty(); ++depth) {
+        at = depth < kDepth ? at.parent() : pugi::xml_node();
+    }
+    const auto isElement = [](const pugi::xml_node &child) { return child.type() == pugi::node_element; };
+    const pugi::xml_node declaring = at ? at : node.root().find_child(isElement);
+    return std::string_view(declaring.attribute(declaration.c_str()).value()) == "http://www.w3.org/2000/svg";
+}
+
+std::string_view hrefOf(const pugi::xml_node &node) {
+    const std::string_view plain = node.attribute("href").value();
+    if (!plain.empty()) {
+        return plain;
+    }
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+        if (std::string_view(attribute.name()).ends_with(":href")) {
+            return attribute.value();
+        }
+    }
+    return {};
 }
 
 std::size_t offsetOf(const pugi::xml_node &node) {

@@ -14,8 +14,12 @@ constexpr std::string_view kBlanks = " \t\r\n\f"; ///< between words in attribut
 
 /// Returns the name of an element without its namespace prefix.
 std::string_view localName(const pugi::xml_node &node);
-/// Returns the namespace prefix of an element; empty: none.
-std::string_view prefixOf(const pugi::xml_node &node);
+/// Returns true for elements of SVG rather than private data of editors: those whose name has no prefix, the prefix
+/// "svg", or one that is declared for SVG in the element, in one around it, or in the outermost one.
+bool isOfSvg(const pugi::xml_node &node);
+/// Returns what an element refers to: its attribute href or, if that is empty, the first one with any prefix, as in
+/// "xlink:href".
+std::string_view hrefOf(const pugi::xml_node &node);
 /// Returns the byte of the text at which an element begins; 0 if unknown.
 std::size_t offsetOf(const pugi::xml_node &node);
 

@@ -322,7 +322,15 @@ class SvgBuilder {
 } // namespace
 
 bool looksLikeSvg(std::string_view head) {
-    return head.find("<svg") != std::string_view::npos;
+    constexpr std::string_view kRoot = "svg";
+    for (std::size_t at = head.find(kRoot); at != std::string_view::npos; at = head.find(kRoot, at + 1)) {
+        const std::size_t begin = head.substr(0, at).find_last_of("<>\"' \t\r\n");
+        const bool opens = begin != std::string_view::npos && head[begin] == '<';
+        if (opens && (begin + 1 == at || head[at - 1] == ':')) {
+            return true; // <svg or <prefix:svg
+        }
+    }
+    return false;
 }
 
 Result<Domain> readSvg(const SourceText &source) {
