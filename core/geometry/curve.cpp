@@ -39,8 +39,8 @@ void addRoots(double a, double b, double c, std::vector<double> &roots) {
 template <class Function>
 class GaussIntegral {
   public:
-    /// `noise`: bound on the rounding error of the function, to which the halves need not agree. Near a cusp, where the
-    /// speed of a curve vanishes, there is nothing else.
+    /// `noise`: bound on the rounding error of the function. Halves that differ by less are accepted: beside a cusp,
+    /// the speed of a curve is nothing but such errors.
     GaussIntegral(const Function &function, double noise) : function_(function), noise_(noise) {}
 
     double over(double a, double b) const {
@@ -205,11 +205,13 @@ double Curve::length(double t0, double t1) const {
         }
         std::sort(ends.begin(), ends.end());
     }
-    // The derivative is a sum of at most three terms of this size, each with a few roundings.
-    const double size = kind_ == CurveKind::Cubic
-                            ? distance(p_[0], p_[1]) + distance(p_[1], p_[2]) + distance(p_[2], p_[3])
-                            : std::fabs(p_[3].y) * (forefront::length(p_[1]) + forefront::length(p_[2]));
-    constexpr double kRoundings = 64.0 * std::numeric_limits<double>::epsilon();
+    double size = distance(p_[0], p_[1]) + distance(p_[1], p_[2]) + distance(p_[2], p_[3]); // of the derivative's terms
+    if (kind_ == CurveKind::Arc) {
+        const double furthest =
+            std::max({1.0, std::fabs(angle(0.0)), std::fabs(angle(1.0))}); // angles are rounded, too
+        size = std::fabs(p_[3].y) * (forefront::length(p_[1]) + forefront::length(p_[2])) * furthest;
+    }
+    constexpr double kRoundings = 16.0 * std::numeric_limits<double>::epsilon();
     double sum = 0.0;
     for (std::size_t k = 1; k < ends.size(); ++k) {
         sum += GaussIntegral(speed, kRoundings * size).over(ends[k - 1], ends[k]);

@@ -62,7 +62,7 @@ constexpr Plan kBestPlan{kBestRounds, ShapeGoal{0.85, 39.0, 12}};
 /// cause.
 constexpr double kPoorMean = 0.95, kHopelessMean = 0.93;
 constexpr double kWorthwhileGain = 5e-4; ///< of that mean, each time
-constexpr double kNextGain = 0.25;       ///< at most, relative to the gain before; rarely above 0.15
+constexpr double kNextGain = 0.25;       ///< maximum ratio of a gain to the one before; measured: rarely above 0.15
 constexpr int kMostTimes = 4;
 /// The floor keeps the shapes that level Default has reached, so a second cleanup is not needed. On maps, one with the
 /// goal of level Best took half of the time of further improvement and lowered the mean by .002 to .003.
@@ -215,7 +215,7 @@ void append(ImproveReport &report, const ImproveReport &further) {
 void improveFurther(Mesh &mesh, const ImproveOptions &options, const Progress &progress, ImproveReport &report) {
     double mean = geometricMeanAlpha(mesh);
     double gain = mean < kHopelessMean ? 0.0 : 1.0;
-    // In a small mesh, trying takes no time.
+    // In a small mesh, another try is cheap.
     const auto isWithinReach = [&] {
         return mesh.elements.size() <= kSmallMesh || kPoorMean - mean < kNextGain * gain;
     };

@@ -55,21 +55,53 @@ class ChainEdges {
     std::vector<NodeId> others_;
 };
 
-/// A node that a walk along a line can go to next, and how far along the line that is.
+/// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
+/// empty when there is no such chain.
+std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
+    const Vec2 a = mesh.nodes[index(from)];
+    const Vec2 along = mesh.nodes[index(to)] - a;
+    const double squared = lengthSquared(along);
+    const double maxCross = tolerance * std::sqrt(squared);
+    std::vector<NodeId> nodes{from};
+    double reached = 0.0;
+    while (nodes.back() != to) {
+        NodeId best = kNoNode;
+        double bestCross = maxCross, bestAt = 0.0;
+        for (const NodeId next : edges.at(nodes.back())) {
+            const Vec2 p = mesh.nodes[index(next)] - a;
+            const double at = dot(along, p), off = std::abs(cross(along, p));
+            const bool ahead = at > reached && (at < squared || next == to);
+            if (ahead && off <= bestCross && (best == kNoNode || off < bestCross || at < bestAt)) {
+                best = next;
+                bestCross = off;
+                bestAt = at;
+            }
+        }
+        if (best == kNoNode) {
+            return {};
+        }
+        nodes.push_back(best);
+        reached = bestAt;
+    }
+    return nodes;
+}
+
+/// A node that a walk along a curve can go to next, and how far along the curve that is.
 struct NextNode {
     NodeId node = kNoNode;
-    double at = 0.0;
-    bool beside = false; ///< only within the tolerance of the line
+    double at = 0.0;     ///< parameter
+    bool beside = false; ///< only within the tolerance of the curve
 
-    /// Beside a needle, the other side is within the tolerance, too: nodes on the line come first.
+    /// Orders nodes on the curve before those beside it, then by parameter: beside a needle, its other side is within
+    /// the tolerance, too.
     friend bool operator<(const NextNode &x, const NextNode &y) {
         return std::tie(x.beside, x.at) < std::tie(y.beside, y.at);
     }
 };
 
-/// Returns the nodes of a walk from one node to another, which are the same for a loop; empty if there is none.
-/// `choices(nodes, reached)` returns the nodes that a walk so far can go to next. Where one leads nowhere, the walk
-/// goes back to the last other choice.
+/// Returns the nodes of a walk from one node to another; empty if there is none. For a loop, both are the same.
+/// `choices(nodes, reached)` returns the nodes that a walk so far can go to next, all of them farther along. Where one
+/// leads nowhere, the walk goes back to the last other choice, and never comes to that node again.
 template <class Choices>
 std::vector<NodeId> walk(NodeId from, NodeId to, double start, const Choices &choices) {
     std::vector<NodeId> nodes{from};
@@ -89,7 +121,9 @@ std::vector<NodeId> walk(NodeId from, NodeId to, double start, const Choices &ch
             if (open.empty()) {
                 return {};
             }
-            dead.insert(nodes.back());
+            if (from != to || nodes.size() > 2) { // a loop may end at the node that it may not begin with
+                dead.insert(nodes.back());
+            }
             nodes.pop_back();
             reached.pop_back();
         }
@@ -98,27 +132,6 @@ std::vector<NodeId> walk(NodeId from, NodeId to, double start, const Choices &ch
         open.back().pop_back();
     } while (nodes.back() != to);
     return nodes;
-}
-
-/// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
-/// empty when there is no such chain.
-std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
-    constexpr double kOn = 1e-4; // of the tolerance
-    const Vec2 a = mesh.nodes[index(from)];
-    const Vec2 along = mesh.nodes[index(to)] - a;
-    const double squared = lengthSquared(along);
-    const double maxCross = tolerance * std::sqrt(squared);
-    return walk(from, to, 0.0, [&](const std::vector<NodeId> &nodes, double reached) {
-        std::vector<NextNode> found;
-        for (const NodeId next : edges.at(nodes.back())) {
-            const Vec2 p = mesh.nodes[index(next)] - a;
-            const double at = dot(along, p), off = std::abs(cross(along, p));
-            if (at > reached && (at < squared || next == to) && off <= maxCross) {
-                found.push_back({next, at, off > kOn * maxCross});
-            }
-        }
-        return found;
-    });
 }
 
 /// Walks along the curve of a chain from one of its ends to the other.

@@ -16,11 +16,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <new>
 
 namespace forefront {
 
 namespace {
+
+constexpr double kChordGrowth = 0.18; ///< of the size around short chords, as of the automatic spacing beside curves
 
 /// Returns the number of advances between checks for cancellation, which take a few milliseconds even where each
 /// advance looks at all of Γ.
@@ -64,47 +67,63 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
     return prepared;
 }
 
-/// Returns true if segments along curves were taken as straight, and one of them, or one beside them, is far shorter
-/// than the spacing there.
-bool hasShortChords(const PreparedJob &prepared, const Domain &domain) {
-    const std::vector<std::uint32_t> &straightened = prepared.boundary->straightened;
-    if (straightened.empty()) {
-        return false;
-    }
+/// Returns a size source for each chord that is far shorter than the spacing there, among those that were taken as
+/// straight and those beside them.
+std::vector<SizeSource> shortChords(const PreparedJob &prepared, const MeshingJob &job) {
+    const Domain &domain = job.domain;
     std::vector<std::uint8_t> isEnd(domain.nodes.size(), 0);
-    for (const std::uint32_t s : straightened) {
+    for (const std::uint32_t s : prepared.boundary->straightened) {
         isEnd[domain.segments[s].a] = isEnd[domain.segments[s].b] = 1;
     }
     constexpr double kFarShorter = 0.5; // relative to the spacing
-    return std::ranges::any_of(domain.segments, [&](const DomainSegment &segment) {
+    const double minimum = job.spacing.minimum.value_or(0.0);
+    std::vector<SizeSource> sources;
+    for (const DomainSegment &segment : domain.segments) {
+        if (!segment.stretch.follows() || segment.elements > 0 || (isEnd[segment.a] == 0 && isEnd[segment.b] == 0)) {
+            continue;
+        }
         const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
-        return segment.stretch.follows() && (isEnd[segment.a] != 0 || isEnd[segment.b] != 0) &&
-               distance(a, b) < kFarShorter * prepared.spacing->at(midpoint(a, b));
-    });
+        const double length = distance(a, b);
+        if (length > 0.0 && std::max(length, minimum) < kFarShorter * prepared.spacing->at(midpoint(a, b))) {
+            SizeSource source;
+            source.shape = SourceShape::Line;
+            source.a = a;
+            source.b = b;
+            source.size = length;
+            source.growth = job.spacing.gradation.value_or(kChordGrowth);
+            sources.push_back(std::move(source));
+        }
+    }
+    return sources;
 }
 
-/// Discretises the boundary. Where curves cross, so that their chords are taken as they are, the automatic spacing is
-/// built again from a domain in which these are straight: of a curve, it knows the length of the whole, not of chords.
+/// Discretises the boundary. Where curves cross, so that chords are taken as they are, the automatic spacing knows the
+/// lengths of whole curves only: short chords become sources, and the boundary is discretised again.
 Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFaces &faces,
                                           std::shared_ptr<const SpacingField> spacing, const Progress &progress) {
     Result<PreparedJob> prepared = discretised(job, faces, std::move(spacing), progress);
-    constexpr int kMaxRounds = 4;
+    constexpr int kMaxRounds = 4; // finer pieces may cross elsewhere
     MeshingJob again;
-    for (int round = 0; round < kMaxRounds && prepared && job.spacing.usesAutomatic() &&
-                        hasShortChords(*prepared, round == 0 ? job.domain : again.domain);
-         ++round) {
+    for (int round = 0; round < kMaxRounds && prepared && job.spacing.usesAutomatic(); ++round) {
+        std::vector<SizeSource> sources;
+        if (!prepared->boundary->straightened.empty()) {
+            sources = shortChords(*prepared, job);
+        }
+        if (sources.empty()) {
+            break;
+        }
         if (round == 0) {
             again = job;
             again.shared = nullptr;
+            again.spacing.keepAutomatic = true;
         }
-        for (const std::uint32_t s : prepared->boundary->straightened) {
-            again.domain.segments[s].stretch = {};
-        }
+        std::ranges::move(sources, std::back_inserter(again.spacing.sources));
         Result<std::shared_ptr<const SpacingField>> finer = spacingOf(again, progress);
-        if (!finer) {
-            return finer.faults();
+        Result<PreparedJob> next = finer ? discretised(again, faces, std::move(*finer), progress) : finer.faults();
+        if (!next && !progress.cancelled()) {
+            break; // the mesh would be too large
         }
-        prepared = discretised(again, faces, std::move(*finer), progress);
+        prepared = std::move(next);
     }
     return prepared;
 }

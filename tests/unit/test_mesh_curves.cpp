@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -185,11 +186,32 @@ TEST_CASE("Meshing curves: a short chord where curves cross has elements of its 
     for (std::uint32_t i = 0; i < 4; ++i) {
         domain.segments.push_back({25 + i, 25 + (i + 1) % 4, 1});
     }
+    job.spacing.segmentsPerTurn = 200;
     const MeshingOutcome outcome = meshed(job);
     const double chord = distance(domain.nodes[3], domain.nodes[4]);
     CHECK(chord < 0.002);
+    CHECK_FALSE(outcome.boundary->straightened.empty());
+    CHECK(outcome.spacing->at({0.0, -1.0}) < 1.01 * 2.0 * std::numbers::pi / 200.0); // curvature counts everywhere
     CHECK(outcome.spacing->at(domain.nodes[4]) < 1.5 * chord);
     CHECK(measure(outcome.mesh, nullptr).minAngle > 20.0);
+}
+
+TEST_CASE("Meshing curves: a check follows a circle of few elements whose first node is a little off it") {
+    // The last node is on the circle, which makes it the better first step, but leads nowhere from there.
+    MeshingJob job;
+    job.domain.curves.push_back(Curve::circle({0, 0}, {1, 0}));
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        job.domain.nodes.push_back(job.domain.curves[0].point(i / 24.0));
+        job.domain.segments.push_back(
+            {i, (i + 1) % 24, 1, SegmentRole::Boundary, CurveStretch{0, i / 24.0, (i + 1) / 24.0}, 6});
+    }
+    Mesh mesh = meshed(job).mesh;
+    const auto first = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [](Vec2 p, Vec2 q) {
+        return distance(p, {0.5, std::sqrt(0.75)}) < distance(q, {0.5, std::sqrt(0.75)});
+    });
+    CHECK(distance(*first, {0.5, std::sqrt(0.75)}) < 1e-9);
+    *first = (1.0 + 1e-11) * *first;
+    CHECK(faultOf(mesh, job.domain).empty());
 }
 
 TEST_CASE("Meshing curves: a check refuses a mesh whose edges cut a curve off") {
