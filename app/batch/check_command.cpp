@@ -113,7 +113,8 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         hint.severity = Severity::Note;
         hint.code = "default-options";
         hint.message = "the domain was read with the default options";
-        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page or --repair";
+        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page, "
+                      "--drop-lines or --repair";
         faults.push_back(std::move(hint));
     }
     return faults;

@@ -231,6 +231,7 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
     options.weldTolerance = weldTolerance;
     options.overlap = overlap;
     options.beyondPage = beyondPage;
+    options.dropLines = dropLines;
 }
 
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
@@ -246,6 +247,10 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
         ->type_name("RULE");
     app.add_flag("--beyond-page", arguments.beyondPage,
                  "keep what filled shapes of an SVG drawing have outside the page (the view box)");
+    app.add_flag(
+        "--drop-lines", arguments.dropLines,
+        "leave out the lines of a drawing or map that has filled shapes or polygons: SVG paths without a fill, "
+        "line strings");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

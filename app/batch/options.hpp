@@ -55,11 +55,12 @@ struct DrawingArguments {
     std::optional<double> weldTolerance; ///< absent: the default of the input's format
     OverlapRule overlap = OverlapRule::Later;
     bool beyondPage = false;
+    bool dropLines = false;
 
     void applyTo(ImportOptions &options) const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
-/// Adds the options --weld, --overlap and --beyond-page.
+/// Adds the options --weld, --overlap, --beyond-page and --drop-lines.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after

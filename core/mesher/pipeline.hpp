@@ -31,7 +31,8 @@ struct PreparedJob {
 
 /// Validates the domain, builds the spacing and discretises the boundary. If the estimated number of elements exceeds
 /// `budget`, which must be positive, the spacing is multiplied by one factor that brings it down to the budget, for a
-/// preview of the mesh; given nodes and edges stay, so that there may be more. Errors: those of each step,
+/// preview of the mesh; given nodes and edges stay, so that there may be more. Where chords stand for curves that
+/// cross, sizes for the short ones among them are added to an automatic spacing. Errors: those of each step,
 /// "too-many-elements", "cancelled".
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {},
                             double budget = std::numeric_limits<double>::infinity());

@@ -509,6 +509,26 @@ class Imports(Case):
         self.call("check", "whole.msh", "--domain", "wide.svg", "--beyond-page")
         self.call("check", "whole.msh", "--domain", "wide.svg", code=1)
 
+    def test_lines_of_a_drawing_or_map_can_be_left_out(self):
+        self.write("inked.svg", '<svg viewBox="0 0 10 10"><rect width="9" height="6"/>\n'
+                                '<path fill="none" stroke="red" d="M1 1H8V5Z"/></svg>')
+        self.write("plain.svg", '<svg viewBox="0 0 10 10"><rect width="9" height="6"/></svg>')
+        line = '{"type": "LineString", "coordinates": [[1, 1], [3, 3]]}'
+        square = '{"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]]}'
+        self.write("roads.geojson", '{"type": "GeometryCollection", "geometries": [%s, %s]}' % (square, line))
+        self.write("land.geojson", square)
+        for lined, plain in (("inked.svg", "plain.svg"), ("roads.geojson", "land.geojson")):
+            hashes = []
+            for name, options in ((lined, []), (lined, ["--drop-lines"]), (plain, [])):
+                done = self.call("mesh", name, "-o", "m.msh", *options)
+                hashes.append(re.search(r"hash (\w+)", done.stdout)[1])
+                self.assertEqual("lines are left out [dropped-lines]" in done.stderr, bool(options), done.stderr)
+                self.call("check", "m.msh", "--domain", name, *options)
+            self.assertEqual(hashes[1], hashes[2])
+            self.assertNotEqual(hashes[0], hashes[1])
+        self.write("line.geojson", '{"type": "LineString", "coordinates": [[0, 0], [4, 0], [4, 4], [0, 0]]}')
+        self.call("mesh", "line.geojson", "-o", "m.msh", "--drop-lines")  # it bounds the domain
+
     def test_the_maximum_area_of_a_region_is_kept(self):
         text = poly([SQUARE]).rstrip() + "\n1\n1 2 1 1 "
         counts = []

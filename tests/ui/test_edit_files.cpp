@@ -393,6 +393,27 @@ TEST_CASE("Import: a drawing that leaves its page can be read in full") {
     CHECK(boundsOf(driver.document()).size() == Vec2{9, 6});
 }
 
+TEST_CASE("Import: the lines of a drawing with filled shapes can be left out") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "inked.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/>)"
+                                            << R"(<path fill="none" stroke="black" d="M1 1L8 5"/></svg>)";
+    std::ofstream(place.path / "plain.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/></svg>)";
+    Draughtsman driver;
+    importFile(driver, place.path / "plain.svg");
+    CHECK_FALSE(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/cancel");
+    driver.settle();
+    importFile(driver, place.path / "inked.svg");
+    REQUIRE(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/lines");
+    driver.settle();
+    CHECK(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK(driver.logHas("dropped-lines"));
+}
+
 TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
     const TemporaryFolder place;
     std::ofstream(place.path / "gap.poly")

@@ -28,6 +28,14 @@ std::string extent(const Box2 &box, double scale) {
                        : ui::number(scale * box.size().x) + " \xc3\x97 " + ui::number(scale * box.size().y);
 }
 
+bool mixesLines(const Document &drawing) {
+    const auto has = [&drawing](ShapeUse use) {
+        return std::any_of(drawing.shapes.begin(), drawing.shapes.end(),
+                           [use](const auto &shape) { return shape->use == use; });
+    };
+    return has(ShapeUse::Boundary) && has(ShapeUse::Constraint);
+}
+
 /// A drawing, and a record of what the reader ignored and changed.
 struct Reading {
     Document drawing;
@@ -82,6 +90,7 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     }
     const FileFormat *const format = fileFormatOf(file);
     dialog->arranges_ = format != nullptr && format->arranges;
+    dialog->hasLines_ = format != nullptr && std::string_view(format->id) == "svg" && mixesLines(dialog->drawing_);
     dialog->leavesPage_ = std::any_of(dialog->notes_.begin(), dialog->notes_.end(),
                                       [](const Diagnostic &note) { return note.code == kPageNote; });
     return dialog;
@@ -180,6 +189,9 @@ void ImportDialog::drawJoining(Shell &context) {
     bool cuts = !options_.beyondPage;
     if (leavesPage_ && ui::checkbox(context, "dialog/importoptions/page", "Cut off at the page", cuts)) {
         options_.beyondPage = !cuts;
+        read();
+    }
+    if (hasLines_ && ui::checkbox(context, "dialog/importoptions/lines", "Leave out lines", options_.dropLines)) {
         read();
     }
     for (const Diagnostic &fault : faults_) {

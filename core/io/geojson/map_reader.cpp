@@ -221,7 +221,12 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
         return check_.faults();
     }
     buildPolygons();
+    const bool drops = source_.options.dropLines && !polygons_.empty();
     for (Line &line : lines_) {
+        if (drops) {
+            source_.note("dropped-lines", "lines are left out", line.path.offsets.front());
+            continue;
+        }
         builder_.from(std::move(line.path.offsets));
         builder_.addChain(line.path.nodes, line.tag);
     }

@@ -27,6 +27,9 @@ struct ImportOptions {
     OverlapRule overlap = OverlapRule::Later; ///< between features of a map
     bool strict = false;                      ///< refuse a drawing or map that would have to be changed
     bool beyondPage = false; ///< keep what filled shapes of an SVG drawing have outside its page (its view box)
+    /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line
+    /// strings.
+    bool dropLines = false;
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};

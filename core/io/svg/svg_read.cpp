@@ -30,7 +30,7 @@ void joinEnds(SvgPath &path, double tolerance) {
 }
 
 /// The role of an SVG path in the domain.
-enum class Part : std::uint8_t { Painted, Outline, Line, Nothing };
+enum class Part : std::uint8_t { Painted, Outline, Line, LeftOut, Nothing };
 
 class SvgBuilder {
   public:
@@ -65,7 +65,7 @@ class SvgBuilder {
                     contour_ = builder_.addContour(builder_.addShape(feature, path.name, path.limit), path.paint.rule);
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
-                if (path.paint.stroked && !path.closed) {
+                if (path.paint.stroked && !path.closed && !source_.options.dropLines) {
                     builder_.addChain(path.nodes, tag, path.stretches, path.limit);
                 }
                 break;
@@ -75,6 +75,7 @@ class SvgBuilder {
             case Part::Line:
                 addLine(path, tag);
                 break;
+            case Part::LeftOut:
             case Part::Nothing:
                 break;
             }
@@ -101,12 +102,13 @@ class SvgBuilder {
         std::set<const SvgPath *, SameNodes> added;
         for (const bool areas : {true, false}) { // an outline rather than a line that is drawn along it
             for (std::size_t k = 0; k < paths_.size(); ++k) {
-                if (parts[k] == Part::Nothing ? areas : isArea(parts[k]) != areas) {
+                const bool unused = parts[k] == Part::Nothing || parts[k] == Part::LeftOut;
+                if (unused ? areas : isArea(parts[k]) != areas) {
                     continue;
                 }
                 noteReading(paths_[k], parts[k]);
                 noteClips(paths_[k]);
-                if (parts[k] == Part::Nothing) {
+                if (unused) {
                     continue;
                 }
                 if (!added.insert(&paths_[k]).second) {
@@ -262,7 +264,10 @@ class SvgBuilder {
         if (!anyPainted_) {
             return loop ? Part::Outline : Part::Line;
         }
-        return loop && !path.paint.stroked ? Part::Nothing : Part::Line;
+        if (loop && !path.paint.stroked) {
+            return Part::Nothing;
+        }
+        return source_.options.dropLines ? Part::LeftOut : Part::Line;
     }
 
     /// Reports, once per element, how it is read if that differs from how it looks.
@@ -281,8 +286,14 @@ class SvgBuilder {
                          "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke",
                          path.offset);
         } else if (part == Part::Line && loop) {
-            source_.note("svg-unfilled", "shapes without fill are read as lines, because other shapes are filled",
-                         path.offset);
+            source_.note(
+                "svg-unfilled",
+                "shapes without fill are read as lines, because other shapes are filled; --drop-lines leaves them "
+                "out",
+                path.offset);
+        } else if (part == Part::LeftOut) {
+            source_.note("dropped-lines", "lines are left out", path.offset);
+            return;
         }
         if (path.drawnAsLine() && path.nodes.size() > 2) {
             source_.note("svg-polyline",
