@@ -4,6 +4,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,14 @@ class Draughtsman : public Driver {
     }
     const Document &document() { return *context().document.current(); }
     std::string undoLabel() { return context().document.undoLabel(); }
+    /// Enters a file in an open file dialog, such as "import", and confirms it.
+    void chooseFile(const std::string &dialog, const std::filesystem::path &file) {
+        click("dialog/" + dialog + "/name");
+        key('A', {Modifiers::kControl});
+        type(file.string());
+        click("dialog/" + dialog + "/ok");
+        settle();
+    }
     /// Draws a rectangle with its tool.
     void rectangle(Vec2 a, Vec2 b) {
         key('R');

@@ -22,20 +22,6 @@ namespace forefront::test {
 
 namespace {
 
-void typeName(Draughtsman &driver, const std::string &dialog, const std::filesystem::path &file) {
-    driver.click("dialog/" + dialog + "/name");
-    driver.key('A', {Modifiers::kControl});
-    driver.type(file.string());
-    driver.click("dialog/" + dialog + "/ok");
-    driver.settle();
-}
-
-void importFile(Draughtsman &driver, const std::filesystem::path &file) {
-    driver.key('I', {Modifiers::kControl});
-    driver.frames(5);
-    typeName(driver, "import", file);
-}
-
 void askForExport(Draughtsman &driver) {
     driver.key('E', {Modifiers::kControl});
     driver.settle();
@@ -69,7 +55,7 @@ TEST_CASE("Files: a drawing with paint is the same after saving and opening") {
     driver.key('S', {Modifiers::kControl});
     driver.frames(5);
     REQUIRE(driver.has("dialog/save/ok"));
-    typeName(driver, "save", place.path / "bay");
+    driver.chooseFile("save", place.path / "bay");
     CHECK_FALSE(driver.has("dialog/save"));
     CHECK(driver.context().document.path() == place.path / "bay.forefront");
     CHECK_FALSE(driver.context().document.dirty());
@@ -80,7 +66,7 @@ TEST_CASE("Files: a drawing with paint is the same after saving and opening") {
     CHECK(driver.context().document.dirty());
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
-    typeName(driver, "open", place.path / "bay.forefront");
+    driver.chooseFile("open", place.path / "bay.forefront");
     REQUIRE(driver.has("dialog/unsaved/discard")); // the drag is not saved
     driver.click("dialog/unsaved/discard");
     driver.settle();
@@ -95,11 +81,11 @@ TEST_CASE("Files: reopening a file after saving shows the saved changes") {
     driver.rectangle({1, 1}, {9, 8});
     driver.key('S', {Modifiers::kControl});
     driver.frames(5);
-    typeName(driver, "save", place.path / "bay");
+    driver.chooseFile("save", place.path / "bay");
     driver.rectangle({2, 2}, {3, 3});
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
-    typeName(driver, "open", place.path / "bay.forefront");
+    driver.chooseFile("open", place.path / "bay.forefront");
     REQUIRE(driver.has("dialog/unsaved/save"));
     driver.click("dialog/unsaved/save");
     driver.settle();
@@ -115,7 +101,7 @@ TEST_CASE("Files: replacing a file needs a confirmation, and write errors are re
     driver.rectangle({1, 1}, {9, 8});
     driver.key('S', {Modifiers::kControl});
     driver.frames(5);
-    typeName(driver, "save", place.path / "old.forefront");
+    driver.chooseFile("save", place.path / "old.forefront");
     CHECK(driver.has("dialog/save/ok")); // asks for confirmation
     std::ifstream file(place.path / "old.forefront");
     CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == "keep me");
@@ -127,7 +113,7 @@ TEST_CASE("Files: replacing a file needs a confirmation, and write errors are re
     driver.rectangle({2, 2}, {3, 3});
     driver.key('S', {Modifiers::kControl | Modifiers::kShift});
     driver.frames(5);
-    typeName(driver, "save", place.path / "no-such-folder" / "x");
+    driver.chooseFile("save", place.path / "no-such-folder" / "x");
     CHECK(driver.has("dialog/save/ok"));
     CHECK(driver.context().document.dirty());
     driver.key(key::kEscape);
@@ -155,7 +141,7 @@ TEST_CASE("Export: a drawing is meshed and written as a valid MSH file") {
     driver.polygon({{3, 3}, {5, 3}, {4, 5}});
     askForExport(driver);
     REQUIRE(driver.has("dialog/export/ok"));
-    typeName(driver, "export", place.path / "bay");
+    driver.chooseFile("export", place.path / "bay");
     driver.settle();
     CHECK_FALSE(driver.has("dialog/export/ok"));
     const Result<Mesh> mesh = readMesh(place.path / "bay.msh");
@@ -180,7 +166,7 @@ TEST_CASE("Export: edges inside the domain can be left out") {
         if (!keeps) {
             driver.click("dialog/export/inner-edges");
         }
-        typeName(driver, "export", place.path / (keeps ? "whole.msh" : "outline.msh"));
+        driver.chooseFile("export", place.path / (keeps ? "whole.msh" : "outline.msh"));
         driver.settle();
         const Result<Mesh> mesh = readMesh(place.path / (keeps ? "whole.msh" : "outline.msh"));
         REQUIRE(mesh.ok());
@@ -205,7 +191,7 @@ TEST_CASE("Files: the file dialog and the shortcut sheet fit into a small window
     const TemporaryFolder place;
     const std::filesystem::path file = place.path / (std::string(60, 'm') + ".geojson");
     std::ofstream(file) << R"({"type": "Point", "coordinates": [1, 2]})";
-    typeName(driver, "open", file);
+    driver.chooseFile("open", file);
     REQUIRE(driver.has("dialog/open/warning"));
     driver.platform().resize({1040, 800}, 2.0);
     driver.settle();
@@ -230,7 +216,7 @@ TEST_CASE("Export: a message on the canvas reports the file and its size, or the
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     askForExport(driver);
-    typeName(driver, "export", place.path / "bay.msh");
+    driver.chooseFile("export", place.path / "bay.msh");
     REQUIRE(driver.has("canvas/note"));
     const std::string message = driver.context().log.entries().back().diagnostic.message;
     CHECK(message.find((place.path / "bay.msh").string()) != std::string::npos);
@@ -240,7 +226,7 @@ TEST_CASE("Export: a message on the canvas reports the file and its size, or the
     CHECK_FALSE(driver.has("canvas/note"));
 
     askForExport(driver);
-    typeName(driver, "export", place.path / (std::string(300, 'm') + ".msh")); // longer than a name can be
+    driver.chooseFile("export", place.path / (std::string(300, 'm') + ".msh")); // longer than a name can be
     CHECK(driver.has("canvas/error"));
     CHECK_FALSE(driver.has("canvas/note"));
 }
@@ -250,7 +236,7 @@ TEST_CASE("Export: a missing folder is reported in the dialog, which stays open"
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     askForExport(driver);
-    typeName(driver, "export", place.path / "no-such-folder" / "bay.msh");
+    driver.chooseFile("export", place.path / "no-such-folder" / "bay.msh");
     REQUIRE(driver.has("dialog/export/ok"));
     CHECK(driver.context().widgets.find("dialog/export/warning")->rect.width > 100.0);
     CHECK_FALSE(driver.has("canvas/error"));
@@ -258,7 +244,7 @@ TEST_CASE("Export: a missing folder is reported in the dialog, which stays open"
     CHECK(fault.message.find("folder " + (place.path / "no-such-folder").string() + " not found") != std::string::npos);
     CHECK(fault.advice == "create it, or choose another");
     CHECK_FALSE(std::filesystem::exists(place.path / "no-such-folder"));
-    typeName(driver, "export", place.path / "bay.msh");
+    driver.chooseFile("export", place.path / "bay.msh");
     CHECK_FALSE(driver.has("dialog/export/ok"));
     CHECK(readMesh(place.path / "bay.msh").ok());
 }
@@ -272,7 +258,7 @@ TEST_CASE("Open: an unreadable file is reported in the dialog, and the drawing s
     driver.rectangle({1, 1}, {9, 8});
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
-    typeName(driver, "open", place.path / "points.geojson");
+    driver.chooseFile("open", place.path / "points.geojson");
     REQUIRE(driver.has("dialog/open/warning")); // the dialog is still open, without another question
     CHECK_FALSE(driver.has("dialog/unsaved/discard"));
     const auto warning = [&] { return driver.context().widgets.find("dialog/open/warning")->rect; };
@@ -284,7 +270,7 @@ TEST_CASE("Open: an unreadable file is reported in the dialog, and the drawing s
     driver.type("s");
     driver.frames(2);
     CHECK(warning().width < 1.0);
-    typeName(driver, "open", place.path / "square.geojson");
+    driver.chooseFile("open", place.path / "square.geojson");
     REQUIRE(driver.has("dialog/unsaved/discard"));
     driver.click("dialog/unsaved/discard");
     driver.settle();
@@ -303,134 +289,6 @@ TEST_CASE("Open: saving does not overwrite a GeoJSON file named .json") {
     driver.key('S', {Modifiers::kControl});
     driver.frames(5);
     CHECK(driver.has("dialog/save/ok"));
-}
-
-TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen unit") {
-    const TemporaryFolder place;
-    {
-        Draughtsman driver;
-        driver.rectangle({2, 2}, {4, 4});
-        REQUIRE(writeProject(place.path / "part.forefront", driver.document()).empty());
-    }
-    Draughtsman driver;
-    driver.rectangle({1, 1}, {9, 8});
-    importFile(driver, place.path / "part.forefront");
-    REQUIRE(driver.has("dialog/importoptions/ok"));
-    driver.click("dialog/importoptions/inch");
-    driver.click("dialog/importoptions/ok");
-    driver.settle();
-    REQUIRE(driver.document().shapes.size() == 2);
-    CHECK(boundsOf(*driver.document().shapes[1]).size().x == doctest::Approx(50.8));
-    CHECK(driver.undoLabel() == "Import drawing");
-}
-
-TEST_CASE(
-    "Import spacing: a grid of sizes becomes the spacing, in one undo step; a broken file is reported in the dialog") {
-    const TemporaryFolder place;
-    const std::string header = "ncols 2\nnrows 2\nxllcorner 1\nyllcorner 1\ncellsize 4\n";
-    std::ofstream(place.path / "good.asc") << header << "1 1\n0.5 1\n";
-    std::ofstream(place.path / "bad.asc") << header << "1 1\n-5 1\n";
-    Draughtsman driver;
-    driver.rectangle({1, 1}, {9, 9});
-    const auto import = [&](const char *name) {
-        driver.context().actions.run("file.importSpacing", driver.context());
-        driver.frames(5);
-        typeName(driver, "importspacing", place.path / name);
-        driver.settle();
-    };
-    import("bad.asc");
-    CHECK(driver.context().dialogs.any());
-    CHECK(driver.document().spacing.automatic());
-    driver.context().dialogs.closeAll();
-    import("good.asc");
-    CHECK_FALSE(driver.context().dialogs.any());
-    CHECK(driver.undoLabel() == "Import spacing");
-    REQUIRE(driver.context().preview->spacing != nullptr);
-    CHECK(driver.context().preview->spacing->at({3, 3}) == doctest::Approx(0.5));
-    driver.key('Z', kControl);
-    CHECK(driver.document().spacing.automatic());
-}
-
-TEST_CASE("Import: the weld tolerance closes gaps of a map, and the dialog says what changed") {
-    const TemporaryFolder place;
-    const auto polygon = [](const char *name, const char *corners) {
-        return std::string(R"({"type": "Feature", "properties": {"name": ")") + name +
-               R"("}, "geometry": {"type": "Polygon", "coordinates": [[)" + corners + "]]}}";
-    };
-    std::ofstream(place.path / "map.geojson")
-        << R"({"type": "FeatureCollection", "features": [)" << polygon("A", "[0,0],[4,0],[4,3],[0,3],[0,0]") << ", "
-        << polygon("B", "[4.01,0],[8,0],[8,3],[4.01,3],[4.01,0]") << "]}";
-    Draughtsman driver;
-    importFile(driver, place.path / "map.geojson");
-    REQUIRE(driver.has("dialog/importoptions/weld"));
-    CHECK(driver.has("dialog/importoptions/overlap/later wins"));
-    CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
-    driver.click("dialog/importoptions/weld");
-    driver.type("0.02");
-    driver.key(key::kEnter);
-    driver.settle();
-    REQUIRE(driver.has("dialog/importoptions/note/0"));
-    driver.click("dialog/importoptions/ok");
-    driver.settle();
-    const Domain domain = toDomain(driver.document());
-    CHECK(domain.nodes.size() == 6);
-    CHECK(driver.logHas("welded-nodes"));
-}
-
-TEST_CASE("Import: a drawing that leaves its page can be read in full") {
-    const TemporaryFolder place;
-    std::ofstream(place.path / "wide.svg") << R"(<svg viewBox="0 0 10 10"><rect x="-5" width="9" height="6"/></svg>)";
-    Draughtsman driver;
-    importFile(driver, place.path / "wide.svg");
-    REQUIRE(driver.has("dialog/importoptions/page"));
-    CHECK(driver.has("dialog/importoptions/note/0"));
-    driver.click("dialog/importoptions/page");
-    driver.settle();
-    CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
-    CHECK(driver.has("dialog/importoptions/page"));
-    driver.click("dialog/importoptions/ok");
-    driver.settle();
-    CHECK(boundsOf(driver.document()).size() == Vec2{9, 6});
-}
-
-TEST_CASE("Import: the lines of a drawing with filled shapes can be left out") {
-    const TemporaryFolder place;
-    std::ofstream(place.path / "inked.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/>)"
-                                            << R"(<path fill="none" stroke="black" d="M1 1L8 5"/></svg>)";
-    std::ofstream(place.path / "plain.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/></svg>)";
-    Draughtsman driver;
-    importFile(driver, place.path / "plain.svg");
-    CHECK_FALSE(driver.has("dialog/importoptions/lines"));
-    driver.click("dialog/importoptions/cancel");
-    driver.settle();
-    importFile(driver, place.path / "inked.svg");
-    REQUIRE(driver.has("dialog/importoptions/lines"));
-    driver.click("dialog/importoptions/lines");
-    driver.settle();
-    CHECK(driver.has("dialog/importoptions/lines"));
-    driver.click("dialog/importoptions/ok");
-    driver.settle();
-    CHECK(driver.document().shapes.size() == 1);
-    CHECK(driver.logHas("dropped-lines"));
-}
-
-TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
-    const TemporaryFolder place;
-    std::ofstream(place.path / "gap.poly")
-        << "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n";
-    Draughtsman driver;
-    importFile(driver, place.path / "gap.poly");
-    REQUIRE(driver.has("dialog/importoptions/weld"));
-    CHECK_FALSE(driver.has("dialog/importoptions/overlap/later wins"));
-    driver.click("dialog/importoptions/weld");
-    driver.type("0.02");
-    driver.key(key::kEnter);
-    driver.settle();
-    CHECK(driver.has("dialog/importoptions/note/0"));
-    driver.click("dialog/importoptions/ok");
-    driver.settle();
-    REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
 }
 
 TEST_CASE("Quit: asks about unsaved changes; Cancel stays, and Don't save leaves") {

@@ -1,0 +1,150 @@
+#include "core/io/files.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace forefront::test {
+
+namespace {
+
+void importFile(Draughtsman &driver, const std::filesystem::path &file) {
+    driver.key('I', {Modifiers::kControl});
+    driver.frames(5);
+    driver.chooseFile("import", file);
+}
+
+} // namespace
+
+TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen unit") {
+    const TemporaryFolder place;
+    {
+        Draughtsman driver;
+        driver.rectangle({2, 2}, {4, 4});
+        REQUIRE(writeProject(place.path / "part.forefront", driver.document()).empty());
+    }
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    importFile(driver, place.path / "part.forefront");
+    REQUIRE(driver.has("dialog/importoptions/ok"));
+    driver.click("dialog/importoptions/inch");
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(boundsOf(*driver.document().shapes[1]).size().x == doctest::Approx(50.8));
+    CHECK(driver.undoLabel() == "Import drawing");
+}
+
+TEST_CASE(
+    "Import spacing: a grid of sizes becomes the spacing, in one undo step; a broken file is reported in the dialog") {
+    const TemporaryFolder place;
+    const std::string header = "ncols 2\nnrows 2\nxllcorner 1\nyllcorner 1\ncellsize 4\n";
+    std::ofstream(place.path / "good.asc") << header << "1 1\n0.5 1\n";
+    std::ofstream(place.path / "bad.asc") << header << "1 1\n-5 1\n";
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 9});
+    const auto import = [&](const char *name) {
+        driver.context().actions.run("file.importSpacing", driver.context());
+        driver.frames(5);
+        driver.chooseFile("importspacing", place.path / name);
+        driver.settle();
+    };
+    import("bad.asc");
+    CHECK(driver.context().dialogs.any());
+    CHECK(driver.document().spacing.automatic());
+    driver.context().dialogs.closeAll();
+    import("good.asc");
+    CHECK_FALSE(driver.context().dialogs.any());
+    CHECK(driver.undoLabel() == "Import spacing");
+    REQUIRE(driver.context().preview->spacing != nullptr);
+    CHECK(driver.context().preview->spacing->at({3, 3}) == doctest::Approx(0.5));
+    driver.key('Z', kControl);
+    CHECK(driver.document().spacing.automatic());
+}
+
+TEST_CASE("Import: the weld tolerance closes gaps of a map, and the dialog says what changed") {
+    const TemporaryFolder place;
+    const auto polygon = [](const char *name, const char *corners) {
+        return std::string(R"({"type": "Feature", "properties": {"name": ")") + name +
+               R"("}, "geometry": {"type": "Polygon", "coordinates": [[)" + corners + "]]}}";
+    };
+    std::ofstream(place.path / "map.geojson")
+        << R"({"type": "FeatureCollection", "features": [)" << polygon("A", "[0,0],[4,0],[4,3],[0,3],[0,0]") << ", "
+        << polygon("B", "[4.01,0],[8,0],[8,3],[4.01,3],[4.01,0]") << "]}";
+    Draughtsman driver;
+    importFile(driver, place.path / "map.geojson");
+    REQUIRE(driver.has("dialog/importoptions/weld"));
+    CHECK(driver.has("dialog/importoptions/overlap/later wins"));
+    CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/weld");
+    driver.type("0.02");
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    const Domain domain = toDomain(driver.document());
+    CHECK(domain.nodes.size() == 6);
+    CHECK(driver.logHas("welded-nodes"));
+}
+
+TEST_CASE("Import: a drawing that leaves its page can be read in full") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "wide.svg") << R"(<svg viewBox="0 0 10 10"><rect x="-5" width="9" height="6"/></svg>)";
+    Draughtsman driver;
+    importFile(driver, place.path / "wide.svg");
+    REQUIRE(driver.has("dialog/importoptions/page"));
+    CHECK(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/page");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
+    CHECK(driver.has("dialog/importoptions/page"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    CHECK(boundsOf(driver.document()).size() == Vec2{9, 6});
+}
+
+TEST_CASE("Import: the lines of a drawing with filled shapes can be left out") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "inked.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/>)"
+                                            << R"(<path fill="none" stroke="black" d="M1 1L8 5"/></svg>)";
+    std::ofstream(place.path / "plain.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/></svg>)";
+    Draughtsman driver;
+    importFile(driver, place.path / "plain.svg");
+    CHECK_FALSE(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/cancel");
+    driver.settle();
+    importFile(driver, place.path / "inked.svg");
+    REQUIRE(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/lines");
+    driver.settle();
+    CHECK(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK(driver.logHas("dropped-lines"));
+}
+
+TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "gap.poly")
+        << "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n";
+    Draughtsman driver;
+    importFile(driver, place.path / "gap.poly");
+    REQUIRE(driver.has("dialog/importoptions/weld"));
+    CHECK_FALSE(driver.has("dialog/importoptions/overlap/later wins"));
+    driver.click("dialog/importoptions/weld");
+    driver.type("0.02");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
+}
+
+} // namespace forefront::test
