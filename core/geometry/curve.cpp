@@ -205,11 +205,12 @@ double Curve::length(double t0, double t1) const {
         }
         std::sort(ends.begin(), ends.end());
     }
-    double size = distance(p_[0], p_[1]) + distance(p_[1], p_[2]) + distance(p_[2], p_[3]); // of the derivative's terms
+    double size = 0.0; // of the terms that make the derivative
     if (kind_ == CurveKind::Arc) {
-        const double furthest =
-            std::max({1.0, std::fabs(angle(0.0)), std::fabs(angle(1.0))}); // angles are rounded, too
-        size = std::fabs(p_[3].y) * (forefront::length(p_[1]) + forefront::length(p_[2])) * furthest;
+        const double angles = std::max({1.0, std::fabs(angle(0.0)), std::fabs(angle(1.0))}); // are rounded, too
+        size = std::fabs(p_[3].y) * (forefront::length(p_[1]) + forefront::length(p_[2])) * angles;
+    } else {
+        size = distance(p_[0], p_[1]) + distance(p_[1], p_[2]) + distance(p_[2], p_[3]);
     }
     constexpr double kRoundings = 16.0 * std::numeric_limits<double>::epsilon();
     double sum = 0.0;

@@ -70,6 +70,9 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
 /// Returns a size source for each chord that is far shorter than the spacing there, among those that were taken as
 /// straight and those beside them.
 std::vector<SizeSource> shortChords(const PreparedJob &prepared, const MeshingJob &job) {
+    if (prepared.boundary->straightened.empty()) {
+        return {};
+    }
     const Domain &domain = job.domain;
     std::vector<std::uint8_t> isEnd(domain.nodes.size(), 0);
     for (const std::uint32_t s : prepared.boundary->straightened) {
@@ -105,10 +108,7 @@ Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFac
     constexpr int kMaxRounds = 4; // finer pieces may cross elsewhere
     MeshingJob again;
     for (int round = 0; round < kMaxRounds && prepared && job.spacing.usesAutomatic(); ++round) {
-        std::vector<SizeSource> sources;
-        if (!prepared->boundary->straightened.empty()) {
-            sources = shortChords(*prepared, job);
-        }
+        std::vector<SizeSource> sources = shortChords(*prepared, job);
         if (sources.empty()) {
             break;
         }

@@ -286,11 +286,10 @@ class SvgBuilder {
                          "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke",
                          path.offset);
         } else if (part == Part::Line && loop) {
-            source_.note(
-                "svg-unfilled",
-                "shapes without fill are read as lines, because other shapes are filled; --drop-lines leaves them "
-                "out",
-                path.offset);
+            source_.note("svg-unfilled",
+                         "shapes without fill are read as lines, because other shapes are filled; "
+                         "--drop-lines leaves them out",
+                         path.offset);
         } else if (part == Part::LeftOut) {
             source_.note("dropped-lines", "lines are left out", path.offset);
             return;
