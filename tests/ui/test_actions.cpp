@@ -61,12 +61,11 @@ std::vector<ActionCase> allCases() {
     return cases;
 }
 
-/// Waits until the window comes to rest; not for the end of a run that plays.
+/// Waits until the window comes to rest or a run plays, which the worker reports at its own time.
 void rest(Draughtsman &driver) {
     driver.frames(4);
-    if (!driver.context().run.playing()) {
-        driver.settle();
-    }
+    const Editor &editor = driver.editor();
+    driver.until([&] { return driver.context().run.playing() || (editor.settled() && !editor.needsFrame()); });
 }
 
 /// Runs an action as a user does: by its key, from its menu, or from the palette.

@@ -137,7 +137,9 @@ void ImGuiBridge::beginFrame(std::span<const InputEvent> events, double elapsedS
 
 void ImGuiBridge::endFrame() {
     ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (platform_.shown()) {
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    }
 }
 
 } // namespace forefront

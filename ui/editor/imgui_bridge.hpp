@@ -21,7 +21,8 @@ class ImGuiBridge {
     /// Makes this the current context of Dear ImGui; several editors may live in one process.
     void activate();
     void beginFrame(std::span<const InputEvent> events, double elapsedSeconds);
-    /// Draws the interface built in this frame over the contents of the target framebuffer.
+    /// Ends the interface built in this frame, and draws it over the contents of the target framebuffer if the frame is
+    /// shown.
     void endFrame();
     /// Updates the font texture; call after rebuilding the fonts.
     void fontsChanged();

@@ -20,6 +20,7 @@ class EglPlatform final : public Platform {
     void poll(InputQueue &queue, double waitSeconds) override;
     void wake() override {}
     unsigned targetFramebuffer() const override { return shown_ ? framebuffer_ : onePixel_; }
+    bool shown() const override { return shown_; }
     void present() override { ++frames_; }
     void setTitle(const std::string &title) override { title_ = title; }
     void setIcon(PixelSize, const std::vector<std::uint8_t> &) override {}
@@ -28,8 +29,8 @@ class EglPlatform final : public Platform {
     void setClipboard(const std::string &text) override { clipboard_ = text; }
 
     void resize(PixelSize size, double contentScale);
-    /// Sets whether the next frames are shown. The others are drawn into a single pixel, since software rasterising
-    /// takes most of the frame time.
+    /// Sets whether the next frames are shown. Of the others only the canvas is drawn, into a single pixel, since
+    /// software rasterising takes most of the frame time.
     void show(bool shown) { shown_ = shown; }
     const std::string &title() const { return title_; }
     CursorShape cursor() const { return cursor_; }

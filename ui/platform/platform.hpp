@@ -36,6 +36,8 @@ class Platform {
     virtual void wake() = 0;
     /// Returns the framebuffer object to draw to.
     virtual unsigned targetFramebuffer() const = 0;
+    /// Returns whether anyone will see the next frame. If not, the interface is laid out but not drawn.
+    virtual bool shown() const { return true; }
     virtual void present() = 0;
     /// Returns the position of the window, to be restored at the next start; empty if there is no window.
     virtual std::optional<WindowPlace> windowPlace() const { return std::nullopt; }
