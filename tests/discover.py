@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Writes a CTest file in which each case of a doctest program is a separate test.
+"""Writes a CTest file with the cases of a doctest program.
 
     discover.py PROGRAM PREFIX LABELS OUTPUT
     discover.py --sources LABEL LABELS SOURCE...
 
-Each test is named PREFIX/CASE. Its labels are PREFIX, those that the file LABELS gives to the case or its source file,
-and the words of the case's suite. Cases that are not labelled slow are labelled fast. The second form prints the sources
-that hold a case to which LABELS gives the label, and those without any case, separated by semicolons.
+Cases about the same subject, the part of their names before the colon, are one test, PREFIX/SUBJECT, since starting the
+program takes longer than most cases. Its labels are PREFIX, those that the file LABELS gives to the cases or their source
+files, and the words of their suites; cases with other labels are a test of their own, named by the subject and the labels.
+A case that is labelled slow or long is always a test by itself, PREFIX/CASE. Tests that are not labelled slow are labelled
+fast. The second form prints the sources that hold a case to which LABELS gives the label, and those without any case,
+separated by semicolons.
 """
 
 import fnmatch
@@ -54,26 +57,45 @@ def quoted(text):
     return f"[{equals}[{text}]{equals}]"
 
 
-def main(program, prefix, labels_file, output):
-    given = list(rules(pathlib.Path(labels_file)))
-    lines = []
+def filter_for(names):
+    """The option that selects these cases. doctest separates names by commas."""
+    return "--test-case=" + ",".join(name.replace("\\", "\\\\").replace(",", "\\,") for name in names)
+
+
+def check_filter(program, names):
+    """Fails if the filter of a test would leave out a case."""
+    for first in range(0, len(names), 200):  # an argument has at most 128 KiB
+        part = names[first : first + 200]
+        counted = subprocess.run([program, "--count", filter_for(part)], stdout=subprocess.PIPE, check=True, text=True)
+        if int(re.search(r"filters: (\d+)", counted.stdout)[1]) != len(part):
+            sys.exit(f"a case between '{part[0]}' and '{part[-1]}' has a name that no filter matches")
+
+
+def tests_of(program, prefix, given):
+    """The tests, as names of cases by name of the test and labels."""
+    tests = {}
     names = set()
     for case in cases(program):
         name, source = case.get("name"), pathlib.Path(case.get("filename")).name
         if name in names:
             sys.exit(f"{source}: two cases are named '{name}'; each needs a different name")
         names.add(name)
-        labels = {prefix} | labels_of(name, source, given) | set(case.get("testsuite", "").split())
-        if "slow" not in labels:
-            labels.add("fast")
-        cost = 10 if labels & {"slow", "long"} else 0  # CTest starts the highest first
-        test = quoted(f"{prefix}/{name}")
-        # doctest separates names by commas.
-        only = quoted("--test-case=" + name.replace(",", "\\,"))
-        lines.append(f"add_test({test} {quoted(program)} {only})")
-        lines.append(f"set_tests_properties({test} PROPERTIES TIMEOUT {TIMEOUT} LABELS {quoted(';'.join(sorted(labels)))}"
-                     f' COST {cost}'
-                     ' FAIL_REGULAR_EXPRESSION "test cases: +0 ")')
+        labels = labels_of(name, source, given) | set(case.get("testsuite", "").split())
+        alone = labels & {"slow", "long"}
+        test = name if alone else ", ".join([name.split(":")[0], *sorted(labels)])
+        labels |= {prefix} if "slow" in labels else {prefix, "fast"}
+        tests.setdefault((f"{prefix}/{test}", ";".join(sorted(labels)), 10 if alone else 0), []).append(name)
+    check_filter(program, sorted(names))
+    return tests
+
+
+def main(program, prefix, labels_file, output):
+    lines = []
+    for (test, labels, cost), names in tests_of(program, prefix, list(rules(pathlib.Path(labels_file)))).items():
+        lines.append(f"add_test({quoted(test)} {quoted(program)} {quoted(filter_for(names))})")
+        # CTest starts those of the highest cost first.
+        lines.append(f"set_tests_properties({quoted(test)} PROPERTIES TIMEOUT {TIMEOUT} LABELS {quoted(labels)}"
+                     f' COST {cost} FAIL_REGULAR_EXPRESSION "test cases: +0 ")')
     pathlib.Path(output).write_text("\n".join(lines) + "\n")
 
 

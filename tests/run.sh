@@ -67,11 +67,14 @@ need() { # a step that the others depend on
 run_tests() { # run_tests PRESET [CTEST OPTION...]
     preset=$1
     shift
-    failed_log=build/$preset/Testing/Temporary/LastTestsFailed.log
-    rm -f "$failed_log"
+    logs=build/$preset/Testing/Temporary
+    rm -f "$logs/LastTestsFailed.log"
     ctest --test-dir "build/$preset" --output-on-failure --progress -j "$jobs" "$@" && return
-    # Named again at the end, where a log that was cut still shows them.
-    [ ! -f "$failed_log" ] || failed_tests="$failed_tests$(sed "s|^[0-9]*:|  $preset: |" "$failed_log")
+    # Named again at the end, with the cases that failed, where a log that was cut still shows them.
+    [ ! -f "$logs/LastTestsFailed.log" ] || failed_tests="$failed_tests$(
+        sed "s|^[0-9]*:|  $preset: |" "$logs/LastTestsFailed.log"
+        sed -n 's/^TEST CASE: */    /p' "$logs/LastTest.log" | sort -u
+    )
 "
     return 1
 }
