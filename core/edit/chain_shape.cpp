@@ -6,12 +6,49 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace forefront {
 
-ChainShapes::ChainShapes(const Domain &domain)
-    : domain_(domain), chains_(curveChains(domain)), tolerance_(1e-9 * domain.bounds().diagonal()) {}
+namespace {
+
+/// Returns the curve turned and scaled to end at two points, if it is an arc that this moves nowhere much farther than
+/// at its ends. An arc that is nearly closed would change out of proportion.
+std::optional<Curve> fittingArc(const Curve &curve, Vec2 start, Vec2 end) {
+    constexpr double kMostChange = 0.01; // of the chord
+    constexpr double kFarther = 4.0;
+    const Vec2 gaps[] = {start - curve.point(0.0), end - curve.point(1.0)};
+    if (!(length(gaps[1] - gaps[0]) <= kMostChange * distance(curve.point(0.0), curve.point(1.0)))) {
+        return std::nullopt;
+    }
+    const Curve fitting = joining(curve, start, end);
+    if (fitting.kind() != CurveKind::Arc || !joins(fitting, start, end)) {
+        return std::nullopt;
+    }
+    const double most = kFarther * std::max(length(gaps[0]), length(gaps[1]));
+    for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}) {
+        if (!(distance(curve.point(t), fitting.point(t)) <= most)) {
+            return std::nullopt;
+        }
+    }
+    return fitting;
+}
+
+} // namespace
+
+ChainShapes::ChainShapes(const Domain &domain, LooseEnds ends)
+    : domain_(domain), ends_(ends), chains_(curveChains(domain)), tolerance_(1e-9 * domain.bounds().diagonal()) {}
+
+bool ChainShapes::isLoose(std::uint32_t curve, double t, std::uint32_t node) const {
+    return !(distance(domain_.curves[curve].point(t), domain_.nodes[node]) <= tolerance_);
+}
+
+bool ChainShapes::anyLooseEnd() const {
+    return std::any_of(chains_.list.begin(), chains_.list.end(), [&](const CurveChain &chain) {
+        return isLoose(chain.curve, chain.t0, chain.start) || isLoose(chain.curve, chain.t1, chain.end);
+    });
+}
 
 std::vector<ChainShapes::Link> ChainShapes::linksOf(std::span<const std::uint32_t> nodes,
                                                     std::span<const std::uint32_t> segments) const {
@@ -35,26 +72,56 @@ bool ChainShapes::continues(const Link &before, const Link &after) const {
            before.stretch.t1 == after.stretch.t0;
 }
 
-Curve ChainShapes::curveOf(std::span<const Link> run) const {
+/// Returns the part of the curve along a run as it is.
+Curve ChainShapes::alongRun(std::span<const Link> run) const {
     const CurveStretch &first = run.front().stretch;
     const double from = first.t0, to = run.back().stretch.t1;
     const Curve &whole = domain_.curves[first.curve];
-    const Curve curve = from == 0.0 && to == 1.0 ? whole : whole.part(from, to);
+    return from == 0.0 && to == 1.0 ? whole : whole.part(from, to);
+}
+
+/// Returns the curve along a run, moved so that it ends at the nodes.
+Curve ChainShapes::curveOf(std::span<const Link> run) const {
+    const Curve curve = alongRun(run);
     const Vec2 start = domain_.nodes[run.front().from], end = domain_.nodes[run.back().to];
     if (curve.kind() != CurveKind::Arc) {
         return joining(curve, start, end);
     }
-    const Vec2 gaps[] = {start - curve.point(0.0), end - curve.point(1.0)};
-    if (std::max(length(gaps[0]), length(gaps[1])) <= tolerance_ && joins(curve, start, end)) {
+    const double gap = std::max(distance(start, curve.point(0.0)), distance(end, curve.point(1.0)));
+    if (gap <= tolerance_ && joins(curve, start, end)) {
         return curve;
     }
-    // An arc that is small in its drawing. To fit its chord, it is turned and scaled, which would change an arc that
-    // is nearly closed out of proportion.
-    constexpr double kMostChange = 0.01;
-    const double chord = distance(curve.point(0.0), curve.point(1.0));
-    const Curve fitting = length(gaps[1] - gaps[0]) <= kMostChange * chord ? joining(curve, start, end) : Curve();
-    return fitting.kind() == CurveKind::Arc && joins(fitting, start, end) ? fitting
-                                                                          : joining(cubicAlong(curve), start, end);
+    const std::optional<Curve> fitting = fittingArc(curve, start, end);
+    return fitting ? *fitting : joining(cubicAlong(curve), start, end);
+}
+
+/// Returns true if the curve along a run can end at the nodes without moving much farther elsewhere: the handles of a
+/// cubic move with its ends, and so does a cubic along at most a quarter of an arc.
+bool ChainShapes::movesWell(std::span<const Link> run) const {
+    const Curve curve = alongRun(run);
+    constexpr double kQuarter = 0.5 * std::numbers::pi + 1e-9;
+    return curve.kind() != CurveKind::Arc || std::fabs(curve.numbers()[7]) <= kQuarter ||
+           fittingArc(curve, domain_.nodes[run.front().from], domain_.nodes[run.back().to]).has_value();
+}
+
+/// Adds the links along one curve, or one straight link. Chords at loose ends are split off where that is better.
+void ChainShapes::addRuns(std::span<const Link> run, Shape &shape) const {
+    if (run.size() > 1) {
+        const Link &first = run.front(), &last = run.back();
+        const bool startsLoose = isLoose(first.stretch.curve, first.stretch.t0, first.from);
+        const bool endsLoose = isLoose(last.stretch.curve, last.stretch.t1, last.to);
+        if ((startsLoose || endsLoose) && (ends_ == LooseEnds::MoveChord || !movesWell(run))) {
+            const std::size_t before = startsLoose ? 1 : 0, after = endsLoose && run.size() > before + 1 ? 1 : 0;
+            for (const auto part :
+                 {run.first(before), run.subspan(before, run.size() - before - after), run.last(after)}) {
+                if (!part.empty()) {
+                    addRun(part, shape);
+                }
+            }
+            return;
+        }
+    }
+    addRun(run, shape);
 }
 
 void ChainShapes::addRun(std::span<const Link> run, Shape &shape) const {
@@ -94,7 +161,7 @@ Shape ChainShapes::make(std::span<const std::uint32_t> nodes, std::span<const st
     for (std::size_t first = 0, last = 0; first < links.size(); first = last) {
         for (last = first + 1; last < links.size() && continues(links[last - 1], links[last]); ++last) {
         }
-        addRun(std::span(links).subspan(first, last - first), shape);
+        addRuns(std::span(links).subspan(first, last - first), shape);
     }
     if (!closed) {
         shape.nodes.push_back(domain_.nodes[links.back().to]);

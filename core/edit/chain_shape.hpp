@@ -9,13 +9,20 @@
 
 namespace forefront {
 
+/// What to do about curves that do not quite end at their nodes, as joining lines leaves them.
+enum class LooseEnds : std::uint8_t {
+    MoveCurve, ///< the whole curve is moved a little, unless that would move it far elsewhere
+    MoveChord, ///< the chord there becomes a curve of its own and is moved; all nodes stay where they are
+};
+
 /// Makes shapes from chains of a domain's segments. Consecutive segments that follow one curve become one curved
 /// segment, which remembers them as its chords.
 class ChainShapes {
   public:
     /// Keeps a reference to the domain, which must outlive it.
-    explicit ChainShapes(const Domain &domain);
+    explicit ChainShapes(const Domain &domain, LooseEnds ends = LooseEnds::MoveCurve);
 
+    bool anyLooseEnd() const;
     /// Returns a shape, without id, name and use, along segments in order: segment k joins nodes k and k+1; the last of
     /// a closed chain leads back to the first node. A loop around one ellipse becomes a circle or an ellipse.
     Shape make(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> segments, bool closed) const;
@@ -28,11 +35,16 @@ class ChainShapes {
     };
     std::vector<Link> linksOf(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> segments) const;
     bool continues(const Link &before, const Link &after) const;
+    bool isLoose(std::uint32_t curve, double t, std::uint32_t node) const;
+    Curve alongRun(std::span<const Link> run) const;
+    bool movesWell(std::span<const Link> run) const;
+    void addRuns(std::span<const Link> run, Shape &shape) const;
     void addRun(std::span<const Link> run, Shape &shape) const;
     Curve curveOf(std::span<const Link> run) const;
     void recogniseLoop(Shape &shape) const;
 
     const Domain &domain_;
+    LooseEnds ends_;
     CurveChains chains_;
     double tolerance_; ///< distance between a curve and its ends that counts as rounding
 };

@@ -1,9 +1,11 @@
 #include "core/base/ids.hpp"
+#include "core/domain/domain_graph.hpp"
 #include "core/edit/chain_shape.hpp"
 #include "core/edit/document.hpp"
 #include "core/edit/hole_markers.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace forefront {
 namespace {
@@ -135,8 +137,7 @@ void addPoints(const Domain &domain, Document &document) {
     }
 }
 
-void addChains(const Domain &domain, Document &document) {
-    const ChainShapes shapes(domain);
+void addChains(const Domain &domain, const ChainShapes &shapes, Document &document) {
     for (const SegmentRole role : {SegmentRole::Boundary, SegmentRole::Constraint}) {
         for (const Chain &chain : Chainer(domain, role).chains()) {
             Shape shape = shapes.make(chain.nodes, chain.segments, chain.closed);
@@ -147,20 +148,36 @@ void addChains(const Domain &domain, Document &document) {
     }
 }
 
-} // namespace
+/// Returns true if segments meet elsewhere than at common ends.
+bool segmentsMeet(const Domain &domain) {
+    const DomainGraph graph = graphOf(domain);
+    return sweepPlane(graph.points, graph.edges).droppedCount != 0;
+}
 
-Document fromDomain(const Domain &domain) {
+/// Returns a document with shapes along the segments of `evenOdd`, which are those of the domain with other roles.
+Document documentOf(const Domain &domain, const Domain &evenOdd, const ChainShapes &shapes) {
     Document document;
-    if (domain.insideRule == InsideRule::HoleMarkers) {
-        addChains(withEvenOddRoles(domain), document);
-    } else {
-        addChains(domain, document);
-    }
+    addChains(evenOdd, shapes, document);
     addPoints(domain, document);
     document.regionMarkers = domain.regionMarkers;
     document.boundaryNames = domain.boundaryNames;
     document.regionNames = domain.regionNames;
     document.curveTolerance = domain.curveTolerance;
+    return document;
+}
+
+} // namespace
+
+Document fromDomain(const Domain &domain) {
+    const bool markers = domain.insideRule == InsideRule::HoleMarkers;
+    const std::optional<Domain> converted = markers ? std::optional(withEvenOddRoles(domain)) : std::nullopt;
+    const Domain &evenOdd = converted ? *converted : domain;
+    const ChainShapes shapes(evenOdd);
+    Document document = documentOf(domain, evenOdd, shapes);
+    // Whole curves that are moved to end at their nodes may cross others nearby.
+    if (shapes.anyLooseEnd() && segmentsMeet(toDomain(document)) && !segmentsMeet(evenOdd)) {
+        return documentOf(domain, evenOdd, ChainShapes(evenOdd, LooseEnds::MoveChord));
+    }
     return document;
 }
 
