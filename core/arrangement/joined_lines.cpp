@@ -278,13 +278,12 @@ JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStre
         joined.snapped = snapLines(lines, tolerance, stop);
         return joined;
     }
-    double radius = division.tolerance();
+    joined.snapped.radius = division.tolerance();
     for (;;) {
         const bool finished = division.divide(stop);
         joined.lines = division.parts();
-        joined.snapped = snapLines(joined.lines, division.tolerance(), radius, stop);
+        joined.snapped = snapLines(joined.lines, division.tolerance(), joined.snapped, stop);
         joined.snapped.finished = joined.snapped.finished && finished;
-        radius = joined.snapped.radius; // larger ones have moved lines too far
         if (!joined.snapped.finished || !division.divideAfter(joined.snapped, stop)) {
             break;
         }

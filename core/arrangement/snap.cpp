@@ -7,9 +7,11 @@
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <limits>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -27,12 +29,22 @@ constexpr double kSlack = 1.0 + 1e-9;
 /// Lines, some of them cut at places that must not move.
 class PinnedLines {
   public:
-    /// No line should end up farther from its path than `limit`.
-    PinnedLines(std::span<const SnapLine> lines, double radius, double limit)
-        : lines_(lines), radius_(radius), limit_(limit) {}
+    /// No line should end up farther from its path than `limit`. `known`: pins that lines probably need.
+    PinnedLines(std::span<const SnapLine> lines, double radius, double limit, std::span<const LinePin> known)
+        : lines_(lines), radius_(radius), limit_(limit) {
+        std::multimap<Ends, double> parts;
+        for (const LinePin &pin : known) {
+            parts.emplace(endsOf(pin.line), pin.part);
+        }
+        for (std::uint32_t i = 0; i < lines_.size() && !parts.empty(); ++i) {
+            const auto [first, last] = parts.equal_range(endsOf(ordered(i)));
+            std::for_each(first, last, [&](const auto &pin) { pins_.push_back({i, pin.second}); });
+        }
+        sortPins();
+    }
 
     SnappedLines run(const std::stop_token &stop) {
-        SnappedLines result = Snapper(lines_, {}, radius_).run(stop);
+        SnappedLines result = pins_.empty() ? Snapper(lines_, {}, radius_).run(stop) : runPinned(stop);
         result.displacement = measure(result);
         bool helps = true;
         for (int attempt = 0; result.finished && attempt < kMaxAttempts && helps && keepNewPins(); ++attempt) {
@@ -42,6 +54,9 @@ class PinnedLines {
             result.displacement = measure(result);
             helps = found_.size() <= kFewPins ||
                     static_cast<double>(found_.size()) <= kMaxPinsLeft * static_cast<double>(before);
+        }
+        for (const Pin &pin : pins_) {
+            result.pins.push_back({ordered(pin.line), pin.part});
         }
         return result;
     }
@@ -53,6 +68,9 @@ class PinnedLines {
         double part = 0.0;
         friend auto operator<=>(const Pin &, const Pin &) = default;
     };
+
+    using Ends = std::array<double, 4>;
+    static Ends endsOf(const SnapLine &line) { return {line.a.x, line.a.y, line.b.x, line.b.y}; }
 
     /// Returns the line from the end that comes first, so that its direction as given does not matter.
     SnapLine ordered(std::uint32_t line) const {
@@ -94,9 +112,13 @@ class PinnedLines {
     bool keepNewPins() {
         const std::size_t before = pins_.size();
         pins_.insert(pins_.end(), found_.begin(), found_.end());
+        sortPins();
+        return pins_.size() > before;
+    }
+
+    void sortPins() {
         std::sort(pins_.begin(), pins_.end());
         pins_.erase(std::unique(pins_.begin(), pins_.end()), pins_.end());
-        return pins_.size() > before;
     }
 
     SnappedLines runPinned(const std::stop_token &stop) {
@@ -176,16 +198,22 @@ SnappedLines unsnapped(std::span<const SnapLine> lines) {
 }
 
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop) {
-    return snapLines(lines, tolerance, tolerance, stop);
+    SnappedLines none;
+    none.radius = tolerance;
+    return snapLines(lines, tolerance, none, stop);
 }
 
-SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, double radius, const std::stop_token &stop) {
+SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const SnappedLines &before,
+                       const std::stop_token &stop) {
     SnappedLines result;
+    std::span<const LinePin> known = before.pins;
+    double radius = before.radius;
     do {
         const std::size_t passes = result.passes;
-        result = PinnedLines(lines, radius, tolerance).run(stop);
+        result = PinnedLines(lines, radius, tolerance, known).run(stop);
         result.passes += passes;
         result.radius = radius;
+        known = {}; // a smaller radius needs fewer
         radius *= 0.5;
     } while (result.finished && result.displacement > kSlack * tolerance);
     return result;

@@ -17,6 +17,13 @@ struct SnapLine {
     Vec2 b;
 };
 
+/// A place on a line that joining must not move far: at a fraction of the way from the end that comes first by x, then
+/// y.
+struct LinePin {
+    SnapLine line; ///< from that end
+    double part = 0.0;
+};
+
 /// Nodes and edges that keep a distance from each other, and the path of each line along them.
 struct SnappedLines {
     std::vector<Vec2> nodes;
@@ -26,6 +33,7 @@ struct SnappedLines {
     std::vector<std::uint32_t> ways;   ///< 2e: along edge e from a to b; 2e + 1: back
     std::vector<std::uint32_t> first;  ///< per line: the node that its first end became
     double radius = 0.0;               ///< maximum distance at which things were joined
+    std::vector<LinePin> pins;         ///< places where lines were held, since they would have been moved too far
     double displacement = 0.0;         ///< maximum distance between a line and its path
     std::size_t passes = 0;            ///< number of times all lines were joined; a measure of the work
     bool finished = true;              ///< false if asked to stop
@@ -49,7 +57,8 @@ SnappedLines unsnapped(std::span<const SnapLine> lines);
 /// Then edges near a node are routed through it, and crossing edges get a node, until nothing is left to do. This ends,
 /// since nodes keep apart and edges only get shorter. O(n log n) for the usual few rounds.
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop = {});
-/// Does the same, but begins with a given radius up to the tolerance.
-SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, double radius, const std::stop_token &stop);
+/// Does the same for lines most of which have been joined before, and begins with the radius and the pins found then.
+SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const SnappedLines &before,
+                       const std::stop_token &stop);
 
 } // namespace forefront

@@ -227,7 +227,33 @@ TEST_CASE("snapLines: soon halves the radius where lines are too crowded for pin
     CHECK(snapped.radius < kTolerance);
     CHECK(snapped.displacement <= kTolerance * (1.0 + 1e-9));
     CHECK(snapped.passes <= 6);
-    const SnappedLines again = snapLines(lines, kTolerance, snapped.radius, {});
+    const SnappedLines again = snapLines(lines, kTolerance, snapped, {});
     CHECK(edgeSet(again) == edgeSet(snapped));
     CHECK(again.passes < snapped.passes);
+}
+
+TEST_CASE("snapLines: pins found before save passes, whatever the order and direction of the lines") {
+    constexpr double kTolerance = 0.02;
+    RandomSource random(11);
+    const auto place = [&] { return Vec2{random.between(0.0, 1.0), random.between(0.0, 1.0)}; };
+    int pinned = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<SnapLine> lines;
+        for (int i = 0; i < 12; ++i) {
+            lines.push_back({place(), place()});
+        }
+        const SnappedLines snapped = snapLines(lines, kTolerance);
+        std::reverse(lines.begin(), lines.end());
+        for (SnapLine &line : lines) {
+            std::swap(line.a, line.b);
+        }
+        const SnappedLines again = snapLines(lines, kTolerance, snapped, {});
+        CHECK(edgeSet(again) == edgeSet(snapped));
+        if (!snapped.pins.empty()) {
+            ++pinned;
+            CHECK(again.passes == 1);
+            CHECK(snapped.passes > 1);
+        }
+    }
+    CHECK(pinned > 20);
 }
