@@ -1,5 +1,5 @@
 #include "core/base/ids.hpp"
-#include "core/domain/domain_graph.hpp"
+#include "core/domain/validate.hpp"
 #include "core/edit/chain_shape.hpp"
 #include "core/edit/document.hpp"
 #include "core/edit/hole_markers.hpp"
@@ -148,10 +148,8 @@ void addChains(const Domain &domain, const ChainShapes &shapes, Document &docume
     }
 }
 
-/// Returns true if segments meet elsewhere than at common ends.
-bool segmentsMeet(const Domain &domain) {
-    const DomainGraph graph = graphOf(domain);
-    return sweepPlane(graph.points, graph.edges).droppedCount != 0;
+bool isValid(const Domain &domain) {
+    return !hasErrors(validate(domain, 1));
 }
 
 /// Returns a document with shapes along the segments of `evenOdd`, which are those of the domain with other roles.
@@ -174,8 +172,8 @@ Document fromDomain(const Domain &domain) {
     const Domain &evenOdd = converted ? *converted : domain;
     const ChainShapes shapes(evenOdd);
     Document document = documentOf(domain, evenOdd, shapes);
-    // Whole curves that are moved to end at their nodes may cross others nearby.
-    if (shapes.anyLooseEnd() && segmentsMeet(toDomain(document)) && !segmentsMeet(evenOdd)) {
+    // Whole curves that are moved to end at their nodes may cross others nearby, or leave a region's marker.
+    if (shapes.anyLooseEnd() && !isValid(toDomain(document)) && isValid(domain)) {
         return documentOf(domain, evenOdd, ChainShapes(evenOdd, LooseEnds::MoveChord));
     }
     return document;

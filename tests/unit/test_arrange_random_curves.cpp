@@ -1,6 +1,7 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/domain/validate.hpp"
+#include "core/edit/document.hpp"
 #include "tests/support/curve_drawing.hpp"
 #include "tests/support/curved_area.hpp"
 #include "tests/support/random_domains.hpp"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -219,6 +221,24 @@ void checkOrder(RandomSource &random, ArrangementInput input) {
     CHECK(segmentSet(shuffled->domain) == segmentSet(ordered->domain));
 }
 
+/// Converts the result to a document and back, which moves curves whose ends joining has moved.
+void checkDrawn(const Arrangement &result, double tolerance) {
+    const Domain drawn = toDomain(fromDomain(result.domain));
+    for (const Diagnostic &fault : validate(drawn)) {
+        FAIL_CHECK(toString(fault));
+    }
+    double perimeter = 0.0;
+    for (const DomainSegment &segment : result.domain.segments) {
+        perimeter += distance(result.domain.nodes[segment.a], result.domain.nodes[segment.b]);
+    }
+    const std::map<std::int32_t, double> before = curvedAreas(result.domain), after = curvedAreas(drawn);
+    REQUIRE(before.size() == after.size());
+    for (const auto &[tag, area] : after) {
+        CAPTURE(tag);
+        CHECK(std::fabs(area - before.at(tag)) <= 4.0 * tolerance * perimeter);
+    }
+}
+
 } // namespace
 
 TEST_CASE("arrange: random curves become valid domains with the faces that the curves bound") {
@@ -245,6 +265,7 @@ TEST_CASE("arrange: random curves become valid domains with the faces that the c
         }
         compareAtSamples(random, drawn, result->domain);
         checkRepeatable(*result);
+        checkDrawn(*result, std::max(input.tolerance, 4e-9 * drawn.size));
         checkOrder(random, drawn.input());
     }
 }
