@@ -84,16 +84,16 @@ def tests_of(program, prefix, given):
         alone = labels & {"slow", "long"}
         test = name if alone else ", ".join([name.split(":")[0], *sorted(labels)])
         labels |= {prefix} if "slow" in labels else {prefix, "fast"}
-        tests.setdefault((f"{prefix}/{test}", ";".join(sorted(labels)), 10 if alone else 0), []).append(name)
+        tests.setdefault((f"{prefix}/{test}", ";".join(sorted(labels)), bool(alone)), []).append(name)
     check_filter(program, sorted(names))
     return tests
 
 
 def main(program, prefix, labels_file, output):
     lines = []
-    for (test, labels, cost), names in tests_of(program, prefix, list(rules(pathlib.Path(labels_file)))).items():
+    for (test, labels, alone), names in tests_of(program, prefix, list(rules(pathlib.Path(labels_file)))).items():
         lines.append(f"add_test({quoted(test)} {quoted(program)} {quoted(filter_for(names))})")
-        # CTest starts those of the highest cost first.
+        cost = 45 if alone else len(names)  # CTest starts the highest first
         lines.append(f"set_tests_properties({quoted(test)} PROPERTIES TIMEOUT {TIMEOUT} LABELS {quoted(labels)}"
                      f' COST {cost} FAIL_REGULAR_EXPRESSION "test cases: +0 ")')
     pathlib.Path(output).write_text("\n".join(lines) + "\n")

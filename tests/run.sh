@@ -73,7 +73,8 @@ run_tests() { # run_tests PRESET [CTEST OPTION...]
     # Named again at the end, with the cases that failed, where a log that was cut still shows them.
     [ ! -f "$logs/LastTestsFailed.log" ] || failed_tests="$failed_tests$(
         sed "s|^[0-9]*:|  $preset: |" "$logs/LastTestsFailed.log"
-        sed -n 's/^TEST CASE: */    /p' "$logs/LastTest.log" | sort -u
+        awk '/^TEST CASE:/ { name = $0 } /^=====/ { name = "" } /ERROR:/ && name { print name; name = "" }' \
+            "$logs/LastTest.log" | sed 's/^TEST CASE: */    /' | sort -u
     )
 "
     return 1

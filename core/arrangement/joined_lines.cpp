@@ -278,7 +278,6 @@ JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStre
         joined.snapped = snapLines(lines, tolerance, stop);
         return joined;
     }
-    joined.snapped.radius = division.tolerance();
     for (;;) {
         const bool finished = division.divide(stop);
         joined.lines = division.parts();

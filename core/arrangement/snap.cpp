@@ -198,25 +198,26 @@ SnappedLines unsnapped(std::span<const SnapLine> lines) {
 }
 
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop) {
-    SnappedLines none;
-    none.radius = tolerance;
-    return snapLines(lines, tolerance, none, stop);
+    return snapLines(lines, tolerance, SnappedLines(), stop);
 }
 
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const SnappedLines &before,
                        const std::stop_token &stop) {
     SnappedLines result;
     std::span<const LinePin> known = before.pins;
-    double radius = before.radius;
-    do {
+    double radius = before.radius > 0.0 ? before.radius : tolerance;
+    for (;;) {
         const std::size_t passes = result.passes;
         result = PinnedLines(lines, radius, tolerance, known).run(stop);
         result.passes += passes;
         result.radius = radius;
-        known = {}; // a smaller radius needs fewer
-        radius *= 0.5;
-    } while (result.finished && result.displacement > kSlack * tolerance);
-    return result;
+        if (!result.finished || result.displacement <= kSlack * tolerance) {
+            return result;
+        }
+        // Pins of other lines may have moved some too far.
+        radius *= known.empty() ? 0.5 : 1.0;
+        known = {};
+    }
 }
 
 } // namespace forefront

@@ -57,7 +57,8 @@ SnappedLines unsnapped(std::span<const SnapLine> lines);
 /// Then edges near a node are routed through it, and crossing edges get a node, until nothing is left to do. This ends,
 /// since nodes keep apart and edges only get shorter. O(n log n) for the usual few rounds.
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop = {});
-/// Does the same for lines most of which have been joined before, and begins with the radius and the pins found then.
+/// Does the same for lines most of which have been joined before, and begins with the radius and the pins found then,
+/// which saves passes. Pins that are no longer needed may leave nodes on lines.
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const SnappedLines &before,
                        const std::stop_token &stop);
 

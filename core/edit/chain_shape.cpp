@@ -4,35 +4,41 @@
 #include "core/edit/path_curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace forefront {
 
 namespace {
 
-/// Returns the curve turned and scaled to end at two points, if it is an arc that this moves nowhere much farther than
-/// at its ends. An arc that is nearly closed would change out of proportion.
-std::optional<Curve> fittingArc(const Curve &curve, Vec2 start, Vec2 end) {
-    constexpr double kMostChange = 0.01; // of the chord
+/// Returns true if no part of the second curve, which was made from the first by moving its ends, is much farther from
+/// it than the ends.
+bool staysNear(const Curve &given, const Curve &changed) {
     constexpr double kFarther = 4.0;
-    const Vec2 gaps[] = {start - curve.point(0.0), end - curve.point(1.0)};
-    if (!(length(gaps[1] - gaps[0]) <= kMostChange * distance(curve.point(0.0), curve.point(1.0)))) {
-        return std::nullopt;
+    const double gap =
+        std::max(distance(given.point(0.0), changed.point(0.0)), distance(given.point(1.0), changed.point(1.0)));
+    const std::array between{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875};
+    return std::all_of(between.begin(), between.end(),
+                       [&](double t) { return distance(given.point(t), changed.point(t)) <= kFarther * gap; });
+}
+
+/// Returns an arc moved to end at two points: a full turn as it is, others turned and scaled, or a cubic where that
+/// would change the arc out of proportion, as if it is nearly closed.
+Curve movedArc(const Curve &arc, Vec2 start, Vec2 end) {
+    constexpr double kMostChange = 0.01; // of the chord
+    if (start == end && std::fabs(arc.numbers()[7]) > std::numbers::pi) {
+        return moved(arc, start - arc.point(0.0));
     }
-    const Curve fitting = joining(curve, start, end);
-    if (fitting.kind() != CurveKind::Arc || !joins(fitting, start, end)) {
-        return std::nullopt;
-    }
-    const double most = kFarther * std::max(length(gaps[0]), length(gaps[1]));
-    for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}) {
-        if (!(distance(curve.point(t), fitting.point(t)) <= most)) {
-            return std::nullopt;
+    const Vec2 gaps[] = {start - arc.point(0.0), end - arc.point(1.0)};
+    if (length(gaps[1] - gaps[0]) <= kMostChange * distance(arc.point(0.0), arc.point(1.0))) {
+        const Curve fitting = joining(arc, start, end);
+        if (fitting.kind() == CurveKind::Arc && joins(fitting, start, end) && staysNear(arc, fitting)) {
+            return fitting;
         }
     }
-    return fitting;
+    return joining(cubicAlong(arc), start, end);
 }
 
 } // namespace
@@ -40,13 +46,19 @@ std::optional<Curve> fittingArc(const Curve &curve, Vec2 start, Vec2 end) {
 ChainShapes::ChainShapes(const Domain &domain, LooseEnds ends)
     : domain_(domain), ends_(ends), chains_(curveChains(domain)), tolerance_(1e-9 * domain.bounds().diagonal()) {}
 
-bool ChainShapes::isLoose(std::uint32_t curve, double t, std::uint32_t node) const {
-    return !(distance(domain_.curves[curve].point(t), domain_.nodes[node]) <= tolerance_);
+/// Returns which ends of a curve must be moved to end at two nodes.
+ChainShapes::Loose ChainShapes::looseEnds(const Curve &curve, Vec2 start, Vec2 end) const {
+    const Vec2 ends[] = {curve.point(0.0), curve.point(1.0)};
+    const bool isArc = curve.kind() == CurveKind::Arc; // must join its nodes to be kept as one
+    return {distance(ends[0], start) > tolerance_ || (isArc && !joins(curve, start, ends[1])),
+            distance(ends[1], end) > tolerance_ || (isArc && !joins(curve, ends[0], end))};
 }
 
 bool ChainShapes::anyLooseEnd() const {
     return std::any_of(chains_.list.begin(), chains_.list.end(), [&](const CurveChain &chain) {
-        return isLoose(chain.curve, chain.t0, chain.start) || isLoose(chain.curve, chain.t1, chain.end);
+        const Curve along = domain_.curves[chain.curve].part(chain.t0, chain.t1);
+        const Loose loose = looseEnds(along, domain_.nodes[chain.start], domain_.nodes[chain.end]);
+        return loose.start || loose.end;
     });
 }
 
@@ -87,41 +99,28 @@ Curve ChainShapes::curveOf(std::span<const Link> run) const {
     if (curve.kind() != CurveKind::Arc) {
         return joining(curve, start, end);
     }
-    const double gap = std::max(distance(start, curve.point(0.0)), distance(end, curve.point(1.0)));
-    if (gap <= tolerance_ && joins(curve, start, end)) {
-        return curve;
-    }
-    const std::optional<Curve> fitting = fittingArc(curve, start, end);
-    return fitting ? *fitting : joining(cubicAlong(curve), start, end);
+    const Loose loose = looseEnds(curve, start, end);
+    return loose.start || loose.end ? movedArc(curve, start, end) : curve;
 }
 
-/// Returns true if the curve along a run can end at the nodes without moving much farther elsewhere: the handles of a
-/// cubic move with its ends, and so does a cubic along at most a quarter of an arc.
-bool ChainShapes::movesWell(std::span<const Link> run) const {
-    const Curve curve = alongRun(run);
-    constexpr double kQuarter = 0.5 * std::numbers::pi + 1e-9;
-    return curve.kind() != CurveKind::Arc || std::fabs(curve.numbers()[7]) <= kQuarter ||
-           fittingArc(curve, domain_.nodes[run.front().from], domain_.nodes[run.back().to]).has_value();
-}
-
-/// Adds the links along one curve, or one straight link. Chords at loose ends are split off where that is better.
+/// Adds the links along one curve, or one straight link. Chords at loose ends are split off if all nodes must stay, or
+/// if the whole curve would move much farther than its ends.
 void ChainShapes::addRuns(std::span<const Link> run, Shape &shape) const {
-    if (run.size() > 1) {
-        const Link &first = run.front(), &last = run.back();
-        const bool startsLoose = isLoose(first.stretch.curve, first.stretch.t0, first.from);
-        const bool endsLoose = isLoose(last.stretch.curve, last.stretch.t1, last.to);
-        if ((startsLoose || endsLoose) && (ends_ == LooseEnds::MoveChord || !movesWell(run))) {
-            const std::size_t before = startsLoose ? 1 : 0, after = endsLoose && run.size() > before + 1 ? 1 : 0;
-            for (const auto part :
-                 {run.first(before), run.subspan(before, run.size() - before - after), run.last(after)}) {
-                if (!part.empty()) {
-                    addRun(part, shape);
-                }
-            }
-            return;
+    if (run.size() == 1) {
+        return addRun(run, shape);
+    }
+    const Curve curve = alongRun(run);
+    const Loose loose = looseEnds(curve, domain_.nodes[run.front().from], domain_.nodes[run.back().to]);
+    const bool stays = !loose.start && !loose.end;
+    if (stays || (ends_ == LooseEnds::MoveCurve && staysNear(curve, curveOf(run)))) {
+        return addRun(run, shape);
+    }
+    const std::size_t before = loose.start ? 1 : 0, after = loose.end && run.size() > before + 1 ? 1 : 0;
+    for (const auto part : {run.first(before), run.subspan(before, run.size() - before - after), run.last(after)}) {
+        if (!part.empty()) {
+            addRun(part, shape);
         }
     }
-    addRun(run, shape);
 }
 
 void ChainShapes::addRun(std::span<const Link> run, Shape &shape) const {

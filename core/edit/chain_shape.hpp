@@ -11,7 +11,7 @@ namespace forefront {
 
 /// What to do about curves that do not quite end at their nodes, as joining lines leaves them.
 enum class LooseEnds : std::uint8_t {
-    MoveCurve, ///< the whole curve is moved a little, unless that would move it far elsewhere
+    MoveCurve, ///< the whole curve is moved a little, unless that would move it far elsewhere: then as below
     MoveChord, ///< the chord there becomes a curve of its own and is moved; all nodes stay where they are
 };
 
@@ -35,9 +35,11 @@ class ChainShapes {
     };
     std::vector<Link> linksOf(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> segments) const;
     bool continues(const Link &before, const Link &after) const;
-    bool isLoose(std::uint32_t curve, double t, std::uint32_t node) const;
+    struct Loose {
+        bool start = false, end = false;
+    };
+    Loose looseEnds(const Curve &curve, Vec2 start, Vec2 end) const;
     Curve alongRun(std::span<const Link> run) const;
-    bool movesWell(std::span<const Link> run) const;
     void addRuns(std::span<const Link> run, Shape &shape) const;
     void addRun(std::span<const Link> run, Shape &shape) const;
     Curve curveOf(std::span<const Link> run) const;
@@ -48,5 +50,8 @@ class ChainShapes {
     CurveChains chains_;
     double tolerance_; ///< distance between a curve and its ends that counts as rounding
 };
+
+/// Returns the document that shows a domain, as fromDomain() without ends does, which chooses what is valid.
+Document fromDomain(const Domain &domain, LooseEnds ends);
 
 } // namespace forefront

@@ -123,7 +123,8 @@ Domain toDomain(const Document &document);
 SpacingSpec spacingOf(const Document &document);
 
 /// Returns a document that shows a domain: segments are chained to polygons and polylines whose segments follow the
-/// curves of the domain; loops around one curve become circles and ellipses. Tags and names are kept.
+/// curves of the domain; loops around one curve become circles and ellipses. Tags and names are kept. Curves that do
+/// not quite end at their nodes are moved there, or only their outer chords where moving all of any would add a fault.
 Document fromDomain(const Domain &domain);
 
 } // namespace forefront

@@ -2,13 +2,12 @@
 
 #include "core/base/ids.hpp"
 #include "core/edit/boundary_loops.hpp"
-#include "core/edit/chain_shape.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 namespace forefront {
-std::vector<Shape> shapesOf(const Domain &domain) {
+std::vector<Shape> shapesOf(const Domain &domain, LooseEnds ends) {
     std::vector<Shape> shapes;
     const auto loops = boundaryLoops(domain);
     std::vector<std::uint32_t> rest, points(domain.points.size());
@@ -19,12 +18,12 @@ std::vector<Shape> shapesOf(const Domain &domain) {
         }
     }
     if (loops) {
-        const ChainShapes chains(domain);
+        const ChainShapes chains(domain, ends);
         for (const BoundaryLoop &loop : *loops) {
             shapes.push_back(chains.make(loop.nodes, loop.segments, true));
         }
     }
-    for (const auto &shape : fromDomain(partOf(domain, rest, points)).shapes) {
+    for (const auto &shape : fromDomain(partOf(domain, rest, points), ends).shapes) {
         shapes.push_back(*shape);
         shapes.back().id = 0;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/document.hpp"
+#include "core/edit/chain_shape.hpp"
 
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@ namespace forefront {
 
 /// Returns shapes, without ids and names, that show an even-odd domain: a polygon for each of boundaryLoops() where the
 /// boundary is closed, else chains as in fromDomain(); then its constraints and points.
-std::vector<Shape> shapesOf(const Domain &domain);
+std::vector<Shape> shapesOf(const Domain &domain, LooseEnds ends = LooseEnds::MoveCurve);
 
 /// Returns the domain of some segments and points of a domain, without markers and other nodes; both keep their order.
 Domain partOf(const Domain &domain, std::span<const std::uint32_t> segments, std::span<const std::uint32_t> points);

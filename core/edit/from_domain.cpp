@@ -148,14 +148,14 @@ void addChains(const Domain &domain, const ChainShapes &shapes, Document &docume
     }
 }
 
-bool isValid(const Domain &domain) {
-    return !hasErrors(validate(domain, 1));
-}
+} // namespace
 
-/// Returns a document with shapes along the segments of `evenOdd`, which are those of the domain with other roles.
-Document documentOf(const Domain &domain, const Domain &evenOdd, const ChainShapes &shapes) {
+Document fromDomain(const Domain &domain, LooseEnds ends) {
+    const bool markers = domain.insideRule == InsideRule::HoleMarkers;
+    const std::optional<Domain> converted = markers ? std::optional(withEvenOddRoles(domain)) : std::nullopt;
+    const Domain &evenOdd = converted ? *converted : domain;
     Document document;
-    addChains(evenOdd, shapes, document);
+    addChains(evenOdd, ChainShapes(evenOdd, ends), document);
     addPoints(domain, document);
     document.regionMarkers = domain.regionMarkers;
     document.boundaryNames = domain.boundaryNames;
@@ -164,17 +164,11 @@ Document documentOf(const Domain &domain, const Domain &evenOdd, const ChainShap
     return document;
 }
 
-} // namespace
-
 Document fromDomain(const Domain &domain) {
-    const bool markers = domain.insideRule == InsideRule::HoleMarkers;
-    const std::optional<Domain> converted = markers ? std::optional(withEvenOddRoles(domain)) : std::nullopt;
-    const Domain &evenOdd = converted ? *converted : domain;
-    const ChainShapes shapes(evenOdd);
-    Document document = documentOf(domain, evenOdd, shapes);
+    Document document = fromDomain(domain, LooseEnds::MoveCurve);
     // Whole curves that are moved to end at their nodes may cross others nearby, or leave a region's marker.
-    if (shapes.anyLooseEnd() && !isValid(toDomain(document)) && isValid(domain)) {
-        return documentOf(domain, evenOdd, ChainShapes(evenOdd, LooseEnds::MoveChord));
+    if (ChainShapes(domain).anyLooseEnd() && validate(toDomain(document)).size() > validate(domain).size()) {
+        return fromDomain(domain, LooseEnds::MoveChord);
     }
     return document;
 }

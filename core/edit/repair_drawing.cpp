@@ -62,8 +62,15 @@ class DrawingRepair {
         RepairedDrawing result{document_, std::move(repaired->changes), validate(repaired->domain), {}};
         if (!result.changes.empty()) {
             findChanged(*repaired);
-            if (Status faults = replaceChanged(*repaired, result); !faults.empty()) {
+            const RepairedDrawing unchanged = result;
+            if (Status faults = replaceChanged(*repaired, LooseEnds::MoveCurve, result); !faults.empty()) {
                 return faults;
+            }
+            if (!given_.curves.empty() && validate(toDomain(result.document)).size() > result.left.size()) {
+                result = unchanged;
+                if (Status faults = replaceChanged(*repaired, LooseEnds::MoveChord, result); !faults.empty()) {
+                    return faults;
+                }
             }
         }
         return result;
@@ -113,7 +120,7 @@ class DrawingRepair {
                endsOf(domain.nodes[now.a], domain.nodes[now.b]) == endsOf(given_.nodes[then.a], given_.nodes[then.b]);
     }
 
-    Status replaceChanged(const Repaired &repaired, RepairedDrawing &result) const {
+    Status replaceChanged(const Repaired &repaired, LooseEnds ends, RepairedDrawing &result) const {
         const Domain &domain = repaired.domain;
         Document &next = result.document;
         std::vector<std::uint32_t> segments, points;
@@ -140,7 +147,7 @@ class DrawingRepair {
                 next.shapes.push_back(document_.shapes[k]);
             }
         }
-        std::vector<Shape> made = shapesOf(partOf(domain, segments, points));
+        std::vector<Shape> made = shapesOf(partOf(domain, segments, points), ends);
         moveSizes(repaired, made, result);
         for (Shape &shape : made) {
             shape.id = next.nextId++;

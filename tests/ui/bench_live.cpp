@@ -29,6 +29,7 @@ constexpr const char *kGestures[] = {"node", "source", "brush"};
 class DragBench {
   public:
     DragBench(Gesture gesture, double elements) : gesture_(gesture), wanted_(elements) {
+        driver_.platform().show(true);
         driver_.polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
         Document sized = driver_.document();
         sized.spacing.size = std::sqrt(64.0 / (0.433 * elements));

@@ -23,6 +23,7 @@ double millisecondsNow() {
 class SeekBench {
   public:
     SeekBench(Method method, double elements) : method_(method) {
+        driver_.platform().show(true);
         driver_.rectangle({0, 0}, {8, 8});
         Document sized = driver_.document();
         sized.spacing.size = std::sqrt(64.0 / (0.433 * elements));

@@ -1,5 +1,5 @@
 #include "core/domain/validate.hpp"
-#include "core/edit/document.hpp"
+#include "core/edit/chain_shape.hpp"
 #include "core/io/svg/svg.hpp"
 #include "tests/support/curved_area.hpp"
 #include "tests/unit/arrangement_support.hpp"
@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -16,43 +17,74 @@ using namespace forefront::testing;
 
 namespace {
 
-/// A circle of radius 5 that is open by `gap` on the right, and a triangle whose corner is `off` beside its start, so
-/// that they are joined.
-Domain nearlyClosed(double gap, double off) {
-    const std::string text =
-        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 13 12'><path d='M 11 6 A 5 5 0 1 1 11 " +
-        std::to_string(6.0 - gap) + " Z'/><path d='M " + std::to_string(11.0 - off) + " 6 L 12 6.5 L 12 5.5 Z'/></svg>";
+/// Joining moves the given end of a shape onto the corner of a triangle to its left, `kOff` beside it.
+constexpr double kOff = 6e-6;
+
+Domain besideTriangle(const std::string &shape, Vec2 end, const std::string &others = "L 12 6.5 L 12 5.5") {
+    const std::string corner = std::to_string(end.x - kOff) + " " + std::to_string(end.y);
+    const std::string text = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 13 12'>" + shape + "<path d='M " +
+                             corner + " " + others + " Z'/></svg>";
     const Result<Domain> domain = readSvg(sourceOf(text));
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    CHECK(ChainShapes(*domain).anyLooseEnd());
     return *domain;
+}
+
+double areaOf(const Domain &domain) {
+    double area = 0.0;
+    for (const auto &[tag, own] : curvedAreas(domain)) {
+        area += own;
+    }
+    return area;
+}
+
+/// Checks that every node of a domain lies at its place in another one.
+void checkPlaces(const Domain &domain, const Domain &expected, double tolerance) {
+    REQUIRE(domain.nodes.size() == expected.nodes.size());
+    for (const Vec2 node : domain.nodes) {
+        const bool found = std::any_of(expected.nodes.begin(), expected.nodes.end(),
+                                       [&](Vec2 p) { return distance(p, node) <= tolerance; });
+        CHECK(found);
+    }
 }
 
 } // namespace
 
 TEST_CASE("Loose ends: an arc that is nearly closed keeps its size when joining has moved an end") {
-    constexpr double kOff = 6e-6;
     for (const double gap : {3e-4, 1e-3, 1e-2, 0.1, 1.0}) {
         CAPTURE(gap);
-        const Domain drawn = toDomain(fromDomain(nearlyClosed(gap, kOff)));
+        const std::string path = "<path d='M 11 6 A 5 5 0 1 1 11 " + std::to_string(6.0 - gap) + " Z'/>";
+        const Domain given = besideTriangle(path, {11, 6}), drawn = toDomain(fromDomain(given));
         CHECK(validate(drawn).empty());
-        double area = 0.0;
-        for (const auto &[tag, own] : curvedAreas(drawn)) {
-            area += own;
-        }
-        const double half = std::asin(gap / 10.0); // of the angle of the gap, whose ends the circle is turned to
+        checkPlaces(drawn, given, 4.0 * kOff);
+        const double half = std::asin(gap / 10.0); // of the angle that the gap spans at the centre
         const double circle = 25.0 * (std::numbers::pi - half) + 25.0 * std::sin(half) * std::cos(half);
-        CHECK(std::fabs(area - (circle + 0.5)) <= 1e-4);
-        for (const Vec2 node : drawn.nodes) {
-            CHECK(node.x > 1.0 - 1e-3);
-        }
+        CHECK(std::fabs(areaOf(drawn) - (circle + 0.5)) <= 2e-4);
     }
+}
+
+TEST_CASE("Loose ends: a quarter of a flat ellipse does not move farther than its end") {
+    const Domain given = besideTriangle("<path d='M 7.0710678 5.2928932 A 10 0.1 0 0 1 7.0710678 5.4343146 Z'/>",
+                                        {7.0710678, 5.2928932}, "L 6 1 L 8 1");
+    const Domain drawn = toDomain(fromDomain(given));
+    CHECK(validate(drawn).empty());
+    checkPlaces(drawn, given, 4.0 * kOff);
+}
+
+TEST_CASE("Loose ends: a circle whose node was moved stays a circle") {
+    const Domain given = besideTriangle("<circle cx='6' cy='6' r='5'/>", {11, 6});
+    const Document document = fromDomain(given);
+    REQUIRE(document.shapes.size() == 2);
+    CHECK(std::any_of(document.shapes.begin(), document.shapes.end(),
+                      [](const auto &shape) { return shape->kind == ShapeKind::Circle; }));
+    checkPlaces(toDomain(document), given, 1.001 * kOff);
 }
 
 TEST_CASE("Loose ends: a curve with moved ends does not cross what it was apart from") {
     Domain domain;
     domain.curves = {Curve::cubic({0, 0}, {3, 1}, {7, 1}, {10, 0})};
     const Vec2 below{0.0, -0.009};
-    // The curve is higher by that at its ends; a line ends just under its highest point.
+    // Its ends are below the curve by that; a line ends just under its highest point.
     domain.nodes = {below,
                     domain.curves[0].point(0.25),
                     domain.curves[0].point(0.5),
