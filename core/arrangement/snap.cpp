@@ -214,9 +214,10 @@ SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const 
         if (!result.finished || result.displacement <= kSlack * tolerance) {
             return result;
         }
-        // Pins of other lines may have moved some too far.
-        radius *= known.empty() ? 0.5 : 1.0;
-        known = {};
+        if (known.empty()) {
+            radius *= 0.5;
+        }
+        known = {}; // they may have moved other lines too far
     }
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// Returns true if no part of the second curve, which was made from the first by moving its ends, is much farther from
 /// it than the ends.
 bool staysNear(const Curve &given, const Curve &changed) {
-    constexpr double kFarther = 4.0;
+    constexpr double kFarther = 4.0; // times as far as its ends
     const double gap =
         std::max(distance(given.point(0.0), changed.point(0.0)), distance(given.point(1.0), changed.point(1.0)));
     const std::array between{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875};
@@ -27,7 +27,7 @@ bool staysNear(const Curve &given, const Curve &changed) {
 /// Returns an arc moved to end at two points: a full turn as it is, others turned and scaled, or a cubic where that
 /// would change the arc out of proportion, as if it is nearly closed.
 Curve movedArc(const Curve &arc, Vec2 start, Vec2 end) {
-    constexpr double kMostChange = 0.01; // of the chord
+    constexpr double kMostChange = 0.01; // relative to the chord
     if (start == end && std::fabs(arc.numbers()[7]) > std::numbers::pi) {
         return moved(arc, start - arc.point(0.0));
     }

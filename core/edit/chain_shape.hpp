@@ -22,6 +22,7 @@ class ChainShapes {
     /// Keeps a reference to the domain, which must outlive it.
     explicit ChainShapes(const Domain &domain, LooseEnds ends = LooseEnds::MoveCurve);
 
+    /// Returns true if some curve does not quite end at its nodes.
     bool anyLooseEnd() const;
     /// Returns a shape, without id, name and use, along segments in order: segment k joins nodes k and k+1; the last of
     /// a closed chain leads back to the first node. A loop around one ellipse becomes a circle or an ellipse.
@@ -51,7 +52,7 @@ class ChainShapes {
     double tolerance_; ///< distance between a curve and its ends that counts as rounding
 };
 
-/// Returns the document that shows a domain, as fromDomain() without ends does, which chooses what is valid.
+/// Returns a document that shows a domain. Without `ends`, fromDomain() chooses them so that no fault is added.
 Document fromDomain(const Domain &domain, LooseEnds ends);
 
 } // namespace forefront

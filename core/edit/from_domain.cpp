@@ -5,7 +5,6 @@
 #include "core/edit/hole_markers.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace forefront {
 namespace {
@@ -137,7 +136,8 @@ void addPoints(const Domain &domain, Document &document) {
     }
 }
 
-void addChains(const Domain &domain, const ChainShapes &shapes, Document &document) {
+void addChains(const Domain &domain, LooseEnds ends, Document &document) {
+    const ChainShapes shapes(domain, ends);
     for (const SegmentRole role : {SegmentRole::Boundary, SegmentRole::Constraint}) {
         for (const Chain &chain : Chainer(domain, role).chains()) {
             Shape shape = shapes.make(chain.nodes, chain.segments, chain.closed);
@@ -151,11 +151,12 @@ void addChains(const Domain &domain, const ChainShapes &shapes, Document &docume
 } // namespace
 
 Document fromDomain(const Domain &domain, LooseEnds ends) {
-    const bool markers = domain.insideRule == InsideRule::HoleMarkers;
-    const std::optional<Domain> converted = markers ? std::optional(withEvenOddRoles(domain)) : std::nullopt;
-    const Domain &evenOdd = converted ? *converted : domain;
     Document document;
-    addChains(evenOdd, ChainShapes(evenOdd, ends), document);
+    if (domain.insideRule == InsideRule::HoleMarkers) {
+        addChains(withEvenOddRoles(domain), ends, document);
+    } else {
+        addChains(domain, ends, document);
+    }
     addPoints(domain, document);
     document.regionMarkers = domain.regionMarkers;
     document.boundaryNames = domain.boundaryNames;

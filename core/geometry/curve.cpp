@@ -205,7 +205,7 @@ double Curve::length(double t0, double t1) const {
         }
         std::sort(ends.begin(), ends.end());
     }
-    double size = 0.0; // of the terms that make the derivative
+    double size = 0.0; // bound on the terms that add up to the derivative
     if (kind_ == CurveKind::Arc) {
         const double angles = std::max({1.0, std::fabs(angle(0.0)), std::fabs(angle(1.0))}); // are rounded, too
         size = std::fabs(p_[3].y) * (forefront::length(p_[1]) + forefront::length(p_[2])) * angles;

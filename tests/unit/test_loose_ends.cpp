@@ -28,6 +28,7 @@ Domain besideTriangle(const std::string &shape, Vec2 end, const std::string &oth
     const std::string text = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 13 12'>" + shape + "<path d='M " +
                              corner + " " + others + " Z'/></svg>";
     const Result<Domain> domain = readSvg(sourceOf(text));
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     CHECK(ChainShapes(*domain).anyLooseEnd());
     return *domain;
 }
@@ -59,7 +60,7 @@ TEST_CASE("Loose ends: an arc that is nearly closed keeps its size when joining 
         const Domain given = besideTriangle(path, {11, 6}), drawn = toDomain(fromDomain(given));
         CHECK(validate(drawn).empty());
         checkPlaces(drawn, given, 4.0 * kOff);
-        const double half = std::asin(gap / 10.0); // of the angle that the gap spans at the centre
+        const double half = std::asin(gap / 10.0); // half the angle that the gap spans at the centre
         const double circle = 25.0 * (std::numbers::pi - half) + 25.0 * std::sin(half) * std::cos(half);
         CHECK(std::fabs(areaOf(drawn) - (circle + 0.5)) <= 2e-4);
     }
