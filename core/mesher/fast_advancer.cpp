@@ -114,9 +114,12 @@ template <class Grid, class Trace>
 void FastAdvancer<Grid, Trace>::offerStrip() {
     const FrontStrips &strips = *state_.strips;
     const std::size_t phase = strips.phaseOf(state_.strip);
-    if (inStrips_.empty() || phaseOfLists_ != phase) {
+    // Strips of a phase do not touch, so the lists of later ones stay as they are while earlier ones are meshed. After
+    // a move back, those of strips that were meshed when the lists were made are of no use.
+    if (inStrips_.empty() || phaseOfLists_ != phase || state_.strip < listedFrom_) {
         inStrips_ = segmentsByStrip(state_.front, strips, phase);
         phaseOfLists_ = phase;
+        listedFrom_ = state_.strip;
     }
     offerSorted(state_.walkOrder, state_.front, inStrips_[state_.strip - strips.phases[phase]]);
 }

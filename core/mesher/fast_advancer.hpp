@@ -63,6 +63,7 @@ class FastAdvancer {
     /// other strips of the phase do not change them. Empty until the first strip is entered.
     std::vector<std::vector<SlotId>> inStrips_;
     std::size_t phaseOfLists_ = 0;
+    std::uint32_t listedFrom_ = 0; ///< the strip entered when the lists were made
 };
 
 /// Offers the segments of Γ that lie in the box to the order, sorted by their nodes so that slots do not matter.
