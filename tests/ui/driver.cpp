@@ -209,6 +209,7 @@ bool Driver::script(std::string_view commands) {
 Driver::Picture Driver::picture() {
     platform_->show(true);
     editor_->frame();
+    editor_->frame(); // legends follow what the layers have drawn
     platform_->show(false);
     platform_->makeCurrent();
     return {platform_->framebufferSize(), platform_->pixels()};

@@ -282,6 +282,7 @@ TEST_CASE("Fuzz: random input leaves a valid document that can be undone to its 
             continue;
         }
         if (++count % 3 == 0) { // more would be a backlog, and the hand would aim at what was drawn long ago
+            driver.platform().show(count % 30 == 0); // the layers draw whatever came out, too
             while (!driver.editor().input().empty()) {
                 driver.frames(1);
                 watch.look(driver.context().document);

@@ -272,6 +272,7 @@ TEST_CASE("Canvas: a small mesh is redrawn whenever the camera moves") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key(key::kF5);
+    driver.platform().show(true);
     driver.settle();
     const std::uint64_t before = driver.editor().canvas().stillDraws();
     driver.context().view.camera.pan({3.0, 2.0});

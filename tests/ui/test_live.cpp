@@ -68,6 +68,7 @@ TEST_CASE("Live: the mesh and the preview follow a node that is dragged without 
 
 TEST_CASE("Live: the still parts are drawn once for a mesh and its preview, not for each move of the pointer") {
     LiveDrag driver;
+    driver.platform().show(true);
     const std::uint64_t before = driver.editor().canvas().stillDraws();
     std::size_t meshes = 0, previewsAlone = 0;
     while (meshes < 12) {
@@ -79,7 +80,9 @@ TEST_CASE("Live: the still parts are drawn once for a mesh and its preview, not 
         previewsAlone += !newMesh && driver.context().preview != preview ? 1 : 0;
     }
     // Only where meshing takes long does a preview come before its mesh, and perhaps before its raster.
-    CHECK(driver.editor().canvas().stillDraws() - before <= meshes + 2 * previewsAlone + 3);
+    const std::uint64_t draws = driver.editor().canvas().stillDraws() - before;
+    CHECK(draws >= meshes);
+    CHECK(draws <= meshes + 2 * previewsAlone + 3);
 }
 
 TEST_CASE("Live: each gesture leaves one line in the log") {

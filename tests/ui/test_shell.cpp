@@ -194,7 +194,8 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
     Driver driver;
-    driver.key(key::k2); // the legend of the shapes needs a mesh
+    driver.platform().show(true); // legends belong to what is drawn
+    driver.key(key::k2);          // the legend of the shapes needs a mesh
     driver.settle();
     for (const auto &each : sizes) {
         driver.platform().resize(each.first, each.second);
@@ -231,6 +232,7 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
 TEST_CASE("Editor: nothing overlaps in a small window") {
     const std::pair<PixelSize, double> sizes[] = {{{800, 500}, 1.0}, {{1280, 800}, 2.0}, {{1100, 700}, 1.5}};
     Driver driver;
+    driver.platform().show(true); // legends belong to what is drawn
     driver.key(key::k2);
     driver.settle();
     Document changed = *driver.context().document.current();

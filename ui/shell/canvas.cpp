@@ -206,6 +206,9 @@ void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
         drawSlices(context, frame, content);
         return;
     }
+    if (!context.platform.shown()) {
+        return; // drawn when someone will see it
+    }
     ++stillDraws;
     const Camera wide = still.begin(content, frame.camera);
     const LayerFrame around = frameOf(context, wide);
