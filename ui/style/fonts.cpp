@@ -1,5 +1,7 @@
 #include "ui/style/fonts.hpp"
 
+#include "ui/style/icons.hpp"
+
 #include <imgui.h>
 #include <imgui_freetype.h>
 
@@ -16,7 +18,17 @@ const ImWchar kTextRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0
                                0x2070, 0x2094, 0x2190, 0x2195, 0x21e7, 0x21e7, 0x2202, 0x2202,
                                0x2205, 0x2265, 0x2318, 0x2318, 0x25a0, 0x25cf, 0};
 const ImWchar kAllLatin[] = {0x0020, 0x017f, 0x2010, 0x2027, 0};
-const ImWchar kIconRange[] = {0xf000, 0xf2e0, 0};
+
+/// Returns the ranges of the icons in use. Font Awesome has ten times as many, which would take half of the start.
+ImVector<ImWchar> iconRanges() {
+    ImFontGlyphRangesBuilder builder;
+    for (const char *icon : icon::kAll) {
+        builder.AddText(icon);
+    }
+    ImVector<ImWchar> ranges;
+    builder.BuildRanges(&ranges);
+    return ranges;
+}
 
 class AtlasBuilder {
   public:
@@ -41,13 +53,13 @@ class AtlasBuilder {
             ImFontConfig merge;
             merge.MergeMode = true;
             merge.GlyphOffset.y = std::round(0.5F * scale_);
-            add("truetype/font-awesome/fontawesome-webfont.ttf", size, kIconRange, &merge);
+            add("truetype/font-awesome/fontawesome-webfont.ttf", size, icons_.Data, &merge);
         }
         return font;
     }
 
     ImFont *icons(float size) {
-        return add("truetype/font-awesome/fontawesome-webfont.ttf", size, kIconRange, nullptr);
+        return add("truetype/font-awesome/fontawesome-webfont.ttf", size, icons_.Data, nullptr);
     }
 
     ImFont *mono(float size) { return add("truetype/dejavu/DejaVuSansMono.ttf", size, kAllLatin, nullptr); }
@@ -70,6 +82,7 @@ class AtlasBuilder {
 
     float scale_;
     std::string &warning_;
+    ImVector<ImWchar> icons_ = iconRanges(); ///< used until the atlas has been built
 };
 
 /// Gives all digits the width of the widest and centres them in it. FreeType within Dear ImGui does not apply the

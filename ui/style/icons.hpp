@@ -65,5 +65,18 @@ inline constexpr const char *kLock = "\xef\x80\xa3";       // lock
 inline constexpr const char *kList = "\xef\x80\xba";       // list
 inline constexpr const char *kColumns = "\xef\x83\x9b";    // columns
 inline constexpr const char *kBook = "\xef\x80\xad";       // book
+inline constexpr const char *kMeasure = "\xef\x81\xbe";    // arrows-h
+inline constexpr const char *kSlot = "\xef\x88\x84";       // toggle-off
+inline constexpr const char *kTrim = "\xef\x83\x84";       // scissors
+
+/// Every icon above: the only ones that the fonts hold.
+inline constexpr const char *kAll[] = {
+    kSelect,  kPolygon,   kPolyline, kCircle, kRectangle, kEllipse, kRegular,  kArc,    kPoint,      kBrush,
+    kSource,  kGradient,  kEraser,   kPlay,   kPause,     kToStart, kToEnd,    kBack,   kForward,    kStop,
+    kEye,     kEyeClosed, kWarning,  kError,  kInfo,      kCheck,   kCross,    kFolder, kFolderOpen, kFile,
+    kSave,    kExport,    kImport,   kUndo,   kRedo,      kSearch,  kSettings, kHelp,   kTrash,      kMagnet,
+    kFit,     kRight,     kDown,     kUp,     kDot,       kBolt,    kClock,    kPlus,   kMinus,      kSun,
+    kMoon,    kKeyboard,  kImage,    kTag,    kFlag,      kHome,    kRefresh,  kUnlock, kLock,       kList,
+    kColumns, kBook,      kMeasure,  kSlot,   kTrim};
 
 } // namespace forefront::icon

@@ -25,7 +25,7 @@ std::string degrees(double angle) {
 } // namespace
 
 const char *MeasureTool::icon() const {
-    return "\xef\x81\xbe"; // Font Awesome: arrows-h
+    return icon::kMeasure;
 }
 
 std::optional<Vec2> MeasureTool::anchor() const {

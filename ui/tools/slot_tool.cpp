@@ -29,7 +29,7 @@ std::string doubled(const std::string &text) {
 } // namespace
 
 const char *SlotTool::icon() const {
-    return "\xef\x88\x84"; // Font Awesome: toggle-off
+    return icon::kSlot;
 }
 
 std::span<const EntryField> SlotTool::entryFields() const {

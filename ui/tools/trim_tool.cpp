@@ -14,7 +14,7 @@ bool isEnd(const Shape &shape, std::uint32_t node) {
 } // namespace
 
 const char *TrimTool::icon() const {
-    return "\xef\x83\x84"; // Font Awesome: scissors
+    return icon::kTrim;
 }
 
 void TrimTool::deactivate(Shell &) {
