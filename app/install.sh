@@ -14,7 +14,7 @@ core='g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libpugixm
 editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype-dev libxcb1-dev libegl-dev libgl-dev
     libopengl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb0 fonts-inter fonts-dejavu-core fonts-font-awesome'
 tests='doctest-dev libboost-dev libeigen3-dev libmuparser-dev python3 xvfb xauth xdotool xclip x11-utils imagemagick
-    librsvg2-bin ccache clang-format clang-tidy desktop-file-utils doxygen gcovr git'
+    librsvg2-bin ccache clang clang-format clang-tidy desktop-file-utils doxygen gcovr git'
 
 wanted="$core $editor"
 for option in "$@"; do
