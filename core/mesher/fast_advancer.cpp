@@ -114,8 +114,8 @@ template <class Grid, class Trace>
 void FastAdvancer<Grid, Trace>::offerStrip() {
     const FrontStrips &strips = *state_.strips;
     const std::size_t phase = strips.phaseOf(state_.strip);
-    // Strips of a phase do not touch, so the lists of later ones stay as they are while earlier ones are meshed. After
-    // a move back, those of strips that were meshed when the lists were made are of no use.
+    // Strips of a phase do not overlap, so meshing one does not change the lists of the later ones. Lists made in a
+    // later strip than this one may be wrong here: its segments had been meshed by then.
     if (inStrips_.empty() || phaseOfLists_ != phase || state_.strip < listedFrom_) {
         inStrips_ = segmentsByStrip(state_.front, strips, phase);
         phaseOfLists_ = phase;

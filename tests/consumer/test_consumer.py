@@ -123,10 +123,10 @@ def by_pkg_config(kind, prefix, folder):
 
 def by_add_subdirectory(folder):
     """One build tree, first static and then shared, so that the library is compiled once. It is compiled with clang where
-    that is installed and not optimised: the mesh depends neither on the compiler nor on its options."""
+    that is installed, and not optimised: the mesh must be the same with another compiler and other options."""
     made = source_folder(folder, "add-subdirectory", EXAMPLE + CARELESS)
     (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
-    compiler = shutil.which("clang++") or "c++"
+    compiler = os.environ.get("CXX") or shutil.which("clang++") or "c++"
     for kind, shared in (("static", "OFF"), ("shared", "ON")):
         run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_CXX_COMPILER={compiler}", "-DCMAKE_BUILD_TYPE=Debug",
             "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DFOREFRONT_PCH=ON", "-DCMAKE_UNITY_BUILD=ON", "-DFOREFRONT_WERROR=ON",

@@ -209,7 +209,7 @@ bool Driver::script(std::string_view commands) {
 Driver::Picture Driver::picture() {
     platform_->show(true);
     editor_->frame();
-    editor_->frame(); // legends follow what the layers have drawn
+    editor_->frame(); // labels leave room for the legends of the last frame
     platform_->show(false);
     platform_->makeCurrent();
     return {platform_->framebufferSize(), platform_->pixels()};

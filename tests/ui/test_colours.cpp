@@ -44,8 +44,11 @@ struct ColouredSquare : MeshedSquare {
 
 TEST_CASE("Colours: quality and spacing exclude each other") {
     ColouredSquare driver;
+    driver.platform().show(true); // this legend belongs to what is drawn
     REQUIRE(driver.visible("size"));
     driver.unfoldLayers();
+    driver.settle();
+    CHECK(driver.has("canvas/legend/size"));
     driver.click("layer/quality");
     CHECK(driver.visible("quality"));
     CHECK_FALSE(driver.visible("size"));

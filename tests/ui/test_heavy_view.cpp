@@ -268,6 +268,20 @@ TEST_CASE("Canvas: at the deepest zoom, a circle is drawn where it is") {
     }
 }
 
+TEST_CASE("Canvas: a half-drawn picture is given up when the mesh is hidden, whether frames are shown or not") {
+    for (const bool shown : {true, false}) {
+        HeavySquare driver;
+        driver.showPart(34'000);
+        driver.frames(1);
+        REQUIRE(driver.editor().canvas().drawsNews());
+        driver.platform().show(shown);
+        driver.showPart(100);
+        driver.frames(1);
+        CHECK_FALSE(driver.editor().canvas().drawsNews());
+        driver.settle();
+    }
+}
+
 TEST_CASE("Canvas: a small mesh is redrawn whenever the camera moves") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

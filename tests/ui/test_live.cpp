@@ -69,6 +69,7 @@ TEST_CASE("Live: the mesh and the preview follow a node that is dragged without 
 TEST_CASE("Live: the still parts are drawn once for a mesh and its preview, not for each move of the pointer") {
     LiveDrag driver;
     driver.platform().show(true);
+    driver.settle();
     const std::uint64_t before = driver.editor().canvas().stillDraws();
     std::size_t meshes = 0, previewsAlone = 0;
     while (meshes < 12) {

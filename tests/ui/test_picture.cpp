@@ -451,6 +451,7 @@ TEST_CASE("Picture: panning and zooming redraw a large picture without reading o
     CHECK(shown->size == PixelSize{9000, 300});
     CHECK(shown->columns == 4500);
     CHECK(pictureOf(driver).size == Vec2{9000.0, 300.0});
+    CHECK(looksBlue(driver.picture(), driver.canvas().centre()));
     driver.scroll(driver.canvas().centre(), 5.0);
     driver.settle();
     CHECK(driver.context().pictures.shown() == shown);

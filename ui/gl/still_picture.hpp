@@ -35,6 +35,8 @@ class StillPicture {
     Camera refine(const PictureContent &content, const Camera &camera, bool &begins);
     /// Shows the picture that refine() was called for, once it is complete.
     void finishRefining();
+    /// Gives up a heavy picture that is incomplete.
+    void abandon() { refining_ = false; }
     /// Returns true while a heavy picture of new content is incomplete.
     bool drawsNews() const { return refining_ && !(drawn_ && next().content.all == shown().content.all); }
     /// Copies the last complete picture to the current framebuffer, as seen by this camera. If it shows something else,

@@ -29,8 +29,8 @@ class EglPlatform final : public Platform {
     void setClipboard(const std::string &text) override { clipboard_ = text; }
 
     void resize(PixelSize size, double contentScale);
-    /// Sets whether the next frames are shown. Of the others only the canvas is drawn, into a single pixel, since
-    /// software rasterising takes most of the frame time.
+    /// Sets whether the next frames are shown. Of the others only what moves on the canvas and the pictures of large
+    /// meshes are drawn, the former into a single pixel, since software rasterising takes most of the frame time.
     void show(bool shown) { shown_ = shown; }
     const std::string &title() const { return title_; }
     CursorShape cursor() const { return cursor_; }

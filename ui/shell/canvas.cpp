@@ -206,8 +206,9 @@ void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
         drawSlices(context, frame, content);
         return;
     }
-    if (!context.platform.shown()) {
-        return; // drawn when someone will see it
+    if (!context.platform.shown()) { // a heavy picture is drawn all the same, since it takes many frames
+        still.abandon();
+        return;
     }
     ++stillDraws;
     const Camera wide = still.begin(content, frame.camera);
