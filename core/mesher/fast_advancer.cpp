@@ -116,9 +116,8 @@ void FastAdvancer<Grid, Trace>::offerStrip() {
     const std::size_t phase = strips.phaseOf(state_.strip);
     // Strips of a phase do not overlap, so meshing one does not change the lists of the later ones. Lists made in a
     // later strip than this one may be wrong here: its segments had been meshed by then.
-    if (inStrips_.empty() || phaseOfLists_ != phase || state_.strip < listedFrom_) {
+    if (inStrips_.empty() || strips.phaseOf(listedFrom_) != phase || state_.strip < listedFrom_) {
         inStrips_ = segmentsByStrip(state_.front, strips, phase);
-        phaseOfLists_ = phase;
         listedFrom_ = state_.strip;
     }
     offerSorted(state_.walkOrder, state_.front, inStrips_[state_.strip - strips.phases[phase]]);

@@ -62,7 +62,6 @@ class FastAdvancer {
     /// The segments of Γ inside each strip of a phase, so that not every strip has to look at all of Γ. Advances in
     /// other strips of the phase do not change them. Empty until the first strip is entered.
     std::vector<std::vector<SlotId>> inStrips_;
-    std::size_t phaseOfLists_ = 0;
     std::uint32_t listedFrom_ = 0; ///< the strip entered when the lists were made
 };
 

@@ -232,7 +232,7 @@ TEST_CASE("snapLines: soon halves the radius where lines are too crowded for pin
     CHECK(again.passes < snapped.passes);
 }
 
-TEST_CASE("snapLines: known pins save passes, whatever the order and direction of the lines") {
+TEST_CASE("snapLines: fewer passes are needed where pins are known, whatever the order and direction of the lines") {
     constexpr double kTolerance = 0.02;
     RandomSource random(11);
     const auto place = [&] { return Vec2{random.between(0.0, 1.0), random.between(0.0, 1.0)}; };

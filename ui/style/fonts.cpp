@@ -6,8 +6,10 @@
 #include <imgui_freetype.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 namespace forefront {
 
@@ -19,16 +21,17 @@ const ImWchar kTextRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0
                                0x2205, 0x2265, 0x2318, 0x2318, 0x25a0, 0x25cf, 0};
 const ImWchar kAllLatin[] = {0x0020, 0x017f, 0x2010, 0x2027, 0};
 
-/// Returns the ranges of the icons in use. Font Awesome has ten times as many, which would take half of the start.
-ImVector<ImWchar> iconRanges() {
-    ImFontGlyphRangesBuilder builder;
-    for (const char *icon : icon::kAll) {
-        builder.AddText(icon);
+/// The icons in use, each a range of its own. Rasterising all of Font Awesome would make loading the fonts take three
+/// times as long.
+constexpr auto kIconRanges = [] {
+    std::array<ImWchar, 2 * std::size(icon::kAll) + 1> ranges{};
+    for (std::size_t i = 0; i < std::size(icon::kAll); ++i) {
+        const char *const utf8 = icon::kAll[i]; // three bytes
+        const int code = ((utf8[0] & 0x0f) << 12) | ((utf8[1] & 0x3f) << 6) | (utf8[2] & 0x3f);
+        ranges[2 * i] = ranges[2 * i + 1] = static_cast<ImWchar>(code);
     }
-    ImVector<ImWchar> ranges;
-    builder.BuildRanges(&ranges);
-    return ranges;
-}
+    return ranges; // ends with 0
+}();
 
 class AtlasBuilder {
   public:
@@ -53,13 +56,13 @@ class AtlasBuilder {
             ImFontConfig merge;
             merge.MergeMode = true;
             merge.GlyphOffset.y = std::round(0.5F * scale_);
-            add("truetype/font-awesome/fontawesome-webfont.ttf", size, icons_.Data, &merge);
+            add("truetype/font-awesome/fontawesome-webfont.ttf", size, kIconRanges.data(), &merge);
         }
         return font;
     }
 
     ImFont *icons(float size) {
-        return add("truetype/font-awesome/fontawesome-webfont.ttf", size, icons_.Data, nullptr);
+        return add("truetype/font-awesome/fontawesome-webfont.ttf", size, kIconRanges.data(), nullptr);
     }
 
     ImFont *mono(float size) { return add("truetype/dejavu/DejaVuSansMono.ttf", size, kAllLatin, nullptr); }
@@ -82,7 +85,6 @@ class AtlasBuilder {
 
     float scale_;
     std::string &warning_;
-    ImVector<ImWchar> icons_ = iconRanges(); ///< used until the atlas has been built
 };
 
 /// Gives all digits the width of the widest and centres them in it. FreeType within Dear ImGui does not apply the
