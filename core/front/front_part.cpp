@@ -1,30 +1,30 @@
 #include "core/front/generation_front.hpp"
 
+#include <algorithm>
+
 namespace forefront {
 
-FrontPart GenerationFront::part(const Box2 &box) const {
+FrontPart GenerationFront::part(std::span<const SlotId> slots) const {
     FrontPart part;
-    std::vector<std::uint8_t> taken(slots_.size(), 0);
-    for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-        const SlotId id{i};
-        if (slots_[i].alive && box.overlaps(boxOf(start(id), end(id)))) {
-            taken[i] = taken[index(next(id))] = 1;
-            part.segments += isolated(id) ? 0U : 1U;
-        }
-    }
-    std::vector<SlotId> inPart(slots_.size(), kNoSlot);
     std::vector<SlotId> &origin = part.origin;
-    for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-        if (taken[i] != 0) {
-            inPart[i] = SlotId{static_cast<std::uint32_t>(origin.size())};
-            origin.push_back(SlotId{i});
+    for (const SlotId id : slots) {
+        origin.push_back(id);
+        if (!isolated(id)) {
+            origin.push_back(next(id));
+            ++part.segments;
         }
     }
+    std::sort(origin.begin(), origin.end());
+    origin.erase(std::unique(origin.begin(), origin.end()), origin.end());
+    const auto inPart = [&](SlotId id) {
+        const auto at = std::lower_bound(origin.begin(), origin.end(), id);
+        return at != origin.end() && *at == id ? SlotId{static_cast<std::uint32_t>(at - origin.begin())} : kNoSlot;
+    };
     part.front.slots_.reserve(origin.size() + origin.size() / 2);
     for (const SlotId id : origin) {
         FrontSlot slot = slots_[index(id)];
-        slot.next = inPart[index(slot.next)];
-        slot.prev = inPart[index(slot.prev)];
+        slot.next = inPart(slot.next);
+        slot.prev = inPart(slot.prev);
         part.front.slots_.push_back(slot);
     }
     part.front.segments_ = part.segments;

@@ -6,6 +6,7 @@
 #include "core/base/vec2.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace forefront {
@@ -93,8 +94,8 @@ class GenerationFront {
     void setRho(SlotId id, double rho) { slots_[index(id)].rho = rho; }
     void setFailureClass(SlotId id, std::uint32_t failureClass) { slots_[index(id)].mark.failureClass = failureClass; }
 
-    /// Returns the part of Γ near the box.
-    FrontPart part(const Box2 &box) const;
+    /// Returns the part of Γ that consists of the segments and isolated points of these slots.
+    FrontPart part(std::span<const SlotId> slots) const;
     /// Copies back a part that changed only inside `box`. Ids of its nodes from `firstNew` on are increased by `shift`.
     void adopt(const FrontPart &part, const Box2 &box, std::uint32_t firstNew, std::uint32_t shift);
 
@@ -119,8 +120,7 @@ class GenerationFront {
     std::uint32_t nextSerial_ = 0;
 };
 
-/// The segments and isolated points of Γ near a box, with the slots of their ends. Links that leave the part are
-/// kNoSlot.
+/// Some segments and isolated points of Γ, with the slots of their ends. Links that leave the part are kNoSlot.
 struct FrontPart {
     GenerationFront front;
     std::vector<SlotId> origin; ///< per copied slot: its original, ascending

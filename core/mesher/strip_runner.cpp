@@ -7,7 +7,10 @@
 #include "core/mesher/strip_results.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace forefront {
 
@@ -18,6 +21,28 @@ struct StripRun {
     std::optional<FrontPart> part;
     std::optional<FrontState> state;
 };
+
+/// Returns the slots of Γ whose segments or points lie at least partly in each strip of a phase.
+std::vector<std::vector<SlotId>> slotsByStrip(const GenerationFront &front, const FrontStrips &strips,
+                                              std::size_t phase) {
+    const std::size_t first = strips.phases[phase], end = strips.phases[phase + 1];
+    std::vector<std::vector<SlotId>> lists(end - first);
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const SlotId id{i};
+        if (!front[id].alive) {
+            continue;
+        }
+        const Box2 box = boxOf(front.start(id), front.end(id));
+        std::size_t strip = strips.stripAt(phase, box.min);
+        while (strip > first && strips.boxes[strip - 1].overlaps(box)) {
+            --strip;
+        }
+        for (; strip < end && strips.boxes[strip].overlaps(box); ++strip) {
+            lists[strip - first].push_back(id);
+        }
+    }
+    return lists;
+}
 
 /// Advances between checks for cancellation.
 constexpr int kBatch = 4096;
@@ -34,9 +59,10 @@ class StripRunner {
         for (std::size_t phase = 0; phase + 2 < strips.phases.size(); ++phase) {
             const std::size_t first = strips.phases[phase], last = strips.phases[phase + 1];
             std::vector<StripRun> runs(last - first);
+            const std::vector<std::vector<SlotId>> slots = slotsByStrip(state_.front, strips, phase);
             StripResults results(state_, runs.size());
             pool_.run(runs.size(), [&](std::size_t task, unsigned thread) {
-                prepare(runs[task], first + task, results.firstNew());
+                prepare(runs[task], slots[task], first + task, results.firstNew());
                 advance(runs[task], first + task, thread == 0);
                 if (!progress_.cancelled()) {
                     results.finished(task, *runs[task].state);
@@ -64,8 +90,8 @@ class StripRunner {
     }
 
     /// Copies the parts of the whole that the strip needs.
-    void prepare(StripRun &run, std::size_t strip, std::uint32_t firstNew) const {
-        run.part.emplace(state_.front.part(state_.strips->boxes[strip]));
+    void prepare(StripRun &run, std::span<const SlotId> slots, std::size_t strip, std::uint32_t firstNew) const {
+        run.part.emplace(state_.front.part(slots));
         run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(strip), firstNew);
     }
 
@@ -93,17 +119,15 @@ class StripRunner {
         AdvanceDelta delta;
         bool going = true;
         while (going && !progress_.cancelled()) {
+            const std::size_t before = state.elements.size();
             for (int i = 0; i < kBatch && going; ++i) {
                 going = advancer.advance(delta);
             }
-            report(state, reports);
-        }
-    }
-
-    void report(const FrontState &state, bool reports) {
-        if (reports) {
-            progress_("advancing the front",
-                      std::min(0.99, static_cast<double>(done_ + state.elements.size()) / (estimatedElements_ + 1.0)));
+            made_ += state.elements.size() - before;
+            if (reports) {
+                progress_("advancing the front",
+                          std::min(0.99, static_cast<double>(made_) / (estimatedElements_ + 1.0)));
+            }
         }
     }
 
@@ -118,7 +142,6 @@ class StripRunner {
             state_.front.adopt(*run.part, state_.strips->boxes[firstStrip + k], results.firstNew(), results.shift(k));
             run.part.reset();
         }
-        done_ = state_.elements.size();
     }
 
     FrontState &state_;
@@ -128,7 +151,7 @@ class StripRunner {
     const Progress &progress_;
     double estimatedElements_;
     Box2 bounds_;
-    std::size_t done_ = 0; ///< elements of earlier phases
+    std::atomic<std::size_t> made_ = 0; ///< elements, in all strips so far
 };
 
 } // namespace

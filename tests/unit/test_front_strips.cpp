@@ -87,6 +87,19 @@ TEST_CASE("FrontStrips: few elements make one strip, many make strips that cover
     }
 }
 
+TEST_CASE("FrontStrips: of two domains with as many elements, that with many more segments gets more strips") {
+    const auto smooth = discreteDisc(0.05), rough = discreteDisc(0.005);
+    const auto spacing = spacingOf([](Vec2) { return 0.03; });
+    REQUIRE(rough->segments.size() > 9 * smooth->segments.size());
+    const auto stripsOf = [&](const DiscreteDomain &domain) {
+        const FrontStrips strips(domain, *spacing, 500.0);
+        REQUIRE(strips.phases.size() == 5);
+        return strips.phases[2] - strips.phases[1];
+    };
+    CHECK(stripsOf(*smooth) == 18);
+    CHECK(stripsOf(*rough) == 82);
+}
+
 TEST_CASE("runStrips: the same mesh and work in sequence and on 1, 2, 3 and 8 threads") {
     std::size_t split = 0;
     for (std::uint64_t seed = 300; seed < 340; seed += kSanitized ? 7 : 1) {
@@ -127,6 +140,16 @@ TEST_CASE("runStrips: strips of a large mesh leave little to the end, and can be
     const Mesh mesh = run.finish();
     CHECK(verifyAgainst(mesh, *prepared->boundary).empty());
     CHECK(static_cast<double>(before) > 0.98 * static_cast<double>(mesh.elements.size()));
+
+    std::vector<double> fractions;
+    Progress reporting;
+    reporting.report = [&](std::string_view, double fraction) { fractions.push_back(fraction); };
+    FrontState reported(*prepared->boundary);
+    FastAdvancer<HierarchicalGrid, NoTrace>::prepare(reported, *prepared->boundary, *prepared->spacing, 6000.0);
+    const double elements = static_cast<double>(mesh.elements.size());
+    CHECK(runStrips(reported, *prepared->spacing, gridSlack(prepared->boundary->bounds()), 1, reporting, elements));
+    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+    CHECK(std::any_of(fractions.begin(), fractions.end(), [](double done) { return done > 0.4 && done < 0.6; }));
 
     std::stop_source stop;
     Progress progress;
