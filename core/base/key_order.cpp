@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 namespace forefront {
@@ -12,77 +13,73 @@ constexpr unsigned kDigitBits = 11;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 constexpr std::size_t kFew = 1000; ///< fewer keys are compared: the digits would take longer
 
+/// The upper bits that vary of a key, and its index.
 struct Entry {
-    std::uint64_t key;
-    std::uint32_t item;
+    std::uint32_t upper = 0, item = 0;
 };
 
-std::size_t digit(std::uint64_t key, unsigned shift) {
-    return static_cast<std::size_t>(key >> shift) & (kDigits - 1);
+std::size_t digit(std::uint32_t upper, unsigned shift) {
+    return static_cast<std::size_t>(upper >> shift) & (kDigits - 1);
 }
 
 /// Moves the entries to `to` in ascending order of one digit.
 void distribute(const std::vector<Entry> &from, std::vector<Entry> &to, unsigned shift) {
     std::array<std::uint32_t, kDigits> next{};
     for (const Entry &entry : from) {
-        ++next[digit(entry.key, shift)];
+        ++next[digit(entry.upper, shift)];
     }
     std::uint32_t first = 0;
     for (std::uint32_t &count : next) {
         first += std::exchange(count, first);
     }
     for (const Entry &entry : from) {
-        to[next[digit(entry.key, shift)]++] = entry;
+        to[next[digit(entry.upper, shift)]++] = entry;
     }
 }
 
-bool before(const Entry &s, const Entry &t) {
-    return s.key != t.key ? s.key < t.key : s.item < t.item;
-}
-
-/// Sorts by the upper digits of the bits that vary, which tell nearly all keys apart, then sorts each run of keys that
-/// agree in them.
-void sortByDigits(std::vector<Entry> &entries, std::uint64_t varying) {
-    constexpr unsigned kUpper = 3 * kDigitBits;
-    const auto bits = static_cast<unsigned>(std::bit_width(varying));
-    const unsigned lowest = bits > kUpper ? bits - kUpper : 0;
-    std::vector<Entry> other(entries.size());
-    for (unsigned shift = lowest; shift < bits; shift += kDigitBits) {
-        if (digit(varying, shift) != 0) {
-            distribute(entries, other, shift);
-            entries.swap(other);
-        }
+/// Returns the entries in ascending order of `upper`, those with the same one by index.
+std::vector<Entry> sortedByDigits(std::span<const std::uint64_t> keys, unsigned bits, unsigned lowest) {
+    std::vector<Entry> entries(keys.size()), other(keys.size());
+    for (std::uint32_t i = 0; i < keys.size(); ++i) {
+        entries[i] = {static_cast<std::uint32_t>(keys[i] >> lowest), i};
     }
-    if (((varying >> lowest) << lowest) == varying) {
-        return;
+    for (unsigned shift = 0; shift + lowest < bits; shift += kDigitBits) {
+        distribute(entries, other, shift);
+        entries.swap(other);
     }
-    for (auto first = entries.begin(); first != entries.end();) {
-        const std::uint64_t upper = first->key >> lowest;
-        const auto last =
-            std::find_if(first + 1, entries.end(), [=](const Entry &entry) { return entry.key >> lowest != upper; });
-        if (!std::is_sorted(first, last, before)) {
-            std::sort(first, last, before);
-        }
-        first = last;
-    }
+    return entries;
 }
 
 } // namespace
 
 std::vector<std::uint32_t> orderByKeys(std::span<const std::uint64_t> keys) {
-    std::vector<Entry> entries(keys.size());
+    std::vector<std::uint32_t> order(keys.size());
+    const auto before = [&](std::uint32_t i, std::uint32_t j) {
+        return keys[i] != keys[j] ? keys[i] < keys[j] : i < j;
+    };
+    if (keys.size() < kFew) {
+        std::iota(order.begin(), order.end(), 0U);
+        std::sort(order.begin(), order.end(), before);
+        return order;
+    }
     std::uint64_t varying = 0;
-    for (std::uint32_t i = 0; i < keys.size(); ++i) {
-        entries[i] = {keys[i], i};
-        varying |= keys[i] ^ keys[0];
+    for (const std::uint64_t key : keys) {
+        varying |= key ^ keys[0];
     }
-    if (entries.size() < kFew) {
-        std::sort(entries.begin(), entries.end(), before);
-    } else {
-        sortByDigits(entries, varying);
-    }
-    std::vector<std::uint32_t> order(entries.size());
+    constexpr unsigned kUpper = 32;
+    const auto bits = static_cast<unsigned>(std::bit_width(varying));
+    const unsigned lowest = bits > kUpper ? bits - kUpper : 0;
+    const std::vector<Entry> entries = sortedByDigits(keys, bits, lowest);
     std::transform(entries.begin(), entries.end(), order.begin(), [](const Entry &entry) { return entry.item; });
+    if (((varying >> lowest) << lowest) != varying) {
+        for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
+            while (last < entries.size() && entries[last].upper == entries[first].upper) {
+                ++last;
+            }
+            const auto run = order.begin() + static_cast<std::ptrdiff_t>(first);
+            std::sort(run, order.begin() + static_cast<std::ptrdiff_t>(last), before);
+        }
+    }
     return order;
 }
 

@@ -51,6 +51,7 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
         slot.face = face;
         return id;
     };
+    slots_.reserve(boundary.segments.size() + boundary.segments.size() / 8); // some have two sides
     for (const DiscreteSegment &s : boundary.segments) {
         const SlotId forward = s.leftRegion != kOutside ? addSlot(s.a, s.leftRegion) : kNoSlot;
         const SlotId backward = s.rightRegion != kOutside ? addSlot(s.b, s.rightRegion) : kNoSlot;

@@ -57,6 +57,77 @@ std::vector<PlacedSegment> thingsOf(const Domain &domain) {
     return things;
 }
 
+/// Adds the sites of the automatic spacing. Each step frees its own data, which takes several times the memory of the
+/// sites.
+class AutomaticSites {
+  public:
+    AutomaticSites(const Domain &domain, double minimum, double maximum, double gradation, SiteSet &sites)
+        : domain_(domain), chains_(curveChains(domain)), minimum_(minimum), maximum_(maximum),
+          gradation_(chains_.list.empty() ? gradation : std::min(gradation, kCurvedGradation)), sites_(sites) {}
+
+    void addLengths() {
+        std::vector<PlacedSegment> segments = placedSegments(domain_);
+        applyCurveLengths(domain_, chains_, segments);
+        dropDominated(domain_, gradation_, segments);
+        reserve(segments.size());
+        for (const PlacedSegment &segment : segments) {
+            if (const double length = segment.wholeLength; length < maximum_) {
+                add(SizeSite::segment(segment.a, segment.b, length, gradation_), SiteReason::SegmentLength,
+                    segment.index);
+            }
+        }
+    }
+
+    void addCurvature(double segmentsPerTurn, const Progress &progress) {
+        addCurvatureSites(domain_, chains_, segmentsPerTurn, minimum_, gradation_, SpacingOrigin::Automatic, true,
+                          progress, sites_);
+    }
+
+    /// Adds the sites of corners and lone points, and with `channels` those of narrow places.
+    void addGaps(const Box2 &box, bool channels, const Progress &progress) {
+        std::vector<PlacedSegment> placed = thingsOf(domain_);
+        applyCurveLengths(domain_, chains_, placed);
+        const SegmentIndex things(std::move(placed));
+        const GapFinder finder(domain_, things, maximum_, kFinestGap * box.diagonal(), progress);
+        std::vector<Gap> gaps = finder.find();
+        if (!channels) {
+            std::erase_if(gaps, [](const Gap &gap) { return !gap.corner; });
+        }
+        const double budget = kGapElements + kGapElementsEach * static_cast<double>(domain_.segments.size());
+        const double floor = affordableFloor(gaps, maximum_, budget);
+        reserve(gaps.size() + domain_.points.size());
+        for (const Gap &gap : gaps) {
+            const double size = std::max(gap.width / kAcrossGap, floor);
+            if (size < 0.95 * std::min(maximum_, gap.wholeLength) && distance(gap.a, gap.b) > 0.0) {
+                add(SizeSite::segment(gap.a, gap.b, size, gradation_),
+                    gap.corner ? SiteReason::Corner : SiteReason::Channel, gap.segment);
+            }
+        }
+        for (std::uint32_t i = 0; i < things.segments.size(); ++i) {
+            const PlacedSegment &thing = things.segments[i];
+            if (thing.index >= domain_.segments.size()) {
+                const std::uint32_t node = domain_.points[thing.index - domain_.segments.size()].node;
+                add(SizeSite::point(thing.a, std::max(finder.clearance(i), floor), gradation_), SiteReason::LonePoint,
+                    node);
+            }
+        }
+    }
+
+  private:
+    void reserve(std::size_t further) {
+        sites_.sites.reserve(sites_.sites.size() + further);
+        sites_.labels.reserve(sites_.labels.size() + further);
+    }
+    void add(const SizeSite &site, SiteReason reason, std::uint32_t index) {
+        sites_.add(limited(site, minimum_, gradation_), {SpacingOrigin::Automatic, reason, index});
+    }
+
+    const Domain &domain_;
+    CurveChains chains_;
+    double minimum_, maximum_, gradation_;
+    SiteSet &sites_;
+};
+
 } // namespace
 
 double automaticMaximum(const Box2 &box) {
@@ -67,49 +138,12 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
                                   double segmentsPerTurn, bool channels, const Progress &progress) {
     AutomaticSpacing automatic;
     automatic.maximum = automaticMaximum(box);
-    const auto add = [&](const SizeSite &site, SiteReason reason, std::uint32_t index) {
-        automatic.sites.add(limited(site, minimum, gradation), {SpacingOrigin::Automatic, reason, index});
-    };
-    const CurveChains chains = curveChains(domain);
-    gradation = chains.list.empty() ? gradation : std::min(gradation, kCurvedGradation);
-    std::vector<PlacedSegment> segments = placedSegments(domain);
-    applyCurveLengths(domain, chains, segments);
-    dropDominated(domain, gradation, segments);
-    for (const PlacedSegment &segment : segments) {
-        if (const double length = segment.wholeLength; length < automatic.maximum) {
-            add(SizeSite::segment(segment.a, segment.b, length, gradation), SiteReason::SegmentLength, segment.index);
-        }
-    }
+    AutomaticSites sites(domain, minimum, automatic.maximum, gradation, automatic.sites);
+    sites.addLengths();
     if (segmentsPerTurn > 0.0) {
-        addCurvatureSites(domain, chains, segmentsPerTurn, minimum, gradation, SpacingOrigin::Automatic, true, progress,
-                          automatic.sites);
+        sites.addCurvature(segmentsPerTurn, progress);
     }
-    std::vector<PlacedSegment> placed = thingsOf(domain);
-    applyCurveLengths(domain, chains, placed);
-    const SegmentIndex things(std::move(placed));
-    const GapFinder finder(domain, things, automatic.maximum, kFinestGap * box.diagonal(), progress);
-    std::vector<Gap> gaps = finder.find();
-    if (!channels) {
-        std::erase_if(gaps, [](const Gap &gap) { return !gap.corner; });
-    }
-    const double budget = kGapElements + kGapElementsEach * static_cast<double>(domain.segments.size());
-    const double floor = affordableFloor(gaps, automatic.maximum, budget);
-    for (const Gap &gap : gaps) {
-        const double size = std::max(gap.width / kAcrossGap, floor);
-        const double length = distance(gap.a, gap.b);
-        const double own = std::min(automatic.maximum, gap.wholeLength);
-        if (size < 0.95 * own && length > 0.0) {
-            add(SizeSite::segment(gap.a, gap.b, size, gradation), gap.corner ? SiteReason::Corner : SiteReason::Channel,
-                gap.segment);
-        }
-    }
-    for (std::uint32_t i = 0; i < things.segments.size(); ++i) {
-        const PlacedSegment &thing = things.segments[i];
-        if (thing.index >= domain.segments.size()) {
-            const std::uint32_t node = domain.points[thing.index - domain.segments.size()].node;
-            add(SizeSite::point(thing.a, std::max(finder.clearance(i), floor), gradation), SiteReason::LonePoint, node);
-        }
-    }
+    sites.addGaps(box, channels, progress);
     automatic.sites.dropDominated();
     return automatic;
 }
