@@ -64,12 +64,18 @@ TEST_CASE("SVG paint: a mask that shows in part is reported, however much it sho
     }
 }
 
-TEST_CASE("SVG paint: hsl(), and references to gradients that do not exist") {
+TEST_CASE("SVG paint: hsl(), and references to gradients and patterns that do not exist or paint nothing") {
     const auto area = [](const std::string &fill) {
-        const auto domain =
-            readSvg(sourceOf("<svg viewBox=\"0 0 10 10\"><linearGradient id=\"Known\"/><rect width=\"1\" height=\"1\"/>"
-                             "<rect x=\"2\" width=\"2\" height=\"2\" fill=\"" +
-                             fill + "\"/></svg>"));
+        const auto domain = readSvg(
+            sourceOf("<svg viewBox=\"0 0 10 10\"><linearGradient id=\"Known\"><stop/></linearGradient>"
+                     "<radialGradient id=\"same\" href=\"#Known\"/><linearGradient id=\"empty\" href=\"#dots\"/>"
+                     "<linearGradient id=\"a\" href=\"#b\"/><linearGradient id=\"b\" href=\"#a\"/>"
+                     "<linearGradient id=\"clear\"><stop stop-opacity=\"0\"/><stop style=\"stop-color:#f000\"/>"
+                     "</linearGradient><linearGradient id=\"fades\"><stop stop-opacity=\"0\"/><stop/></linearGradient>"
+                     "<pattern id=\"dots\"><circle id=\"dot\" r=\"1\"/></pattern><pattern id=\"plain\"/>"
+                     "<pattern id=\"more\" href=\"#dots\"/><rect width=\"1\" height=\"1\"/>"
+                     "<rect x=\"2\" width=\"2\" height=\"2\" fill=\"" +
+                     fill + "\"/></svg>"));
         REQUIRE(domain.ok());
         double twice = 0.0;
         for (const DomainSegment &segment : domain->segments) {
@@ -78,11 +84,13 @@ TEST_CASE("SVG paint: hsl(), and references to gradients that do not exist") {
         return 0.5 * std::fabs(twice);
     };
     for (const char *none :
-         {"url(#no)", "url(#no) none", "url(#known)", "hsla(0, 0%, 0%, 0)", "hsl(120deg 50% 50% / 0%)"}) {
+         {"url(#no)", "url(#no) none", "url(#known)", "url(#empty)", "url(#empty) red", "url(#a)", "url(#clear)",
+          "url(#dot)", "url(#plain)", "hsla(0, 0%, 0%, 0)", "hsl(120deg 50% 50% / 0%)"}) {
         CAPTURE(none);
         CHECK(area(none) == doctest::Approx(1.0));
     }
-    for (const char *some : {"url(#Known)", "url(#no) red", "url('#Known') none", "hsl(0,100%,50%)", "hsl(nothing)"}) {
+    for (const char *some : {"url(#Known)", "url(#same)", "url(#fades)", "url(#dots)", "url(#more)", "url(#no) red",
+                             "url(#dot) red", "url('#Known') none", "hsl(0,100%,50%)", "hsl(nothing)"}) {
         CAPTURE(some);
         CHECK(area(some) == doctest::Approx(5.0));
     }

@@ -2,18 +2,60 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace forefront {
 
 namespace {
 
-/// Returns what a value of `fill` or `stroke` paints: for a reference to nothing, what follows it, or "none".
+bool isGradient(std::string_view name) {
+    return name == "linearGradient" || name == "radialGradient";
+}
+
+/// Returns true for an element that paints shapes which refer to it.
+bool isPaintServer(std::string_view name) {
+    return isGradient(name) || name == "pattern" || name == "meshgradient" || name == "hatch" || name == "solidColor";
+}
+
+/// Returns true unless renderers paint nothing: all stops of a gradient are transparent, or it has none, or a pattern
+/// has no contents. Either may be those of another gradient or pattern, which it refers to.
+bool paintsSomething(pugi::xml_node server, const SvgStyles &styles, const SvgIds &ids) {
+    constexpr int kDepth = 32; // bounds the time for references in a circle
+    const bool gradient = isGradient(localName(server));
+    if (!gradient && localName(server) != "pattern") {
+        return true;
+    }
+    const auto isContent = [&](const pugi::xml_node &child) {
+        return gradient ? localName(child) == "stop" : child.type() == pugi::node_element;
+    };
+    const auto shows = [&](const pugi::xml_node &child) {
+        return !gradient || (isContent(child) && parseOpacity(styles.value(child, "stop-opacity")) > 0.0 &&
+                             parseColour(styles.value(child, "stop-color"), {}).alpha > 0.0);
+    };
+    for (int depth = 0; depth < kDepth && server; ++depth) {
+        if (server.find_child(isContent)) {
+            return static_cast<bool>(server.find_child(shows));
+        }
+        const std::string_view href = hrefOf(server);
+        const auto found = href.starts_with('#') ? ids.find(href.substr(1)) : ids.end();
+        const bool same = found != ids.end() && isPaintServer(localName(found->second)) &&
+                          isGradient(localName(found->second)) == gradient;
+        server = same ? found->second : pugi::xml_node();
+    }
+    return false;
+}
+
+/// Returns what a value of `fill` or `stroke` paints: for a reference to nothing that paints, what follows it, or
+/// "none".
 std::string paintedBy(const pugi::xml_node &node, const char *property, const std::string &value,
                       const SvgStyles &styles, const SvgIds &ids) {
     const std::size_t end = value.find(')');
-    if (!value.starts_with("url(") || end == std::string::npos ||
-        targetOf(styles.valueAsWritten(node, property), ids)) {
+    if (!value.starts_with("url(") || end == std::string::npos) {
         return value;
+    }
+    const pugi::xml_node target = targetOf(styles.valueAsWritten(node, property), ids);
+    if (isPaintServer(localName(target))) {
+        return paintsSomething(target, styles, ids) ? value : "none";
     }
     const std::size_t fallback = value.find_first_not_of(kBlanks, end + 1);
     return fallback == std::string::npos ? "none" : value.substr(fallback);

@@ -28,7 +28,7 @@ struct SvgPaint {
 };
 
 /// Returns the paint of an element: its own where given, otherwise inherited. A gradient or pattern that `ids` does not
-/// hold is replaced by its fallback.
+/// hold is replaced by its fallback; one without stops or contents paints nothing.
 SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgIds &ids, const SvgPaint &inherited);
 
 } // namespace forefront
