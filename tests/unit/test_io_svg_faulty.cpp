@@ -191,6 +191,13 @@ TEST_CASE("SVG: entities of the document type are replaced") {
     const auto refused = read(bomb, "<rect width=\"1\" height=\"1\" id=\"&e8;&e8;&e8;&e8;\"/>");
     CHECK((!refused.ok() && hasCode(refused.faults(), "too-large")));
     CHECK(read("<!ENTITY a \"&a;\">", "<rect width=\"1\" height=\"1\" id=\"&a;&b;& c\"/>").ok());
+    const std::string box = "<!ENTITY size \"width='2' height='2'\"><!ENTITY box \"<rect id='box' &size;/>\">";
+    const auto drawn = read(box + "<!ENTITY all \"&box;<use href='#box' x='5'/>\">",
+                            "<g>before &all; after</g><g transform=\"translate(0 5)\">&box;</g>");
+    REQUIRE_MESSAGE(drawn.ok(), messages(drawn.faults()));
+    CHECK(enclosedArea(*drawn) == doctest::Approx(12.0));
+    CHECK_FALSE(read("<!ENTITY open \"<rect width='2' height='2'>\">", "<g>&open;</g>").ok());
+    CHECK_FALSE(read(box, "<!-- &box; --><style>&box;</style>").ok());
 }
 
 TEST_CASE("SVG: transforms of CSS, with units and origin") {

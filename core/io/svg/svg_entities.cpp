@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -48,12 +50,29 @@ class Expansion : public pugi::xml_tree_walker {
         }
         const bool isText = node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
         if (const std::string_view text = node.value(); isText && text.find('&') != std::string_view::npos) {
-            node.set_value(expanded(text).c_str());
+            std::string replaced = expanded(text);
+            node.set_value(replaced.c_str());
+            if (node.type() == pugi::node_pcdata && replaced.find('<') != std::string::npos) {
+                withElements_.emplace_back(node, std::move(replaced));
+            }
         }
         return fits_;
     }
 
     bool fits() const { return fits_; }
+
+    /// Replaces the texts in which an entity has brought elements by these. Malformed ones stay texts.
+    void addElements() const {
+        for (const auto &[text, content] : withElements_) {
+            pugi::xml_document fragment;
+            if (fragment.load_string(content.c_str(), pugi::parse_default | pugi::parse_fragment)) {
+                for (const pugi::xml_node &child : fragment.children()) {
+                    text.parent().insert_copy_before(child, text);
+                }
+                text.parent().remove_child(text);
+            }
+        }
+    }
 
   private:
     static constexpr int kMaxDepth = 8; ///< of entities within entities
@@ -91,6 +110,7 @@ class Expansion : public pugi::xml_tree_walker {
     }
 
     const Entities &entities_;
+    std::vector<std::pair<pugi::xml_node, std::string>> withElements_; ///< texts and what they expand to
     std::size_t left_;
     bool fits_ = true;
 };
@@ -106,6 +126,9 @@ bool expandEntities(pugi::xml_document &document, std::size_t limit) {
     }
     Expansion expansion(entities, limit);
     document.traverse(expansion);
+    if (expansion.fits()) {
+        expansion.addElements();
+    }
     return expansion.fits();
 }
 
