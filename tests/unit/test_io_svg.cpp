@@ -75,6 +75,14 @@ TEST_CASE("SVG: circles, ellipses and rounded rectangles keep their area within 
     CHECK(enclosedArea(domainOf(drawing("<rect x=\"1\" width=\"4\" height=\"3\" rx=\"1\"/>"), 1e-4)) ==
           doctest::Approx(12 - 4 + pi).epsilon(2e-4));
     CHECK(enclosedArea(domainOf(drawing("<rect width=\"4\" height=\"3\"/>"))) == 12.0);
+    const auto sized = [](const std::string &name, const std::string &radii) { // of 4 x 4
+        return enclosedArea(domainOf(drawing("<" + name + " width=\"4\" height=\"4\" " + radii + "/>"), 1e-4));
+    };
+    for (const char *radii : {"rx=\"2\" ry=\"-1\"", "rx=\"-1\" ry=\"2\""}) { // a negative one counts as not given
+        CHECK(sized("rect", radii) == doctest::Approx(4 * pi).epsilon(2e-4));
+        CHECK(sized("ellipse", radii) == doctest::Approx(4 * pi).epsilon(2e-4));
+    }
+    CHECK(sized("rect", "rx=\"-1\" ry=\"-1\"") == 16.0);
     CHECK(domainOf(drawing("<circle r=\"2\"/>"), 1e-5).nodes.size() >
           2 * domainOf(drawing("<circle r=\"2\"/>"), 1e-4).nodes.size());
 }

@@ -71,19 +71,20 @@ void SvgDrawer::shape(const Visit &visit, std::string_view name) {
 void SvgDrawer::roundShape(const Visit &visit, std::string_view name, SvgPen &pen) {
     const auto across = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Width); };
     const auto down = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Height); };
-    const bool hasX = isGiven(visit, "rx"), hasY = isGiven(visit, "ry"); // one not given is the same as the other
+    // One that is not given or negative is the same as the other.
+    const bool hasX = isGiven(visit, "rx") && across("rx") >= 0.0, hasY = isGiven(visit, "ry") && down("ry") >= 0.0;
+    const double rx = hasX ? across("rx") : hasY ? down("ry") : 0.0, ry = hasY ? down("ry") : rx;
     if (name == "rect" || name == "image") {
         const Vec2 size{across("width"), down("height")};
         if (size.x > 0.0 && size.y > 0.0) {
-            const double rx = hasX ? across("rx") : down("ry"), ry = hasY ? down("ry") : rx;
             pen.rectangle({across("x"), down("y")}, size, rx, ry);
         }
     } else if (name == "circle" || name == "ellipse") {
         const bool circle = name == "circle";
-        const double rx = circle ? length(visit, "r", SvgExtent::Diagonal) : hasX ? across("rx") : down("ry");
-        const double ry = circle || !hasY ? rx : down("ry");
-        if (rx > 0.0 && ry > 0.0) {
-            pen.ellipse({across("cx"), down("cy")}, rx, ry);
+        const double r = circle ? length(visit, "r", SvgExtent::Diagonal) : 0.0;
+        const Vec2 radii = circle ? Vec2{r, r} : Vec2{rx, ry};
+        if (radii.x > 0.0 && radii.y > 0.0) {
+            pen.ellipse({across("cx"), down("cy")}, radii.x, radii.y);
         }
     }
 }
