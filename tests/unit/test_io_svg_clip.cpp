@@ -89,6 +89,8 @@ TEST_CASE("SVG clips: clip paths hold copies, transforms and parts of the elemen
     const std::string box = "<clipPath id=\"m\" clipPathUnits=\"objectBoundingBox\">"
                             "<rect x=\".5\" width=\".5\" height=\".25\"/></clipPath>";
     CHECK(leftBy(box) == doctest::Approx(12.5));
+    CHECK(leftBy("<clipPath id=\"m\" clipPathUnits=\"objectBoundingBox\" transform=\"translate(3 0) scale(2)\">"
+                 "<rect width=\".2\" height=\".25\"/></clipPath>") == doctest::Approx(20)); // 3 units of the drawing
     CHECK(areaOf("<defs>" + box +
                  "</defs><g clip-path=\"url(#m)\" transform=\"translate(3) scale(2)\">"
                  "<rect x=\"1\" width=\"1\" height=\"4\"/><circle cx=\"4\" cy=\"7\" r=\"1\"/></g>"

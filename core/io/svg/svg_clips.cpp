@@ -93,11 +93,11 @@ std::uint32_t SvgDrawer::addClip(const pugi::xml_node &target, const Visit &refe
     uses_.push_back({target, referrer.use});
     AffineMap map = referrer.map;
     const char *units = target.attribute(isMask ? "maskContentUnits" : "clipPathUnits").value();
+    if (!isMask) { // in units of the box, too, it acts on the clip path in the coordinates of the element
+        map = map * transformOf(target, viewportBox(referrer.viewport));
+    }
     if (std::string_view(units) == "objectBoundingBox") {
         map = map * box.frame();
-    }
-    if (!isMask) {
-        map = map * transformOf(target, viewportBox(referrer.viewport));
     }
     if (isMask) {
         within = maskRegion(target, referrer, within, box);
