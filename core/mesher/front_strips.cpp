@@ -16,10 +16,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMinStrips = 8.0; ///< with fewer, one thread is fast enough
 /// Enough for any number of threads.
 constexpr double kMaxStrips = 64.0;
-/// A long boundary gets more strips, so that the part of Γ in each and the spacing around it stay in the caches. With
-/// 512 instead of 64, a coast of a million segments and 10 million elements takes two thirds of the time.
+/// One boundary segment makes a strip as worthwhile as this number of elements: the part of Γ in a strip and the
+/// spacing around it should stay in the caches. With 512 instead of 64 strips, the front of a coast of a million
+/// segments and 10 million elements takes two thirds of the time.
+constexpr double kElementsPerSegment = 32.0;
 constexpr double kMaxStripsOfLong = 512.0;
-constexpr double kElementsPerSegment = 32.0; ///< a boundary with fewer is long
+/// Maximum fraction of the elements in coarse segments with so many strips. Elsewhere the strips would be a few
+/// elements wide and leave most of the work to the other phases: a plate with 250,000 holes of one element size takes
+/// longer and twice the memory with 512 of them.
+constexpr double kMostCoarse = 0.1;
 constexpr double kMultiple = 2.0;      ///< their number is a multiple, so that two threads both have work to the end
 constexpr double kCoarse = 1.0 / 16.0; ///< segments at least this fraction of a strip's width are coarse
 
@@ -65,10 +70,29 @@ class ElementProfile {
         return cuts;
     }
 
+    /// Returns the fraction of the elements that are coarse in the strips between these cuts.
+    double coarseShare(const std::vector<double> &cuts) const {
+        double sum = 0.0, coarse = 0.0;
+        for (const Sample &sample : samples_) {
+            const double place = low() + sample.at * extent();
+            const auto after = std::upper_bound(cuts.begin(), cuts.end(), place);
+            const double from = after == cuts.begin() ? low() : *(after - 1);
+            const double to = after == cuts.end() ? low() + extent() : *after;
+            sum += sample.share;
+            coarse += sample.rho >= kCoarse * (to - from) ? sample.share : 0.0;
+        }
+        return coarse / sum;
+    }
+
     bool alongX() const { return alongX_; }
 
   private:
     static constexpr std::size_t kBins = 2048;
+    struct Sample {
+        double at = 0.0; ///< along the side, from 0 to 1
+        double share = 0.0;
+        double rho = 0.0;
+    };
 
     double low() const { return alongX() ? box_.min.x : box_.min.y; }
     double extent() const { return alongX() ? box_.size().x : box_.size().y; }
@@ -92,7 +116,9 @@ class ElementProfile {
         }
         for (unsigned k = 0; k < 4; ++k) {
             const double at = ((alongX() ? centres[k].x : centres[k].y) - low()) / extent();
-            shares_[std::min(kBins - 1, static_cast<std::size_t>(at * kBins))] += half.x * half.y / (rhos[k] * rhos[k]);
+            const double share = half.x * half.y / (rhos[k] * rhos[k]);
+            shares_[std::min(kBins - 1, static_cast<std::size_t>(at * kBins))] += share;
+            samples_.push_back({at, share, rhos[k]});
         }
     }
 
@@ -101,7 +127,25 @@ class ElementProfile {
     bool alongX_ = true;
     int left_ = 8'000; ///< cells that may still be quartered, which takes a few milliseconds in all
     std::array<double, kBins> shares_{};
+    std::vector<Sample> samples_;
 };
+
+/// Returns the cuts between the strips.
+std::vector<double> cutsFor(const ElementProfile &profile, double elements, std::size_t segments, double perStrip) {
+    const auto cuts = [&](double strips) {
+        return profile.cuts(static_cast<int>(kMultiple * std::ceil(strips / kMultiple)));
+    };
+    const double byElements = std::min(kMaxStrips, elements / perStrip);
+    const double bySegments =
+        std::min(kMaxStripsOfLong, static_cast<double>(segments) * kElementsPerSegment / perStrip);
+    for (double strips = bySegments; strips > byElements; strips *= 0.5) {
+        std::vector<double> found = cuts(strips);
+        if (profile.coarseShare(found) <= kMostCoarse) {
+            return found;
+        }
+    }
+    return cuts(byElements);
+}
 
 Box2 strip(bool alongX, double from, double to) {
     return alongX ? Box2{{from, -kInfinity}, {to, kInfinity}} : Box2{{-kInfinity, from}, {kInfinity, to}};
@@ -126,11 +170,7 @@ FrontStrips::FrontStrips(const DiscreteDomain &domain, const SpacingField &spaci
         return;
     }
     const ElementProfile profile(box, spacing);
-    const double byElements = std::min(kMaxStrips, elements / perStrip);
-    const double bySegments =
-        std::min(kMaxStripsOfLong, static_cast<double>(domain.segments.size()) * kElementsPerSegment / perStrip);
-    const double strips = kMultiple * std::ceil(std::max(byElements, bySegments) / kMultiple);
-    const std::vector<double> cuts = profile.cuts(static_cast<int>(strips));
+    const std::vector<double> cuts = cutsFor(profile, elements, domain.segments.size(), perStrip);
     if (cuts.empty()) {
         return;
     }

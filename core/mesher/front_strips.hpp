@@ -25,7 +25,8 @@ struct FrontStrips {
     /// One strip, unless at least eight times `perStrip` elements are expected. Then four phases: the coarse segments
     /// of the whole plane, since long segments fit into no strip and fronts start at coarse boundaries; strips across
     /// the longer side of the domain with about equal numbers of elements; strips over their seams; the whole plane.
-    /// `perStrip`: number of elements that makes a strip worthwhile.
+    /// `perStrip`: number of elements that makes a strip worthwhile. Long boundaries of much finer segments than the
+    /// strips are wide get more of them.
     FrontStrips(const DiscreteDomain &domain, const SpacingField &spacing, double perStrip);
     static constexpr double kPerStrip = 62'500.0;
 

@@ -87,17 +87,19 @@ TEST_CASE("FrontStrips: few elements make one strip, many make strips that cover
     }
 }
 
-TEST_CASE("FrontStrips: of two domains with as many elements, that with many more segments gets more strips") {
-    const auto smooth = discreteDisc(0.05), rough = discreteDisc(0.005);
-    const auto spacing = spacingOf([](Vec2) { return 0.03; });
-    REQUIRE(rough->segments.size() > 9 * smooth->segments.size());
-    const auto stripsOf = [&](const DiscreteDomain &domain) {
-        const FrontStrips strips(domain, *spacing, 500.0);
+TEST_CASE("FrontStrips: many fine segments make more strips, unless these would be a few elements wide") {
+    const auto stripsOf = [](const DiscreteDomain &domain, const SpacingField &spacing, double perStrip) {
+        const FrontStrips strips(domain, spacing, perStrip);
         REQUIRE(strips.phases.size() == 5);
         return strips.phases[2] - strips.phases[1];
     };
-    CHECK(stripsOf(*smooth) == 18);
-    CHECK(stripsOf(*rough) == 82);
+    const auto smooth = discreteDisc(0.05), rough = discreteDisc(0.0002);
+    const auto graded = spacingOf([](Vec2 p) { return 0.0002 + 0.3 * std::max(0.0, 1.0 - length(p)); });
+    CHECK(stripsOf(*smooth, *graded, 16'000.0) == 34);
+    CHECK(stripsOf(*rough, *graded, 16'000.0) == 64);
+    const auto even = spacingOf([](Vec2) { return 0.03; });
+    CHECK(stripsOf(*smooth, *even, 500.0) == 18);
+    CHECK(stripsOf(*rough, *even, 500.0) == 18);
 }
 
 TEST_CASE("runStrips: the same mesh and work in sequence and on 1, 2, 3 and 8 threads") {
