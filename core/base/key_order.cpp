@@ -77,7 +77,10 @@ std::vector<std::uint32_t> orderByKeys(std::span<const std::uint64_t> keys) {
                 ++last;
             }
             const auto run = order.begin() + static_cast<std::ptrdiff_t>(first);
-            std::sort(run, order.begin() + static_cast<std::ptrdiff_t>(last), before);
+            const auto end = order.begin() + static_cast<std::ptrdiff_t>(last);
+            if (last - first > 1 && !std::is_sorted(run, end, before)) {
+                std::sort(run, end, before);
+            }
         }
     }
     return order;

@@ -51,7 +51,11 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
         slot.face = face;
         return id;
     };
-    slots_.reserve(boundary.segments.size() + boundary.segments.size() / 8); // some have two sides
+    std::size_t sides = 0;
+    for (const DiscreteSegment &s : boundary.segments) {
+        sides += (s.leftRegion != kOutside ? 1U : 0U) + (s.rightRegion != kOutside ? 1U : 0U);
+    }
+    slots_.reserve(sides + boundary.points.size());
     for (const DiscreteSegment &s : boundary.segments) {
         const SlotId forward = s.leftRegion != kOutside ? addSlot(s.a, s.leftRegion) : kNoSlot;
         const SlotId backward = s.rightRegion != kOutside ? addSlot(s.b, s.rightRegion) : kNoSlot;

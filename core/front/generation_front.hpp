@@ -94,7 +94,8 @@ class GenerationFront {
     void setRho(SlotId id, double rho) { slots_[index(id)].rho = rho; }
     void setFailureClass(SlotId id, std::uint32_t failureClass) { slots_[index(id)].mark.failureClass = failureClass; }
 
-    /// Returns the part of Γ that consists of the segments and isolated points of these slots.
+    /// Returns the part of Γ that consists of the segments and isolated points of these slots, which are distinct and
+    /// alive.
     FrontPart part(std::span<const SlotId> slots) const;
     /// Copies back a part that changed only inside `box`. Ids of its nodes from `firstNew` on are increased by `shift`.
     void adopt(const FrontPart &part, const Box2 &box, std::uint32_t firstNew, std::uint32_t shift);

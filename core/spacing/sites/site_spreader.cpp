@@ -229,7 +229,7 @@ class SiteSpreader : SiteTreeWriter {
         const std::size_t table = std::size_t{tree_.columns_} * rows_;
         leaves_.clear();
         leaves_.reserve(table +
-                        (tree_.cells_.size() - table) / 4 * 3); // a split adds four cells to one that is no leaf
+                        (tree_.cells_.size() - table) / 4 * 3); // each split adds four cells and makes one no leaf
         for (std::uint32_t row = 0; row < rows_; ++row) {
             for (std::uint32_t column = 0; column < tree_.columns_; ++column) {
                 listBelow(row * tree_.columns_ + column, column << SiteTree::kBits, row << SiteTree::kBits,
