@@ -82,6 +82,7 @@ TEST_CASE("SVG: circles, ellipses and rounded rectangles keep their area within 
         CHECK(sized("rect", radii) == doctest::Approx(4 * pi).epsilon(2e-4));
         CHECK(sized("ellipse", radii) == doctest::Approx(4 * pi).epsilon(2e-4));
     }
+    CHECK(sized("rect", "rx=\"wide\" ry=\"2\"") == doctest::Approx(4 * pi).epsilon(2e-4));
     CHECK(sized("rect", "rx=\"-1\" ry=\"-1\"") == 16.0);
     CHECK(domainOf(drawing("<circle r=\"2\"/>"), 1e-5).nodes.size() >
           2 * domainOf(drawing("<circle r=\"2\"/>"), 1e-4).nodes.size());

@@ -100,6 +100,20 @@ TEST_CASE("SVG paint: hsl(), and references to gradients and patterns that do no
     CHECK(parseColour("hsl(-120, 100%, 50%)", {}).luminance == doctest::Approx(0.0721));
 }
 
+TEST_CASE("SVG paint: many shapes with one gradient of many transparent stops take little time") {
+    std::string text = "<svg viewBox=\"0 0 200 200\"><rect width=\"1\" height=\"1\"/><linearGradient id=\"clear\">";
+    for (int k = 0; k < 20'000; ++k) {
+        text += "<stop stop-opacity=\"0\"/>";
+    }
+    text += "</linearGradient>";
+    for (int k = 0; k < 20'000; ++k) {
+        text += "<rect width=\"9\" height=\"9\" fill=\"url(#clear)\"/>";
+    }
+    const auto domain = readSvg(sourceOf(text + "</svg>"));
+    REQUIRE(domain.ok());
+    CHECK(enclosedArea(*domain) == doctest::Approx(1.0));
+}
+
 TEST_CASE("SVG paint: a drawing of text alone is refused with what to do") {
     const auto refused = [](const std::string &text) {
         const auto domain = readSvg(sourceOf(text, "drawing.svg"));

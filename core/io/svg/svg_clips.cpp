@@ -132,7 +132,7 @@ SvgDrawer::Visit SvgDrawer::clipContents(const pugi::xml_node &target, const Aff
     Visit visit{target, map, viewport_};
     for (auto node = around.rbegin(); node != around.rend(); ++node) {
         visit.node = *node;
-        visit.paint = paintOf(*node, styles_, byId_, visit.paint);
+        visit.paint = paintOf(*node, servers_, visit.paint);
         visit.fontSize = fontSizeOf(*node, visit.fontSize);
         inheritVisibility(visit);
     }

@@ -118,6 +118,7 @@ class SvgDrawer {
     pugi::xml_node root_;
     SvgStyles styles_;
     SvgIds byId_;
+    SvgPaintServers servers_{styles_, byId_};
     std::vector<Use> uses_;
     AffineMap axes_;
     Vec2 viewport_;

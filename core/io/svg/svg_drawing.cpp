@@ -50,9 +50,14 @@ Result<SvgPaths> SvgDrawer::run() {
     if (localName(root_) != "svg") {
         return Diagnostics{faultAt(source_, 0, "not-svg", "the file is not an SVG drawing")};
     }
-    if (!expandEntities(xml_, kSpareNodes + kNodesPerByte * source_.text.size())) {
+    switch (expandEntities(xml_, kSpareNodes + kNodesPerByte * source_.text.size())) {
+    case EntityExpansion::TooLarge:
         return Diagnostics{
             faultAt(source_, 0, "too-large", "the entities of the document type expand to too much text")};
+    case EntityExpansion::Malformed:
+        return Diagnostics{faultAt(source_, 0, "xml-syntax", "an entity of the document type holds malformed XML")};
+    case EntityExpansion::Done:
+        break;
     }
     collect();
     placeAxes();
@@ -176,7 +181,8 @@ void SvgDrawer::visitAll(std::vector<Visit> &open) {
             continue;
         }
         if (++visited_ > kSpareElements + source_.text.size()) {
-            fail(visit.node, "", 0, "too-large", "nested <use> elements and clip paths expand to too many elements");
+            fail(visit.node, "", 0, "too-large",
+                 "nested <use> elements, clip paths and entities expand to too many elements");
             return;
         }
         element(visit, open);
@@ -195,7 +201,7 @@ void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
     if (reports_) {
         noteUnusedStyle(source_, styles_, byId_, visit.node);
     }
-    visit.paint = paintOf(visit.node, styles_, byId_, visit.paint);
+    visit.paint = paintOf(visit.node, servers_, visit.paint);
     visit.fontSize = fontSizeOf(visit.node, visit.fontSize);
     visit.map = visit.map * transformOf(visit.node, transformBox(visit));
     if (name == "use") {

@@ -37,10 +37,20 @@ Entities entitiesOf(std::string_view documentType) {
     return entities;
 }
 
+void appendEscaped(std::string_view text, std::string &result) {
+    for (const char c : text) {
+        result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string_view(&c, 1);
+    }
+}
+
 /// Expands the entities of a document one text after another.
 class Expansion : public pugi::xml_tree_walker {
   public:
-    Expansion(const Entities &entities, std::size_t limit) : entities_(entities), left_(limit) {}
+    Expansion(const Entities &entities, std::size_t limit) : entities_(entities), left_(limit) {
+        for (const auto &[name, text] : entities) {
+            longestName_ = std::max(longestName_, name.size());
+        }
+    }
 
     bool for_each(pugi::xml_node &node) override {
         for (pugi::xml_attribute attribute : node.attributes()) {
@@ -50,10 +60,12 @@ class Expansion : public pugi::xml_tree_walker {
         }
         const bool isText = node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
         if (const std::string_view text = node.value(); isText && text.find('&') != std::string_view::npos) {
-            std::string replaced = expanded(text);
-            node.set_value(replaced.c_str());
-            if (node.type() == pugi::node_pcdata && replaced.find('<') != std::string::npos) {
-                withElements_.emplace_back(node, std::move(replaced));
+            bringsElements_ = false;
+            const std::string plain = expanded(text);
+            if (bringsElements_ && node.type() == pugi::node_pcdata) {
+                withElements_.emplace_back(node, expanded(text, true));
+            } else {
+                node.set_value(plain.c_str());
             }
         }
         return fits_;
@@ -61,75 +73,86 @@ class Expansion : public pugi::xml_tree_walker {
 
     bool fits() const { return fits_; }
 
-    /// Replaces the texts in which an entity has brought elements by these. Malformed ones stay texts.
-    void addElements() const {
+    /// Replaces the texts into which entities bring elements. Returns false if one is malformed.
+    bool addElements() const {
         for (const auto &[text, content] : withElements_) {
             pugi::xml_document fragment;
-            if (fragment.load_string(content.c_str(), pugi::parse_default | pugi::parse_fragment)) {
-                for (const pugi::xml_node &child : fragment.children()) {
-                    text.parent().insert_copy_before(child, text);
-                }
-                text.parent().remove_child(text);
+            if (!fragment.load_string(content.c_str(), pugi::parse_default | pugi::parse_fragment)) {
+                return false;
             }
+            for (const pugi::xml_node &child : fragment.children()) {
+                text.parent().insert_copy_before(child, text);
+            }
+            text.parent().remove_child(text);
         }
+        return true;
     }
 
   private:
     static constexpr int kMaxDepth = 8; ///< of entities within entities
 
-    std::string expanded(std::string_view text) {
+    /// Returns a text with its entities expanded; as markup, what comes from no entity is escaped.
+    std::string expanded(std::string_view text, bool asMarkup = false) {
         std::string result;
+        asMarkup_ = asMarkup;
         append(text, kMaxDepth, result);
         return result;
     }
 
     void append(std::string_view text, int depth, std::string &result) {
+        bringsElements_ = bringsElements_ || (depth < kMaxDepth && text.find('<') != std::string_view::npos);
         while (!text.empty() && fits_) {
             const std::size_t mark = std::min(text.find('&'), text.size());
-            take(text.substr(0, mark), result);
+            take(text.substr(0, mark), depth, result);
             text.remove_prefix(mark);
-            const std::size_t end = text.find(';');
+            const std::size_t end = text.substr(0, longestName_ + 2).find(';');
             const auto found =
                 end == std::string_view::npos ? entities_.end() : entities_.find(text.substr(1, end - 1));
             if (found != entities_.end() && depth > 0) {
                 append(found->second, depth - 1, result);
                 text.remove_prefix(end + 1);
             } else if (!text.empty()) {
-                take(text.substr(0, 1), result);
+                take(text.substr(0, 1), depth, result);
                 text.remove_prefix(1);
             }
         }
     }
 
-    void take(std::string_view part, std::string &result) {
+    void take(std::string_view part, int depth, std::string &result) {
         fits_ = fits_ && part.size() <= left_;
-        if (fits_) {
-            left_ -= part.size();
+        if (!fits_) {
+            return;
+        }
+        left_ -= part.size();
+        if (asMarkup_ && depth == kMaxDepth) {
+            appendEscaped(part, result);
+        } else {
             result += part;
         }
     }
 
     const Entities &entities_;
+    std::size_t longestName_ = 0;
     std::vector<std::pair<pugi::xml_node, std::string>> withElements_; ///< texts and what they expand to
     std::size_t left_;
     bool fits_ = true;
+    bool asMarkup_ = false, bringsElements_ = false; ///< of the present text
 };
 
 } // namespace
 
-bool expandEntities(pugi::xml_document &document, std::size_t limit) {
+EntityExpansion expandEntities(pugi::xml_document &document, std::size_t limit) {
     const pugi::xml_node type =
         document.find_child([](const pugi::xml_node &n) { return n.type() == pugi::node_doctype; });
     const Entities entities = entitiesOf(type.value());
     if (entities.empty()) {
-        return true;
+        return EntityExpansion::Done;
     }
     Expansion expansion(entities, limit);
     document.traverse(expansion);
-    if (expansion.fits()) {
-        expansion.addElements();
-    }
-    return expansion.fits();
+    return !expansion.fits()         ? EntityExpansion::TooLarge
+           : expansion.addElements() ? EntityExpansion::Done
+                                     : EntityExpansion::Malformed;
 }
 
 } // namespace forefront

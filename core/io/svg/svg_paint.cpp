@@ -1,8 +1,11 @@
 #include "core/io/svg/svg_paint.hpp"
 
+#include "core/base/lower_case.hpp"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -12,58 +15,75 @@ bool isGradient(std::string_view name) {
     return name == "linearGradient" || name == "radialGradient";
 }
 
-/// Returns true for an element that paints shapes which refer to it.
+/// Returns true for an element that paints the shapes that refer to it.
 bool isPaintServer(std::string_view name) {
-    return isGradient(name) || name == "pattern" || name == "meshgradient" || name == "hatch" || name == "solidColor";
+    const std::string lower = lowerCase(name); // drafts of the standard spell some of them in different ways
+    return isGradient(name) || name == "pattern" || lower == "meshgradient" || lower == "hatch" ||
+           lower == "solidcolor";
 }
 
-/// Returns true unless renderers paint nothing: all stops of a gradient are transparent, or it has none, or a pattern
-/// has no contents. Either may be those of another gradient or pattern, which it refers to.
-bool paintsSomething(pugi::xml_node server, const SvgStyles &styles, const SvgIds &ids) {
-    constexpr int kDepth = 32; // bounds the time for references in a circle
-    const bool gradient = isGradient(localName(server));
-    if (!gradient && localName(server) != "pattern") {
+/// Returns true if a child of a gradient or pattern is one of its stops or a part of its contents.
+bool isContent(const pugi::xml_node &child) {
+    return isGradient(localName(child.parent())) ? localName(child) == "stop" : child.type() == pugi::node_element;
+}
+
+} // namespace
+
+/// Returns the gradient or pattern that another one takes its stops or contents from; null if there is none.
+pugi::xml_node SvgPaintServers::origin(const pugi::xml_node &server) const {
+    const std::string_view href = hrefOf(server), name = localName(server);
+    const auto found = href.starts_with('#') ? ids_.find(href.substr(1)) : ids_.end();
+    if (found == ids_.end()) {
+        return {};
+    }
+    const std::string_view other = localName(found->second);
+    return (isGradient(name) && isGradient(other)) || name == other ? found->second : pugi::xml_node();
+}
+
+bool SvgPaintServers::paints(pugi::xml_node server) {
+    if (!isGradient(localName(server)) && localName(server) != "pattern") {
         return true;
     }
-    const auto isContent = [&](const pugi::xml_node &child) {
-        return gradient ? localName(child) == "stop" : child.type() == pugi::node_element;
-    };
     const auto shows = [&](const pugi::xml_node &child) {
-        return !gradient || (isContent(child) && parseOpacity(styles.value(child, "stop-opacity")) > 0.0 &&
-                             parseColour(styles.value(child, "stop-color"), {}).alpha > 0.0);
+        return isContent(child) && (!isGradient(localName(child.parent())) ||
+                                    (parseOpacity(styles_.value(child, "stop-opacity")) > 0.0 &&
+                                     parseColour(styles_.value(child, "stop-color"), {}).alpha > 0.0));
     };
-    for (int depth = 0; depth < kDepth && server; ++depth) {
-        if (server.find_child(isContent)) {
-            return static_cast<bool>(server.find_child(shows));
+    std::vector<std::size_t> asked;
+    bool result = false;
+    for (; server; server = origin(server)) {
+        const auto [known, added] = known_.try_emplace(server.hash_value(), false);
+        if (!added) { // or references in a circle
+            result = known->second;
+            break;
         }
-        const std::string_view href = hrefOf(server);
-        const auto found = href.starts_with('#') ? ids.find(href.substr(1)) : ids.end();
-        const bool same = found != ids.end() && isPaintServer(localName(found->second)) &&
-                          isGradient(localName(found->second)) == gradient;
-        server = same ? found->second : pugi::xml_node();
+        asked.push_back(server.hash_value());
+        if (server.find_child(isContent)) {
+            result = static_cast<bool>(server.find_child(shows));
+            break;
+        }
     }
-    return false;
+    for (const std::size_t one : asked) {
+        known_[one] = result;
+    }
+    return result;
 }
 
-/// Returns what a value of `fill` or `stroke` paints: for a reference to nothing that paints, what follows it, or
-/// "none".
-std::string paintedBy(const pugi::xml_node &node, const char *property, const std::string &value,
-                      const SvgStyles &styles, const SvgIds &ids) {
+std::string SvgPaintServers::paintedBy(const pugi::xml_node &node, const char *property, const std::string &value) {
     const std::size_t end = value.find(')');
     if (!value.starts_with("url(") || end == std::string::npos) {
         return value;
     }
-    const pugi::xml_node target = targetOf(styles.valueAsWritten(node, property), ids);
+    const pugi::xml_node target = targetOf(styles_.valueAsWritten(node, property), ids_);
     if (isPaintServer(localName(target))) {
-        return paintsSomething(target, styles, ids) ? value : "none";
+        return paints(target) ? value : "none";
     }
     const std::size_t fallback = value.find_first_not_of(kBlanks, end + 1);
     return fallback == std::string::npos ? "none" : value.substr(fallback);
 }
 
-} // namespace
-
-SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgIds &ids, const SvgPaint &inherited) {
+SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const SvgPaint &inherited) {
+    const SvgStyles &styles = servers.styles();
     SvgPaint paint = inherited;
     const auto take = [&](const char *property, const auto &use) {
         if (const std::string value = styles.value(node, property); !value.empty() && value != "inherit") {
@@ -72,14 +92,14 @@ SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgI
     };
     take("color", [&](const std::string &value) { paint.current = parseColour(value, inherited.current); });
     take("fill", [&](const std::string &given) {
-        const std::string value = paintedBy(node, "fill", given, styles, ids);
+        const std::string value = servers.paintedBy(node, "fill", given);
         paint.filled = value != "none";
         paint.fillGiven = true;
-        paint.patterned = localName(targetOf(styles.valueAsWritten(node, "fill"), ids)) == "pattern";
+        paint.patterned = localName(targetOf(styles.valueAsWritten(node, "fill"), servers.ids())) == "pattern";
         paint.fill = parseColour(value, paint.current);
     });
     take("stroke", [&](const std::string &given) {
-        const std::string value = paintedBy(node, "stroke", given, styles, ids);
+        const std::string value = servers.paintedBy(node, "stroke", given);
         paint.stroked = value != "none";
         paint.stroke = parseColour(value, paint.current);
     });

@@ -7,6 +7,10 @@
 
 #include <pugixml.hpp>
 
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+
 namespace forefront {
 
 /// Fill and stroke of a shape.
@@ -27,8 +31,31 @@ struct SvgPaint {
     double strokeAlpha() const { return stroked ? stroke.alpha * strokeOpacity * opacity : 0.0; }
 };
 
-/// Returns the paint of an element: its own where given, otherwise inherited. A gradient or pattern that `ids` does not
-/// hold is replaced by its fallback; one without stops or contents paints nothing.
-SvgPaint paintOf(const pugi::xml_node &node, const SvgStyles &styles, const SvgIds &ids, const SvgPaint &inherited);
+/// The gradients and patterns of a drawing. Remembers which of them paint nothing, since any number of shapes may refer
+/// to one with any number of stops.
+class SvgPaintServers {
+  public:
+    SvgPaintServers(const SvgStyles &styles, const SvgIds &ids) : styles_(styles), ids_(ids) {}
+
+    /// Returns what a value of `fill` or `stroke` paints: "none" if it refers to a gradient or pattern that paints
+    /// nothing; if it refers to anything else, or to nothing, the fallback after the reference, or "none".
+    std::string paintedBy(const pugi::xml_node &node, const char *property, const std::string &value);
+
+    const SvgStyles &styles() const { return styles_; }
+    const SvgIds &ids() const { return ids_; }
+
+  private:
+    /// Returns false if a gradient has no stops or only transparent ones, or a pattern is empty. Stops and contents may
+    /// be those of another gradient or pattern.
+    bool paints(pugi::xml_node server);
+    pugi::xml_node origin(const pugi::xml_node &server) const;
+
+    const SvgStyles &styles_;
+    const SvgIds &ids_;
+    std::unordered_map<std::size_t, bool> known_; ///< by the hash value of the element
+};
+
+/// Returns the paint of an element: its own where given, otherwise inherited.
+SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const SvgPaint &inherited);
 
 } // namespace forefront

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -71,20 +72,25 @@ void SvgDrawer::shape(const Visit &visit, std::string_view name) {
 void SvgDrawer::roundShape(const Visit &visit, std::string_view name, SvgPen &pen) {
     const auto across = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Width); };
     const auto down = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Height); };
-    // One that is not given or negative is the same as the other.
-    const bool hasX = isGiven(visit, "rx") && across("rx") >= 0.0, hasY = isGiven(visit, "ry") && down("ry") >= 0.0;
-    const double rx = hasX ? across("rx") : hasY ? down("ry") : 0.0, ry = hasY ? down("ry") : rx;
+    const auto radii = [&] { // one that is not given, malformed or negative is the same as the other
+        const auto radius = [&](const char *attribute, SvgExtent extent) {
+            const auto given = isGiven(visit, attribute) ? givenLength(visit, attribute, extent) : std::nullopt;
+            return given && *given >= 0.0 ? given : std::nullopt;
+        };
+        const auto rx = radius("rx", SvgExtent::Width), ry = radius("ry", SvgExtent::Height);
+        return Vec2{rx.value_or(ry.value_or(0.0)), ry.value_or(rx.value_or(0.0))};
+    };
     if (name == "rect" || name == "image") {
         const Vec2 size{across("width"), down("height")};
         if (size.x > 0.0 && size.y > 0.0) {
-            pen.rectangle({across("x"), down("y")}, size, rx, ry);
+            const Vec2 rounding = radii();
+            pen.rectangle({across("x"), down("y")}, size, rounding.x, rounding.y);
         }
     } else if (name == "circle" || name == "ellipse") {
-        const bool circle = name == "circle";
-        const double r = circle ? length(visit, "r", SvgExtent::Diagonal) : 0.0;
-        const Vec2 radii = circle ? Vec2{r, r} : Vec2{rx, ry};
-        if (radii.x > 0.0 && radii.y > 0.0) {
-            pen.ellipse({across("cx"), down("cy")}, radii.x, radii.y);
+        const double r = name == "circle" ? length(visit, "r", SvgExtent::Diagonal) : 0.0;
+        const Vec2 axes = name == "circle" ? Vec2{r, r} : radii();
+        if (axes.x > 0.0 && axes.y > 0.0) {
+            pen.ellipse({across("cx"), down("cy")}, axes.x, axes.y);
         }
     }
 }
