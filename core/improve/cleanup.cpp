@@ -1,11 +1,14 @@
 #include "core/improve/cleanup.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/improve/cleanup_batches.hpp"
 #include "core/improve/edge_swap.hpp"
 #include "core/improve/shape_measure.hpp"
+#include "core/improve/vain_attempts.hpp"
 #include "core/mesh/quality.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace forefront {
 
@@ -287,32 +290,57 @@ class Cleanup {
 
     CleanupCounts run(const Progress &progress) {
         std::vector<std::uint32_t> bad = findBad();
+        std::optional<VainAttempts> vain; // of the thorough rounds, which are all alike
         for (int round = 0; round < rounds_ && !bad.empty() && !progress.cancelled(); ++round) {
-            std::vector<std::uint8_t> changed(bad.size(), 0);
-            CleanupBatches batches(work_, bad);
-            for (auto batch = batches.next(); !batch.empty() && !progress.cancelled(); batch = batches.next()) {
-                constexpr std::size_t kAtOnce = 64;
-                work_.pool.run((batch.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t task, unsigned thread) {
-                    for (std::size_t i = task * kAtOnce;
-                         i < std::min(batch.size(), (task + 1) * kAtOnce) && !progress.cancelled(); ++i) {
-                        const std::uint32_t e = bad[batch[i]];
-                        changed[batch[i]] =
-                            cleanups_[thread].misses(e) && cleanups_[thread].cleanUp(e, round > 0) ? 1 : 0;
-                    }
-                });
+            if (round == 1) {
+                vain.emplace(work_);
             }
-            bad = stillBad(bad, changed);
+            bad = stillBad(bad, cleanUpOnce(bad, vain, progress));
         }
         CleanupCounts counts;
         for (const ElementCleanup &mender : cleanups_) {
             counts.swaps += mender.counts.swaps;
             counts.moves += mender.counts.moves;
+            counts.attempts += mender.counts.attempts;
         }
         counts.left = bad.size();
         return counts;
     }
 
   private:
+    /// Cleans up elements, and their surroundings if `vain` is given. Returns 1 for each that changed something.
+    std::vector<std::uint8_t> cleanUpOnce(const std::vector<std::uint32_t> &bad, std::optional<VainAttempts> &vain,
+                                          const Progress &progress) {
+        std::vector<std::uint8_t> changed(bad.size(), 0);
+        CleanupBatches batches(work_, bad);
+        for (auto batch = batches.next(); !batch.empty() && !progress.cancelled(); batch = batches.next()) {
+            constexpr std::size_t kAtOnce = 64;
+            work_.pool.run((batch.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t task, unsigned thread) {
+                ElementCleanup &cleanup = cleanups_[thread];
+                for (std::size_t i = task * kAtOnce;
+                     i < std::min(batch.size(), (task + 1) * kAtOnce) && !progress.cancelled(); ++i) {
+                    const std::uint32_t e = bad[batch[i]];
+                    if (!cleanup.misses(e)) {
+                        continue;
+                    }
+                    if (vain && vain->isVain(e)) {
+                        FOREFRONT_ASSERT(!cleanup.cleanUp(e, true));
+                        continue;
+                    }
+                    changed[batch[i]] = cleanup.cleanUp(e, vain.has_value()) ? 1 : 0;
+                    ++cleanup.counts.attempts;
+                }
+            });
+            if (vain) {
+                vain->beginBatch();
+                for (const std::uint32_t i : batch) {
+                    vain->record(bad[i], changed[i] != 0);
+                }
+            }
+        }
+        return changed;
+    }
+
     std::vector<std::uint32_t> findBad() {
         const std::size_t count = work_.mesh.elements.size();
         std::vector<std::vector<std::uint32_t>> found((count + ImproveWorkspace::kChunk - 1) /

@@ -18,13 +18,15 @@ struct ShapeGoal {
 struct CleanupCounts {
     std::size_t swaps = 0;
     std::size_t moves = 0;
-    std::size_t left = 0; ///< elements that still miss the goal
+    std::size_t attempts = 0; ///< at cleaning up an element
+    std::size_t left = 0;     ///< elements that still miss the goal
 };
 
 /// Improves the elements that miss the goal: swaps their edges and moves their free nodes by a pattern search (R.
 /// Hooke, T. A. Jeeves, 1961) wherever that brings the worst element around closer to the goal; later rounds also move
-/// the nodes around. No α falls below `minAlpha`, and no lower α falls further. α must be up to date and is kept up to
-/// date. Elements whose surroundings do not touch are cleaned up in parallel.
+/// the nodes around. An attempt that changed nothing is not repeated before something around it changes. No α falls
+/// below `minAlpha`, and no lower α falls further. α must be up to date and is kept up to date. Elements whose
+/// surroundings do not touch are cleaned up in parallel.
 CleanupCounts cleanUpWorst(ImproveWorkspace &work, const ShapeGoal &goal, double minAlpha, const Progress &progress);
 
 } // namespace forefront

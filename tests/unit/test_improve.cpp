@@ -249,6 +249,17 @@ TEST_CASE("cleanUpWorst: brings elements that smoothing leaves poor to the minim
     }
 }
 
+TEST_CASE("cleanUpWorst: elements that nothing can improve are tried once, then once with their surroundings") {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0}, {1, 0.1}, {0, 0.1}};
+    mesh.elements = {{NodeId{0}, NodeId{1}, NodeId{2}}, {NodeId{0}, NodeId{2}, NodeId{3}}};
+    ThreadPool pool(1);
+    ImproveWorkspace work(mesh, pool);
+    const CleanupCounts counts = cleanUpWorst(work, {0.8, 35.0, 6}, work.measureAlpha(), {});
+    CHECK(counts.left == 2);
+    CHECK(counts.attempts == 4);
+}
+
 TEST_CASE("CleanupBatches: each element is in one batch, and no two of a batch touch the same nodes") {
     Mesh mesh = samples::square(20, 20, 0.2);
     ThreadPool pool(1);
