@@ -71,7 +71,7 @@ std::vector<std::uint32_t> orderByKeys(std::span<const std::uint64_t> keys) {
     const unsigned lowest = bits > kUpper ? bits - kUpper : 0;
     const std::vector<Entry> entries = sortedByDigits(keys, bits, lowest);
     std::transform(entries.begin(), entries.end(), order.begin(), [](const Entry &entry) { return entry.item; });
-    if (((varying >> lowest) << lowest) != varying) {
+    if (((varying >> lowest) << lowest) != varying) { // keys may differ in their lower bits alone
         for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
             while (last < entries.size() && entries[last].upper == entries[first].upper) {
                 ++last;

@@ -290,7 +290,7 @@ class Cleanup {
 
     CleanupCounts run(const Progress &progress) {
         std::vector<std::uint32_t> bad = findBad();
-        std::optional<VainAttempts> vain; // of the thorough rounds, which are all alike
+        std::optional<VainAttempts> vain; // of the rounds after the first, which do all the same
         for (int round = 0; round < rounds_ && !bad.empty() && !progress.cancelled(); ++round) {
             if (round == 1) {
                 vain.emplace(work_);
@@ -332,10 +332,7 @@ class Cleanup {
                 }
             });
             if (vain) {
-                vain->beginBatch();
-                for (const std::uint32_t i : batch) {
-                    vain->record(bad[i], changed[i] != 0);
-                }
+                vain->record(batch, bad, changed);
             }
         }
         return changed;

@@ -93,14 +93,13 @@ std::uint32_t SvgDrawer::addClip(const pugi::xml_node &target, const Visit &refe
     uses_.push_back({target, referrer.use});
     AffineMap map = referrer.map;
     const char *units = target.attribute(isMask ? "maskContentUnits" : "clipPathUnits").value();
-    if (!isMask) { // in units of the box, too, it acts on the clip path in the coordinates of the element
+    if (isMask) {
+        within = maskRegion(target, referrer, within, box);
+    } else { // in units of the box, too, its transform acts in the coordinates of the element
         map = map * transformOf(target, viewportBox(referrer.viewport));
     }
     if (std::string_view(units) == "objectBoundingBox") {
         map = map * box.frame();
-    }
-    if (isMask) {
-        within = maskRegion(target, referrer, within, box);
     }
     const auto [known, added] = clipOf_.try_emplace({2 * target.hash_value(), numbersOf(map), within},
                                                     static_cast<std::uint32_t>(clips_.size()));

@@ -57,8 +57,7 @@ std::vector<PlacedSegment> thingsOf(const Domain &domain) {
     return things;
 }
 
-/// Adds the sites of the automatic spacing. Each step frees its own data, which takes several times the memory of the
-/// sites.
+/// Adds the sites of the automatic spacing. Each step frees its own data, which takes more memory than the sites.
 class AutomaticSites {
   public:
     AutomaticSites(const Domain &domain, double minimum, double maximum, double gradation, SiteSet &sites)
