@@ -132,19 +132,17 @@ class ElementProfile {
 
 /// Returns the cuts between the strips.
 std::vector<double> cutsFor(const ElementProfile &profile, double elements, std::size_t segments, double perStrip) {
-    const auto cuts = [&](double strips) {
-        return profile.cuts(static_cast<int>(kMultiple * std::ceil(strips / kMultiple)));
-    };
-    const double byElements = std::min(kMaxStrips, elements / perStrip);
-    const double bySegments =
-        std::min(kMaxStripsOfLong, static_cast<double>(segments) * kElementsPerSegment / perStrip);
-    for (double strips = bySegments; strips > byElements; strips *= 0.5) {
-        std::vector<double> found = cuts(strips);
+    const auto rounded = [](double strips) { return static_cast<int>(kMultiple * std::ceil(strips / kMultiple)); };
+    const int byElements = rounded(std::min(kMaxStrips, elements / perStrip));
+    const int bySegments =
+        rounded(std::min(kMaxStripsOfLong, static_cast<double>(segments) * kElementsPerSegment / perStrip));
+    for (int strips = bySegments; strips > byElements; strips = rounded(0.5 * strips)) {
+        std::vector<double> found = profile.cuts(strips);
         if (profile.coarseShare(found) <= kMostCoarse) {
             return found;
         }
     }
-    return cuts(byElements);
+    return profile.cuts(byElements);
 }
 
 Box2 strip(bool alongX, double from, double to) {
