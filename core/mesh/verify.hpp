@@ -22,8 +22,9 @@ Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::s
 
 /// Returns the faults that verify(mesh) finds or, if there are none, its deviations from a domain: each domain segment
 /// must be covered by a chain of tagged mesh edges (through the domain's nodes exactly, and through inserted nodes
-/// within 1e-9 of the domain's size); boundary edges must lie on domain segments, areas must agree, and constraint
-/// points must be nodes. Where segments follow a curve, the inserted nodes must lie on the curve or on its chords.
+/// within 1e-9 of the domain's size, or what rounding may move them far from the origin); boundary edges must lie on
+/// domain segments, areas must agree, and constraint points must be nodes. Where segments follow a curve, the inserted
+/// nodes must lie on the curve or on its chords.
 Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit = kMaxListedFaults);
 
 } // namespace forefront

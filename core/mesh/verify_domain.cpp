@@ -266,17 +266,20 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveCh
     return cut;
 }
 
+/// Returns how far rounding may move a node inserted into a segment, with a margin.
+double roundingOf(const Box2 &bounds) {
+    const double maxCoordinate =
+        std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.max.x), std::abs(bounds.max.y)});
+    return 8.0 * std::numeric_limits<double>::epsilon() * maxCoordinate;
+}
+
 /// Returns the maximum error of the area because nodes inserted into straight segments are rounded.
 double areaTolerance(const DiscreteDomain &domain, const EnclosedArea &enclosed) {
-    double perimeter = 0.0, maxCoordinate = 0.0;
+    double perimeter = 0.0;
     for (const DiscreteSegment &s : domain.segments) {
         perimeter += distance(domain.nodes[s.a], domain.nodes[s.b]);
     }
-    for (const Vec2 p : domain.nodes) {
-        maxCoordinate = std::max({maxCoordinate, std::abs(p.x), std::abs(p.y)});
-    }
-    return 1e-11 * (enclosed.magnitude + std::abs(enclosed.area)) +
-           8.0 * std::numeric_limits<double>::epsilon() * maxCoordinate * perimeter;
+    return 1e-11 * (enclosed.magnitude + std::abs(enclosed.area)) + roundingOf(domain.bounds()) * perimeter;
 }
 
 } // namespace
@@ -301,7 +304,8 @@ Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t li
     }
     FaultList faults(limit);
     const CurveChains chains = curveChains(domain);
-    DiscreteDomain cut = cutAsMeshed(mesh, domain, chains, *given, 1e-9 * domain.bounds().diagonal(), faults);
+    const double tolerance = std::max(1e-9 * domain.bounds().diagonal(), roundingOf(domain.bounds()));
+    DiscreteDomain cut = cutAsMeshed(mesh, domain, chains, *given, tolerance, faults);
     if (!faults.clean()) {
         return faults.take();
     }

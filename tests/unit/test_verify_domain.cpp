@@ -55,7 +55,7 @@ Codes after(void (*change)(TurnedSquare &)) {
 
 TEST_CASE("verifyAgainst domain: accepts a mesh that divides segments, rotated and far from the origin") {
     for (const double turn : {0.0, 0.3, 2.0}) {
-        for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{123456.7, 1e5 + 0.3}}) {
+        for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{123456.7, 1e5 + 0.3}, Vec2{-1e9, 3e8}}) {
             const TurnedSquare c = turnedSquare(turn, offset);
             const Diagnostics faults = verifyAgainst(c.mesh, c.domain);
             CHECK_MESSAGE(faults.empty(), samples::list(faults));
