@@ -213,6 +213,18 @@ TEST_CASE("SVG: reports unused content once per kind with its count") {
           "drawing program (2 times) [svg-element]");
 }
 
+TEST_CASE("SVG: a note says that filters are ignored") {
+    ImportNotes notes;
+    svgDomain(svgDrawing("<defs><filter id=\"f\"><feGaussianBlur stdDeviation=\"2\"/></filter></defs>"
+                         "<g filter=\"url(#f)\"><rect width=\"2\" height=\"2\"/></g>"
+                         "<rect x=\"3\" width=\"2\" height=\"2\" style=\"filter: drop-shadow(1px 1px black)\"/>"
+                         "<rect x=\"6\" width=\"2\" height=\"2\" filter=\"none\"/>"),
+              &notes);
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries()[0].code == "svg-filter");
+    CHECK(notes.entries()[0].count == 2);
+}
+
 TEST_CASE("SVG: notes say that patterns count as solid, and that markers are ignored") {
     ImportNotes notes;
     const std::string definitions = "<defs><pattern id=\"p\" width=\"1\" height=\"1\"><rect width=\".5\"/></pattern>"

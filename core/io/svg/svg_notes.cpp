@@ -32,6 +32,10 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const Sv
         source.note("svg-marker", "markers, such as heads of arrows, are ignored; convert them to paths",
                     offsetOf(node));
     }
+    if (given("filter")) {
+        source.note("svg-filter", "filters, such as shadows and blurs, are ignored: shapes end at their outlines",
+                    offsetOf(node));
+    }
     for (const pugi::xml_node child : node.children()) {
         const std::string_view name = localName(child);
         if (name.starts_with("animate") || name == "set") {
