@@ -28,10 +28,27 @@ struct EglPlatform::Context {
 
 namespace {
 
+bool startDisplay(EGLDisplay &display, EGLenum kind, EGLDeviceEXT device) {
+    display = eglGetPlatformDisplay(kind, device, nullptr);
+    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) {
+        return true;
+    }
+    display = EGL_NO_DISPLAY;
+    return false;
+}
+
+/// Without Mesa, the drivers of graphics cards offer a display for each card instead.
+bool startDisplayOfDevice(EGLDisplay &display) {
+    const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    EGLDeviceEXT device = EGL_NO_DEVICE_EXT;
+    EGLint count = 0;
+    return queryDevices != nullptr && queryDevices(1, &device, &count) == EGL_TRUE && count > 0 &&
+           startDisplay(display, EGL_PLATFORM_DEVICE_EXT, device);
+}
+
 bool openContext(EGLDisplay &display, EGLContext &context, std::string &fault) {
-    display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
-        fault = "no surfaceless EGL display; install libegl-mesa0";
+    if (!startDisplay(display, EGL_PLATFORM_SURFACELESS_MESA, nullptr) && !startDisplayOfDevice(display)) {
+        fault = "no EGL display without a window; install libegl-mesa0";
         return false;
     }
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
