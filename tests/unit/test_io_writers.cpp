@@ -8,6 +8,7 @@
 #include "core/io/medit/medit.hpp"
 #include "core/io/obj/obj.hpp"
 #include "core/io/su2/su2.hpp"
+#include "core/io/svg/svg.hpp"
 #include "core/io/vtk/vtk.hpp"
 #include "core/mesh/edge_table.hpp"
 #include "tests/unit/io_samples.hpp"
@@ -241,6 +242,21 @@ TEST_CASE("VTK legacy: names in a field block, as earlier versions wrote them, a
     CHECK(foreign->regionNames.empty());
     const auto cut = readVtk(sourceOf(head + grid + "LOOKUP_TABLE warm 2\n0 0 0 1\n1 0.5\n"));
     CHECK(hasCode(cut.faults(), "bad-number"));
+}
+
+TEST_CASE("SVG: paths of a large mesh are short enough for readers that limit them") {
+    const std::string text = written(writeSvg, samples::square(120, 120)); // 28,800 elements
+    std::size_t longest = 0, paths = 0, elements = 0;
+    for (std::size_t at = text.find("<path"); at != std::string::npos; at = text.find("<path", at + 1)) {
+        longest = std::max(longest, text.find("</path>", at) - at);
+        ++paths;
+    }
+    for (const char c : text) {
+        elements += c == 'Z' ? 1 : 0;
+    }
+    CHECK(elements == 28800);
+    CHECK(paths >= 29);
+    CHECK(longest < 60'000);
 }
 
 TEST_CASE("SU2 and the other formats with names in comments are ASCII files") {

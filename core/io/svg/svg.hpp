@@ -19,7 +19,8 @@ Result<Domain> readSvg(const SourceText &source);
 Result<Domain> readSvgShapes(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is SVG.
 bool looksLikeSvg(std::string_view head);
-/// Writes a drawing of the mesh: one path per region, one per boundary tag, named by titles.
+/// Writes a drawing of the mesh: the elements of a region, or the edges of a boundary tag, are one path named by its
+/// title, or several if there are many.
 void writeSvg(const Mesh &mesh, TextWriter &out);
 
 } // namespace forefront

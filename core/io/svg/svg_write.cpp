@@ -11,6 +11,9 @@ namespace forefront {
 namespace {
 
 constexpr double kWidth = 1000.0; ///< length of the drawing's longer side, in drawing units
+/// Elements or edges in one path, at most 50 bytes each. libxml2, and with it librsvg, refuses attributes of more than
+/// 10 MB, and some large files with paths of 450 KB.
+constexpr std::size_t kPartsPerPath = 1'000;
 
 // Light fills for regions, strong strokes for boundaries.
 constexpr std::array<const char *, 6> kFills = {"#dbe9f6", "#fdebd0", "#dcedd8", "#f3dcea", "#e6e0f2", "#f5f0c8"};
@@ -23,6 +26,13 @@ std::string xmlText(std::string_view text) {
     }
     return result;
 }
+
+struct SvgPathStyle {
+    const char *fill;
+    const char *stroke;
+    double width;
+    std::string title;
+};
 
 /// Maps the mesh to the drawing: y points down, coordinates are rounded to hundredths.
 class Sheet {
@@ -46,9 +56,25 @@ class Sheet {
     Vec2 extent_;
 };
 
+/// Writes parts of a drawing as one path, or as several if there are many.
+template <class PutPart>
+void writePaths(TextWriter &out, const SvgPathStyle &style, const std::vector<std::uint32_t> &parts,
+                const PutPart &putPart) {
+    for (std::size_t first = 0; first < parts.size() && out.ok(); first += kPartsPerPath) {
+        out << "<path fill=\"" << style.fill << "\" stroke=\"" << style.stroke << "\" stroke-width=\"" << style.width
+            << "\" d=\"";
+        const std::size_t end = std::min(parts.size(), first + kPartsPerPath);
+        for (std::size_t k = first; k < end && out.ok(); ++k) {
+            putPart(parts[k]);
+        }
+        out << "\"><title>" << xmlText(style.title) << "</title></path>\n";
+    }
+}
+
 } // namespace
 
-/// Draws the mesh: one path per region and one per boundary tag, each with its name as title.
+/// Draws the mesh: the elements of each region and the edges of each boundary tag are a path with its name as title, or
+/// several.
 void writeSvg(const Mesh &mesh, TextWriter &out) {
     const Sheet sheet(mesh);
     constexpr double kMargin = 10.0;
@@ -70,22 +96,19 @@ void writeSvg(const Mesh &mesh, TextWriter &out) {
     const auto at = [&](NodeId node) { sheet.put(out, mesh.nodes[index(node)]); };
     std::size_t number = 0;
     for (const auto &[tag, elements] : regions) {
-        out << "<path fill=\"" << kFills[number++ % kFills.size()] << "\" stroke=\"#445566\" stroke-width=\"" << thin
-            << "\" d=\"";
-        for (std::size_t k = 0; k < elements.size() && out.ok(); ++k) {
-            const Element &nodes = mesh.elements[elements[k]];
+        const SvgPathStyle style{kFills[number++ % kFills.size()], "#445566", thin, regionName(mesh.regionNames, tag)};
+        writePaths(out, style, elements, [&](std::uint32_t element) {
+            const Element &nodes = mesh.elements[element];
             out << 'M', at(nodes[0]), out << 'L', at(nodes[1]), out << 'L', at(nodes[2]), out << "Z\n";
-        }
-        out << "\"><title>" << xmlText(regionName(mesh.regionNames, tag)) << "</title></path>\n";
+        });
     }
     number = 0;
     for (const auto &[tag, edges] : boundaries) {
-        out << "<path fill=\"none\" stroke=\"" << kStrokes[number++ % kStrokes.size()] << "\" stroke-width=\""
-            << 3.0 * thin << "\" d=\"";
-        for (const std::uint32_t k : edges) {
-            out << 'M', at(mesh.edges[k].a), out << 'L', at(mesh.edges[k].b), out << '\n';
-        }
-        out << "\"><title>" << xmlText(boundaryName(mesh.boundaryNames, tag)) << "</title></path>\n";
+        const SvgPathStyle style{"none", kStrokes[number++ % kStrokes.size()], 3.0 * thin,
+                                 boundaryName(mesh.boundaryNames, tag)};
+        writePaths(out, style, edges, [&](std::uint32_t edge) {
+            out << 'M', at(mesh.edges[edge].a), out << 'L', at(mesh.edges[edge].b), out << '\n';
+        });
     }
     for (const TaggedNode &point : mesh.points) {
         out << "<path fill=\"none\" stroke=\"#222222\" stroke-width=\"" << 6.0 * thin << "\" d=\"M", at(point.node),
