@@ -110,11 +110,11 @@ void ArrangementInput::addRing(std::uint32_t contour, std::span<const Vec2> node
 }
 
 void ArrangementInput::addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches,
-                                std::uint32_t limit) {
+                                std::uint32_t limit, double reach) {
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (nodes[k - 1] != nodes[k]) {
             pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint,
-                              k - 1 < stretches.size() ? stretches[k - 1] : CurveStretch{}, limit});
+                              k - 1 < stretches.size() ? stretches[k - 1] : CurveStretch{}, limit, reach});
         }
     }
 }

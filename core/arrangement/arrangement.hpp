@@ -46,6 +46,9 @@ struct ArrangementPiece {
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
     std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
+    /// Of a Constraint: where it stays within this distance of outlines from one node with other pieces to the next, it
+    /// is dropped, since the outlines stand for it.
+    double reach = 0.0;
 };
 
 /// The rule that decides which winding numbers count as inside.
@@ -93,9 +96,9 @@ struct ArrangementInput {
     /// skipped. The stretches, if given, belong to the pieces that begin at the nodes; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
-    /// Adds a line that the mesh must contain, as far as a clip shows it.
+    /// Adds a line that the mesh must contain, as far as a clip shows it and no outline within `reach` repeats it.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {},
-                  std::uint32_t limit = kNoClip);
+                  std::uint32_t limit = kNoClip, double reach = 0.0);
     void addPoint(Vec2 at, std::int32_t tag);
     /// Returns true for a piece of the outline of a clip.
     bool ofClip(const ArrangementPiece &piece) const {
@@ -138,7 +141,8 @@ struct Arrangement {
 
 /// Builds a domain from labelled pieces as their planar arrangement: crossings, contacts and overlaps are found
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
-/// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
+/// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch, and so do
+/// lines that repeat an outline within their reach.
 /// - Outlines of clips appear only where they bound what a shape covers. Where they cross or touch other pieces, and
 ///   where joining moves them, is not reported.
 /// - Where pieces follow curves, the curves count, not their chords. Nodes at crossings lie on both curves to rounding.

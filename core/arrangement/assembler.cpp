@@ -1,11 +1,13 @@
 #include "core/arrangement/assembler.hpp"
 
+#include "core/arrangement/beside_outlines.hpp"
 #include "core/arrangement/stretch_part.hpp"
 #include "core/base/ids.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace forefront {
@@ -21,6 +23,7 @@ Arrangement Assembler::run() {
         (line.shown ? isLine_ : hidden_)[line.edge] = 1;
     }
     decideFates();
+    dropRepeatedOutlines();
     chooseTags();
     buildDomain();
     if (input_.markRegions) {
@@ -99,9 +102,15 @@ Assembler::Fate Assembler::fateOf(std::uint32_t edge) const {
     if (!inside(left)) {
         return !isLine ? Fate::Inner : input_.keepOutside ? Fate::Constraint : Fate::Outside;
     }
+    return isLine || separates(edge) ? Fate::Constraint : Fate::Inner;
+}
+
+/// Returns true if an edge is an outline of what covers one of its sides.
+bool Assembler::separates(std::uint32_t edge) const {
+    const std::uint32_t left = faces_.left[edge], right = faces_.right[edge];
     // All shapes of the left face end here: those of the right one only touch them.
     const bool touch = left != right && cover_.ends[edge] == cover_.shapes[left];
-    return isLine || touch || cover_.owner[left] != cover_.owner[right] ? Fate::Constraint : Fate::Inner;
+    return inside(left) != inside(right) || touch || cover_.owner[left] != cover_.owner[right];
 }
 
 void Assembler::decideFates() {
@@ -120,6 +129,42 @@ void Assembler::decideFates() {
             fate_[e] = clippedFate(e, fate_[e]);
         }
     }
+}
+
+/// Drops the lines that repeat an outline: the gap between them would be full of tiny or very long elements.
+void Assembler::dropRepeatedOutlines() {
+    const std::vector<double> reach = reaches();
+    if (reach.empty()) {
+        return;
+    }
+    std::vector<BesideRole> roles(fate_.size(), BesideRole::Dropped);
+    for (std::uint32_t e = 0; e < roles.size(); ++e) {
+        if (kept(e)) {
+            roles[e] = separates(e) ? BesideRole::Outline : reach[e] > 0.0 ? BesideRole::LooseLine : BesideRole::Line;
+        }
+    }
+    for (const BesideEdge &beside : edgesBesideOutlines(snapped_.nodes, snapped_.edges, roles, reach)) {
+        fate_[beside.edge] = Fate::Repeated;
+        repeated_.emplace(beside.edge, beside.distance);
+    }
+}
+
+/// Returns, per edge, the reach of the lines along it; empty if no line has any.
+std::vector<double> Assembler::reaches() const {
+    const auto isLoose = [](const ArrangementPiece &piece) { return piece.reach > 0.0; };
+    if (std::none_of(input_.pieces.begin(), input_.pieces.end(), isLoose)) {
+        return {};
+    }
+    std::vector<double> reach(snapped_.edges.size(), std::numeric_limits<double>::infinity());
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
+            if (pieceOf(i).role == PieceRole::Constraint) {
+                double &least = reach[snapped_.ways[k] / 2];
+                least = std::min(least, pieceOf(i).reach);
+            }
+        }
+    }
+    return reach;
 }
 
 /// Returns the reason why an edge is dropped if that has to do with clips, else the given one.

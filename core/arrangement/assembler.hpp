@@ -7,6 +7,7 @@
 #include "core/domain/faces.hpp"
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace forefront {
@@ -21,13 +22,16 @@ class Assembler {
 
   private:
     /// The role of an edge in the domain, or the reason why it is dropped.
-    enum class Fate : std::uint8_t { Boundary, Constraint, Inner, Folded, Outside, Clipped, OfClip };
+    enum class Fate : std::uint8_t { Boundary, Constraint, Inner, Folded, Outside, Clipped, OfClip, Repeated };
 
     void collectRuns();
     std::vector<ClippedLine> clippedLines();
     void decideFates();
     Fate fateOf(std::uint32_t edge) const;
+    bool separates(std::uint32_t edge) const;
     Fate clippedFate(std::uint32_t edge, Fate fate) const;
+    void dropRepeatedOutlines();
+    std::vector<double> reaches() const;
     void chooseTags();
     void buildDomain();
     void takeCurves();
@@ -59,14 +63,15 @@ class Assembler {
     Faces faces_;
     EdgeRuns runs_;
     FaceCover cover_;
-    std::vector<std::uint8_t> isLine_;   ///< per edge: a constraint runs along it and is not clipped away
-    std::vector<std::uint8_t> hidden_;   ///< per edge: a constraint along it is clipped away; empty without clips
-    std::vector<Fate> fate_;             ///< per edge
-    std::vector<std::int32_t> tag_;      ///< per edge
-    std::vector<std::uint8_t> added_;    ///< per edge: it is in the domain
-    std::vector<std::uint32_t> number_;  ///< per snapped node: its index in the domain
-    std::vector<std::uint8_t> nodeSide_; ///< per snapped node: 1 if it has edges, 2 if some face around is inside
-    std::vector<std::uint8_t> hasPoint_; ///< per snapped node: it is a constraint point of the domain
+    std::vector<std::uint8_t> isLine_;         ///< per edge: a constraint runs along it and is not clipped away
+    std::vector<std::uint8_t> hidden_;         ///< per edge: a constraint along it is clipped away; empty without clips
+    std::vector<Fate> fate_;                   ///< per edge
+    std::map<std::uint32_t, double> repeated_; ///< the edges that repeat outlines, with their distance from them
+    std::vector<std::int32_t> tag_;            ///< per edge
+    std::vector<std::uint8_t> added_;          ///< per edge: it is in the domain
+    std::vector<std::uint32_t> number_;        ///< per snapped node: its index in the domain
+    std::vector<std::uint8_t> nodeSide_;       ///< per snapped node: 1 if it has edges, 2 if some face around is inside
+    std::vector<std::uint8_t> hasPoint_;       ///< per snapped node: it is a constraint point of the domain
     ChangeList changes_;
     Arrangement result_;
 };

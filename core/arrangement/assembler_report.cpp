@@ -52,6 +52,9 @@ void Assembler::reportLine(std::uint32_t line) {
         case Fate::Clipped:
             changes_.add(ChangeKind::ClippedSegments, middle, 0.0, line);
             break;
+        case Fate::Repeated:
+            changes_.add(ChangeKind::RepeatedOutlines, middle, repeated_.at(edge), line);
+            break;
         case Fate::Boundary:
         case Fate::Constraint:
         case Fate::OfClip:

@@ -68,8 +68,9 @@ void DrawingBuilder::addRing(std::uint32_t contour, std::span<const Vec2> nodes,
 }
 
 void DrawingBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches,
-                              std::uint32_t limit) {
-    input_.addChain(nodes, tag, stretches, limit);
+                              std::uint32_t limit, double width) {
+    constexpr double kHalf = 0.505; // strokes inside an outline are drawn half their width beside it, rounded
+    input_.addChain(nodes, tag, stretches, limit, kHalf * width);
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (nodes[k - 1] != nodes[k]) {
             places_.insert(places_.end(), {offset(k - 1), offset(k)});

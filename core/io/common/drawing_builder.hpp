@@ -35,9 +35,10 @@ class DrawingBuilder {
     /// that the segments from each node on are chords of; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
-    /// Adds a line; where it lies on an outline, the outline takes the tag of the line.
+    /// Adds a line; where it lies on an outline, the outline takes the tag of the line. Where it repeats an outline
+    /// within half of `width`, the width that it is drawn with, it is dropped.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {},
-                  std::uint32_t limit = kNoClip);
+                  std::uint32_t limit = kNoClip, double width = 0.0);
     void addPoint(Vec2 at, std::int32_t tag);
     /// Puts region markers into the domain; without them all elements have the tag 1.
     void markRegions() { input_.markRegions = true; }

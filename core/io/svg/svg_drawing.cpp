@@ -203,6 +203,7 @@ void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
     }
     visit.paint = paintOf(visit.node, servers_, visit.paint);
     visit.fontSize = fontSizeOf(visit.node, visit.fontSize);
+    visit.paint.strokeWidth = strokeWidthOf(visit);
     visit.map = visit.map * transformOf(visit.node, transformBox(visit));
     if (name == "use") {
         visit.map = visit.map * placeOf(visit);

@@ -24,11 +24,12 @@ struct SvgPaint {
     SvgColour fill, stroke;
     SvgColour current; ///< the property `color`
     double fillOpacity = 1.0, strokeOpacity = 1.0;
-    double opacity = 1.0; ///< product of those of the element and all elements around it
+    double opacity = 1.0;     ///< product of those of the element and all elements around it
+    double strokeWidth = 1.0; ///< in user units; of an SvgPath in domain units
 
     /// Returns the opacity of the fill; 0: nothing is filled.
     double fillAlpha() const { return filled ? fill.alpha * fillOpacity * opacity : 0.0; }
-    double strokeAlpha() const { return stroked ? stroke.alpha * strokeOpacity * opacity : 0.0; }
+    double strokeAlpha() const { return stroked && strokeWidth > 0.0 ? stroke.alpha * strokeOpacity * opacity : 0.0; }
 };
 
 /// The gradients and patterns of a drawing. Remembers which of them paint nothing, since any number of shapes may refer

@@ -66,7 +66,7 @@ class SvgBuilder {
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 if (path.paint.stroked && !path.closed && !source_.options.dropLines) {
-                    builder_.addChain(path.nodes, tag, path.stretches, path.limit);
+                    builder_.addChain(path.nodes, tag, path.stretches, path.limit, path.paint.strokeWidth);
                 }
                 break;
             case Part::Outline:
@@ -313,7 +313,7 @@ class SvgBuilder {
         if (path.closed && nodes.size() > 2) {
             nodes.push_back(nodes.front());
         }
-        builder_.addChain(nodes, tag, path.stretches, path.limit);
+        builder_.addChain(nodes, tag, path.stretches, path.limit, path.paint.strokeWidth);
     }
 
     const SourceText &source_;

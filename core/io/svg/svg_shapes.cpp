@@ -137,6 +137,7 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
     path.paint = visit.paint;
     path.paint.filled = visit.paint.fillAlpha() > 0.0;
     path.paint.stroked = visit.paint.strokeAlpha() > 0.0;
+    path.paint.strokeWidth *= visit.map.scale();
     path.limit = visit.limit;
     path.element = elementCount_;
     path.name = nameOf(visit);

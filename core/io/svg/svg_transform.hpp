@@ -2,6 +2,7 @@
 
 #include "core/base/vec2.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -16,6 +17,8 @@ struct AffineMap {
     AffineMap operator*(const AffineMap &inner) const;
     /// Returns the maximum factor by which it stretches a length.
     double stretch() const;
+    /// Returns the factor by which it stretches lengths on average, the root of that of areas.
+    double scale() const { return std::sqrt(std::fabs(a * d - b * c)); }
 
     /// Returns the map that moves the origin to `to`.
     static AffineMap translation(Vec2 to) { return {1.0, 0.0, 0.0, 1.0, to.x, to.y}; }

@@ -31,6 +31,13 @@ double SvgDrawer::fontSizeOf(const pugi::xml_node &node, double inherited) const
         .value_or(inherited);
 }
 
+/// Returns the width of an element's stroke in user units: its own where given and valid, otherwise inherited.
+double SvgDrawer::strokeWidthOf(const Visit &visit) const {
+    const auto own =
+        userLength(styles_.value(visit.node, "stroke-width"), SvgExtent::Diagonal, visit.viewport, visit.fontSize);
+    return own && *own >= 0.0 ? *own : visit.paint.strokeWidth;
+}
+
 /// Returns a length in user units; 0 if it is absent or malformed.
 double SvgDrawer::length(const Visit &visit, const char *attribute, SvgExtent extent) {
     return givenLength(visit, attribute, extent).value_or(0.0);

@@ -1,0 +1,143 @@
+#include "core/arrangement/arrangement.hpp"
+#include "tests/unit/arrangement_support.hpp"
+#include "tests/unit/svg_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// A line with its reach.
+struct LooseLine {
+    std::vector<Vec2> nodes;
+    double reach = 0.0;
+};
+
+/// Returns a square of side 10 with lines.
+ArrangementInput squareWith(const std::vector<LooseLine> &lines) {
+    ArrangementInput input;
+    addPath(input, FillRule::NonZero, {rectangle(0, 0, 10, 10)});
+    for (const LooseLine &line : lines) {
+        input.addChain(line.nodes, 5, {}, kNoClip, line.reach);
+    }
+    return input;
+}
+
+/// Returns the number of constraint segments.
+std::size_t lineCount(const Domain &domain) {
+    return static_cast<std::size_t>(
+        std::count_if(domain.segments.begin(), domain.segments.end(),
+                      [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; }));
+}
+
+std::size_t linesIn(const std::vector<LooseLine> &lines) {
+    return lineCount(arranged(squareWith(lines)).domain);
+}
+
+/// Returns the number of lines in a drawing with a square of side 4.
+std::size_t linesInDrawing(const std::string &content, ImportNotes *notes = nullptr) {
+    return lineCount(svgDomain(svgDrawing("<rect x=\"1\" y=\"1\" width=\"4\" height=\"4\"/>" + content), notes));
+}
+
+} // namespace
+
+TEST_CASE("repeated outlines: a line that stays within its reach of outlines is dropped") {
+    const std::vector<Vec2> beside{{1, 0.5}, {9.5, 0.3}, {9.6, 8}};
+    const Arrangement result = arranged(squareWith({{beside, 0.6}}));
+    CHECK(lineCount(result.domain) == 0);
+    const ArrangementChange *const change = find(result, ChangeKind::RepeatedOutlines);
+    REQUIRE(change != nullptr);
+    CHECK(change->count == 2);
+    CHECK(change->displacement == doctest::Approx(0.5));
+    CHECK(linesIn({{beside, 0.45}}) == 2); // its first end is farther away
+    CHECK(linesIn({{beside, 0.0}}) == 2);
+    CHECK(linesIn({{beside, 0.6}, {beside, 0.0}}) == 2); // another line there must stay
+}
+
+TEST_CASE("repeated outlines: a line that leaves an outline stays as a whole") {
+    CHECK(linesIn({{{{1, 0.5}, {9, 0.5}, {5, 5}}, 0.6}}) == 2);
+    CHECK(linesIn({{{{0, 0}, {10, 10}}, 0.6}}) == 1);
+    CHECK(linesIn({{{{5, 0}, {5, 4}}, 0.6}}) == 1);
+    CHECK(linesIn({{{{5, 0}, {5, 0.6}}, 0.6}}) == 0);
+    CHECK(linesIn({{{{5, 0}, {5, 0.7}}, 0.6}}) == 1);
+}
+
+TEST_CASE("repeated outlines: lines are dropped from one node with other pieces to the next") {
+    // The first line leaves the square where the second begins, and comes back.
+    const LooseLine along{{{1, 0.2}, {4, 0.1}, {4, -2}, {6, -2}, {6, 0.1}, {9, 0.2}, {5, 5}}, 0.3};
+    const Arrangement result = arranged(squareWith({along}));
+    CHECK(lineCount(result.domain) == 3); // the first two segments in the square are gone
+    // A second line divides a line into the part that repeats the outline and the rest.
+    const LooseLine whole{{{1, 0.2}, {9, 0.2}, {9, 5}, {5, 5}}, 0.3};
+    CHECK(linesIn({whole}) == 3);
+    CHECK(linesIn({whole, {{{6, 0.2}, {6, 5}}, 0.3}}) == 5); // without the part from x = 1 to 6
+}
+
+TEST_CASE("repeated outlines: closed lines, and outlines of many short segments") {
+    std::vector<Vec2> circle, ring;
+    for (int k = 0; k <= 200; ++k) {
+        const double angle = 6.283185307179586 * k / 200;
+        circle.push_back({5 + 4 * std::cos(angle), 5 + 4 * std::sin(angle)});
+        ring.push_back({5 + 3.9 * std::cos(1 - angle), 5 + 3.9 * std::sin(1 - angle)});
+    }
+    circle.pop_back();
+    ring.back() = ring.front();
+    for (const double reach : {0.09, 0.12}) {
+        ArrangementInput input;
+        addPath(input, FillRule::NonZero, {circle});
+        input.addChain(ring, 5, {}, kNoClip, reach);
+        CHECK(lineCount(arranged(input).domain) == (reach < 0.1 ? 200 : 0));
+    }
+}
+
+TEST_CASE("repeated outlines: the order of the pieces does not matter") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> along(0.0, 10.0), off(0.0, 0.8), reach(0.0, 0.8);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<LooseLine> lines;
+        for (int k = 0; k < 6; ++k) {
+            lines.push_back(
+                {{{along(random), off(random)}, {along(random), off(random)}, {10 - off(random), 9}}, reach(random)});
+        }
+        const auto before = segmentSet(arranged(squareWith(lines)).domain);
+        std::shuffle(lines.begin(), lines.end(), random);
+        for (LooseLine &line : lines) {
+            std::reverse(line.nodes.begin(), line.nodes.end());
+        }
+        CHECK(segmentSet(arranged(squareWith(lines)).domain) == before);
+    }
+}
+
+TEST_CASE("repeated outlines: SVG strokes that reach the outline all along are dropped, with a note") {
+    ImportNotes notes;
+    CHECK(linesInDrawing("<rect x=\"1.1\" y=\"1.1\" width=\"3.8\" height=\"3.8\" fill=\"none\" stroke=\"red\" "
+                         "stroke-width=\".2\"/>",
+                         &notes) == 0);
+    CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
+                      [](const ImportNote &note) { return note.code == "repeated-outlines"; }));
+    // Thinner ones do not reach it.
+    CHECK(linesInDrawing("<rect x=\"1.1\" y=\"1.1\" width=\"3.8\" height=\"3.8\" fill=\"none\" stroke=\"red\" "
+                         "stroke-width=\".15\"/>") == 4);
+}
+
+TEST_CASE("repeated outlines: SVG stroke widths are inherited, scaled and have units") {
+    const std::string line = "<path d=\"M1.5 1.2H4.5\" fill=\"none\" stroke=\"red\"";
+    CHECK(linesInDrawing(line + "/>") == 0); // 1 by default
+    CHECK(linesInDrawing("<g stroke-width=\".3\">" + line + "/></g>") == 1);
+    CHECK(linesInDrawing("<g stroke-width=\".3\">" + line + " style=\"stroke-width: 0.5px\"/></g>") == 0);
+    CHECK(linesInDrawing("<g stroke-width=\".3\">" + line + " stroke-width=\"-1\"/></g>") == 1);
+    CHECK(linesInDrawing(line + " stroke-width=\"2%\"/>") == 1);
+    CHECK(linesInDrawing(line + " stroke-width=\"5%\"/>") == 0);
+    const std::string scaled = "<g transform=\"scale(.1)\"><path d=\"M15 12H45\" fill=\"none\" stroke=\"red\" ";
+    CHECK(linesInDrawing(scaled + "stroke-width=\"3\"/></g>") == 1);
+    CHECK(linesInDrawing(scaled + "stroke-width=\"5\"/></g>") == 0);
+    // A width of 0 paints nothing: the closed line is ignored, as without a stroke.
+    CHECK(linesInDrawing("<circle cx=\"3\" cy=\"3\" r=\"1\" fill=\"none\" stroke=\"red\" stroke-width=\"0\"/>") == 0);
+}
