@@ -117,12 +117,16 @@ TEST_CASE("Drawings: painted shapes are united, crossing or nested") {
     CHECK(crossing.has("crossing-segments"));
 }
 
-TEST_CASE("Drawings: unpainted shapes are lines, or nothing where other shapes are painted") {
+TEST_CASE("Drawings: unpainted shapes are lines, or nothing where other shapes are painted or stroked") {
     const Read lined = read(svg(R"(<rect width="9" height="9"/><path fill="none" stroke="red" d="M2 2H5V5H2Z"/>)"
                                 R"(<path fill="none" d="M-5 -5H20V20H-5Z"/>)"));
     checkAreas(areas(lined.domain), {{"region_1", 81}});
     CHECK(lined.domain.segments.size() == 8);
     CHECK(lined.has("svg-unpainted"));
+    const Read framed = read(svg(R"(<path fill="none" d="M0 0H24V24H0Z"/>)"
+                                 R"(<rect fill="none" stroke="red" x="2" y="2" width="9" height="9"/>)"));
+    checkAreas(areas(framed.domain), {{"region_1", 81}});
+    CHECK(framed.has("svg-unpainted"));
     const Read outlines = read(svg(R"(<g fill="none" stroke="black"><rect width="9" height="9"/>)"
                                    R"(<circle cx="4" cy="4" r="1"/><path d="M6 6H8"/></g>)"));
     CHECK(areas(outlines.domain).at("region_1") == doctest::Approx(81 - 3.14159265).epsilon(1e-3));

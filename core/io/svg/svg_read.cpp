@@ -45,8 +45,10 @@ class SvgBuilder {
                 joinEnds(part, kSameNode * drawing.size);
             }
         }
-        anyPainted_ = anyPainted_ ||
-                      std::any_of(paths_.begin(), paths_.end(), [](const SvgPath &path) { return path.painted(); });
+        for (const SvgPath &path : paths_) {
+            anyPainted_ = anyPainted_ || path.painted();
+            anyStroked_ = anyStroked_ || path.paint.stroked;
+        }
     }
 
     Result<Domain> run() {
@@ -252,7 +254,7 @@ class SvgBuilder {
     }
 
     /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
-    /// strokes are outlines.
+    /// strokes are outlines. Closed paths with neither count only if nothing has any: icons have such frames.
     Part partOf(const SvgPath &path) {
         if (path.nodes.size() < 2) {
             return Part::Nothing;
@@ -261,11 +263,11 @@ class SvgBuilder {
             return Part::Painted;
         }
         const bool loop = path.closed && path.nodes.size() > 2;
+        if (loop && !path.paint.stroked && (anyPainted_ || anyStroked_)) {
+            return Part::Nothing;
+        }
         if (!anyPainted_) {
             return loop ? Part::Outline : Part::Line;
-        }
-        if (loop && !path.paint.stroked) {
-            return Part::Nothing;
         }
         return source_.options.dropLines ? Part::LeftOut : Part::Line;
     }
@@ -322,6 +324,7 @@ class SvgBuilder {
     DrawingBuilder builder_;
     TagAllocator tags_;
     bool anyPainted_;
+    bool anyStroked_ = false;
     std::size_t painted_ = kNone; ///< the element of the last contour
     std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;
