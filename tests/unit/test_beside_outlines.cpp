@@ -41,9 +41,9 @@ std::size_t linesIn(const std::vector<LooseLine> &lines) {
     return lineCount(arranged(squareWith(lines)).domain);
 }
 
-/// Returns the number of lines in a drawing with a square of side 4.
+/// Returns the number of lines in a drawing with a square of side 8.
 std::size_t linesInDrawing(const std::string &content, ImportNotes *notes = nullptr) {
-    return lineCount(svgDomain(svgDrawing("<rect x=\"1\" y=\"1\" width=\"4\" height=\"4\"/>" + content), notes));
+    return lineCount(svgDomain(svgDrawing("<rect x=\"1\" y=\"1\" width=\"8\" height=\"8\"/>" + content), notes));
 }
 
 } // namespace
@@ -117,13 +117,13 @@ TEST_CASE("repeated outlines: the order of the pieces does not matter") {
 
 TEST_CASE("repeated outlines: SVG strokes that reach the outline all along are dropped, with a note") {
     ImportNotes notes;
-    CHECK(linesInDrawing("<rect x=\"1.1\" y=\"1.1\" width=\"3.8\" height=\"3.8\" fill=\"none\" stroke=\"red\" "
+    CHECK(linesInDrawing("<rect x=\"1.1\" y=\"1.1\" width=\"7.8\" height=\"7.8\" fill=\"none\" stroke=\"red\" "
                          "stroke-width=\".2\"/>",
                          &notes) == 0);
     CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
                       [](const ImportNote &note) { return note.code == "repeated-outlines"; }));
     // Thinner ones do not reach it.
-    CHECK(linesInDrawing("<rect x=\"1.1\" y=\"1.1\" width=\"3.8\" height=\"3.8\" fill=\"none\" stroke=\"red\" "
+    CHECK(linesInDrawing("<rect x=\"1.1\" y=\"1.1\" width=\"7.8\" height=\"7.8\" fill=\"none\" stroke=\"red\" "
                          "stroke-width=\".15\"/>") == 4);
 }
 
@@ -138,6 +138,12 @@ TEST_CASE("repeated outlines: SVG stroke widths are inherited, scaled and have u
     const std::string scaled = "<g transform=\"scale(.1)\"><path d=\"M15 12H45\" fill=\"none\" stroke=\"red\" ";
     CHECK(linesInDrawing(scaled + "stroke-width=\"3\"/></g>") == 1);
     CHECK(linesInDrawing(scaled + "stroke-width=\"5\"/></g>") == 0);
+    // Not scaled: the width is not known. Without a stroke, there is none.
+    CHECK(linesInDrawing(line + " vector-effect=\"non-scaling-stroke\"/>") == 1);
+    CHECK(linesInDrawing("<path d=\"M1.5 1.2H4.5\" fill=\"none\"/>") == 1);
+    // Very wide ones reach 1/32 of the drawing's diagonal at most.
+    CHECK(linesInDrawing("<path d=\"M1.5 1.35H4.5\" fill=\"none\" stroke=\"red\" stroke-width=\"9\"/>") == 0);
+    CHECK(linesInDrawing("<path d=\"M1.5 1.37H4.5\" fill=\"none\" stroke=\"red\" stroke-width=\"9\"/>") == 1);
     // A width of 0 paints nothing: the closed line is ignored, as without a stroke.
     CHECK(linesInDrawing("<circle cx=\"3\" cy=\"3\" r=\"1\" fill=\"none\" stroke=\"red\" stroke-width=\"0\"/>") == 0);
 }

@@ -21,9 +21,10 @@ struct SvgPath {
     std::vector<Curve> curves;
     std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
-    bool isLine = false;     ///< of a <line> or <polyline>
-    SvgPaint paint;          ///< transparent paint counts as none
-    std::size_t element = 0; ///< number of the element that it is a subpath of
+    bool isLine = false;      ///< of a <line> or <polyline>
+    SvgPaint paint;           ///< transparent paint counts as none
+    double strokeWidth = 0.0; ///< in domain units; 0 without a stroke, or if it does not scale with the drawing
+    std::size_t element = 0;  ///< number of the element that it is a subpath of
     std::string name;
     std::size_t offset = 0;        ///< of its element in the text
     std::uint32_t limit = kNoClip; ///< the clip that limits it, in SvgPaths::clips

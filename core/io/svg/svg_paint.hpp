@@ -25,7 +25,7 @@ struct SvgPaint {
     SvgColour current; ///< the property `color`
     double fillOpacity = 1.0, strokeOpacity = 1.0;
     double opacity = 1.0;     ///< product of those of the element and all elements around it
-    double strokeWidth = 1.0; ///< in user units; of an SvgPath in domain units
+    double strokeWidth = 1.0; ///< in user units
 
     /// Returns the opacity of the fill; 0: nothing is filled.
     double fillAlpha() const { return filled ? fill.alpha * fillOpacity * opacity : 0.0; }

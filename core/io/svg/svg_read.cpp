@@ -17,6 +17,7 @@ namespace forefront {
 namespace {
 
 constexpr double kSameNode = 1e-6; ///< fraction of the drawing's size: the rounding error of relative path data
+constexpr double kWidestStroke = 1.0 / 16.0; ///< of the drawing, as a line
 
 /// Closes a path that ends where it begins.
 void joinEnds(SvgPath &path, double tolerance) {
@@ -36,7 +37,7 @@ class SvgBuilder {
   public:
     SvgBuilder(SvgPaths drawing, const SourceText &source)
         : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source),
-          anyPainted_(drawing.cropsFill) {
+          size_(drawing.size), anyPainted_(drawing.cropsFill) {
         for (SvgPath &path : paths_) {
             joinEnds(path, kSameNode * drawing.size);
         }
@@ -68,7 +69,7 @@ class SvgBuilder {
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 if (path.paint.stroked && !path.closed && !source_.options.dropLines) {
-                    builder_.addChain(path.nodes, tag, path.stretches, path.limit, path.paint.strokeWidth);
+                    builder_.addChain(path.nodes, tag, path.stretches, path.limit, widthOf(path));
                 }
                 break;
             case Part::Outline:
@@ -310,12 +311,15 @@ class SvgBuilder {
         }
     }
 
+    /// Returns the width of a stroke, limited for drawings in small units whose strokes have the default width of 1.
+    double widthOf(const SvgPath &path) const { return std::min(path.strokeWidth, kWidestStroke * size_); }
+
     void addLine(const SvgPath &path, std::int32_t tag) {
         std::vector<Vec2> nodes = path.nodes;
         if (path.closed && nodes.size() > 2) {
             nodes.push_back(nodes.front());
         }
-        builder_.addChain(nodes, tag, path.stretches, path.limit, path.paint.strokeWidth);
+        builder_.addChain(nodes, tag, path.stretches, path.limit, widthOf(path));
     }
 
     const SourceText &source_;
@@ -323,6 +327,7 @@ class SvgBuilder {
     std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
     TagAllocator tags_;
+    double size_; ///< diagonal of what is visible
     bool anyPainted_;
     bool anyStroked_ = false;
     std::size_t painted_ = kNone; ///< the element of the last contour
