@@ -5,6 +5,8 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -28,32 +30,15 @@ struct EglPlatform::Context {
 
 namespace {
 
-bool startDisplay(EGLDisplay &display, EGLenum kind, EGLDeviceEXT device) {
+/// Opens an OpenGL context of a display; returns what is missing, or an empty text.
+std::string openContext(EGLenum kind, EGLDeviceEXT device, EGLDisplay &display, EGLContext &context) {
     display = eglGetPlatformDisplay(kind, device, nullptr);
-    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) {
-        return true;
-    }
-    display = EGL_NO_DISPLAY;
-    return false;
-}
-
-/// Without Mesa, the drivers of graphics cards offer a display for each card instead.
-bool startDisplayOfDevice(EGLDisplay &display) {
-    const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    EGLDeviceEXT device = EGL_NO_DEVICE_EXT;
-    EGLint count = 0;
-    return queryDevices != nullptr && queryDevices(1, &device, &count) == EGL_TRUE && count > 0 &&
-           startDisplay(display, EGL_PLATFORM_DEVICE_EXT, device);
-}
-
-bool openContext(EGLDisplay &display, EGLContext &context, std::string &fault) {
-    if (!startDisplay(display, EGL_PLATFORM_SURFACELESS_MESA, nullptr) && !startDisplayOfDevice(display)) {
-        fault = "no EGL display without a window; install libegl-mesa0";
-        return false;
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
+        display = EGL_NO_DISPLAY;
+        return "no EGL display without a window; install libegl-mesa0";
     }
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
-        fault = "EGL does not support desktop OpenGL; install libgl1-mesa-dri";
-        return false;
+        return "EGL does not support desktop OpenGL; install libgl1-mesa-dri";
     }
     const EGLint configAttributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE};
     EGLConfig config = nullptr;
@@ -64,10 +49,21 @@ bool openContext(EGLDisplay &display, EGLContext &context, std::string &fault) {
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context = eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, contextAttributes);
     if (context == EGL_NO_CONTEXT || eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
-        fault = "no OpenGL 3.3 core context from EGL; install libgl1-mesa-dri";
-        return false;
+        return "no OpenGL 3.3 core context from EGL; install libgl1-mesa-dri";
     }
-    return true;
+    return {};
+}
+
+/// Returns the graphics cards that EGL knows.
+std::vector<EGLDeviceEXT> graphicsCards() {
+    const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    std::vector<EGLDeviceEXT> cards(16);
+    EGLint count = 0;
+    if (query == nullptr || query(static_cast<EGLint>(cards.size()), cards.data(), &count) == EGL_FALSE) {
+        count = 0;
+    }
+    cards.resize(static_cast<std::size_t>(count));
+    return cards;
 }
 
 void makeFramebuffer(PixelSize size, unsigned &framebuffer, unsigned &colour, unsigned &depthStencil) {
@@ -87,7 +83,16 @@ void makeFramebuffer(PixelSize size, unsigned &framebuffer, unsigned &colour, un
 
 std::unique_ptr<EglPlatform> EglPlatform::create(PixelSize size, double contentScale, std::string &fault) {
     auto context = std::make_unique<Context>();
-    if (!openContext(context->display, context->context, fault)) {
+    fault = openContext(EGL_PLATFORM_SURFACELESS_MESA, nullptr, context->display, context->context);
+    // Without Mesa, the drivers of graphics cards offer a display for each card instead.
+    const std::vector<EGLDeviceEXT> cards = fault.empty() ? std::vector<EGLDeviceEXT>() : graphicsCards();
+    for (std::size_t k = 0; k < cards.size() && !fault.empty(); ++k) {
+        context = std::make_unique<Context>();
+        if (openContext(EGL_PLATFORM_DEVICE_EXT, cards[k], context->display, context->context).empty()) {
+            fault.clear();
+        }
+    }
+    if (!fault.empty()) {
         return nullptr;
     }
     if (gladLoadGL(reinterpret_cast<GLADloadfunc>(eglGetProcAddress)) == 0) {

@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// A headless platform: surfaceless EGL, drawing to a framebuffer object, no X server. A frame lasts 1/60 s.
+/// A headless platform: EGL without a surface, drawing to a framebuffer object, no X server. A frame lasts 1/60 s.
 class EglPlatform final : public Platform {
   public:
     /// Returns null, with the reason in `fault`, if EGL provides no OpenGL 3.3 context.
