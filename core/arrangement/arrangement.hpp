@@ -46,8 +46,7 @@ struct ArrangementPiece {
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
     std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
-    /// Of a Constraint: where it stays within this distance of outlines from one node with other pieces to the next, it
-    /// is dropped, since the outlines stand for it.
+    /// Of a Constraint: it is dropped where it repeats an outline within this distance (see edgesRepeatingOutlines()).
     double reach = 0.0;
 };
 
@@ -96,7 +95,8 @@ struct ArrangementInput {
     /// skipped. The stretches, if given, belong to the pieces that begin at the nodes; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
-    /// Adds a line that the mesh must contain, as far as a clip shows it and no outline within `reach` repeats it.
+    /// Adds a line that the mesh must contain, as far as a clip shows it and it does not repeat an outline within
+    /// `reach`.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {},
                   std::uint32_t limit = kNoClip, double reach = 0.0);
     void addPoint(Vec2 at, std::int32_t tag);

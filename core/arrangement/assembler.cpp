@@ -1,13 +1,11 @@
 #include "core/arrangement/assembler.hpp"
 
-#include "core/arrangement/beside_outlines.hpp"
 #include "core/arrangement/stretch_part.hpp"
 #include "core/base/ids.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace forefront {
@@ -105,12 +103,15 @@ Assembler::Fate Assembler::fateOf(std::uint32_t edge) const {
     return isLine || separates(edge) ? Fate::Constraint : Fate::Inner;
 }
 
-/// Returns true if an edge is an outline of what covers one of its sides.
+/// Returns true if an edge bounds what covers one of its sides.
 bool Assembler::separates(std::uint32_t edge) const {
     const std::uint32_t left = faces_.left[edge], right = faces_.right[edge];
+    if (inside(left) != inside(right)) {
+        return true;
+    }
     // All shapes of the left face end here: those of the right one only touch them.
     const bool touch = left != right && cover_.ends[edge] == cover_.shapes[left];
-    return inside(left) != inside(right) || touch || cover_.owner[left] != cover_.owner[right];
+    return inside(left) && (touch || cover_.owner[left] != cover_.owner[right]);
 }
 
 void Assembler::decideFates() {
@@ -133,38 +134,46 @@ void Assembler::decideFates() {
 
 /// Drops the lines that repeat an outline: the gap between them would be full of tiny or very long elements.
 void Assembler::dropRepeatedOutlines() {
-    const std::vector<double> reach = reaches();
-    if (reach.empty()) {
+    const auto isLoose = [](const ArrangementPiece &piece) { return piece.reach > 0.0; };
+    if (std::none_of(input_.pieces.begin(), input_.pieces.end(), isLoose)) {
         return;
     }
-    std::vector<BesideRole> roles(fate_.size(), BesideRole::Dropped);
-    for (std::uint32_t e = 0; e < roles.size(); ++e) {
-        if (kept(e)) {
-            roles[e] = separates(e) ? BesideRole::Outline : reach[e] > 0.0 ? BesideRole::LooseLine : BesideRole::Line;
-        }
-    }
-    for (const BesideEdge &beside : edgesBesideOutlines(snapped_.nodes, snapped_.edges, roles, reach)) {
-        fate_[beside.edge] = Fate::Repeated;
-        repeated_.emplace(beside.edge, beside.distance);
+    for (const RepeatingEdge &found : edgesRepeatingOutlines(snapped_.nodes, snapped_.edges, edgesBeside())) {
+        fate_[found.edge] = Fate::Repeated;
+        repeated_.emplace(found.edge, found.distance);
     }
 }
 
-/// Returns, per edge, the reach of the lines along it; empty if no line has any.
-std::vector<double> Assembler::reaches() const {
-    const auto isLoose = [](const ArrangementPiece &piece) { return piece.reach > 0.0; };
-    if (std::none_of(input_.pieces.begin(), input_.pieces.end(), isLoose)) {
-        return {};
+/// Describes the edges for the search for lines that repeat outlines.
+std::vector<BesideEdge> Assembler::edgesBeside() const {
+    std::vector<BesideEdge> about(fate_.size());
+    std::vector<std::uint8_t> known(fate_.size(), 0);
+    for (std::uint32_t e = 0; e < about.size(); ++e) {
+        about[e].role = !kept(e) ? BesideRole::Dropped : separates(e) ? BesideRole::Outline : BesideRole::LooseLine;
+        about[e].divides = faces_.left[e] != faces_.right[e];
     }
-    std::vector<double> reach(snapped_.edges.size(), std::numeric_limits<double>::infinity());
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
         for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
-            if (pieceOf(i).role == PieceRole::Constraint) {
-                double &least = reach[snapped_.ways[k] / 2];
-                least = std::min(least, pieceOf(i).reach);
+            const std::uint32_t edge = snapped_.ways[k] / 2;
+            BesideEdge &own = about[edge];
+            if (pieceOf(i).role == PieceRole::Constraint && own.role == BesideRole::LooseLine) {
+                own.reach = known[edge] != 0 ? std::min(own.reach, pieceOf(i).reach) : pieceOf(i).reach;
+                known[edge] = 1;
+            }
+            if (const std::uint32_t curve = joined_.stretches[i].curve;
+                curve < input_.curves.size() && own.role != BesideRole::Dropped) {
+                const PlaneEdge &ends = snapped_.edges[edge];
+                const CurveStretch stretch = stretchOf(i, ends.a, ends.b).stretch;
+                own.deviation = std::max(own.deviation, input_.curves[curve].deviation(stretch.t0, stretch.t1));
             }
         }
     }
-    return reach;
+    for (BesideEdge &edge : about) {
+        if (edge.role == BesideRole::LooseLine && !(edge.reach > 0.0)) {
+            edge.role = BesideRole::Line;
+        }
+    }
+    return about;
 }
 
 /// Returns the reason why an edge is dropped if that has to do with clips, else the given one.

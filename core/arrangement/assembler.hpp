@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/arrangement/arrangement.hpp"
+#include "core/arrangement/beside_outlines.hpp"
 #include "core/arrangement/change.hpp"
 #include "core/arrangement/cover.hpp"
 #include "core/arrangement/joined_lines.hpp"
@@ -31,7 +32,7 @@ class Assembler {
     bool separates(std::uint32_t edge) const;
     Fate clippedFate(std::uint32_t edge, Fate fate) const;
     void dropRepeatedOutlines();
-    std::vector<double> reaches() const;
+    std::vector<BesideEdge> edgesBeside() const;
     void chooseTags();
     void buildDomain();
     void takeCurves();

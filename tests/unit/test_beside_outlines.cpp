@@ -65,8 +65,7 @@ TEST_CASE("repeated outlines: a line that leaves an outline stays as a whole") {
     CHECK(linesIn({{{{1, 0.5}, {9, 0.5}, {5, 5}}, 0.6}}) == 2);
     CHECK(linesIn({{{{0, 0}, {10, 10}}, 0.6}}) == 1);
     CHECK(linesIn({{{{5, 0}, {5, 4}}, 0.6}}) == 1);
-    CHECK(linesIn({{{{5, 0}, {5, 0.6}}, 0.6}}) == 0);
-    CHECK(linesIn({{{{5, 0}, {5, 0.7}}, 0.6}}) == 1);
+    CHECK(linesIn({{{{5, 0}, {5, 0.6}}, 0.6}}) == 1); // however short
 }
 
 TEST_CASE("repeated outlines: lines are dropped from one node with other pieces to the next") {
@@ -78,6 +77,45 @@ TEST_CASE("repeated outlines: lines are dropped from one node with other pieces 
     const LooseLine whole{{{1, 0.2}, {9, 0.2}, {9, 5}, {5, 5}}, 0.3};
     CHECK(linesIn({whole}) == 3);
     CHECK(linesIn({whole, {{{6, 0.2}, {6, 5}}, 0.3}}) == 5); // without the part from x = 1 to 6
+}
+
+TEST_CASE("repeated outlines: lines that lead across to something stay") {
+    // An inner frame is dropped, but not the ends of the cross that lie outside of it.
+    const LooseLine frame{{{0.2, 0.2}, {9.8, 0.2}, {9.8, 9.8}, {0.2, 9.8}, {0.2, 0.2}}, 0.3};
+    CHECK(linesIn({frame, {{{5, 0}, {5, 10}}, 0.3}, {{{0, 5}, {10, 5}}, 0.3}}) == 8);
+    // It stays if what divides it would no longer reach anything.
+    CHECK(linesIn({frame, {{{5, 0.2}, {5, 9.8}}, 0.3}}) == 7);
+    CHECK(linesIn({frame, {{{5, 0.2}, {5, 5}}, 0.3}}) == 1); // divides nothing
+    // A bridge across a narrow part.
+    ArrangementInput holed;
+    addPath(holed, FillRule::EvenOdd, {rectangle(0, 0, 10, 10), rectangle(0.5, 2, 4, 6)});
+    holed.addChain(std::vector<Vec2>{{0, 5}, {0.5, 5}}, 5, {}, kNoClip, 0.3);
+    CHECK(lineCount(arranged(holed).domain) == 1);
+}
+
+TEST_CASE("repeated outlines: circles of a stroke inside the outline, whose chords are not parallel") {
+    for (const char *const turn : {"rotate(0)", "rotate(7)", "rotate(30)"}) {
+        for (const char *const ring : {"r=\"39.5\" stroke-width=\"1\"", "r=\"39.995\" stroke-width=\".01\""}) {
+            CAPTURE(turn);
+            CAPTURE(ring);
+            const Domain domain = svgDomain(svgDrawing(
+                std::string("<circle cx=\"50\" cy=\"50\" r=\"40\"/><circle cx=\"50\" cy=\"50\" fill=\"none\" "
+                            "stroke=\"black\" transform-origin=\"50 50\" transform=\"") +
+                    turn + "\" " + ring + "/>",
+                "viewBox=\"0 0 100 100\""));
+            CHECK(lineCount(domain) == 0);
+        }
+    }
+}
+
+TEST_CASE("repeated outlines: lines with a name of their own stay") {
+    const std::string line = "<path d=\"M1.2 3V6\" fill=\"none\" stroke=\"red\" stroke-width=\".5\" id=\"";
+    for (const char *const generated : {"path3948", "path12-5", "line", "use7"}) {
+        CHECK(linesInDrawing(line + generated + "\"/>") == 0);
+    }
+    for (const char *const own : {"inlet", "path to the sea", "inlet2"}) {
+        CHECK(linesInDrawing(line + own + "\"/>") == 1);
+    }
 }
 
 TEST_CASE("repeated outlines: closed lines, and outlines of many short segments") {
@@ -133,17 +171,18 @@ TEST_CASE("repeated outlines: SVG stroke widths are inherited, scaled and have u
     CHECK(linesInDrawing("<g stroke-width=\".3\">" + line + "/></g>") == 1);
     CHECK(linesInDrawing("<g stroke-width=\".3\">" + line + " style=\"stroke-width: 0.5px\"/></g>") == 0);
     CHECK(linesInDrawing("<g stroke-width=\".3\">" + line + " stroke-width=\"-1\"/></g>") == 1);
+    CHECK(linesInDrawing("<g stroke-width=\".3\">" + line + " style=\"stroke-width: initial\"/></g>") == 0);
     CHECK(linesInDrawing(line + " stroke-width=\"2%\"/>") == 1);
     CHECK(linesInDrawing(line + " stroke-width=\"5%\"/>") == 0);
     const std::string scaled = "<g transform=\"scale(.1)\"><path d=\"M15 12H45\" fill=\"none\" stroke=\"red\" ";
     CHECK(linesInDrawing(scaled + "stroke-width=\"3\"/></g>") == 1);
     CHECK(linesInDrawing(scaled + "stroke-width=\"5\"/></g>") == 0);
+    CHECK(linesInDrawing("<g transform=\"scale(1 .1)\"><path d=\"M1.5 12H4.5\" fill=\"none\" stroke=\"red\" "
+                         "stroke-width=\"3\"/></g>") == 1); // narrower than .4 across
     // Not scaled: the width is not known. Without a stroke, there is none.
     CHECK(linesInDrawing(line + " vector-effect=\"non-scaling-stroke\"/>") == 1);
     CHECK(linesInDrawing("<path d=\"M1.5 1.2H4.5\" fill=\"none\"/>") == 1);
     // Very wide ones reach 1/32 of the drawing's diagonal at most.
     CHECK(linesInDrawing("<path d=\"M1.5 1.35H4.5\" fill=\"none\" stroke=\"red\" stroke-width=\"9\"/>") == 0);
     CHECK(linesInDrawing("<path d=\"M1.5 1.37H4.5\" fill=\"none\" stroke=\"red\" stroke-width=\"9\"/>") == 1);
-    // A width of 0 paints nothing: the closed line is ignored, as without a stroke.
-    CHECK(linesInDrawing("<circle cx=\"3\" cy=\"3\" r=\"1\" fill=\"none\" stroke=\"red\" stroke-width=\"0\"/>") == 0);
 }

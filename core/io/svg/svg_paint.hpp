@@ -29,7 +29,7 @@ struct SvgPaint {
 
     /// Returns the opacity of the fill; 0: nothing is filled.
     double fillAlpha() const { return filled ? fill.alpha * fillOpacity * opacity : 0.0; }
-    double strokeAlpha() const { return stroked && strokeWidth > 0.0 ? stroke.alpha * strokeOpacity * opacity : 0.0; }
+    double strokeAlpha() const { return stroked ? stroke.alpha * strokeOpacity * opacity : 0.0; }
 };
 
 /// The gradients and patterns of a drawing. Remembers which of them paint nothing, since any number of shapes may refer

@@ -4,11 +4,13 @@
 #include "core/io/svg/svg_drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,8 +18,23 @@ namespace forefront {
 
 namespace {
 
-constexpr double kSameNode = 1e-6; ///< fraction of the drawing's size: the rounding error of relative path data
-constexpr double kWidestStroke = 1.0 / 16.0; ///< of the drawing, as a line
+constexpr double kSameNode = 1e-6;        ///< fraction of the drawing's size: the rounding error of relative path data
+constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
+
+bool isLoop(const SvgPath &path) {
+    return path.closed && path.nodes.size() > 2;
+}
+
+/// Returns true for no name and for those that drawing programs make up, such as "path3948" or "rect1-5".
+bool isGeneratedName(std::string_view name) {
+    constexpr std::array<std::string_view, 8> kElements = {"path", "rect",     "circle",  "ellipse",
+                                                           "line", "polyline", "polygon", "use"};
+    const bool generated = std::any_of(kElements.begin(), kElements.end(), [&](std::string_view element) {
+        return name.starts_with(element) &&
+               name.substr(element.size()).find_first_not_of("0123456789-_.") == std::string_view::npos;
+    });
+    return name.empty() || generated;
+}
 
 /// Closes a path that ends where it begins.
 void joinEnds(SvgPath &path, double tolerance) {
@@ -48,7 +65,7 @@ class SvgBuilder {
         }
         for (const SvgPath &path : paths_) {
             anyPainted_ = anyPainted_ || path.painted();
-            anyStroked_ = anyStroked_ || path.paint.stroked;
+            closedStroke_ = closedStroke_ || (path.paint.stroked && isLoop(path));
         }
     }
 
@@ -255,7 +272,8 @@ class SvgBuilder {
     }
 
     /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
-    /// strokes are outlines. Closed paths with neither count only if nothing has any: icons have such frames.
+    /// strokes are outlines. Closed paths with neither, such as the frames of icons, count only if there are no such
+    /// shapes or strokes.
     Part partOf(const SvgPath &path) {
         if (path.nodes.size() < 2) {
             return Part::Nothing;
@@ -263,8 +281,8 @@ class SvgBuilder {
         if (path.painted()) {
             return Part::Painted;
         }
-        const bool loop = path.closed && path.nodes.size() > 2;
-        if (loop && !path.paint.stroked && (anyPainted_ || anyStroked_)) {
+        const bool loop = isLoop(path);
+        if (loop && !path.paint.stroked && (anyPainted_ || closedStroke_)) {
             return Part::Nothing;
         }
         if (!anyPainted_) {
@@ -275,7 +293,7 @@ class SvgBuilder {
 
     /// Reports, once per element, how it is read if that differs from how it looks.
     void noteReading(const SvgPath &path, Part part) {
-        const bool loop = path.closed && path.nodes.size() > 2;
+        const bool loop = isLoop(path);
         const bool first = std::exchange(noted_, path.element) != path.element;
         if (!first || path.nodes.size() < 2) {
             return;
@@ -305,14 +323,17 @@ class SvgBuilder {
         if (path.paint.stroked && part != Part::Nothing) {
             source_.note(
                 "svg-stroke",
-                "stroke widths are ignored: shapes end at the middle of their stroke; to mesh a stroke, convert "
-                "it to a path in the drawing program",
+                "strokes are not meshed: shapes end at the middle of their stroke; to mesh a stroke, convert it to a "
+                "path in the drawing program",
                 path.offset);
         }
     }
 
-    /// Returns the width of a stroke, limited for drawings in small units whose strokes have the default width of 1.
-    double widthOf(const SvgPath &path) const { return std::min(path.strokeWidth, kWidestStroke * size_); }
+    /// Returns the width of a stroke that may repeat an outline, which is limited for drawings in small units whose
+    /// strokes have the default width of 1. Lines with a name of their own are kept.
+    double widthOf(const SvgPath &path) const {
+        return isGeneratedName(path.name) ? std::min(path.strokeWidth, kMaxStroke * size_) : 0.0;
+    }
 
     void addLine(const SvgPath &path, std::int32_t tag) {
         std::vector<Vec2> nodes = path.nodes;
@@ -329,7 +350,7 @@ class SvgBuilder {
     TagAllocator tags_;
     double size_; ///< diagonal of what is visible
     bool anyPainted_;
-    bool anyStroked_ = false;
+    bool closedStroke_ = false;
     std::size_t painted_ = kNone; ///< the element of the last contour
     std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;

@@ -138,7 +138,7 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
     path.paint.filled = visit.paint.fillAlpha() > 0.0;
     path.paint.stroked = visit.paint.strokeAlpha() > 0.0;
     const bool scales = styles_.value(visit.node, "vector-effect") != "non-scaling-stroke"; // else it is not known
-    path.strokeWidth = path.paint.stroked && scales ? visit.paint.strokeWidth * visit.map.scale() : 0.0;
+    path.strokeWidth = path.paint.stroked && scales ? visit.paint.strokeWidth * visit.map.leastStretch() : 0.0;
     path.limit = visit.limit;
     path.element = elementCount_;
     path.name = nameOf(visit);

@@ -17,8 +17,11 @@ struct AffineMap {
     AffineMap operator*(const AffineMap &inner) const;
     /// Returns the maximum factor by which it stretches a length.
     double stretch() const;
-    /// Returns the factor by which it stretches lengths on average, the root of that of areas.
-    double scale() const { return std::sqrt(std::fabs(a * d - b * c)); }
+    /// Returns the minimum factor by which it stretches a length.
+    double leastStretch() const {
+        const double most = stretch();
+        return most > 0.0 ? std::fabs(a * d - b * c) / most : 0.0;
+    }
 
     /// Returns the map that moves the origin to `to`.
     static AffineMap translation(Vec2 to) { return {1.0, 0.0, 0.0, 1.0, to.x, to.y}; }

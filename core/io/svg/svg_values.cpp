@@ -33,8 +33,11 @@ double SvgDrawer::fontSizeOf(const pugi::xml_node &node, double inherited) const
 
 /// Returns the width of an element's stroke in user units: its own where given and valid, otherwise inherited.
 double SvgDrawer::strokeWidthOf(const Visit &visit) const {
-    const auto own =
-        userLength(styles_.value(visit.node, "stroke-width"), SvgExtent::Diagonal, visit.viewport, visit.fontSize);
+    const std::string value = styles_.value(visit.node, "stroke-width");
+    if (value == "initial") {
+        return SvgPaint().strokeWidth;
+    }
+    const auto own = userLength(value, SvgExtent::Diagonal, visit.viewport, visit.fontSize);
     return own && *own >= 0.0 ? *own : visit.paint.strokeWidth;
 }
 

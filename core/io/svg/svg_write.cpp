@@ -73,8 +73,6 @@ void writePaths(TextWriter &out, const SvgPathStyle &style, const std::vector<st
 
 } // namespace
 
-/// Draws the mesh: the elements of each region and the edges of each boundary tag are a path with its name as title, or
-/// several.
 void writeSvg(const Mesh &mesh, TextWriter &out) {
     const Sheet sheet(mesh);
     constexpr double kMargin = 10.0;
