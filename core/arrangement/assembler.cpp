@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace forefront {
@@ -138,7 +139,8 @@ void Assembler::dropRepeatedOutlines() {
     if (std::none_of(input_.pieces.begin(), input_.pieces.end(), isLoose)) {
         return;
     }
-    for (const RepeatingEdge &found : edgesRepeatingOutlines(snapped_.nodes, snapped_.edges, edgesBeside())) {
+    for (const RepeatingEdge &found :
+         edgesRepeatingOutlines(snapped_.nodes, snapped_.edges, edgesBeside(), input_.curves)) {
         fate_[found.edge] = Fate::Repeated;
         repeated_.emplace(found.edge, found.distance);
     }
@@ -147,24 +149,20 @@ void Assembler::dropRepeatedOutlines() {
 /// Describes the edges for the search for lines that repeat outlines.
 std::vector<BesideEdge> Assembler::edgesBeside() const {
     std::vector<BesideEdge> about(fate_.size());
-    std::vector<std::uint8_t> known(fate_.size(), 0);
     for (std::uint32_t e = 0; e < about.size(); ++e) {
         about[e].role = !kept(e) ? BesideRole::Dropped : separates(e) ? BesideRole::Outline : BesideRole::LooseLine;
+        about[e].reach = std::numeric_limits<double>::infinity();
         about[e].divides = faces_.left[e] != faces_.right[e];
     }
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
         for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
-            const std::uint32_t edge = snapped_.ways[k] / 2;
-            BesideEdge &own = about[edge];
-            if (pieceOf(i).role == PieceRole::Constraint && own.role == BesideRole::LooseLine) {
-                own.reach = known[edge] != 0 ? std::min(own.reach, pieceOf(i).reach) : pieceOf(i).reach;
-                known[edge] = 1;
+            BesideEdge &edge = about[snapped_.ways[k] / 2];
+            if (pieceOf(i).role == PieceRole::Constraint) {
+                edge.reach = std::min(edge.reach, pieceOf(i).reach);
             }
-            if (const std::uint32_t curve = joined_.stretches[i].curve;
-                curve < input_.curves.size() && own.role != BesideRole::Dropped) {
-                const PlaneEdge &ends = snapped_.edges[edge];
-                const CurveStretch stretch = stretchOf(i, ends.a, ends.b).stretch;
-                own.deviation = std::max(own.deviation, input_.curves[curve].deviation(stretch.t0, stretch.t1));
+            if (edge.role != BesideRole::Dropped && !edge.stretch.follows() && joined_.stretches[i].follows()) {
+                const PlaneEdge &ends = snapped_.edges[snapped_.ways[k] / 2];
+                edge.stretch = stretchOf(i, ends.a, ends.b).stretch;
             }
         }
     }

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -73,10 +74,10 @@ TEST_CASE("repeated outlines: lines are dropped from one node with other pieces 
     const LooseLine along{{{1, 0.2}, {4, 0.1}, {4, -2}, {6, -2}, {6, 0.1}, {9, 0.2}, {5, 5}}, 0.3};
     const Arrangement result = arranged(squareWith({along}));
     CHECK(lineCount(result.domain) == 3); // the first two segments in the square are gone
-    // A second line divides a line into the part that repeats the outline and the rest.
+    // Another line divides it into the part that repeats the outline and the rest.
     const LooseLine whole{{{1, 0.2}, {9, 0.2}, {9, 5}, {5, 5}}, 0.3};
     CHECK(linesIn({whole}) == 3);
-    CHECK(linesIn({whole, {{{6, 0.2}, {6, 5}}, 0.3}}) == 5); // without the part from x = 1 to 6
+    CHECK(linesIn({whole, {{{6, 0}, {6, 5}}, 0.3}}) == 6); // without the part from x = 1 to 6
 }
 
 TEST_CASE("repeated outlines: lines that lead across to something stay") {
@@ -86,6 +87,19 @@ TEST_CASE("repeated outlines: lines that lead across to something stay") {
     // It stays if what divides it would no longer reach anything.
     CHECK(linesIn({frame, {{{5, 0.2}, {5, 9.8}}, 0.3}}) == 7);
     CHECK(linesIn({frame, {{{5, 0.2}, {5, 5}}, 0.3}}) == 1); // divides nothing
+    // A diamond whose corners lie on the frame: without the frame, what is outside of it would be connected.
+    const LooseLine diamond{{{5, 0.2}, {9.8, 5}, {5, 9.8}, {0.2, 5}, {5, 0.2}}, 0.3};
+    CHECK(linesIn({frame, diamond}) == 12);
+    // A line that crosses the frame at a small angle stays, and so it still reaches the outline.
+    const Arrangement crossed = arranged(squareWith({frame, {{{0, 0.1}, {10, 2}}, 0.3}}));
+    CHECK(lineCount(crossed.domain) == 3);
+    // Oblique dividers of a strip.
+    ArrangementInput strip;
+    addPath(strip, FillRule::NonZero, {rectangle(0, 0, 100, 2)});
+    for (int k = 2; k < 90; k += 5) {
+        strip.addChain(std::vector<Vec2>{{double(k), 0}, {double(k) + 4.0, 2}}, 5, {}, kNoClip, 1.01);
+    }
+    CHECK(lineCount(arranged(strip).domain) == 18);
     // A bridge across a narrow part.
     ArrangementInput holed;
     addPath(holed, FillRule::EvenOdd, {rectangle(0, 0, 10, 10), rectangle(0.5, 2, 4, 6)});
@@ -106,11 +120,17 @@ TEST_CASE("repeated outlines: circles of a stroke inside the outline, whose chor
             CHECK(lineCount(domain) == 0);
         }
     }
+    // The stroke of a thinner ring does not reach the outline, although its chords cross those of the outline.
+    const Domain thin =
+        svgDomain(svgDrawing("<circle cx=\"50\" cy=\"50\" r=\"40\"/><circle cx=\"50\" cy=\"50\" fill=\"none\" "
+                             "stroke=\"black\" r=\"39.92\" stroke-width=\".01\"/>",
+                             "viewBox=\"0 0 100 100\""));
+    CHECK(lineCount(thin) > 20);
 }
 
 TEST_CASE("repeated outlines: lines with a name of their own stay") {
     const std::string line = "<path d=\"M1.2 3V6\" fill=\"none\" stroke=\"red\" stroke-width=\".5\" id=\"";
-    for (const char *const generated : {"path3948", "path12-5", "line", "use7"}) {
+    for (const char *const generated : {"path3948", "path12-5", "line", "use7", "Rectangle 5", "XMLID_4_"}) {
         CHECK(linesInDrawing(line + generated + "\"/>") == 0);
     }
     for (const char *const own : {"inlet", "path to the sea", "inlet2"}) {

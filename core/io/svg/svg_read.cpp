@@ -25,15 +25,24 @@ bool isLoop(const SvgPath &path) {
     return path.closed && path.nodes.size() > 2;
 }
 
-/// Returns true for no name and for those that drawing programs make up, such as "path3948" or "rect1-5".
+bool enclosesArea(const SvgPath &path) {
+    double twice = 0.0;
+    for (std::size_t k = 0; k < path.nodes.size(); ++k) {
+        twice += cross(path.nodes[k] - path.nodes[0], path.nodes[(k + 1) % path.nodes.size()] - path.nodes[0]);
+    }
+    return isLoop(path) && twice != 0.0;
+}
+
+/// Returns true for no name and for those that drawing programs make up, such as "path3948", "Rectangle 5" or
+/// "XMLID_4_".
 bool isGeneratedName(std::string_view name) {
-    constexpr std::array<std::string_view, 8> kElements = {"path", "rect",     "circle",  "ellipse",
-                                                           "line", "polyline", "polygon", "use"};
-    const bool generated = std::any_of(kElements.begin(), kElements.end(), [&](std::string_view element) {
-        return name.starts_with(element) &&
-               name.substr(element.size()).find_first_not_of("0123456789-_.") == std::string_view::npos;
-    });
-    return name.empty() || generated;
+    constexpr std::array<std::string_view, 16> kWords = {"path",    "rect", "circle", "ellipse",   "line",   "polyline",
+                                                         "polygon", "use",  "g",      "rectangle", "vector", "group",
+                                                         "layer",   "svg",  "xmlid",  "shape"};
+    std::string word(name.substr(0, name.find_first_of("0123456789-_. ")));
+    std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+    return name.empty() || (std::find(kWords.begin(), kWords.end(), word) != kWords.end() &&
+                            name.find_first_not_of("0123456789-_. ", word.size()) == std::string_view::npos);
 }
 
 /// Closes a path that ends where it begins.
@@ -65,7 +74,7 @@ class SvgBuilder {
         }
         for (const SvgPath &path : paths_) {
             anyPainted_ = anyPainted_ || path.painted();
-            closedStroke_ = closedStroke_ || (path.paint.stroked && isLoop(path));
+            closedStroke_ = closedStroke_ || (path.paint.stroked && enclosesArea(path));
         }
     }
 

@@ -137,8 +137,9 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
     path.paint = visit.paint;
     path.paint.filled = visit.paint.fillAlpha() > 0.0;
     path.paint.stroked = visit.paint.strokeAlpha() > 0.0;
-    const bool scales = styles_.value(visit.node, "vector-effect") != "non-scaling-stroke"; // else it is not known
-    path.strokeWidth = path.paint.stroked && scales ? visit.paint.strokeWidth * visit.map.leastStretch() : 0.0;
+    const bool scales =
+        styles_.value(visit.node, "vector-effect") != "non-scaling-stroke"; // otherwise the width is unknown
+    path.strokeWidth = path.paint.stroked && scales ? visit.paint.strokeWidth * visit.map.minStretch() : 0.0;
     path.limit = visit.limit;
     path.element = elementCount_;
     path.name = nameOf(visit);

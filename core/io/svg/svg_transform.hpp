@@ -18,9 +18,9 @@ struct AffineMap {
     /// Returns the maximum factor by which it stretches a length.
     double stretch() const;
     /// Returns the minimum factor by which it stretches a length.
-    double leastStretch() const {
-        const double most = stretch();
-        return most > 0.0 ? std::fabs(a * d - b * c) / most : 0.0;
+    double minStretch() const {
+        const double maximum = stretch();
+        return maximum > 0.0 ? std::fabs(a * d - b * c) / maximum : 0.0;
     }
 
     /// Returns the map that moves the origin to `to`.

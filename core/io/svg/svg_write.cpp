@@ -11,8 +11,10 @@ namespace forefront {
 namespace {
 
 constexpr double kWidth = 1000.0; ///< length of the drawing's longer side, in drawing units
-/// Elements or edges in one path, at most 50 bytes each. libxml2, and with it librsvg, refuses attributes of more than
-/// 10 MB, and some large files with paths of 450 KB.
+/// The number of elements and edges, at most 50 bytes each, from which on paths are divided, and the number in one path
+/// then. libxml2, and with it librsvg, refuses attributes of more than 10 MB, and some larger files with paths of 450
+/// KB.
+constexpr std::size_t kManyParts = 150'000;
 constexpr std::size_t kPartsPerPath = 1'000;
 
 // Light fills for regions, strong strokes for boundaries.
@@ -59,11 +61,11 @@ class Sheet {
 /// Writes parts of a drawing as one path, or as several if there are many.
 template <class PutPart>
 void writePaths(TextWriter &out, const SvgPathStyle &style, const std::vector<std::uint32_t> &parts,
-                const PutPart &putPart) {
-    for (std::size_t first = 0; first < parts.size() && out.ok(); first += kPartsPerPath) {
+                std::size_t perPath, const PutPart &putPart) {
+    for (std::size_t first = 0; first < parts.size() && out.ok(); first += perPath) {
         out << "<path fill=\"" << style.fill << "\" stroke=\"" << style.stroke << "\" stroke-width=\"" << style.width
             << "\" d=\"";
-        const std::size_t end = std::min(parts.size(), first + kPartsPerPath);
+        const std::size_t end = std::min(parts.size(), first + perPath);
         for (std::size_t k = first; k < end && out.ok(); ++k) {
             putPart(parts[k]);
         }
@@ -92,10 +94,12 @@ void writeSvg(const Mesh &mesh, TextWriter &out) {
             : std::sqrt(sheet.extent().x * sheet.extent().y / static_cast<double>(mesh.elements.size()));
     const double thin = std::min(0.8, 0.06 * pitch);
     const auto at = [&](NodeId node) { sheet.put(out, mesh.nodes[index(node)]); };
+    const std::size_t count = mesh.elements.size() + mesh.edges.size();
+    const std::size_t perPath = count < kManyParts ? kManyParts : kPartsPerPath;
     std::size_t number = 0;
     for (const auto &[tag, elements] : regions) {
         const SvgPathStyle style{kFills[number++ % kFills.size()], "#445566", thin, regionName(mesh.regionNames, tag)};
-        writePaths(out, style, elements, [&](std::uint32_t element) {
+        writePaths(out, style, elements, perPath, [&](std::uint32_t element) {
             const Element &nodes = mesh.elements[element];
             out << 'M', at(nodes[0]), out << 'L', at(nodes[1]), out << 'L', at(nodes[2]), out << "Z\n";
         });
@@ -104,7 +108,7 @@ void writeSvg(const Mesh &mesh, TextWriter &out) {
     for (const auto &[tag, edges] : boundaries) {
         const SvgPathStyle style{"none", kStrokes[number++ % kStrokes.size()], 3.0 * thin,
                                  boundaryName(mesh.boundaryNames, tag)};
-        writePaths(out, style, edges, [&](std::uint32_t edge) {
+        writePaths(out, style, edges, perPath, [&](std::uint32_t edge) {
             out << 'M', at(mesh.edges[edge].a), out << 'L', at(mesh.edges[edge].b), out << '\n';
         });
     }
