@@ -123,7 +123,7 @@ void ArrangementInput::addPoint(Vec2 at, std::int32_t tag) {
     pieces.push_back({at, at, 0, tag, PieceRole::Point});
 }
 
-Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop) {
+Result<Arrangement> arrange(const ArrangementInput &input, const std::stop_token &stop) {
     const Box2 box = boundsOf(input);
     if (Diagnostics faults = checkRange(input, box); !faults.empty()) {
         return faults;

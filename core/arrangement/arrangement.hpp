@@ -154,6 +154,6 @@ struct Arrangement {
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses
 ///   between tags and decides between features.
 /// Errors: non-finite, out-of-range, open-contour (a contour whose pieces do not form closed loops), cancelled.
-Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop = {});
+Result<Arrangement> arrange(const ArrangementInput &input, const std::stop_token &stop = {});
 
 } // namespace forefront
