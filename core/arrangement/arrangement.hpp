@@ -46,7 +46,8 @@ struct ArrangementPiece {
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
     std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
-    /// Of a Constraint: it is dropped where it repeats an outline within this distance (see edgesRepeatingOutlines()).
+    /// The distance from outlines, in domain units, up to which a Constraint that repeats them is dropped; 0: never.
+    /// See edgesRepeatingOutlines().
     double reach = 0.0;
 };
 

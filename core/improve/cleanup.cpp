@@ -290,7 +290,7 @@ class Cleanup {
 
     CleanupCounts run(const Progress &progress) {
         std::vector<std::uint32_t> bad = findBad();
-        std::optional<VainAttempts> vain; // of the rounds after the first, which do all the same
+        std::optional<VainAttempts> vain; // from the second round on; these rounds make the same attempts
         for (int round = 0; round < rounds_ && !bad.empty() && !progress.cancelled(); ++round) {
             if (round == 1) {
                 vain.emplace(work_);

@@ -21,8 +21,8 @@ constexpr double kMaxStrips = 64.0;
 /// segments and 10 million elements takes two thirds of the time.
 constexpr double kElementsPerSegment = 32.0;
 constexpr double kMaxStripsOfLong = 512.0;
-/// So many strips are made only if at most this fraction of the elements is coarse for them. Otherwise they would be a
-/// few elements wide and leave most of the work to the other phases: with 512 strips, a plate of 250,000 holes and one
+/// Maximum fraction of coarse elements for more strips than usual. With a larger one, strips would be a few elements
+/// wide and leave most of the work to the other phases: with 512 strips, a plate of 250,000 holes and one
 /// element size takes a fifth longer and three quarters more memory than with 64.
 constexpr double kMostCoarse = 0.1;
 constexpr double kMultiple = 2.0;      ///< their number is a multiple, so that two threads both have work to the end

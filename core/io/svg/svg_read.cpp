@@ -1,3 +1,5 @@
+#include "core/base/lower_case.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/io/common/drawing_builder.hpp"
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
@@ -26,11 +28,7 @@ bool isLoop(const SvgPath &path) {
 }
 
 bool enclosesArea(const SvgPath &path) {
-    double twice = 0.0;
-    for (std::size_t k = 0; k < path.nodes.size(); ++k) {
-        twice += cross(path.nodes[k] - path.nodes[0], path.nodes[(k + 1) % path.nodes.size()] - path.nodes[0]);
-    }
-    return isLoop(path) && twice != 0.0;
+    return isLoop(path) && signedArea(path.nodes) != 0.0;
 }
 
 /// Returns true for no name and for those that drawing programs make up, such as "path3948", "Rectangle 5" or
@@ -39,8 +37,7 @@ bool isGeneratedName(std::string_view name) {
     constexpr std::array<std::string_view, 16> kWords = {"path",    "rect", "circle", "ellipse",   "line",   "polyline",
                                                          "polygon", "use",  "g",      "rectangle", "vector", "group",
                                                          "layer",   "svg",  "xmlid",  "shape"};
-    std::string word(name.substr(0, name.find_first_of("0123456789-_. ")));
-    std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+    const std::string word = lowerCase(name.substr(0, name.find_first_of("0123456789-_. ")));
     return name.empty() || (std::find(kWords.begin(), kWords.end(), word) != kWords.end() &&
                             name.find_first_not_of("0123456789-_. ", word.size()) == std::string_view::npos);
 }
