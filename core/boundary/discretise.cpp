@@ -3,6 +3,7 @@
 #include "core/base/cancelled.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/number_text.hpp"
+#include "core/boundary/clearly_apart.hpp"
 #include "core/boundary/curve_cuts.hpp"
 #include "core/boundary/meeting_parts.hpp"
 #include "core/boundary/narrow_tips.hpp"
@@ -84,7 +85,7 @@ class Discretiser {
             progress_("checking the boundary", 0.0);
             const bool curved = curves_ && curves_->any();
             MeetingParts meetings;
-            if (curved || result_.segments.size() > domain_.segments.size()) {
+            if (curved || (result_.segments.size() > domain_.segments.size() && !areClearlyApart(domain_, result_))) {
                 meetings = findMeetingParts({result_, curved ? &*curves_ : nullptr, pieces_, pointRegion_, pointBelow_},
                                             progress_.stop);
             }

@@ -54,7 +54,8 @@ class SiteSpreader : SiteTreeWriter {
         std::uint32_t slot = 0, x = 0, y = 0; ///< lower left corner, in units
         std::int32_t level = 0;
         std::uint32_t site = kNoSite;                           ///< with the smallest value at the centre
-        double value = std::numeric_limits<double>::infinity(); ///< of it
+        std::uint32_t last = kNoSite;                           ///< site offered last
+        double value = std::numeric_limits<double>::infinity(); ///< of `site`
     };
     static constexpr std::uint32_t kNoSite = 0xffffffffU;
     struct Split {
@@ -66,11 +67,15 @@ class SiteSpreader : SiteTreeWriter {
         std::span<const std::uint32_t> at(std::uint32_t row) const {
             return {entries.data() + starts[row], starts[row + 1] - starts[row]};
         }
-        /// Sorts pairs of row and entry into rows.
-        void fill(std::size_t rows, std::span<const std::array<std::uint32_t, 2>> pairs) {
+        /// Sorts pairs of row and entry into rows; with `bothWays`, the entries are rows, too, and get the rows in
+        /// turn.
+        void fill(std::size_t rows, std::span<const std::array<std::uint32_t, 2>> pairs, bool bothWays) {
             starts.assign(rows + 1, 0);
-            for (const auto &pair : pairs) {
-                ++starts[pair[0]];
+            for (const auto &[row, entry] : pairs) {
+                ++starts[row];
+                if (bothWays) {
+                    ++starts[entry];
+                }
             }
             std::uint32_t sum = 0;
             for (std::uint32_t &start : starts) {
@@ -79,7 +84,11 @@ class SiteSpreader : SiteTreeWriter {
             }
             entries.resize(sum);
             for (std::size_t i = pairs.size(); i-- > 0;) {
-                entries[--starts[pairs[i][0]]] = pairs[i][1];
+                const auto &[row, entry] = pairs[i];
+                entries[--starts[row]] = entry;
+                if (bothWays) {
+                    entries[--starts[entry]] = row;
+                }
             }
         }
     };
@@ -257,7 +266,7 @@ class SiteSpreader : SiteTreeWriter {
     /// Finds the pairs of leaves that share a part of a side.
     void findNeighbours() {
         std::vector<std::array<std::uint32_t, 2>> pairs;
-        pairs.reserve(6 * leaves_.size());
+        pairs.reserve(3 * leaves_.size());
         for (std::uint32_t row = 0; row < rows_; ++row) {
             for (std::uint32_t column = 0; column < tree_.columns_; ++column) {
                 const std::uint32_t slot = row * tree_.columns_ + column;
@@ -270,7 +279,7 @@ class SiteSpreader : SiteTreeWriter {
                 }
             }
         }
-        neighbours_.fill(leaves_.size(), pairs);
+        neighbours_.fill(leaves_.size(), pairs, true);
     }
     void pairWithin(std::uint32_t slot, std::vector<std::array<std::uint32_t, 2>> &pairs) const {
         if (!isSplit(slot)) {
@@ -290,15 +299,15 @@ class SiteSpreader : SiteTreeWriter {
                     std::vector<std::array<std::uint32_t, 2>> &pairs) const {
         if (!isSplit(from) && !isSplit(to)) {
             pairs.push_back({tree_.cells_[from], tree_.cells_[to]});
-            pairs.push_back({tree_.cells_[to], tree_.cells_[from]});
             return;
         }
         pairAcross(child(from, across), child(to, 0), across, along, pairs);
         pairAcross(child(from, across + along), child(to, along), across, along, pairs);
     }
 
-    /// Lists the sites in and directly beside each leaf.
+    /// Lists the sites in and directly beside each leaf, and offers them to these leaves and those beside them.
     void listSites() {
+        changed_.assign(leaves_.size(), 0);
         std::vector<std::array<std::uint32_t, 2>> pairs;
         pairs.reserve(8 * tree_.sites_.size());
         for (std::uint32_t i = 0; i < tree_.sites_.size(); ++i) {
@@ -310,8 +319,9 @@ class SiteSpreader : SiteTreeWriter {
                     pairs.push_back(pair);
                 }
             });
+            std::for_each(pairs.begin() + first, pairs.end(), [&](const auto &pair) { offerAround(pair[0], i); });
         }
-        own_.fill(leaves_.size(), pairs);
+        own_.fill(leaves_.size(), pairs, false);
     }
     std::uint32_t leafAt(std::uint32_t x, std::uint32_t y) const {
         std::uint32_t slot = tableSlot(x, y);
@@ -326,12 +336,13 @@ class SiteSpreader : SiteTreeWriter {
         return placeOf(leaf.x + half, leaf.y + half);
     }
 
-    /// Offers a site to a leaf.
+    /// Offers a site to a leaf. The same one comes from several leaves in turn.
     void offer(std::uint32_t leaf, std::uint32_t site) {
         Leaf &taker = leaves_[leaf];
-        if (taker.site == site) {
+        if (taker.site == site || taker.last == site) {
             return;
         }
+        taker.last = site;
         const double value = tree_.sites_[site].at(centreOf(taker));
         if (value < taker.value) {
             taker.value = value;
@@ -339,21 +350,22 @@ class SiteSpreader : SiteTreeWriter {
             changed_[leaf] = 1;
         }
     }
+    /// Offers a site to a leaf and those beside it.
+    void offerAround(std::uint32_t leaf, std::uint32_t site) {
+        offer(leaf, site);
+        for (const std::uint32_t beside : neighbours_.at(leaf)) {
+            offer(beside, site);
+        }
+        if (leaves_[leaf].site == site) {
+            changed_[leaf] = 0; // those beside it have been offered its winner
+        }
+    }
 
     /// Offers winners to the leaves beside theirs, in passes forward and back through the leaves, which keeps
     /// neighbours close in memory: on coasts, three times as fast as in order of increasing value, as in Dijkstra's
     /// algorithm.
     void spread() {
-        changed_.assign(leaves_.size(), 0);
         const auto count = static_cast<std::uint32_t>(leaves_.size());
-        for (std::uint32_t leaf = 0; leaf < count; ++leaf) {
-            for (const std::uint32_t site : own_.at(leaf)) {
-                offer(leaf, site);
-                for (const std::uint32_t beside : neighbours_.at(leaf)) {
-                    offer(beside, site);
-                }
-            }
-        }
         bool any = true;
         const auto offerOn = [&](std::uint32_t leaf) {
             if (changed_[leaf] != 0) {
@@ -405,11 +417,13 @@ class SiteSpreader : SiteTreeWriter {
                 candidates_.push_back(site);
             }
         }
-        if (candidates_.size() > 1) {
-            std::sort(candidates_.begin(), candidates_.end());
-            candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
-        }
         competitors_.clear();
+        if (candidates_.size() == 1) {
+            competitors_.push_back({leaf.site, leaf.value});
+            return;
+        }
+        std::sort(candidates_.begin(), candidates_.end());
+        candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
         double minimum = std::numeric_limits<double>::infinity();
         for (const std::uint32_t site : candidates_) {
             competitors_.push_back({site, tree_.sites_[site].at(centre)});
