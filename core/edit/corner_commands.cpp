@@ -45,7 +45,7 @@ struct Parallel {
     double offset;
 
     Vec2 point(double t) const { return curve.point(t) + offset * leftNormal(curve.tangent(t)); }
-    Vec2 derivative(double t) const { return (1.0 - offset * curvatureOf(curve, t)) * curve.derivative(t); }
+    Vec2 derivative(double t) const { return (1.0 - offset * curve.curvature(t)) * curve.derivative(t); }
 };
 
 bool inRange(double t) {

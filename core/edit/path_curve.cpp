@@ -147,12 +147,6 @@ bool joins(const Curve &curve, Vec2 from, Vec2 to) {
     return distance(curve.point(0.0), from) <= tolerance && distance(curve.point(1.0), to) <= tolerance;
 }
 
-double curvatureOf(const Curve &curve, double t) {
-    const Vec2 d = curve.derivative(t);
-    const double speed = length(d);
-    return speed > 0.0 ? cross(d, curve.secondDerivative(t)) / (speed * speed * speed) : 0.0;
-}
-
 double sectorArea(const Curve &curve, Vec2 from) {
     const Vec2 start = curve.point(0.0) - from, end = curve.point(1.0) - from;
     const std::array<double, 8> n = curve.numbers();

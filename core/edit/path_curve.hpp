@@ -16,9 +16,6 @@ Curve joining(const Curve &curve, Vec2 from, Vec2 to);
 /// Returns true if the curve begins and ends at the two points, up to 1e-6 of its coordinates.
 bool joins(const Curve &curve, Vec2 from, Vec2 to);
 
-/// Returns the curvature at a parameter, positive to the left; 0 where the derivative vanishes.
-double curvatureOf(const Curve &curve, double t);
-
 /// Returns the radius of an arc of a circle; none for other curves.
 std::optional<double> radiusOf(const Curve &curve);
 

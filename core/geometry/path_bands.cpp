@@ -1,0 +1,250 @@
+#include "core/geometry/path_bands.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr double kStraight = 1e-9; ///< maximum turn, in radians, of a path at a node that needs no wedge
+constexpr double kTiny = 1e-9;     ///< fraction of the size below which lengths count as none
+
+bool isCircular(const Curve &curve) {
+    if (curve.kind() != CurveKind::Arc) {
+        return false;
+    }
+    const auto n = curve.numbers();
+    const Vec2 u{n[2], n[3]}, v{n[4], n[5]};
+    const double size = lengthSquared(u);
+    return std::fabs(dot(u, v)) <= 1e-12 * size && std::fabs(lengthSquared(v) - size) <= 1e-12 * size;
+}
+
+/// Makes the parts of bands along a path.
+class Bands {
+  public:
+    Bands(std::span<const Curve> path, bool closed, std::span<const double> offsets, const BandStyle &style)
+        : offsets_(offsets), style_(style) {
+        Box2 box;
+        for (const Curve &curve : path) {
+            box.add(curve.bounds());
+        }
+        for (const double offset : offsets) {
+            reach_ = std::max(reach_, std::fabs(offset));
+        }
+        size_ = box.diagonal() + reach_;
+        for (std::uint32_t k = 0; k < path.size(); ++k) {
+            divide(path[k], k);
+        }
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            addStrips(pieces_[k]);
+            if (closed || k + 1 < pieces_.size()) {
+                for (const double offset : offsets_) {
+                    addWedge(pieces_[k], pieces_[(k + 1) % pieces_.size()], offset);
+                }
+            }
+        }
+    }
+
+    std::vector<BandPart> take() { return std::move(parts_); }
+
+  private:
+    /// A part of a segment that turns little, so that its strip does not overlap itself.
+    struct Piece {
+        Curve curve;
+        std::uint32_t segment = 0;
+    };
+
+    /// Divides a segment into pieces. Pieces of zero length are skipped: a wedge fills the gap if the path turns there.
+    void divide(const Curve &curve, std::uint32_t segment) {
+        if (curve.kind() == CurveKind::Line || isCircular(curve)) {
+            const auto count = static_cast<int>(std::max(1.0, std::ceil(curve.turning() / (0.75 * std::numbers::pi))));
+            for (int k = 0; k < count; ++k) {
+                keep(count > 1 ? curve.part(1.0 * k / count, (k + 1.0) / count) : curve, segment);
+            }
+            return;
+        }
+        constexpr int kParts = 4; // minimum: the ends of a loop coincide, so it would seem to have no length
+        for (int k = 0; k < kParts; ++k) {
+            bisect(curve, 1.0 * k / kParts, (k + 1.0) / kParts, segment);
+        }
+    }
+
+    void bisect(const Curve &curve, double t0, double t1, std::uint32_t segment) {
+        constexpr double kCusp = 1e-12; // minimum step of the parameter; a piece that still turns within it is a cusp
+        const Curve piece = curve.part(t0, t1);
+        const double corner = t0 + (t1 - t0) * cornerOf(piece);
+        const bool cut = corner - t0 > kCusp && t1 - corner > kCusp;
+        if (!cut && (t1 - t0 <= kCusp || isFine(piece))) {
+            keep(piece, segment);
+            return;
+        }
+        const double middle = cut ? corner : 0.5 * (t0 + t1);
+        bisect(curve, t0, middle, segment);
+        bisect(curve, middle, t1, segment);
+    }
+
+    /// Returns the parameter of a corner of a parallel, where it begins or ceases to follow the centres of curvature; 0
+    /// if there is none.
+    double cornerOf(const Curve &piece) const {
+        for (const double offset : offsets_) {
+            const bool first = endsAtCentre(piece, 0.0, offset);
+            if (first == endsAtCentre(piece, 1.0, offset)) {
+                continue;
+            }
+            double low = 0.0, high = 1.0;
+            constexpr int kSteps = 53; // the bits of a double
+            for (int step = 0; step < kSteps; ++step) {
+                const double middle = 0.5 * (low + high);
+                (endsAtCentre(piece, middle, offset) == first ? low : high) = middle;
+            }
+            return high;
+        }
+        return 0.0;
+    }
+
+    void keep(const Curve &piece, std::uint32_t segment) {
+        if (piece.bounds().diagonal() > kTiny * size_) {
+            pieces_.push_back({piece, segment});
+        }
+    }
+
+    /// Returns the curvature at a parameter of a piece; at a cusp, the curvature just beside it.
+    double curvature(const Curve &piece, double t) const {
+        const bool stands = length(piece.derivative(t)) <= 1e-12 * size_;
+        return piece.curvature(stands ? std::lerp(t, 0.5, 1e-3) : t);
+    }
+
+    /// Returns true where an offset reaches past the centre of curvature; the parallel stops there, since beyond it
+    /// other points of the curve are nearer.
+    bool endsAtCentre(const Curve &piece, double t, double offset) const { return curvature(piece, t) * offset > 1.0; }
+
+    /// Returns true if the strips of a piece are accurate enough.
+    bool isFine(const Curve &piece) {
+        return std::all_of(offsets_.begin(), offsets_.end(), [&](double offset) { return isFine(piece, offset); });
+    }
+
+    bool isFine(const Curve &piece, double offset) {
+        constexpr double kMaxTurn = 0.5, kMaxTurnAtCentres = 0.125; // radians
+        constexpr int kMaxQuestions = 50000; // limits the work where rounding errors exceed the accuracy
+        const auto atCentres = std::count_if(kSamples.begin(), kSamples.end(),
+                                             [&](double t) { return endsAtCentre(piece, t, offset); });
+        const double turn = piece.turning();
+        if (atCentres > 0) { // covers slightly too much, but other strips cover that too
+            return atCentres == std::ssize(kSamples) && !(turn > kMaxTurnAtCentres);
+        }
+        const Curve back = parallel(piece, offset);
+        return !(turn > kMaxTurn) &&
+               (++questions_ > kMaxQuestions || std::all_of(kSamples.begin(), kSamples.end(), [&](double t) {
+                   return distance(back.point(t), moved(piece, t, offset)) <= style_.accuracy * size_;
+               }));
+    }
+
+    /// Returns the distance of a parallel at a parameter: it ends at the centre of curvature.
+    double reach(const Curve &curve, double t, double offset) const {
+        return endsAtCentre(curve, t, offset) ? 1.0 / curvature(curve, t) : offset;
+    }
+
+    Vec2 moved(const Curve &curve, double t, double offset) const {
+        return curve.point(t) + reach(curve, t, offset) * leftNormal(curve.tangent(t));
+    }
+
+    /// Returns the parallel of a piece: exact for lines and circles.
+    Curve parallel(const Curve &curve, double offset) const {
+        if (curve.kind() == CurveKind::Line) {
+            return Curve();
+        }
+        if (isCircular(curve)) {
+            const auto n = curve.numbers();
+            const Vec2 u{n[2], n[3]};
+            const double turn = n[7] * cross(u, {n[4], n[5]}) > 0.0 ? 1.0 : -1.0;
+            const double scale = 1.0 - turn * reach(curve, 0.0, offset) / length(u);
+            return Curve::arc({n[0], n[1]}, scale * u, scale * Vec2{n[4], n[5]}, n[6], n[7]);
+        }
+        const auto speed = [&](double t) {
+            return (1.0 - reach(curve, t, offset) * curvature(curve, t)) / 3.0 * curve.derivative(t);
+        };
+        const Vec2 from = moved(curve, 0.0, offset), to = moved(curve, 1.0, offset);
+        return Curve::cubic(from, from + speed(0.0), to - speed(1.0), to);
+    }
+
+    /// Adds one strip between the parallels on both sides; where one of them ends at centres of curvature, or there is
+    /// only one, strips between the path and each.
+    void addStrips(const Piece &piece) {
+        const bool whole = std::none_of(offsets_.begin(), offsets_.end(), [&](double offset) {
+            return std::any_of(kSamples.begin(), kSamples.end(),
+                               [&](double t) { return endsAtCentre(piece.curve, t, offset); });
+        });
+        if (whole && offsets_.size() == 2) {
+            addStrip(piece, offsets_[0], offsets_[1]);
+            return;
+        }
+        for (const double offset : offsets_) {
+            addStrip(piece, 0.0, offset);
+        }
+    }
+
+    void addStrip(const Piece &piece, double from, double to) {
+        const Curve &curve = piece.curve;
+        const Vec2 a = moved(curve, 0.0, from), b = moved(curve, 1.0, from);
+        const Vec2 c = moved(curve, 1.0, to), d = moved(curve, 0.0, to);
+        const bool straight = curve.kind() == CurveKind::Line;
+        const Curve along = straight || from == 0.0 ? curve : parallel(curve, from);
+        const Curve back = straight ? Curve() : parallel(curve, to).part(1.0, 0.0);
+        distance(c, d) > kTiny * std::fabs(to) ? add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.segment)
+                                               : add({a, b, c}, {along, Curve(), Curve()}, piece.segment);
+    }
+
+    /// Fills the gap between the strips of two pieces where the path turns away from the offset side.
+    void addWedge(const Piece &before, const Piece &after, double offset) {
+        const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
+        double turn = std::atan2(cross(a, b), dot(a, b));
+        if (std::fabs(turn) > std::numbers::pi - kStraight) {
+            turn = std::copysign(std::numbers::pi, -offset); // a spike counts as turning away
+        }
+        if (turn * offset >= 0.0 || std::fabs(turn) <= kStraight) {
+            return;
+        }
+        const Vec2 node = after.curve.point(0.0), arm = offset * leftNormal(a), next = offset * leftNormal(b);
+        const double cosine = std::cos(0.5 * turn);
+        if (style_.corner == BandCorner::Round) {
+            const Curve arc = Curve::arc(node, arm, leftNormal(arm), 0.0, turn);
+            add({node, node + arm, arc.point(1.0)}, {Curve(), arc, Curve()}, before.segment);
+        } else if (style_.corner == BandCorner::Miter && cosine * style_.miterLimit >= 1.0) {
+            const Vec2 tip = node + (0.5 / (cosine * cosine)) * (arm + next);
+            add({node, node + arm, tip, node + next}, {Curve(), Curve(), Curve(), Curve()}, before.segment);
+        } else if (cosine > kStraight) {
+            add({node, node + arm, node + next}, {Curve(), Curve(), Curve()}, before.segment);
+        }
+    }
+
+    void add(std::vector<Vec2> nodes, std::vector<Curve> curves, std::uint32_t segment) {
+        parts_.push_back({std::move(nodes), std::move(curves), segment});
+    }
+
+    static constexpr std::array kSamples = {0.25, 0.5, 0.75};
+
+    std::span<const double> offsets_;
+    BandStyle style_;
+    double reach_ = 0.0; ///< maximum distance from the path
+    double size_ = 0.0;  ///< of the result, about
+    int questions_ = 0;
+    std::vector<Piece> pieces_;
+    std::vector<BandPart> parts_;
+};
+
+} // namespace
+
+std::vector<BandPart> bandsBeside(std::span<const Curve> path, bool closed, std::span<const double> offsets,
+                                  const BandStyle &style) {
+    return Bands(path, closed, offsets, style).take();
+}
+
+BandPart roundEnd(Vec2 end, Vec2 arm, bool forward) {
+    const Curve arc = Curve::arc(end, arm, leftNormal(arm), 0.0, forward ? -std::numbers::pi : std::numbers::pi);
+    return {{end + arm, end - arm}, {arc, Curve()}, 0};
+}
+
+} // namespace forefront
