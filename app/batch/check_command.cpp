@@ -114,7 +114,7 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         hint.code = "default-options";
         hint.message = "the domain was read with the default options";
         hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page, "
-                      "--drop-lines or --repair";
+                      "--drop-lines, --stroke-areas or --repair";
         faults.push_back(std::move(hint));
     }
     return faults;

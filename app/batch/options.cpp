@@ -232,6 +232,7 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
     options.overlap = overlap;
     options.beyondPage = beyondPage;
     options.dropLines = dropLines;
+    options.strokeAreas = strokeAreas;
 }
 
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
@@ -251,6 +252,8 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
         "--drop-lines", arguments.dropLines,
         "leave out the lines of a drawing or map that has filled shapes or polygons: SVG paths without a fill, "
         "line strings");
+    app.add_flag("--stroke-areas", arguments.strokeAreas,
+                 "mesh what the strokes of an SVG drawing paint, too; without it, strokes are lines");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

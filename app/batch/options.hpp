@@ -56,11 +56,12 @@ struct DrawingArguments {
     OverlapRule overlap = OverlapRule::Later;
     bool beyondPage = false;
     bool dropLines = false;
+    bool strokeAreas = false;
 
     void applyTo(ImportOptions &options) const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
-/// Adds the options --weld, --overlap, --beyond-page and --drop-lines.
+/// Adds the options --weld, --overlap, --beyond-page, --drop-lines and --stroke-areas.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after

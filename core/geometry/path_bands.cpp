@@ -129,8 +129,8 @@ class Bands {
     bool isFine(const Curve &piece, double offset) {
         constexpr double kMaxTurn = 0.5, kMaxTurnAtCentres = 0.125; // radians
         constexpr int kMaxQuestions = 50000; // limits the work where rounding errors exceed the accuracy
-        const auto atCentres = std::count_if(kSamples.begin(), kSamples.end(),
-                                             [&](double t) { return endsAtCentre(piece, t, offset); });
+        const auto atCentres =
+            std::count_if(kSamples.begin(), kSamples.end(), [&](double t) { return endsAtCentre(piece, t, offset); });
         const double turn = piece.turning();
         if (atCentres > 0) { // covers slightly too much, but other strips cover that too
             return atCentres == std::ssize(kSamples) && !(turn > kMaxTurnAtCentres);
@@ -193,8 +193,8 @@ class Bands {
         const bool straight = curve.kind() == CurveKind::Line;
         const Curve along = straight || from == 0.0 ? curve : parallel(curve, from);
         const Curve back = straight ? Curve() : parallel(curve, to).part(1.0, 0.0);
-        distance(c, d) > kTiny * std::fabs(to) ? add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.segment)
-                                               : add({a, b, c}, {along, Curve(), Curve()}, piece.segment);
+        distance(c, d) > kTiny *std::fabs(to) ? add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.segment)
+                                              : add({a, b, c}, {along, Curve(), Curve()}, piece.segment);
     }
 
     /// Fills the gap between the strips of two pieces where the path turns away from the offset side.

@@ -24,8 +24,8 @@ struct BandStyle {
 /// A part of a band: a closed outline.
 struct BandPart {
     std::vector<Vec2> nodes;
-    std::vector<Curve> curves;  ///< from each node to the next; a line stands for a straight segment, whatever its ends
-    std::uint32_t segment = 0;  ///< of the path: index
+    std::vector<Curve> curves; ///< from each node to the next; a line stands for a straight segment, whatever its ends
+    std::uint32_t segment = 0; ///< of the path: index
 };
 
 /// Returns shapes whose union is what lies within some distances beside a path: between the path and its parallels at

@@ -30,6 +30,8 @@ struct ImportOptions {
     /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line
     /// strings.
     bool dropLines = false;
+    /// The area that the strokes of an SVG drawing paint belongs to the domain; otherwise strokes are lines.
+    bool strokeAreas = false;
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};

@@ -75,7 +75,7 @@ class SvgDrawer {
     // svg_values.cpp
     bool isGiven(const Visit &visit, const char *property) const;
     double fontSizeOf(const pugi::xml_node &node, double inherited) const;
-    double strokeWidthOf(const Visit &visit) const;
+    SvgLineStyle lineStyleOf(const Visit &visit) const;
     double length(const Visit &visit, const char *attribute, SvgExtent extent);
     std::optional<double> givenLength(const Visit &visit, const char *attribute, SvgExtent extent);
     Box2 transformBox(const Visit &visit);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 namespace forefront {
@@ -31,12 +32,22 @@ Box2 SvgPath::bounds() const {
     return box;
 }
 
+double SvgPath::reach() const {
+    const double corners = paint.line.corner == BandCorner::Miter ? paint.line.miterLimit : 1.0;
+    const double farthest = std::max(corners, std::numbers::sqrt2); // of corners and square ends
+    return strokeArea ? 0.5 * paint.line.width * frame.stretch() * farthest : 0.0;
+}
+
 bool SvgPath::drawnAsLine() const {
     return isLine && !closed && paint.filled && !paint.fillGiven && paint.stroked;
 }
 
 bool SvgPath::painted() const {
     return paint.filled && nodes.size() > 2 && !drawnAsLine();
+}
+
+bool SvgPath::covers() const {
+    return painted() || strokeArea;
 }
 
 Result<SvgPaths> SvgDrawer::run() {
@@ -86,7 +97,7 @@ Result<SvgPaths> SvgDrawer::run() {
         cropFarFromPage(tolerance);
     }
     dropWideViewports();
-    return SvgPaths{std::move(paths_), std::move(clips_), size, cropsFill_};
+    return SvgPaths{std::move(paths_), std::move(clips_), size, tolerance, cropsFill_};
 }
 
 /// Records a fault at byte `within` of an attribute value, if it can be located in the text.
@@ -203,7 +214,7 @@ void SvgDrawer::element(Visit &visit, std::vector<Visit> &open) {
     }
     visit.paint = paintOf(visit.node, servers_, visit.paint);
     visit.fontSize = fontSizeOf(visit.node, visit.fontSize);
-    visit.paint.strokeWidth = strokeWidthOf(visit);
+    visit.paint.line = lineStyleOf(visit);
     visit.map = visit.map * transformOf(visit.node, transformBox(visit));
     if (name == "use") {
         visit.map = visit.map * placeOf(visit);

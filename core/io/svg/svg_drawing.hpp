@@ -21,9 +21,12 @@ struct SvgPath {
     std::vector<Curve> curves;
     std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
+    bool joined = false;      ///< closed only because it ends where it begins
     bool isLine = false;      ///< of a <line> or <polyline>
     SvgPaint paint;           ///< transparent paint counts as none
     double strokeWidth = 0.0; ///< in domain units; 0 without a stroke, or if it does not scale with the drawing
+    bool strokeArea = false;  ///< what the stroke paints counts as area
+    AffineMap frame;          ///< maps the user space, in which the stroke is drawn, to the domain
     std::size_t element = 0;  ///< number of the element that it is a subpath of
     std::string name;
     std::size_t offset = 0;        ///< of its element in the text
@@ -34,10 +37,14 @@ struct SvgPath {
     Box2 box() const;
     /// Returns the box of the nodes and curves.
     Box2 bounds() const;
+    /// Returns how far from the path its stroke may reach, in domain units; 0 if it does not count as area.
+    double reach() const;
     /// Returns true for an open polyline with a stroke and the default fill. Many are drawn so, without fill="none".
     bool drawnAsLine() const;
     /// Returns true if the path is filled, and not drawn as a line.
     bool painted() const;
+    /// Returns true if the path is painted, or its stroke counts as area.
+    bool covers() const;
 };
 
 enum class SvgClipKind : std::uint8_t {
@@ -61,6 +68,7 @@ struct SvgPaths {
     std::vector<SvgPath> paths;
     std::vector<SvgClip> clips;
     double size = 0.0;      ///< diagonal of the box of what is visible
+    double tolerance = 0.0; ///< of the polylines
     bool cropsFill = false; ///< a filled shape was cropped to the surroundings of the page, perhaps to nothing
 };
 

@@ -27,6 +27,12 @@ bool isContent(const pugi::xml_node &child) {
     return isGradient(localName(child.parent())) ? localName(child) == "stop" : child.type() == pugi::node_element;
 }
 
+/// Returns the corner that a value of `stroke-linejoin` names; "arcs" and "miter-clip", which few programs draw, are
+/// miters.
+BandCorner cornerOf(std::string_view join) {
+    return join == "round" ? BandCorner::Round : join == "bevel" ? BandCorner::Bevel : BandCorner::Miter;
+}
+
 } // namespace
 
 /// Returns the gradient or pattern that another one takes its stops or contents from; null if there is none.
@@ -110,6 +116,10 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
     take("clip-rule", [&](const std::string &value) { paint.clipRule = ruleOf(value); });
     take("fill-opacity", [&](const std::string &value) { paint.fillOpacity = parseOpacity(value); });
     take("stroke-opacity", [&](const std::string &value) { paint.strokeOpacity = parseOpacity(value); });
+    take("stroke-linecap", [&](const std::string &value) {
+        paint.line.cap = value == "round" ? SvgCap::Round : value == "square" ? SvgCap::Square : SvgCap::Butt;
+    });
+    take("stroke-linejoin", [&](const std::string &value) { paint.line.corner = cornerOf(value); });
     take("opacity", [&](const std::string &value) { paint.opacity *= parseOpacity(value); });
     return paint;
 }

@@ -4,6 +4,7 @@
 #include "core/io/svg/svg_colour.hpp"
 #include "core/io/svg/svg_css.hpp"
 #include "core/io/svg/svg_elements.hpp"
+#include "core/io/svg/svg_line_style.hpp"
 
 #include <pugixml.hpp>
 
@@ -24,8 +25,8 @@ struct SvgPaint {
     SvgColour fill, stroke;
     SvgColour current; ///< the property `color`
     double fillOpacity = 1.0, strokeOpacity = 1.0;
-    double opacity = 1.0;     ///< product of those of the element and all elements around it
-    double strokeWidth = 1.0; ///< in user units
+    double opacity = 1.0; ///< product of those of the element and all elements around it
+    SvgLineStyle line;
 
     /// Returns the opacity of the fill; 0: nothing is filled.
     double fillAlpha() const { return filled ? fill.alpha * fillOpacity * opacity : 0.0; }

@@ -4,6 +4,7 @@
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_drawing.hpp"
+#include "core/io/svg/svg_stroke.hpp"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,8 @@ bool isGeneratedName(std::string_view name) {
 void joinEnds(SvgPath &path, double tolerance) {
     std::vector<Vec2> &nodes = path.nodes;
     while (nodes.size() > 1 && distance(nodes.front(), nodes.back()) <= tolerance) {
-        path.closed = path.closed || nodes.size() > 3;
+        path.joined = path.joined || (!path.closed && nodes.size() > 3);
+        path.closed = path.closed || path.joined;
         nodes.pop_back();
         // The segment that led to the removed node now leads to the first one.
         path.stretches.resize(std::min(path.stretches.size(), nodes.size()));
@@ -54,13 +56,14 @@ void joinEnds(SvgPath &path, double tolerance) {
 }
 
 /// The role of an SVG path in the domain.
-enum class Part : std::uint8_t { Painted, Outline, Line, LeftOut, Nothing };
+enum class Part : std::uint8_t { Painted, Stroke, Outline, Line, LeftOut, Nothing };
 
 class SvgBuilder {
   public:
     SvgBuilder(SvgPaths drawing, const SourceText &source)
         : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source),
-          size_(drawing.size), anyPainted_(drawing.cropsFill) {
+          size_(drawing.size), tolerance_(drawing.tolerance), anyPainted_(drawing.cropsFill) {
+        std::erase_if(paths_, [](const SvgPath &path) { return path.nodes.size() < 2 && !path.closed; });
         for (SvgPath &path : paths_) {
             joinEnds(path, kSameNode * drawing.size);
         }
@@ -70,7 +73,7 @@ class SvgBuilder {
             }
         }
         for (const SvgPath &path : paths_) {
-            anyPainted_ = anyPainted_ || path.painted();
+            anyPainted_ = anyPainted_ || path.covers();
             closedStroke_ = closedStroke_ || (path.paint.stroked && enclosesArea(path));
         }
     }
@@ -79,11 +82,16 @@ class SvgBuilder {
         const std::uint32_t feature = builder_.addFeature(1);
         addClips();
         for (SvgPath &path : paths_) {
-            const std::int32_t tag = path.nodes.size() < 2 ? 0 : tags_.of(path.name);
-            builder_.from({path.offset});
-            builder_.addCurves(path.curves, path.stretches);
             const Part part = partOf(path);
+            const std::int32_t tag = part == Part::Nothing ? 0 : tags_.of(path.name);
+            builder_.from({path.offset});
             noteReading(path, part);
+            if (path.strokeArea) {
+                addStroke(feature, path, tag);
+            }
+            if (part != Part::Stroke) {
+                builder_.addCurves(path.curves, path.stretches); // renumbers the stretches
+            }
             switch (part) {
             case Part::Painted:
                 if (painted_ != path.element) {
@@ -91,7 +99,7 @@ class SvgBuilder {
                     contour_ = builder_.addContour(builder_.addShape(feature, path.name, path.limit), path.paint.rule);
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
-                if (path.paint.stroked && !path.closed && !source_.options.dropLines) {
+                if (path.paint.stroked && !path.strokeArea && !path.closed && !source_.options.dropLines) {
                     builder_.addChain(path.nodes, tag, path.stretches, path.limit, widthOf(path));
                 }
                 break;
@@ -101,6 +109,7 @@ class SvgBuilder {
             case Part::Line:
                 addLine(path, tag);
                 break;
+            case Part::Stroke:
             case Part::LeftOut:
             case Part::Nothing:
                 break;
@@ -281,11 +290,14 @@ class SvgBuilder {
     /// strokes are outlines. Closed paths with neither, such as the frames of icons, count only if there are no such
     /// shapes or strokes.
     Part partOf(const SvgPath &path) {
-        if (path.nodes.size() < 2) {
-            return Part::Nothing;
-        }
         if (path.painted()) {
             return Part::Painted;
+        }
+        if (path.strokeArea) {
+            return Part::Stroke;
+        }
+        if (path.nodes.size() < 2) {
+            return Part::Nothing;
         }
         const bool loop = isLoop(path);
         if (loop && !path.paint.stroked && (anyPainted_ || closedStroke_)) {
@@ -326,12 +338,13 @@ class SvgBuilder {
                          "polylines with a stroke and the default fill are read as lines, although renderers fill them",
                          path.offset);
         }
-        if (path.paint.stroked && part != Part::Nothing) {
-            source_.note(
-                "svg-stroke",
-                "strokes are not meshed: shapes end at the middle of their stroke; to mesh a stroke, convert it to a "
-                "path in the drawing program",
-                path.offset);
+        if (path.paint.stroked && part != Part::Nothing && !path.strokeArea) {
+            source_.note("svg-stroke",
+                         source_.options.strokeAreas
+                             ? "strokes that do not scale with the drawing are read as lines"
+                             : "strokes are not meshed: shapes end at the middle of their stroke; --stroke-areas "
+                               "meshes what strokes paint",
+                         path.offset);
         }
     }
 
@@ -339,6 +352,38 @@ class SvgBuilder {
     /// strokes have the default width of 1. Lines with a name of their own are kept.
     double widthOf(const SvgPath &path) const {
         return isGeneratedName(path.name) ? std::min(path.strokeWidth, kMaxStroke * size_) : 0.0;
+    }
+
+    /// Adds the area that a stroke paints.
+    void addStroke(std::uint32_t feature, const SvgPath &path, std::int32_t tag) {
+        const std::vector<BandPart> parts = strokeParts(path);
+        if (parts.empty()) {
+            return;
+        }
+        const std::uint32_t shape = builder_.addShape(feature, path.name, path.limit);
+        for (const BandPart &part : parts) {
+            std::vector<Vec2> nodes;
+            std::vector<Curve> curves;
+            std::vector<CurveStretch> stretches;
+            for (std::size_t k = 0; k < part.nodes.size(); ++k) {
+                nodes.push_back(part.nodes[k]);
+                if (part.curves[k].kind() == CurveKind::Line) {
+                    stretches.emplace_back();
+                    continue;
+                }
+                double from = 0.0;
+                for (const double to : part.curves[k].flatten(tolerance_)) {
+                    stretches.push_back({static_cast<std::uint32_t>(curves.size()), from, to});
+                    if (to < 1.0) {
+                        nodes.push_back(part.curves[k].point(to));
+                    }
+                    from = to;
+                }
+                curves.push_back(part.curves[k]);
+            }
+            builder_.addCurves(curves, stretches);
+            builder_.addRing(builder_.addContour(shape, FillRule::NonZero), nodes, tag, stretches);
+        }
     }
 
     void addLine(const SvgPath &path, std::int32_t tag) {
@@ -354,7 +399,8 @@ class SvgBuilder {
     std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
     TagAllocator tags_;
-    double size_; ///< diagonal of what is visible
+    double size_;      ///< diagonal of what is visible
+    double tolerance_; ///< of polylines along curves
     bool anyPainted_;
     bool closedStroke_ = false;
     std::size_t painted_ = kNone; ///< the element of the last contour

@@ -139,7 +139,9 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
     path.paint.stroked = visit.paint.strokeAlpha() > 0.0;
     const bool scales =
         styles_.value(visit.node, "vector-effect") != "non-scaling-stroke"; // otherwise the width is unknown
-    path.strokeWidth = path.paint.stroked && scales ? visit.paint.strokeWidth * visit.map.minStretch() : 0.0;
+    path.strokeWidth = path.paint.stroked && scales ? visit.paint.line.width * visit.map.minStretch() : 0.0;
+    path.strokeArea = source_.options.strokeAreas && path.strokeWidth > 0.0;
+    path.frame = visit.map;
     path.limit = visit.limit;
     path.element = elementCount_;
     path.name = nameOf(visit);

@@ -20,6 +20,15 @@ AffineMap AffineMap::operator*(const AffineMap &inner) const {
             b * inner.c + d * inner.d, a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f};
 }
 
+std::optional<AffineMap> AffineMap::inverse() const {
+    const double determinant = a * d - b * c, factor = 1.0 / determinant;
+    if (determinant == 0.0 || !std::isfinite(factor)) {
+        return std::nullopt;
+    }
+    return AffineMap{
+        factor * d, -factor * b, -factor * c, factor * a, factor * (c * f - d * e), factor * (b * e - a * f)};
+}
+
 double AffineMap::stretch() const {
     // Maximum singular value of the 2x2 part.
     const double sum = 0.5 * (a * a + b * b + c * c + d * d);

@@ -23,6 +23,9 @@ struct AffineMap {
         return maximum > 0.0 ? std::fabs(a * d - b * c) / maximum : 0.0;
     }
 
+    /// Returns the map back; std::nullopt if it presses the plane into a line or point.
+    std::optional<AffineMap> inverse() const;
+
     /// Returns the map that moves the origin to `to`.
     static AffineMap translation(Vec2 to) { return {1.0, 0.0, 0.0, 1.0, to.x, to.y}; }
 };

@@ -31,14 +31,43 @@ double SvgDrawer::fontSizeOf(const pugi::xml_node &node, double inherited) const
         .value_or(inherited);
 }
 
-/// Returns the width of an element's stroke in user units: its own where given and valid, otherwise inherited.
-double SvgDrawer::strokeWidthOf(const Visit &visit) const {
-    const std::string value = styles_.value(visit.node, "stroke-width");
-    if (value == "initial") {
-        return SvgPaint().strokeWidth;
+/// Returns how an element's stroke is drawn: properties of its own where given and valid, otherwise inherited.
+SvgLineStyle SvgDrawer::lineStyleOf(const Visit &visit) const {
+    SvgLineStyle style = visit.paint.line;
+    const auto lengthOf = [&](std::string_view text) {
+        return userLength(text, SvgExtent::Diagonal, visit.viewport, visit.fontSize);
+    };
+    const auto value = [&](const char *property) { return styles_.value(visit.node, property); };
+    const std::string width = value("stroke-width"), limit = value("stroke-miterlimit");
+    if (width == "initial") {
+        style.width = SvgLineStyle().width;
+    } else if (const auto own = lengthOf(width); own && *own >= 0.0) {
+        style.width = *own;
     }
-    const auto own = userLength(value, SvgExtent::Diagonal, visit.viewport, visit.fontSize);
-    return own && *own >= 0.0 ? *own : visit.paint.strokeWidth;
+    if (const auto own = parseLength(limit); own && own->unit.empty() && own->value >= 1.0) {
+        style.miterLimit = own->value;
+    }
+    if (const auto own = lengthOf(value("stroke-dashoffset")); own) {
+        style.dashOffset = *own;
+    }
+    if (const std::string dashes = value("stroke-dasharray"); !dashes.empty() && dashes != "inherit") {
+        style.dashes.clear();
+        constexpr std::string_view kSeparators = ", \t\r\n";
+        for (std::size_t from = dashes.find_first_not_of(kSeparators); from != std::string::npos;) {
+            const std::size_t end = std::min(dashes.find_first_of(kSeparators, from), dashes.size());
+            const auto length = lengthOf(std::string_view(dashes).substr(from, end - from));
+            if (!length || *length < 0.0) { // "none", too
+                style.dashes.clear();
+                break;
+            }
+            style.dashes.push_back(*length);
+            from = dashes.find_first_not_of(kSeparators, end);
+        }
+        if (style.dashes.size() % 2 != 0) {
+            style.dashes.insert(style.dashes.end(), style.dashes.begin(), style.dashes.end());
+        }
+    }
+    return style;
 }
 
 /// Returns a length in user units; 0 if it is absent or malformed.

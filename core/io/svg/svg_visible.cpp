@@ -28,13 +28,15 @@ bool contains(const AffineMap &frame, const SvgPath &path) {
         const double y = (frame.a * d.y - frame.b * d.x) / determinant;
         return x >= -kBeyond && x <= 1.0 + kBeyond && y >= -kBeyond && y <= 1.0 + kBeyond;
     };
-    const auto follows = [&](const CurveStretch &stretch) {
-        if (!stretch.follows()) {
-            return true;
-        }
-        const Box2 box = path.curves[stretch.curve].bounds(stretch.t0, stretch.t1);
+    const auto holds = [&](const Box2 &box) {
         return inside(box.min) && inside(box.max) && inside({box.min.x, box.max.y}) && inside({box.max.x, box.min.y});
     };
+    const auto follows = [&](const CurveStretch &stretch) {
+        return !stretch.follows() || holds(path.curves[stretch.curve].bounds(stretch.t0, stretch.t1));
+    };
+    if (path.strokeArea) {
+        return holds(path.bounds().grown(path.reach()));
+    }
     return std::all_of(path.nodes.begin(), path.nodes.end(), inside) &&
            std::all_of(path.stretches.begin(), path.stretches.end(), follows);
 }
@@ -83,9 +85,9 @@ void SvgDrawer::choosePage() {
     const Box2 page = imageBox(*page_);
     bool painted = false, shown = false;
     for (const SvgPath &path : paths_) {
-        const Box2 visible = common(path.box(), boxOfClip(path.limit, boxes));
-        painted = painted || (path.painted() && hasArea(visible));
-        shown = shown || (path.painted() && hasArea(common(visible, page)));
+        const Box2 visible = common(path.box().grown(path.reach()), boxOfClip(path.limit, boxes));
+        painted = painted || (path.covers() && hasArea(visible));
+        shown = shown || (path.covers() && hasArea(common(visible, page)));
     }
     if (!shown) {
         page_.reset();
@@ -101,7 +103,7 @@ void SvgDrawer::notePage() const {
     Box2 page = imageBox(*page_);
     page = page.grown(kBeyond * std::min(page.size().x, page.size().y));
     for (const SvgPath &path : paths_) {
-        const Box2 visible = common(path.bounds(), boxOfClip(path.limit, boxes));
+        const Box2 visible = common(path.bounds().grown(path.reach()), boxOfClip(path.limit, boxes));
         if (!visible.empty() && !(page.contains(visible.min) && page.contains(visible.max))) {
             note(root_, kPageNote, "shapes are cut off at the page (the view box), as renderers show them");
             return;
@@ -125,7 +127,7 @@ void SvgDrawer::cropFarFromPage(double tolerance) {
             kept.push_back(std::move(path));
             continue;
         }
-        cropsFill_ = cropsFill_ || path.painted();
+        cropsFill_ = cropsFill_ || path.covers();
         const bool area = path.painted() || (path.closed && !path.paint.stroked);
         std::vector<SvgPath> lines;
         if (!area || (path.paint.stroked && !path.closed)) {
@@ -153,7 +155,7 @@ Box2 SvgDrawer::visibleBox() const {
     const Box2 page = page_ ? imageBox(*page_) : kEverything;
     Box2 box;
     for (const SvgPath &path : paths_) {
-        const Box2 visible = common(common(path.box(), boxOfClip(path.limit, boxes)), page);
+        const Box2 visible = common(common(path.box().grown(path.reach()), boxOfClip(path.limit, boxes)), page);
         if (!visible.empty()) {
             box.add(visible);
         }

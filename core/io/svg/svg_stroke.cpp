@@ -1,0 +1,195 @@
+#include "core/io/svg/svg_stroke.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr double kMaxDashes = 20'000.0;
+
+/// Consecutive curves; without any, a dot at a place on the path.
+struct Run {
+    std::vector<Curve> curves;
+    bool closed = false;
+    Vec2 place;
+    Vec2 tangent{1.0, 0.0};
+};
+
+/// Returns the segments of a path in user space: the part of each curve that consecutive chords follow, and lines.
+Run runAlong(const SvgPath &path, const AffineMap &toUser) {
+    Run run;
+    run.closed = path.closed && !path.joined;
+    run.place = toUser(path.nodes.front());
+    const std::size_t count = path.nodes.size() - (path.closed ? 0 : 1);
+    CurveStretch open; // the part of a curve that goes on
+    const auto finish = [&] {
+        if (open.follows()) {
+            run.curves.push_back(path.curves[open.curve].part(open.t0, open.t1).mapped(toUser));
+            open = {};
+        }
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+        const CurveStretch stretch = k < path.stretches.size() ? path.stretches[k] : CurveStretch{};
+        if (stretch.follows() && stretch.curve == open.curve && stretch.t0 == open.t1) {
+            open.t1 = stretch.t1;
+            continue;
+        }
+        finish();
+        const Vec2 from = path.nodes[k], to = path.nodes[(k + 1) % path.nodes.size()];
+        if (stretch.follows()) {
+            open = stretch;
+        } else if (from != to) {
+            run.curves.push_back(Curve::line(toUser(from), toUser(to)));
+        }
+    }
+    finish();
+    return run;
+}
+
+/// Returns the parameter at which a part of a curve that begins at its start has a length.
+double parameterAt(const Curve &curve, double length) {
+    constexpr int kSteps = 40;
+    double low = 0.0, high = 1.0;
+    for (int step = 0; step < kSteps; ++step) {
+        const double middle = 0.5 * (low + high);
+        (curve.length(0.0, middle) < length ? low : high) = middle;
+    }
+    return curve.kind() == CurveKind::Line ? std::min(1.0, length / curve.length()) : high;
+}
+
+/// Cuts a run into dashes.
+class Dasher {
+  public:
+    explicit Dasher(const SvgLineStyle &style) : dashes_(style.dashes) {
+        const double period = std::reduce(dashes_.begin(), dashes_.end());
+        double into = std::fmod(style.dashOffset, period);
+        into += into < 0.0 ? period : 0.0;
+        while (into > 0.0 && into >= dashes_[at_]) {
+            into -= dashes_[at_];
+            next();
+        }
+        left_ = dashes_[at_] - into;
+    }
+
+    std::vector<Run> cut(const Run &run) {
+        begin(run.curves.front(), 0.0);
+        for (const Curve &curve : run.curves) {
+            const double whole = curve.length();
+            double from = 0.0, done = 0.0;
+            while (whole - done > left_) {
+                done += left_;
+                const double to = parameterAt(curve, done);
+                draw(curve, from, to);
+                from = to;
+                next();
+                left_ = dashes_[at_];
+                begin(curve, to);
+            }
+            left_ -= whole - done;
+            draw(curve, from, 1.0);
+        }
+        return std::move(made_);
+    }
+
+  private:
+    bool draws() const { return at_ % 2 == 0; }
+    void next() { at_ = (at_ + 1) % dashes_.size(); }
+    void begin(const Curve &curve, double t) {
+        if (draws()) {
+            made_.push_back({{}, false, curve.point(t), curve.tangent(t)});
+        }
+    }
+    void draw(const Curve &curve, double from, double to) {
+        if (draws() && to > from) {
+            made_.back().curves.push_back(curve.part(from, to));
+        }
+    }
+
+    const std::vector<double> &dashes_;
+    std::size_t at_ = 0; ///< the current dash or gap
+    double left_ = 0.0;  ///< of it
+    std::vector<Run> made_;
+};
+
+std::vector<Run> runsOf(Run whole, const SvgLineStyle &style) {
+    const double period = std::reduce(style.dashes.begin(), style.dashes.end());
+    double length = 0.0;
+    for (const Curve &curve : whole.curves) {
+        length += curve.length();
+    }
+    const auto pieces = static_cast<double>(style.dashes.size());
+    bool gaps = false;
+    for (std::size_t k = 1; k < style.dashes.size(); k += 2) {
+        gaps = gaps || style.dashes[k] > 0.0;
+    }
+    if (whole.curves.empty() || !gaps || !std::isfinite(period) || length / period * pieces > kMaxDashes) {
+        std::vector<Run> solid;
+        solid.push_back(std::move(whole));
+        return solid;
+    }
+    return Dasher(style).cut(whole);
+}
+
+/// Adds the end of a stroke that goes in the direction `tangent`; `forward` is false at its start.
+void addEnd(Vec2 end, Vec2 tangent, bool forward, const SvgLineStyle &style, std::vector<BandPart> &parts) {
+    const double reach = 0.5 * style.width;
+    const Vec2 arm = reach * leftNormal(tangent), ahead = (forward ? reach : -reach) * tangent;
+    if (style.cap == SvgCap::Round) {
+        parts.push_back(roundEnd(end, arm, forward));
+    } else if (style.cap == SvgCap::Square) {
+        parts.push_back({{end + arm, end - arm, end - arm + ahead, end + arm + ahead}, std::vector<Curve>(4), 0});
+    }
+}
+
+std::vector<BandPart> partsOf(const Run &run, const SvgLineStyle &style) {
+    constexpr double kAccuracy = 1e-4, kAccuracyOfWidth = 0.005;
+    std::vector<BandPart> parts;
+    if (run.curves.empty()) {
+        addEnd(run.place, run.tangent, false, style, parts);
+        addEnd(run.place, run.tangent, true, style, parts);
+        return parts;
+    }
+    Box2 box;
+    for (const Curve &curve : run.curves) {
+        box.add(curve.bounds());
+    }
+    const double reach = 0.5 * style.width, size = box.diagonal() + reach;
+    const BandStyle bands{style.corner, style.miterLimit, std::min(kAccuracy, kAccuracyOfWidth * style.width / size)};
+    parts = bandsBeside(run.curves, run.closed, std::array{reach, -reach}, bands);
+    if (!run.closed) {
+        const Curve &first = run.curves.front(), &last = run.curves.back();
+        addEnd(first.point(0.0), first.tangent(0.0), false, style, parts);
+        addEnd(last.point(1.0), last.tangent(1.0), true, style, parts);
+    }
+    return parts;
+}
+
+} // namespace
+
+std::vector<BandPart> strokeParts(const SvgPath &path) {
+    const SvgLineStyle &style = path.paint.line;
+    const std::optional<AffineMap> toUser = path.frame.inverse();
+    if (!toUser || !(style.width > 0.0)) {
+        return {};
+    }
+    std::vector<BandPart> parts;
+    for (const Run &run : runsOf(runAlong(path, *toUser), style)) {
+        std::vector<BandPart> some = partsOf(run, style);
+        std::move(some.begin(), some.end(), std::back_inserter(parts));
+    }
+    for (BandPart &part : parts) {
+        std::transform(part.nodes.begin(), part.nodes.end(), part.nodes.begin(), path.frame);
+        for (Curve &curve : part.curves) {
+            curve = curve.mapped(path.frame);
+        }
+    }
+    return parts;
+}
+
+} // namespace forefront
