@@ -4,6 +4,7 @@
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/geometry/curve_part.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,7 @@ struct Parallel {
     double offset;
 
     Vec2 point(double t) const { return curve.point(t) + offset * leftNormal(curve.tangent(t)); }
-    Vec2 derivative(double t) const { return (1.0 - offset * curve.curvature(t)) * curve.derivative(t); }
+    Vec2 derivative(double t) const { return (1.0 - offset * curvatureOf(curve, t)) * curve.derivative(t); }
 };
 
 bool inRange(double t) {

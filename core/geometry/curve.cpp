@@ -188,12 +188,6 @@ Vec2 Curve::tangent(double t) const {
     return size > 0.0 ? (1.0 / size) * along : Vec2{};
 }
 
-double Curve::curvature(double t) const {
-    const Vec2 d = derivative(t);
-    const double speed = forefront::length(d);
-    return speed > 0.0 ? cross(d, secondDerivative(t)) / (speed * speed * speed) : 0.0;
-}
-
 double Curve::length(double t0, double t1) const {
     if (kind_ == CurveKind::Line) {
         return std::fabs(t1 - t0) * distance(p_[0], p_[3]);

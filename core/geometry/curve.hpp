@@ -47,9 +47,6 @@ class Curve {
     /// Returns the unit vector in the direction of increasing t; at a cusp, the one after it; zero for a single point.
     Vec2 tangent(double t) const;
 
-    /// Returns the curvature at a parameter, positive to the left; 0 where the derivative vanishes.
-    double curvature(double t) const;
-
     /// Returns the length of the part between two parameters, to about 12 digits.
     double length(double t0 = 0.0, double t1 = 1.0) const;
     /// Returns the total change of direction along the part between two parameters, in radians; turns in both

@@ -40,6 +40,12 @@ double noiseOf(const Curve &curve) {
 
 } // namespace
 
+double curvatureOf(const Curve &curve, double t) {
+    const Vec2 d = curve.derivative(t);
+    const double speed = length(d);
+    return speed > 0.0 ? cross(d, curve.secondDerivative(t)) / (speed * speed * speed) : 0.0;
+}
+
 CurvePart::CurvePart(const Curve &of, double from, double to)
     : curve(of), t0(std::min(from, to)), t1(std::max(from, to)), start(of.point(t0)), end(of.point(t1)),
       noise(noiseOf(of)) {

@@ -8,6 +8,9 @@
 
 namespace forefront {
 
+/// Returns the curvature at a parameter, positive to the left; 0 where the derivative vanishes.
+double curvatureOf(const Curve &curve, double t);
+
 /// A part of a curve between two parameters, with bounds on where it lies and how it bends.
 struct CurvePart {
     /// The order of the parameters does not matter.

@@ -1,5 +1,7 @@
 #include "core/geometry/path_bands.hpp"
 
+#include "core/geometry/curve_part.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -114,7 +116,7 @@ class Bands {
     /// Returns the curvature at a parameter of a piece; at a cusp, the curvature just beside it.
     double curvature(const Curve &piece, double t) const {
         const bool stands = length(piece.derivative(t)) <= 1e-12 * size_;
-        return piece.curvature(stands ? std::lerp(t, 0.5, 1e-3) : t);
+        return curvatureOf(piece, stands ? std::lerp(t, 0.5, 1e-3) : t);
     }
 
     /// Returns true where an offset reaches past the centre of curvature; the parallel stops there, since beyond it

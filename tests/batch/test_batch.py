@@ -529,6 +529,12 @@ class Imports(Case):
         self.write("line.geojson", '{"type": "LineString", "coordinates": [[0, 0], [4, 0], [4, 4], [0, 0]]}')
         self.call("mesh", "line.geojson", "-o", "m.msh", "--drop-lines")  # it bounds the domain
 
+    def test_what_strokes_paint_can_be_meshed(self):
+        self.write("bar.svg", '<svg viewBox="0 0 10 10"><path stroke="red" stroke-width="2" d="M1 5H8"/></svg>')
+        self.assertIn("--stroke-areas", self.call("mesh", "bar.svg", "-o", "m.msh", code=1).stderr)
+        self.assertAlmostEqual(self.stats("bar.svg", "-o", "m.msh", "--stroke-areas")["area"], 14)
+        self.call("check", "m.msh", "--domain", "bar.svg", "--stroke-areas")
+
     def test_the_maximum_area_of_a_region_is_kept(self):
         text = poly([SQUARE]).rstrip() + "\n1\n1 2 1 1 "
         counts = []

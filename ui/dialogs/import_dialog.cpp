@@ -36,6 +36,11 @@ bool mixesLines(const Document &drawing) {
     return has(ShapeUse::Boundary) && has(ShapeUse::Constraint);
 }
 
+bool has(const Diagnostics &diagnostics, std::string_view code) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [code](const Diagnostic &diagnostic) { return diagnostic.code == code; });
+}
+
 /// A drawing, and a record of what the reader ignored and changed.
 struct Reading {
     Document drawing;
@@ -91,8 +96,8 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     const FileFormat *const format = fileFormatOf(file);
     dialog->arranges_ = format != nullptr && format->arranges;
     dialog->hasLines_ = format != nullptr && std::string_view(format->id) == "svg" && mixesLines(dialog->drawing_);
-    dialog->leavesPage_ = std::any_of(dialog->notes_.begin(), dialog->notes_.end(),
-                                      [](const Diagnostic &note) { return note.code == kPageNote; });
+    dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
+    dialog->leavesPage_ = has(dialog->notes_, kPageNote);
     return dialog;
 }
 
@@ -192,6 +197,10 @@ void ImportDialog::drawJoining(Shell &context) {
         read();
     }
     if (hasLines_ && ui::checkbox(context, "dialog/importoptions/lines", "Leave out lines", options_.dropLines)) {
+        read();
+    }
+    if (hasStrokes_ &&
+        ui::checkbox(context, "dialog/importoptions/strokes", "Strokes are areas", options_.strokeAreas)) {
         read();
     }
     for (const Diagnostic &fault : faults_) {

@@ -40,6 +40,7 @@ class ImportDialog final : public Dialog {
     bool arranges_ = false;   ///< the format is a drawing or map, whose lines may cross and overlap
     bool leavesPage_ = false; ///< the filled shapes of a drawing reach beyond its page
     bool hasLines_ = false;   ///< a drawing has filled shapes and lines
+    bool hasStrokes_ = false; ///< a drawing has strokes, which are lines or areas
     Document drawing_;
     Diagnostics notes_; ///< what reading ignored and changed
     Diagnostics faults_;

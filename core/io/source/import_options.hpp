@@ -15,6 +15,8 @@ namespace FOREFRONT_API forefront {
 
 /// The code of the note that a drawing was cut off at its page.
 inline constexpr char kPageNote[] = "svg-page";
+/// The code of the note that strokes were read as lines.
+inline constexpr char kStrokeNote[] = "svg-stroke";
 
 /// Options for reading a file.
 struct ImportOptions {

@@ -339,7 +339,7 @@ class SvgBuilder {
                          path.offset);
         }
         if (path.paint.stroked && part != Part::Nothing && !path.strokeArea) {
-            source_.note("svg-stroke",
+            source_.note(kStrokeNote,
                          source_.options.strokeAreas
                              ? "strokes that do not scale with the drawing are read as lines"
                              : "strokes are not meshed: shapes end at the middle of their stroke; --stroke-areas "

@@ -1,0 +1,138 @@
+#include "core/io/svg/svg.hpp"
+#include "tests/unit/arrangement_support.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Result<Domain> readStrokes(const std::string &content, ImportNotes *notes = nullptr) {
+    const std::string text =
+        "<svg viewBox=\"0 0 100 100\" fill=\"none\" stroke=\"black\" stroke-width=\"4\">\n" + content + "\n</svg>\n";
+    SourceText source = sourceOf(text, "strokes.svg");
+    source.notes = notes;
+    source.options.strokeAreas = true;
+    source.options.curveTolerance = 1e-4;
+    return readSvg(source);
+}
+
+/// Returns the area of a drawing of 100 by 100 whose strokes are 4 wide.
+double area(const std::string &content) {
+    CAPTURE(content);
+    const auto domain = readStrokes(content);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    return areas(*domain).at(1);
+}
+
+double areaOf(const std::string &path, const std::string &attributes) {
+    return area("<path d=\"" + path + "\" " + attributes + "/>");
+}
+
+/// Checks an area that curves bound.
+void checkArea(double found, double expected) {
+    CHECK(found == doctest::Approx(expected).epsilon(1e-4));
+}
+
+} // namespace
+
+TEST_CASE("SVG stroke areas: the ends of a line are cut straight, extended or round") {
+    CHECK(areaOf("M10 10H50", "") == doctest::Approx(160));
+    CHECK(areaOf("M10 10H50", "stroke-linecap='butt'") == doctest::Approx(160));
+    CHECK(areaOf("M10 10H50", "stroke-linecap='square'") == doctest::Approx(176));
+    checkArea(areaOf("M10 10H50", "stroke-linecap='round'"), 160 + 4 * kPi);
+    CHECK(areaOf("M10 10L40 50", "") == doctest::Approx(200));
+    checkArea(areaOf("M10 10C20 10 40 10 50 10", "stroke-linecap='round'"), 160 + 4 * kPi);
+}
+
+TEST_CASE("SVG stroke areas: corners are mitred up to a limit, bevelled or round") {
+    CHECK(areaOf("M10 10H50V50", "") == doctest::Approx(320));
+    CHECK(areaOf("M10 10H50V50", "stroke-linejoin='miter' stroke-miterlimit='1.5'") == doctest::Approx(320));
+    CHECK(areaOf("M10 10H50V50", "stroke-miterlimit='1.4'") == doctest::Approx(318));
+    CHECK(areaOf("M10 10H50V50", "stroke-linejoin='bevel'") == doctest::Approx(318));
+    checkArea(areaOf("M10 10H50V50", "stroke-linejoin='round'"), 316 + kPi);
+    CHECK(areaOf("M10 10H50V50H10Z", "") == doctest::Approx(44 * 44 - 36 * 36));
+    CHECK(areaOf("M10 10H50H20", "") == doctest::Approx(160)); // turns back
+    checkArea(areaOf("M10 10H50H20", "stroke-linejoin='round'"), 160 + 2 * kPi);
+}
+
+TEST_CASE("SVG stroke areas: a path that ends where it begins without being closed has ends there") {
+    CHECK(areaOf("M30 10H50V50H10V10H30", "") == doctest::Approx(44 * 44 - 36 * 36));
+    CHECK(areaOf("M10 10H50V50H10V10", "") == doctest::Approx(44 * 44 - 36 * 36 - 4));
+}
+
+TEST_CASE("SVG stroke areas: along circles, ellipses and cubics") {
+    checkArea(area("<circle cx='50' cy='50' r='20'/>"), kPi * (22 * 22 - 18 * 18));
+    checkArea(area("<circle cx='50' cy='50' r='1.5'/>"), kPi * 3.5 * 3.5);
+    checkArea(areaOf("M10 50A20 20 0 0 1 50 50", ""), 0.5 * kPi * (22 * 22 - 18 * 18));
+    // The perimeter of the ellipse, by the series of Ramanujan, times the width.
+    const double h = 100.0 / 2500.0;
+    const double perimeter = kPi * 50 * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
+    checkArea(area("<ellipse cx='50' cy='50' rx='30' ry='20'/>"), 4 * perimeter);
+    // A cubic that is a parabola: the arc length of y = x²/40 from -20 to 20.
+    const double length = 40 * (0.5 * std::sqrt(2.0) + 0.5 * std::asinh(1.0));
+    CHECK(areaOf("M10 10Q30 30 50 10", "") == doctest::Approx(4 * length).epsilon(2e-4));
+}
+
+TEST_CASE("SVG stroke areas: uneven scaling stretches strokes") {
+    CHECK(areaOf("M5 10H25", "transform='scale(2 1)'") == doctest::Approx(160));
+    CHECK(areaOf("M5 10V50", "transform='scale(2 1)'") == doctest::Approx(320));
+    checkArea(areaOf("M5 10H25", "transform='scale(2 1)' stroke-linecap='round'"), 160 + 8 * kPi);
+    const auto flat = readStrokes("<path d='M5 10H25' transform='scale(2 0)'/>");
+    REQUIRE(flat.ok());
+    CHECK(areas(*flat).empty());
+}
+
+TEST_CASE("SVG stroke areas: dashes, from an offset on, with ends of their own") {
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='10 5'") == doctest::Approx(120));
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='10, 5' stroke-dashoffset='5'") == doctest::Approx(100));
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='10, 5' stroke-dashoffset='-5'") == doctest::Approx(100));
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='8'") == doctest::Approx(96));
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='10 0'") == doctest::Approx(160));
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='none'") == doctest::Approx(160));
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='10 -1'") == doctest::Approx(160));
+    CHECK(areaOf("M10 10H50V30", "stroke-dasharray='50 100'") == doctest::Approx(200));
+    checkArea(areaOf("M10 10H55", "stroke-dasharray='0 10' stroke-linecap='round'"), 5 * 4 * kPi);
+    checkArea(areaOf("M30 50A20 20 0 0 1 70 50", "stroke-dasharray='10 200'"), 40);
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='1e-5'") == doctest::Approx(160)); // too many
+    CHECK(area("<g stroke-dasharray='10 5'><path d='M10 10H50'/></g>") == doctest::Approx(120));
+}
+
+TEST_CASE("SVG stroke areas: a path without length is a dot, if its ends are not cut straight") {
+    checkArea(areaOf("M50 50h0", "stroke-linecap='round'"), 4 * kPi);
+    CHECK(areaOf("M50 50z", "stroke-linecap='square'") == doctest::Approx(16));
+    CHECK_FALSE(readStrokes("<path d='M50 50h0'/>").ok());
+    CHECK_FALSE(readStrokes("<path d='M50 50' stroke-linecap='round'/>").ok());
+}
+
+TEST_CASE("SVG stroke areas: strokes and fills are merged and cut at the page") {
+    CHECK(area("<rect x='10' y='10' width='20' height='20' fill='black'/>") == doctest::Approx(24 * 24));
+    CHECK(area("<rect width='20' height='20' fill='black'/>") == doctest::Approx(22 * 22));
+    CHECK(areaOf("M-10 10H10", "") == doctest::Approx(40));
+    CHECK(area("<path d='M10 10H50'/><path d='M30 0V20'/>") == doctest::Approx(160 + 80 - 16));
+    CHECK(areaOf("M10 10H50", "stroke-width='0' /><path d='M10 10H50' stroke-width='2'") == doctest::Approx(80));
+}
+
+TEST_CASE("SVG stroke areas: parts of the boundary have the names of their paths") {
+    const auto domain = readStrokes("<path id='bar' d='M10 10H50'/><path id='ring' d='M60 60H80V80Z'/>");
+    REQUIRE(domain.ok());
+    REQUIRE(domain->boundaryNames.size() == 2);
+    CHECK(domain->boundaryNames.begin()->second == "bar");
+}
+
+TEST_CASE("SVG stroke areas: strokes that do not scale stay lines, with a note") {
+    ImportNotes notes;
+    const auto domain = readStrokes("<rect width='50' height='50' fill='black' stroke='none'/>"
+                                    "<path d='M10 10H40' vector-effect='non-scaling-stroke'/>",
+                                    &notes);
+    REQUIRE(domain.ok());
+    CHECK(areas(*domain).at(1) == doctest::Approx(2500));
+    CHECK(notes.entries().front().code == kStrokeNote);
+}
