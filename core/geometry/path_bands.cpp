@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -40,14 +41,12 @@ class Bands {
         for (std::uint32_t k = 0; k < path.size(); ++k) {
             divide(path[k], k);
         }
-        for (std::size_t k = 0; k < pieces_.size(); ++k) {
-            addStrips(pieces_[k]);
-            if (closed || k + 1 < pieces_.size()) {
-                for (const double offset : offsets_) {
-                    addWedge(pieces_[k], pieces_[(k + 1) % pieces_.size()], offset);
-                }
+        for (std::size_t k = 0; k + (closed ? 0 : 1) < pieces_.size(); ++k) {
+            for (std::size_t side = 0; side < offsets_.size(); ++side) {
+                addWedge(pieces_[k], pieces_[(k + 1) % pieces_.size()], side);
             }
         }
+        std::for_each(pieces_.begin(), pieces_.end(), [&](const Piece &piece) { addStrips(piece); });
     }
 
     std::vector<BandPart> take() { return std::move(parts_); }
@@ -57,6 +56,9 @@ class Bands {
     struct Piece {
         Curve curve;
         std::uint32_t segment = 0;
+        /// Of a straight piece, per offset: the tips of the miters at its ends. Its strip reaches up to them, so that
+        /// its side goes on without a node.
+        std::array<std::optional<Vec2>, 2> startTips = {}, endTips = {};
     };
 
     /// Divides a segment into pieces. Pieces of zero length are skipped: a wedge fills the gap if the path turns there.
@@ -109,7 +111,7 @@ class Bands {
 
     void keep(const Curve &piece, std::uint32_t segment) {
         if (piece.bounds().diagonal() > kTiny * size_) {
-            pieces_.push_back({piece, segment});
+            pieces_.push_back({piece, segment, {}, {}});
         }
     }
 
@@ -180,12 +182,30 @@ class Bands {
                                [&](double t) { return endsAtCentre(piece.curve, t, offset); });
         });
         if (whole && offsets_.size() == 2) {
-            addStrip(piece, offsets_[0], offsets_[1]);
+            piece.curve.kind() == CurveKind::Line ? addStraightStrip(piece) : addStrip(piece, offsets_[0], offsets_[1]);
             return;
         }
         for (const double offset : offsets_) {
             addStrip(piece, 0.0, offset);
         }
+    }
+
+    void addStraightStrip(const Piece &piece) {
+        const Vec2 a = piece.curve.point(0.0), b = piece.curve.point(1.0);
+        const auto side = [&](Vec2 end, const std::array<std::optional<Vec2>, 2> &tips, std::size_t k) {
+            return tips[k].value_or(end + offsets_[k] * leftNormal(piece.curve.tangent(0.0)));
+        };
+        std::vector<Vec2> nodes{side(a, piece.startTips, 0), side(b, piece.endTips, 0)};
+        if (piece.endTips[0] || piece.endTips[1]) {
+            nodes.push_back(b);
+        }
+        nodes.push_back(side(b, piece.endTips, 1));
+        nodes.push_back(side(a, piece.startTips, 1));
+        if (piece.startTips[0] || piece.startTips[1]) {
+            nodes.push_back(a);
+        }
+        std::vector<Curve> lines(nodes.size());
+        add(std::move(nodes), std::move(lines), piece.segment);
     }
 
     void addStrip(const Piece &piece, double from, double to) {
@@ -200,7 +220,8 @@ class Bands {
     }
 
     /// Fills the gap between the strips of two pieces where the path turns away from the offset side.
-    void addWedge(const Piece &before, const Piece &after, double offset) {
+    void addWedge(Piece &before, Piece &after, std::size_t side) {
+        const double offset = offsets_[side];
         const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
         double turn = std::atan2(cross(a, b), dot(a, b));
         if (std::fabs(turn) > std::numbers::pi - kStraight) {
@@ -216,9 +237,19 @@ class Bands {
             add({node, node + arm, arc.point(1.0)}, {Curve(), arc, Curve()}, before.segment);
         } else if (style_.corner == BandCorner::Miter && cosine * style_.miterLimit >= 1.0) {
             const Vec2 tip = node + (0.5 / (cosine * cosine)) * (arm + next);
-            add({node, node + arm, tip, node + next}, {Curve(), Curve(), Curve(), Curve()}, before.segment);
+            addMiter(before, before.endTips[side], node, arm, tip);
+            addMiter(after, after.startTips[side], node, next, tip);
         } else if (cosine > kStraight) {
             add({node, node + arm, node + next}, {Curve(), Curve(), Curve()}, before.segment);
+        }
+    }
+
+    /// Adds the half of a miter that belongs to a piece.
+    void addMiter(const Piece &piece, std::optional<Vec2> &tipOfPiece, Vec2 node, Vec2 arm, Vec2 tip) {
+        if (piece.curve.kind() == CurveKind::Line && offsets_.size() == 2) {
+            tipOfPiece = tip;
+        } else {
+            add({node, node + arm, tip}, {Curve(), Curve(), Curve()}, piece.segment);
         }
     }
 
