@@ -102,6 +102,7 @@ TEST_CASE("SVG stroke areas: dashes, from an offset on, with ends of their own")
     checkArea(areaOf("M10 10H55", "stroke-dasharray='0 10' stroke-linecap='round'"), 5 * 4 * kPi);
     checkArea(areaOf("M30 50A20 20 0 0 1 70 50", "stroke-dasharray='10 200'"), 40);
     CHECK(areaOf("M10 10H50", "stroke-dasharray='1e-5'") == doctest::Approx(160)); // too many
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='1 1' pathLength='4'") == doctest::Approx(80));
     CHECK(area("<g stroke-dasharray='10 5'><path d='M10 10H50'/></g>") == doctest::Approx(120));
 }
 

@@ -88,7 +88,7 @@ class SvgDrawer {
     void shape(const Visit &visit, std::string_view name);
     void roundShape(const Visit &visit, std::string_view name, SvgPen &pen);
     static std::string nameOf(const Visit &visit);
-    void keep(const Visit &visit, std::string_view element, SvgSubpath subpath);
+    void keep(const Visit &visit, std::string_view element, SvgSubpath subpath, double dashScale);
 
     // svg_clips.cpp
     void limitBy(Visit &visit, std::vector<Visit> &open);

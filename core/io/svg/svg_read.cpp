@@ -21,7 +21,8 @@ namespace forefront {
 
 namespace {
 
-constexpr double kSameNode = 1e-6;        ///< fraction of the drawing's size: the rounding error of relative path data
+constexpr double kSameNode = 1e-6; ///< fraction of the drawing's size: the rounding error of relative path data
+constexpr std::size_t kMaxStrokeNodes = 2'000'000;
 constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
 
 bool isLoop(const SvgPath &path) {
@@ -88,6 +89,10 @@ class SvgBuilder {
             noteReading(path, part);
             if (path.strokeArea) {
                 addStroke(feature, path, tag);
+                if (strokeNodes_ > kMaxStrokeNodes) {
+                    return Diagnostics{faultAt(source_, path.offset, "too-large", "the strokes need too many nodes",
+                                               "leave out strokes or dashes, or read strokes as lines")};
+                }
             }
             if (part != Part::Stroke) {
                 builder_.addCurves(path.curves, path.stretches); // renumbers the stretches
@@ -381,6 +386,7 @@ class SvgBuilder {
                 }
                 curves.push_back(part.curves[k]);
             }
+            strokeNodes_ += nodes.size();
             builder_.addCurves(curves, stretches);
             builder_.addRing(builder_.addContour(shape, FillRule::NonZero), nodes, tag, stretches);
         }
@@ -405,6 +411,7 @@ class SvgBuilder {
     bool closedStroke_ = false;
     std::size_t painted_ = kNone; ///< the element of the last contour
     std::size_t noted_ = kNone;   ///< the element of the last path
+    std::size_t strokeNodes_ = 0; ///< of the outlines of strokes
     std::uint32_t contour_ = 0;
     std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
     std::set<std::int32_t> clipTags_;

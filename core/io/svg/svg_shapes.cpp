@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,23 @@ std::string pathData(const pugi::xml_node &node, const SvgStyles &styles) {
     }
     const std::size_t open = styled.find_first_of("\"'"), close = styled.find_last_of("\"'");
     return open < close && close != styled.npos ? styled.substr(open + 1, close - open - 1) : std::string();
+}
+
+/// Returns the factor from lengths that the author measures, as the attribute `pathLength` has them, to user units.
+double dashScaleOf(const pugi::xml_node &node, std::span<const SvgSubpath> subpaths) {
+    const double stated = node.attribute("pathLength").as_double();
+    double length = 0.0;
+    for (const SvgSubpath &subpath : subpaths) {
+        if (!(stated > 0.0)) {
+            break;
+        }
+        for (std::size_t k = 0; k + (subpath.closed ? 0 : 1) < subpath.nodes.size(); ++k) {
+            const CurveStretch stretch = k < subpath.stretches.size() ? subpath.stretches[k] : CurveStretch{};
+            length += stretch.follows() ? subpath.curves[stretch.curve].length(stretch.t0, stretch.t1)
+                                        : distance(subpath.nodes[k], subpath.nodes[(k + 1) % subpath.nodes.size()]);
+        }
+    }
+    return length > 0.0 ? length / stated : 1.0;
 }
 
 } // namespace
@@ -63,8 +81,10 @@ void SvgDrawer::shape(const Visit &visit, std::string_view name) {
     if (fault) {
         leaveOut(node, attribute, fault->offset, "bad-path", fault->message, {}, "the rest of the path");
     }
-    for (SvgSubpath &subpath : pen.take()) {
-        keep(visit, name, std::move(subpath));
+    std::vector<SvgSubpath> subpaths = pen.take();
+    const double dashScale = dashScaleOf(node, subpaths);
+    for (SvgSubpath &subpath : subpaths) {
+        keep(visit, name, std::move(subpath), dashScale);
     }
     ++elementCount_;
 }
@@ -107,7 +127,7 @@ std::string SvgDrawer::nameOf(const Visit &visit) {
     return {};
 }
 
-void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath subpath) {
+void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath subpath, double dashScale) {
     SvgPath path;
     path.closed = subpath.closed;
     path.nodes = std::move(subpath.nodes);
@@ -142,6 +162,10 @@ void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath su
     path.strokeWidth = path.paint.stroked && scales ? visit.paint.line.width * visit.map.minStretch() : 0.0;
     path.strokeArea = source_.options.strokeAreas && path.strokeWidth > 0.0;
     path.frame = visit.map;
+    for (double &dash : path.paint.line.dashes) {
+        dash *= dashScale;
+    }
+    path.paint.line.dashOffset *= dashScale;
     path.limit = visit.limit;
     path.element = elementCount_;
     path.name = nameOf(visit);

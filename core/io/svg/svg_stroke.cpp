@@ -52,15 +52,22 @@ Run runAlong(const SvgPath &path, const AffineMap &toUser) {
     return run;
 }
 
-/// Returns the parameter at which a part of a curve that begins at its start has a length.
-double parameterAt(const Curve &curve, double length) {
-    constexpr int kSteps = 40;
-    double low = 0.0, high = 1.0;
-    for (int step = 0; step < kSteps; ++step) {
-        const double middle = 0.5 * (low + high);
-        (curve.length(0.0, middle) < length ? low : high) = middle;
+/// Returns the parameter at which the part of a curve that begins at another one has a length, by Newton's method
+/// within an interval.
+double parameterAt(const Curve &curve, double from, double length) {
+    constexpr int kSteps = 60;
+    constexpr double kAccuracy = 1e-9; // of the length
+    double low = from, high = 1.0, t = from;
+    for (int step = 0; step < kSteps && low < high; ++step) {
+        const double excess = curve.length(from, t) - length;
+        if (std::fabs(excess) <= kAccuracy * length) {
+            break;
+        }
+        (excess < 0.0 ? low : high) = t;
+        t -= excess / forefront::length(curve.derivative(t));
+        t = t > low && t < high ? t : std::midpoint(low, high);
     }
-    return curve.kind() == CurveKind::Line ? std::min(1.0, length / curve.length()) : high;
+    return t;
 }
 
 /// Cuts a run into dashes.
@@ -84,7 +91,7 @@ class Dasher {
             double from = 0.0, done = 0.0;
             while (whole - done > left_) {
                 done += left_;
-                const double to = parameterAt(curve, done);
+                const double to = parameterAt(curve, from, left_);
                 draw(curve, from, to);
                 from = to;
                 next();
@@ -124,7 +131,7 @@ std::vector<Run> runsOf(Run whole, const SvgLineStyle &style) {
         length += curve.length();
     }
     const auto pieces = static_cast<double>(style.dashes.size());
-    bool gaps = false;
+    bool gaps = false; // of more than no length
     for (std::size_t k = 1; k < style.dashes.size(); k += 2) {
         gaps = gaps || style.dashes[k] > 0.0;
     }
