@@ -42,8 +42,12 @@ class Bands {
             divide(path[k], k);
         }
         for (std::size_t k = 0; k + (closed ? 0 : 1) < pieces_.size(); ++k) {
+            Piece &before = pieces_[k], &after = pieces_[(k + 1) % pieces_.size()];
+            if (joinSmoothly(before, after)) {
+                continue;
+            }
             for (std::size_t side = 0; side < offsets_.size(); ++side) {
-                addWedge(pieces_[k], pieces_[(k + 1) % pieces_.size()], side);
+                addWedge(before, after, side);
             }
         }
         std::for_each(pieces_.begin(), pieces_.end(), [&](const Piece &piece) { addStrips(piece); });
@@ -56,9 +60,11 @@ class Bands {
     struct Piece {
         Curve curve;
         std::uint32_t segment = 0;
-        /// Of a straight piece, per offset: the tips of the miters at its ends. Its strip reaches up to them, so that
-        /// its side goes on without a node.
+        /// Of a straight piece, per offset: where its sides begin and end, if not straight beside its ends. They go on
+        /// to the tips of miters, without a node before them.
         std::array<std::optional<Vec2>, 2> startTips = {}, endTips = {};
+
+        bool isStraight() const { return curve.kind() == CurveKind::Line; }
     };
 
     /// Divides a segment into pieces. Pieces of zero length are skipped: a wedge fills the gap if the path turns there.
@@ -212,11 +218,33 @@ class Bands {
         const Curve &curve = piece.curve;
         const Vec2 a = moved(curve, 0.0, from), b = moved(curve, 1.0, from);
         const Vec2 c = moved(curve, 1.0, to), d = moved(curve, 0.0, to);
-        const bool straight = curve.kind() == CurveKind::Line;
+        const bool straight = piece.isStraight();
         const Curve along = straight || from == 0.0 ? curve : parallel(curve, from);
         const Curve back = straight ? Curve() : parallel(curve, to).part(1.0, 0.0);
         distance(c, d) > kTiny *std::fabs(to) ? add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.segment)
                                               : add({a, b, c}, {along, Curve(), Curve()}, piece.segment);
+    }
+
+    /// Lets the sides of a straight piece end where those of the next one begin, if the path turns by less than counts,
+    /// as where a file has rounded directions. Otherwise there would be tiny sides.
+    bool joinSmoothly(Piece &before, Piece &after) {
+        const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
+        const bool smooth = dot(a, b) > 0.0 && std::fabs(cross(a, b)) * reach_ <= style_.accuracy * size_;
+        if (offsets_.size() != 2 || !smooth || !(before.isStraight() || after.isStraight())) {
+            return false;
+        }
+        const Vec2 node = after.curve.point(0.0), mean = (1.0 / length(a + b)) * leftNormal(a + b);
+        for (std::size_t side = 0; side < offsets_.size(); ++side) {
+            const double offset = offsets_[side];
+            if (before.isStraight() && after.isStraight()) {
+                before.endTips[side] = after.startTips[side] = node + offset * mean;
+            } else if (before.isStraight() && !endsAtCentre(after.curve, 0.0, offset)) {
+                before.endTips[side] = moved(after.curve, 0.0, offset);
+            } else if (after.isStraight() && !endsAtCentre(before.curve, 1.0, offset)) {
+                after.startTips[side] = moved(before.curve, 1.0, offset);
+            }
+        }
+        return true;
     }
 
     /// Fills the gap between the strips of two pieces where the path turns away from the offset side.
@@ -246,7 +274,7 @@ class Bands {
 
     /// Adds the half of a miter that belongs to a piece.
     void addMiter(const Piece &piece, std::optional<Vec2> &tipOfPiece, Vec2 node, Vec2 arm, Vec2 tip) {
-        if (piece.curve.kind() == CurveKind::Line && offsets_.size() == 2) {
+        if (piece.isStraight() && offsets_.size() == 2) {
             tipOfPiece = tip;
         } else {
             add({node, node + arm, tip}, {Curve(), Curve(), Curve()}, piece.segment);

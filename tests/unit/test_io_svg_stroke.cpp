@@ -63,6 +63,17 @@ TEST_CASE("SVG stroke areas: corners are mitred up to a limit, bevelled or round
     checkArea(areaOf("M10 10H50H20", "stroke-linejoin='round'"), 160 + 2 * kPi);
 }
 
+TEST_CASE("SVG stroke areas: directions rounded in the file make no tiny parts of the boundary") {
+    for (const std::string path : {"M10 10H30L50 10.001", "M10 10H30A20 20 0 0 1 49.99 30.6"}) {
+        const auto domain = readStrokes("<path d='" + path + "'/>");
+        REQUIRE(domain.ok());
+        for (const DomainSegment &segment : domain->segments) {
+            CHECK(distance(domain->nodes[segment.a], domain->nodes[segment.b]) > 0.05);
+        }
+    }
+    CHECK(readStrokes("<path d='M10 10H30L50 10.001'/>")->segments.size() == 6);
+}
+
 TEST_CASE("SVG stroke areas: a path that ends where it begins without being closed has ends there") {
     CHECK(areaOf("M30 10H50V50H10V10H30", "") == doctest::Approx(44 * 44 - 36 * 36));
     CHECK(areaOf("M10 10H50V50H10V10", "") == doctest::Approx(44 * 44 - 36 * 36 - 4));

@@ -200,7 +200,7 @@ void ImportDialog::drawJoining(Shell &context) {
         read();
     }
     if (hasStrokes_ &&
-        ui::checkbox(context, "dialog/importoptions/strokes", "Strokes are areas", options_.strokeAreas)) {
+        ui::checkbox(context, "dialog/importoptions/strokes", "Mesh what the strokes paint", options_.strokeAreas)) {
         read();
     }
     for (const Diagnostic &fault : faults_) {
