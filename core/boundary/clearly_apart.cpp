@@ -107,11 +107,15 @@ class ApartChecker {
         return isClear(mine.a, second) && isClear(mine.b, second) && isClear(other.a, first) && isClear(other.b, first);
     }
 
-    /// Returns true if a segment, where divided, is clear of another from the first cut after their common node on.
+    /// Returns true if a segment is clear of another from its first cut after their common node on, or, if it is not
+    /// divided, at its other end.
     bool leaves(std::uint32_t segment, std::uint32_t common, std::uint32_t other) const {
-        const Cuts &cuts = cuts_[segment];
-        const std::uint32_t cut = domain_.segments[segment].a == common ? cuts.nearA : cuts.nearB;
-        return cut == kNoIndex || isClear(discrete_.nodes[cut], other);
+        const DomainSegment &ends = domain_.segments[segment];
+        const bool fromA = ends.a == common;
+        if (!isDivided(segment)) {
+            return isClear(domain_.nodes[fromA ? ends.b : ends.a], other);
+        }
+        return isClear(discrete_.nodes[fromA ? cuts_[segment].nearA : cuts_[segment].nearB], other);
     }
 
     const Domain &domain_;

@@ -78,10 +78,8 @@ class MeetingFinder {
     /// Called when no pieces meet: adds the pieces that may have pushed constraint points or entire loops to another
     /// region.
     void addMisplaced(const PlaneSweepResult &sweep) {
-        std::vector<std::uint32_t> misplaced;
-        if (division_.curves != nullptr) {
-            misplaced = misplacedNodes(discrete_, sweep);
-        }
+        std::vector<std::uint32_t> misplaced = misplacedNodes(discrete_, sweep);
+        addStraightAround(misplaced, sweep);
         for (std::size_t i = 0; i < discrete_.points.size(); ++i) {
             const std::uint32_t node = discrete_.points[i].node, on = sweep.on[node], below = sweep.below[node];
             if (on != kNoIndex) {
@@ -101,6 +99,27 @@ class MeetingFinder {
         }
         if (division_.curves != nullptr && !misplaced.empty()) {
             addCurvesAround(misplaced);
+        }
+    }
+
+    /// Adds the straight pieces at some nodes and directly below them: rounding has turned one past another, which ends
+    /// beside it.
+    void addStraightAround(const std::vector<std::uint32_t> &nodes, const PlaneSweepResult &sweep) {
+        if (nodes.empty()) {
+            return;
+        }
+        std::vector<std::uint8_t> marked(discrete_.nodes.size(), 0);
+        for (const std::uint32_t node : nodes) {
+            marked[node] = 1;
+            if (const std::uint32_t below = sweep.below[node]; below != kNoIndex && !isCurved(below)) {
+                addPart(below);
+            }
+        }
+        for (std::uint32_t e = 0; e < discrete_.segments.size(); ++e) {
+            const DiscreteSegment &piece = discrete_.segments[e];
+            if ((marked[piece.a] != 0 || marked[piece.b] != 0) && !isCurved(e)) {
+                addPart(e);
+            }
         }
     }
 

@@ -1,4 +1,7 @@
 #include "core/boundary/clearly_apart.hpp"
+#include "core/boundary/meeting_parts.hpp"
+#include "core/domain/validate.hpp"
+#include "tests/support/discrete_checks.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/spacing_samples.hpp"
@@ -60,6 +63,52 @@ TEST_CASE("areClearlyApart: a line that is not divided is as given, but others m
     builder.domain.nodes.back() = {0.5, 0.37};
     CHECK_FALSE(areApart(builder.domain, 0.1));
     CHECK(areApart(builder.domain, 2.0)); // nothing is divided
+}
+
+TEST_CASE("areClearlyApart: a short line beside a longer one from the same node") {
+    // The cuts of the side from the second node lie beyond the end of the line, which is within rounding of the side.
+    for (const Vec2 corner : {Vec2{-1.0, -0.6737410169338212}, Vec2{-1.0, -0.44277877625513484}}) {
+        for (const Vec2 end : {Vec2{-0.05000000000000013, 0.05000000000000013 * corner.y}, Vec2{-0.05, 0.05 * corner.y},
+                               0.05 * corner}) {
+            DomainBuilder builder;
+            const auto nodes =
+                builder.loop({corner, {0.0, 0.0}, {corner.y < -0.5 ? -1.3 : 0.3, corner.y < -0.5 ? 1.0 : -2.0}}, 1);
+            builder.segment(nodes[1], builder.node(end), 3, SegmentRole::Constraint);
+            if (hasErrors(validate(builder.domain))) {
+                continue;
+            }
+            const auto discrete = discretise(builder.domain, constantSpacing(0.25), false);
+            REQUIRE(discrete.ok());
+            CHECK_FALSE(areClearlyApart(builder.domain, *discrete));
+            checkRegions(builder.domain, *discrete);
+        }
+    }
+}
+
+TEST_CASE("areClearlyApart: if so, the exact check agrees, and otherwise the result is right, too") {
+    int apart = 0, close = 0;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        CAPTURE(seed);
+        RandomSource random(seed);
+        DomainBuilder builder;
+        const double side = random.between(-3.0, 3.0), angle = std::pow(10.0, random.between(-18.0, -8.0));
+        const auto nodes = builder.loop({{}, polar({}, 1.0, side), polar({}, random.between(0.5, 2.0), side + 1.0)}, 1);
+        const double length = random.between(0.01, 0.9);
+        builder.segment(nodes[0], builder.node(polar({}, length, side + angle)), 2, SegmentRole::Constraint);
+        if (hasErrors(validate(builder.domain))) {
+            continue;
+        }
+        const auto discrete = discretise(builder.domain, constantSpacing(random.between(0.02, 0.6)), false);
+        REQUIRE(discrete.ok());
+        const bool clear = areClearlyApart(builder.domain, *discrete);
+        ++(clear ? apart : close);
+        if (clear) {
+            REQUIRE(findMeetingParts({*discrete, nullptr, {}, {}, {}}, {}).none());
+        }
+        checkRegions(builder.domain, *discrete);
+    }
+    CHECK(apart > 200);
+    CHECK(close > 200);
 }
 
 TEST_CASE("areClearlyApart: leaves many long lines close together to the exact check") {
