@@ -46,8 +46,9 @@ class Bands {
             if (joinSmoothly(before, after)) {
                 continue;
             }
+            const bool within = k + 1 < pieces_.size() && before.segment == after.segment; // at a cusp
             for (std::size_t side = 0; side < offsets_.size(); ++side) {
-                addWedge(before, after, side);
+                addWedge(before, after, side, within ? BandCorner::Round : style_.corner);
             }
         }
         std::for_each(pieces_.begin(), pieces_.end(), [&](const Piece &piece) { addStrips(piece); });
@@ -193,7 +194,26 @@ class Bands {
         }
         for (const double offset : offsets_) {
             addStrip(piece, 0.0, offset);
+            if (style_.swept && endsAtCentre(piece.curve, 0.5, offset)) {
+                addBeyondCentres(piece, offset);
+            }
         }
+    }
+
+    /// Adds what the line across a piece sweeps beyond the centres of curvature.
+    void addBeyondCentres(const Piece &piece, double offset) {
+        const Curve &curve = piece.curve;
+        const auto full = [&](double t) { return curve.point(t) + offset * leftNormal(curve.tangent(t)); };
+        const Vec2 a = moved(curve, 0.0, offset), b = moved(curve, 1.0, offset), c = full(1.0), d = full(0.0);
+        Curve back; // the pieces of other curves turn little
+        if (isCircular(curve)) {
+            const auto n = curve.numbers();
+            const double scale = -distance(a, d) / length({n[2], n[3]});
+            back =
+                Curve::arc({n[0], n[1]}, scale * Vec2{n[2], n[3]}, scale * Vec2{n[4], n[5]}, n[6], n[7]).part(1.0, 0.0);
+        }
+        distance(a, b) > kTiny *std::fabs(offset) ? add({a, b, c, d}, {Curve(), Curve(), back, Curve()}, piece.segment)
+                                                  : add({a, c, d}, {Curve(), back, Curve()}, piece.segment);
     }
 
     void addStraightStrip(const Piece &piece) {
@@ -248,7 +268,7 @@ class Bands {
     }
 
     /// Fills the gap between the strips of two pieces where the path turns away from the offset side.
-    void addWedge(Piece &before, Piece &after, std::size_t side) {
+    void addWedge(Piece &before, Piece &after, std::size_t side, BandCorner corner) {
         const double offset = offsets_[side];
         const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
         double turn = std::atan2(cross(a, b), dot(a, b));
@@ -260,10 +280,10 @@ class Bands {
         }
         const Vec2 node = after.curve.point(0.0), arm = offset * leftNormal(a), next = offset * leftNormal(b);
         const double cosine = std::cos(0.5 * turn);
-        if (style_.corner == BandCorner::Round) {
+        if (corner == BandCorner::Round) {
             const Curve arc = Curve::arc(node, arm, leftNormal(arm), 0.0, turn);
             add({node, node + arm, arc.point(1.0)}, {Curve(), arc, Curve()}, before.segment);
-        } else if (style_.corner == BandCorner::Miter && cosine * style_.miterLimit >= 1.0) {
+        } else if (corner == BandCorner::Miter && cosine * style_.miterLimit >= 1.0) {
             const Vec2 tip = node + (0.5 / (cosine * cosine)) * (arm + next);
             addMiter(before, before.endTips[side], node, arm, tip);
             addMiter(after, after.startTips[side], node, next, tip);

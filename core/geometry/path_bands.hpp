@@ -19,6 +19,9 @@ struct BandStyle {
     BandCorner corner = BandCorner::Round;
     double miterLimit = 4.0; ///< maximum length of a miter, in widths of the band
     double accuracy = 1e-7;  ///< of parallels that are not exact, as a fraction of the size of the result
+    /// True: the band is what a line across the path sweeps. False: on the inside of a bend it ends at the centres of
+    /// curvature, since other points of the path are nearer to what is beyond.
+    bool swept = false;
 };
 
 /// A part of a band: a closed outline.

@@ -92,6 +92,21 @@ TEST_CASE("SVG stroke areas: along circles, ellipses and cubics") {
     CHECK(areaOf("M10 10Q30 30 50 10", "") == doctest::Approx(4 * length).epsilon(2e-4));
 }
 
+TEST_CASE("SVG stroke areas: beyond the centre of a tight bend, the line across the path sweeps on") {
+    // A half turn of radius 5 sweeps a half disc of radius 15 outside and, beyond the centre, one of radius 5.
+    checkArea(areaOf("M45 50A5 5 0 0 1 55 50", "stroke-width='20'"), 0.5 * kPi * (15 * 15 + 5 * 5));
+    // All but 0.002 radians of a turn; the part beyond the centre fills half of what is missing of the inner disc.
+    checkArea(areaOf("M45 50A5 5 0 1 1 45 49.99", "stroke-width='20'"), 15 * 15 * kPi - 0.001 * (15 * 15 - 5 * 5));
+    // Found by testing a grid of places.
+    CHECK(areaOf("M40 60C40 40 60 40 60 60", "stroke-width='60'") == doctest::Approx(3315).epsilon(0.005));
+}
+
+TEST_CASE("SVG stroke areas: the corner at a cusp is round") {
+    const double round = areaOf("M20 80C80 20 20 20 80 80", "stroke-width='16' stroke-linejoin='round'");
+    CHECK(areaOf("M20 80C80 20 20 20 80 80", "stroke-width='16'") == doctest::Approx(round));
+    CHECK(round == doctest::Approx(1649).epsilon(0.003));
+}
+
 TEST_CASE("SVG stroke areas: uneven scaling stretches strokes") {
     CHECK(areaOf("M5 10H25", "transform='scale(2 1)'") == doctest::Approx(160));
     CHECK(areaOf("M5 10V50", "transform='scale(2 1)'") == doctest::Approx(320));
@@ -109,11 +124,15 @@ TEST_CASE("SVG stroke areas: dashes, from an offset on, with ends of their own")
     CHECK(areaOf("M10 10H50", "stroke-dasharray='10 0'") == doctest::Approx(160));
     CHECK(areaOf("M10 10H50", "stroke-dasharray='none'") == doctest::Approx(160));
     CHECK(areaOf("M10 10H50", "stroke-dasharray='10 -1'") == doctest::Approx(160));
+    CHECK(area("<rect x='20' y='20' width='60' height='60' stroke-width='10' stroke-dasharray='50 17'/>") ==
+          doctest::Approx(1895).epsilon(0.001)); // one dash passes through the start
     CHECK(areaOf("M10 10H50V30", "stroke-dasharray='50 100'") == doctest::Approx(200));
     checkArea(areaOf("M10 10H55", "stroke-dasharray='0 10' stroke-linecap='round'"), 5 * 4 * kPi);
     checkArea(areaOf("M30 50A20 20 0 0 1 70 50", "stroke-dasharray='10 200'"), 40);
     CHECK(areaOf("M10 10H50", "stroke-dasharray='1e-5'") == doctest::Approx(160)); // too many
     CHECK(areaOf("M10 10H50", "stroke-dasharray='1 1' pathLength='4'") == doctest::Approx(80));
+    CHECK(area("<g stroke-linejoin='round'><path stroke-linejoin='foo' d='M10 10H50V50'/></g>") ==
+          doctest::Approx(316 + kPi).epsilon(1e-4));
     CHECK(area("<g stroke-dasharray='10 5'><path d='M10 10H50'/></g>") == doctest::Approx(120));
 }
 
@@ -128,6 +147,8 @@ TEST_CASE("SVG stroke areas: strokes and fills are merged and cut at the page") 
     CHECK(area("<rect x='10' y='10' width='20' height='20' fill='black'/>") == doctest::Approx(24 * 24));
     CHECK(area("<rect width='20' height='20' fill='black'/>") == doctest::Approx(22 * 22));
     CHECK(areaOf("M-10 10H10", "") == doctest::Approx(40));
+    CHECK(areaOf("M-9000 50H10000", "stroke-dasharray='1000 1000' stroke-dashoffset='1000'") == doctest::Approx(400));
+    CHECK(areaOf("M-5000 -50H5000", "stroke-width='110'") == doctest::Approx(500));
     CHECK(area("<path d='M10 10H50'/><path d='M30 0V20'/>") == doctest::Approx(160 + 80 - 16));
     CHECK(areaOf("M10 10H50", "stroke-width='0' /><path d='M10 10H50' stroke-width='2'") == doctest::Approx(80));
 }

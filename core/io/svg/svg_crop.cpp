@@ -115,8 +115,6 @@ SvgPath lineLike(const SvgPath &path) {
     line.isLine = path.isLine;
     line.paint = path.paint;
     line.paint.filled = false;
-    line.strokeArea = path.strokeArea;
-    line.frame = path.frame;
     line.element = path.element;
     line.name = path.name;
     line.offset = path.offset;

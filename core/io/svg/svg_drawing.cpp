@@ -33,9 +33,12 @@ Box2 SvgPath::bounds() const {
 }
 
 double SvgPath::reach() const {
+    return strokeArea ? 0.5 * paint.line.width * frame.stretch() : 0.0;
+}
+
+double SvgPath::farthestReach() const {
     const double corners = paint.line.corner == BandCorner::Miter ? paint.line.miterLimit : 1.0;
-    const double farthest = std::max(corners, std::numbers::sqrt2); // of corners and square ends
-    return strokeArea ? 0.5 * paint.line.width * frame.stretch() * farthest : 0.0;
+    return std::max(corners, std::numbers::sqrt2) * reach();
 }
 
 bool SvgPath::drawnAsLine() const {

@@ -37,8 +37,10 @@ struct SvgPath {
     Box2 box() const;
     /// Returns the box of the nodes and curves.
     Box2 bounds() const;
-    /// Returns how far from the path its stroke may reach, in domain units; 0 if it does not count as area.
+    /// Returns half of the width of the stroke, in domain units; 0 if it does not count as area.
     double reach() const;
+    /// Returns how far from the path the corners and ends of its stroke may reach.
+    double farthestReach() const;
     /// Returns true for an open polyline with a stroke and the default fill. Many are drawn so, without fill="none".
     bool drawnAsLine() const;
     /// Returns true if the path is filled, and not drawn as a line.

@@ -3,6 +3,7 @@
 #include "core/base/lower_case.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,10 +28,22 @@ bool isContent(const pugi::xml_node &child) {
     return isGradient(localName(child.parent())) ? localName(child) == "stop" : child.type() == pugi::node_element;
 }
 
-/// Returns the corner that a value of `stroke-linejoin` names; "arcs" and "miter-clip", which few programs draw, are
-/// miters.
-BandCorner cornerOf(std::string_view join) {
-    return join == "round" ? BandCorner::Round : join == "bevel" ? BandCorner::Bevel : BandCorner::Miter;
+/// Returns the end that a value of `stroke-linecap` names; std::nullopt if it is invalid.
+std::optional<SvgCap> capOf(std::string_view cap) {
+    return cap == "butt" || cap == "initial" ? std::optional(SvgCap::Butt)
+           : cap == "round"                  ? std::optional(SvgCap::Round)
+           : cap == "square"                 ? std::optional(SvgCap::Square)
+                                             : std::nullopt;
+}
+
+/// Returns the corner that a value of `stroke-linejoin` names; std::nullopt if it is invalid. "arcs" and "miter-clip",
+/// which few programs draw, are miters.
+std::optional<BandCorner> cornerOf(std::string_view join) {
+    const bool miter = join == "miter" || join == "miter-clip" || join == "arcs" || join == "initial";
+    return miter             ? std::optional(BandCorner::Miter)
+           : join == "round" ? std::optional(BandCorner::Round)
+           : join == "bevel" ? std::optional(BandCorner::Bevel)
+                             : std::nullopt;
 }
 
 } // namespace
@@ -116,10 +129,9 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
     take("clip-rule", [&](const std::string &value) { paint.clipRule = ruleOf(value); });
     take("fill-opacity", [&](const std::string &value) { paint.fillOpacity = parseOpacity(value); });
     take("stroke-opacity", [&](const std::string &value) { paint.strokeOpacity = parseOpacity(value); });
-    take("stroke-linecap", [&](const std::string &value) {
-        paint.line.cap = value == "round" ? SvgCap::Round : value == "square" ? SvgCap::Square : SvgCap::Butt;
-    });
-    take("stroke-linejoin", [&](const std::string &value) { paint.line.corner = cornerOf(value); });
+    take("stroke-linecap", [&](const std::string &value) { paint.line.cap = capOf(value).value_or(paint.line.cap); });
+    take("stroke-linejoin",
+         [&](const std::string &value) { paint.line.corner = cornerOf(value).value_or(paint.line.corner); });
     take("opacity", [&](const std::string &value) { paint.opacity *= parseOpacity(value); });
     return paint;
 }

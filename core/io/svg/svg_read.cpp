@@ -66,7 +66,9 @@ class SvgBuilder {
           size_(drawing.size), tolerance_(drawing.tolerance), anyPainted_(drawing.cropsFill) {
         std::erase_if(paths_, [](const SvgPath &path) { return path.nodes.size() < 2 && !path.closed; });
         for (SvgPath &path : paths_) {
-            joinEnds(path, kSameNode * drawing.size);
+            if (path.painted() || !path.strokeArea) { // a stroke turns back at its end, or ends there
+                joinEnds(path, kSameNode * drawing.size);
+            }
         }
         for (SvgClip &clip : clips_) {
             for (SvgPath &part : clip.parts) {

@@ -82,6 +82,7 @@ class Dasher {
             next();
         }
         left_ = dashes_[at_] - into;
+        fromStart_ = draws();
     }
 
     std::vector<Run> cut(const Run &run) {
@@ -101,6 +102,11 @@ class Dasher {
             left_ -= whole - done;
             draw(curve, from, 1.0);
         }
+        if (run.closed && fromStart_ && draws() && made_.size() > 1) { // one dash through the start
+            std::vector<Curve> &last = made_.back().curves, &first = made_.front().curves;
+            last.insert(last.end(), first.begin(), first.end());
+            made_.erase(made_.begin());
+        }
         return std::move(made_);
     }
 
@@ -119,8 +125,9 @@ class Dasher {
     }
 
     const std::vector<double> &dashes_;
-    std::size_t at_ = 0; ///< the current dash or gap
-    double left_ = 0.0;  ///< of it
+    std::size_t at_ = 0;     ///< the current dash or gap
+    double left_ = 0.0;      ///< of it
+    bool fromStart_ = false; ///< the path begins with a dash
     std::vector<Run> made_;
 };
 
@@ -167,7 +174,8 @@ std::vector<BandPart> partsOf(const Run &run, const SvgLineStyle &style) {
         box.add(curve.bounds());
     }
     const double reach = 0.5 * style.width, size = box.diagonal() + reach;
-    const BandStyle bands{style.corner, style.miterLimit, std::min(kAccuracy, kAccuracyOfWidth * style.width / size)};
+    const double accuracy = std::min(kAccuracy, kAccuracyOfWidth * style.width / size);
+    const BandStyle bands{style.corner, style.miterLimit, accuracy, true};
     parts = bandsBeside(run.curves, run.closed, std::array{reach, -reach}, bands);
     if (!run.closed) {
         const Curve &first = run.curves.front(), &last = run.curves.back();

@@ -50,7 +50,8 @@ SvgLineStyle SvgDrawer::lineStyleOf(const Visit &visit) const {
     if (const auto own = lengthOf(value("stroke-dashoffset")); own) {
         style.dashOffset = *own;
     }
-    if (const std::string dashes = value("stroke-dasharray"); !dashes.empty() && dashes != "inherit") {
+    if (const std::string dashes = value("stroke-dasharray");
+        !dashes.empty() && dashes != "inherit" && dashes != "unset") {
         style.dashes.clear();
         constexpr std::string_view kSeparators = ", \t\r\n";
         for (std::size_t from = dashes.find_first_not_of(kSeparators); from != std::string::npos;) {

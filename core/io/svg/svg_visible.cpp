@@ -35,7 +35,7 @@ bool contains(const AffineMap &frame, const SvgPath &path) {
         return !stretch.follows() || holds(path.curves[stretch.curve].bounds(stretch.t0, stretch.t1));
     };
     if (path.strokeArea) {
-        return holds(path.bounds().grown(path.reach()));
+        return holds(path.bounds().grown(path.farthestReach()));
     }
     return std::all_of(path.nodes.begin(), path.nodes.end(), inside) &&
            std::all_of(path.stretches.begin(), path.stretches.end(), follows);
@@ -123,7 +123,7 @@ void SvgDrawer::cropFarFromPage(double tolerance) {
     };
     std::vector<SvgPath> kept;
     for (SvgPath &path : paths_) {
-        if (!reachesFar(path)) {
+        if (path.strokeArea || !reachesFar(path)) { // a cropped stroke would have other ends and dashes
             kept.push_back(std::move(path));
             continue;
         }
