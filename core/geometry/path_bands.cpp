@@ -189,7 +189,7 @@ class Bands {
                                [&](double t) { return endsAtCentre(piece.curve, t, offset); });
         });
         if (whole && offsets_.size() == 2) {
-            piece.curve.kind() == CurveKind::Line ? addStraightStrip(piece) : addStrip(piece, offsets_[0], offsets_[1]);
+            piece.isStraight() ? addStraightStrip(piece) : addStrip(piece, offsets_[0], offsets_[1]);
             return;
         }
         for (const double offset : offsets_) {
@@ -212,8 +212,11 @@ class Bands {
             back =
                 Curve::arc({n[0], n[1]}, scale * Vec2{n[2], n[3]}, scale * Vec2{n[4], n[5]}, n[6], n[7]).part(1.0, 0.0);
         }
-        distance(a, b) > kTiny *std::fabs(offset) ? add({a, b, c, d}, {Curve(), Curve(), back, Curve()}, piece.segment)
-                                                  : add({a, c, d}, {Curve(), back, Curve()}, piece.segment);
+        if (distance(a, b) > kTiny * reach_) {
+            add({a, b, c, d}, {Curve(), Curve(), back, Curve()}, piece.segment);
+        } else {
+            add({a, c, d}, {Curve(), back, Curve()}, piece.segment);
+        }
     }
 
     void addStraightStrip(const Piece &piece) {
@@ -241,8 +244,11 @@ class Bands {
         const bool straight = piece.isStraight();
         const Curve along = straight || from == 0.0 ? curve : parallel(curve, from);
         const Curve back = straight ? Curve() : parallel(curve, to).part(1.0, 0.0);
-        distance(c, d) > kTiny *std::fabs(to) ? add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.segment)
-                                              : add({a, b, c}, {along, Curve(), Curve()}, piece.segment);
+        if (distance(c, d) > kTiny * reach_) {
+            add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.segment);
+        } else {
+            add({a, b, c}, {along, Curve(), Curve()}, piece.segment);
+        }
     }
 
     /// Lets the sides of a straight piece end where those of the next one begin, if the path turns by less than counts,

@@ -31,8 +31,8 @@ struct BandPart {
     std::uint32_t segment = 0; ///< of the path: index
 };
 
-/// Returns shapes whose union is what lies within some distances beside a path: between the path and its parallels at
-/// the offsets, > 0 to the left and < 0 to the right; one on either side gives the whole band. Lines and arcs of
+/// Returns shapes whose union is the band between a path and its parallels at one or two offsets, > 0 to the left and
+/// < 0 to the right; one on either side gives the whole band. Lines and arcs of
 /// circles have exact parallels, those of other curves are cubics. The ends of an open path are cut straight.
 std::vector<BandPart> bandsBeside(std::span<const Curve> path, bool closed, std::span<const double> offsets,
                                   const BandStyle &style = {});

@@ -131,6 +131,10 @@ TEST_CASE("SVG stroke areas: dashes, from an offset on, with ends of their own")
     checkArea(areaOf("M30 50A20 20 0 0 1 70 50", "stroke-dasharray='10 200'"), 40);
     CHECK(areaOf("M10 10H50", "stroke-dasharray='1e-5'") == doctest::Approx(160)); // too many
     CHECK(areaOf("M10 10H50", "stroke-dasharray='1 1' pathLength='4'") == doctest::Approx(80));
+    CHECK(area("<g stroke-width='9' stroke-dashoffset='3'><path stroke-width='initial' stroke-dashoffset='initial' "
+               "stroke-dasharray='10 5' d='M10 10H50'/></g>") == doctest::Approx(30));
+    CHECK(area("<g stroke-dasharray='10 5'><path stroke-dasharray='unset' d='M10 10H50'/></g>") ==
+          doctest::Approx(120));
     CHECK(area("<g stroke-linejoin='round'><path stroke-linejoin='foo' d='M10 10H50V50'/></g>") ==
           doctest::Approx(316 + kPi).epsilon(1e-4));
     CHECK(area("<g stroke-dasharray='10 5'><path d='M10 10H50'/></g>") == doctest::Approx(120));

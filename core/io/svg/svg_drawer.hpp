@@ -76,6 +76,8 @@ class SvgDrawer {
     bool isGiven(const Visit &visit, const char *property) const;
     double fontSizeOf(const pugi::xml_node &node, double inherited) const;
     SvgLineStyle lineStyleOf(const Visit &visit) const;
+    static std::optional<double> userStrokeLength(const Visit &visit, std::string_view text);
+    static std::vector<double> dashesOf(const Visit &visit, std::string_view text);
     double length(const Visit &visit, const char *attribute, SvgExtent extent);
     std::optional<double> givenLength(const Visit &visit, const char *attribute, SvgExtent extent);
     Box2 transformBox(const Visit &visit);

@@ -64,9 +64,10 @@ class SvgBuilder {
     SvgBuilder(SvgPaths drawing, const SourceText &source)
         : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source),
           size_(drawing.size), tolerance_(drawing.tolerance), anyPainted_(drawing.cropsFill) {
+        // A path of a single node that is not closed was never drawn; other paths may end up as dots.
         std::erase_if(paths_, [](const SvgPath &path) { return path.nodes.size() < 2 && !path.closed; });
         for (SvgPath &path : paths_) {
-            if (path.painted() || !path.strokeArea) { // a stroke turns back at its end, or ends there
+            if (path.painted() || !path.strokeArea) { // a stroke may turn back where two nodes are left
                 joinEnds(path, kSameNode * drawing.size);
             }
         }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 // The values that elements give: attributes and properties of style sheets, and what to do with malformed ones.
@@ -33,42 +34,44 @@ double SvgDrawer::fontSizeOf(const pugi::xml_node &node, double inherited) const
 
 /// Returns how an element's stroke is drawn: properties of its own where given and valid, otherwise inherited.
 SvgLineStyle SvgDrawer::lineStyleOf(const Visit &visit) const {
+    constexpr double kNegative = -std::numeric_limits<double>::infinity();
     SvgLineStyle style = visit.paint.line;
-    const auto lengthOf = [&](std::string_view text) {
-        return userLength(text, SvgExtent::Diagonal, visit.viewport, visit.fontSize);
+    const auto take = [&](const char *property, double initial, double minimum, double &value) {
+        const std::string text = styles_.value(visit.node, property);
+        const auto own = text == "initial" ? std::optional(initial) : userStrokeLength(visit, text);
+        value = own && *own >= minimum ? *own : value;
     };
-    const auto value = [&](const char *property) { return styles_.value(visit.node, property); };
-    const std::string width = value("stroke-width"), limit = value("stroke-miterlimit");
-    if (width == "initial") {
-        style.width = SvgLineStyle().width;
-    } else if (const auto own = lengthOf(width); own && *own >= 0.0) {
-        style.width = *own;
-    }
-    if (const auto own = parseLength(limit); own && own->unit.empty() && own->value >= 1.0) {
-        style.miterLimit = own->value;
-    }
-    if (const auto own = lengthOf(value("stroke-dashoffset")); own) {
-        style.dashOffset = *own;
-    }
-    if (const std::string dashes = value("stroke-dasharray");
-        !dashes.empty() && dashes != "inherit" && dashes != "unset") {
-        style.dashes.clear();
-        constexpr std::string_view kSeparators = ", \t\r\n";
-        for (std::size_t from = dashes.find_first_not_of(kSeparators); from != std::string::npos;) {
-            const std::size_t end = std::min(dashes.find_first_of(kSeparators, from), dashes.size());
-            const auto length = lengthOf(std::string_view(dashes).substr(from, end - from));
-            if (!length || *length < 0.0) { // "none", too
-                style.dashes.clear();
-                break;
-            }
-            style.dashes.push_back(*length);
-            from = dashes.find_first_not_of(kSeparators, end);
-        }
-        if (style.dashes.size() % 2 != 0) {
-            style.dashes.insert(style.dashes.end(), style.dashes.begin(), style.dashes.end());
-        }
+    take("stroke-width", SvgLineStyle().width, 0.0, style.width);
+    take("stroke-miterlimit", SvgLineStyle().miterLimit, 1.0, style.miterLimit);
+    take("stroke-dashoffset", 0.0, kNegative, style.dashOffset);
+    const std::string dashes = styles_.value(visit.node, "stroke-dasharray");
+    if (!dashes.empty() && dashes != "inherit" && dashes != "unset") {
+        style.dashes = dashesOf(visit, dashes);
     }
     return style;
+}
+
+std::optional<double> SvgDrawer::userStrokeLength(const Visit &visit, std::string_view text) {
+    return userLength(text, SvgExtent::Diagonal, visit.viewport, visit.fontSize);
+}
+
+/// Returns lengths of dashes and gaps, the list twice if their number is odd; none for "none" and what is malformed.
+std::vector<double> SvgDrawer::dashesOf(const Visit &visit, std::string_view text) {
+    constexpr std::string_view kSeparators = ", \t\r\n";
+    std::vector<double> dashes;
+    for (std::size_t from = text.find_first_not_of(kSeparators); from != text.npos;) {
+        const std::size_t end = std::min(text.find_first_of(kSeparators, from), text.size());
+        const auto length = userStrokeLength(visit, text.substr(from, end - from));
+        if (!length || *length < 0.0) {
+            return {};
+        }
+        dashes.push_back(*length);
+        from = text.find_first_not_of(kSeparators, end);
+    }
+    if (dashes.size() % 2 != 0) {
+        dashes.insert(dashes.end(), dashes.begin(), dashes.end());
+    }
+    return dashes;
 }
 
 /// Returns a length in user units; 0 if it is absent or malformed.

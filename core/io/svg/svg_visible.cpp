@@ -127,7 +127,7 @@ void SvgDrawer::cropFarFromPage(double tolerance) {
             kept.push_back(std::move(path));
             continue;
         }
-        cropsFill_ = cropsFill_ || path.covers();
+        cropsFill_ = cropsFill_ || path.painted();
         const bool area = path.painted() || (path.closed && !path.paint.stroked);
         std::vector<SvgPath> lines;
         if (!area || (path.paint.stroked && !path.closed)) {
