@@ -61,8 +61,8 @@ class Bands {
     struct Piece {
         Curve curve;
         std::uint32_t segment = 0;
-        /// Of a straight piece, per offset: where its sides begin and end, if not straight beside its ends. They go on
-        /// to the tips of miters, without a node before them.
+        /// For a straight piece, per offset: where its sides begin and end, if not at a right angle to its ends; such
+        /// as at the tips of miters, so that there is no node before them.
         std::array<std::optional<Vec2>, 2> startTips = {}, endTips = {};
 
         bool isStraight() const { return curve.kind() == CurveKind::Line; }
@@ -251,8 +251,8 @@ class Bands {
         }
     }
 
-    /// Lets the sides of a straight piece end where those of the next one begin, if the path turns by less than counts,
-    /// as where a file has rounded directions. Otherwise there would be tiny sides.
+    /// If the path turns by less than the accuracy, usually because a file has rounded its coordinates, lets the sides
+    /// of a straight piece end where those of the next one begin. Otherwise there would be tiny sides.
     bool joinSmoothly(Piece &before, Piece &after) {
         const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
         const bool smooth = dot(a, b) > 0.0 && std::fabs(cross(a, b)) * reach_ <= style_.accuracy * size_;

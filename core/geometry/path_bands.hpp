@@ -27,7 +27,7 @@ struct BandStyle {
 /// A part of a band: a closed outline.
 struct BandPart {
     std::vector<Vec2> nodes;
-    std::vector<Curve> curves; ///< from each node to the next; a line stands for a straight segment, whatever its ends
+    std::vector<Curve> curves; ///< from each node to the next; a line means straight, and its ends are ignored
     std::uint32_t segment = 0; ///< of the path: index
 };
 

@@ -129,29 +129,25 @@ TEST_CASE("Import: the lines of a drawing with filled shapes can be left out") {
 }
 
 TEST_CASE("Import: what strokes paint can be meshed") {
-    const TemporaryFolder place;
-    std::ofstream(place.path / "ring.svg") << R"(<svg viewBox="0 0 10 10" fill="none" stroke="black">)"
-                                           << R"(<path d="M2 2H8V8H2Z"/></svg>)";
-    std::ofstream(place.path / "bar.svg") << R"(<svg viewBox="0 0 10 10" fill="none" stroke="black">)"
-                                          << R"(<path d="M2 2H8"/></svg>)";
-    Draughtsman driver;
-    importFile(driver, place.path / "ring.svg");
-    REQUIRE(driver.has("dialog/importoptions/strokes"));
-    driver.click("dialog/importoptions/strokes");
-    driver.settle();
-    driver.click("dialog/importoptions/ok");
-    driver.settle();
-    CHECK(toDomain(driver.document()).segments.size() == 8);
-    CHECK(boundsOf(driver.document()).size() == Vec2{7, 7});
-
-    Draughtsman other;
-    importFile(other, place.path / "bar.svg");
-    REQUIRE(other.has("dialog/importoptions/strokes"));
-    other.click("dialog/importoptions/strokes");
-    other.settle();
-    other.click("dialog/importoptions/ok");
-    other.settle();
-    CHECK(boundsOf(other.document()).size() == Vec2{6, 1});
+    struct Sample {
+        const char *path;
+        std::size_t segments;
+        Vec2 size;
+    };
+    for (const Sample &sample : {Sample{"M2 2H8V8H2Z", 8, {7, 7}}, Sample{"M2 2H8", 4, {6, 1}}}) {
+        const TemporaryFolder place;
+        std::ofstream(place.path / "strokes.svg")
+            << R"(<svg viewBox="0 0 10 10" fill="none" stroke="black"><path d=")" << sample.path << R"("/></svg>)";
+        Draughtsman driver;
+        importFile(driver, place.path / "strokes.svg");
+        REQUIRE(driver.has("dialog/importoptions/strokes"));
+        driver.click("dialog/importoptions/strokes");
+        driver.settle();
+        driver.click("dialog/importoptions/ok");
+        driver.settle();
+        CHECK(toDomain(driver.document()).segments.size() == sample.segments);
+        CHECK(boundsOf(driver.document()).size() == sample.size);
+    }
 }
 
 TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {

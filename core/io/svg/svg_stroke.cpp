@@ -56,7 +56,7 @@ Run runAlong(const SvgPath &path, const AffineMap &toUser) {
 /// within an interval.
 double parameterAt(const Curve &curve, double from, double length) {
     constexpr int kSteps = 60;
-    constexpr double kAccuracy = 1e-9; // of the length
+    constexpr double kAccuracy = 1e-9; // as a fraction of the length
     double low = from, high = 1.0, t = from;
     for (int step = 0; step < kSteps && low < high; ++step) {
         const double excess = curve.length(from, t) - length;
@@ -138,7 +138,7 @@ std::vector<Run> runsOf(Run whole, const SvgLineStyle &style) {
         length += curve.length();
     }
     const auto pieces = static_cast<double>(style.dashes.size());
-    bool gaps = false; // of more than no length
+    bool gaps = false; // longer than 0
     for (std::size_t k = 1; k < style.dashes.size(); k += 2) {
         gaps = gaps || style.dashes[k] > 0.0;
     }

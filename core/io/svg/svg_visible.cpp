@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -21,13 +22,12 @@ Box2 common(const Box2 &s, const Box2 &t) {
 
 /// Returns true if the unit square under a map contains a path, up to rounding.
 bool contains(const AffineMap &frame, const SvgPath &path) {
-    const double determinant = frame.a * frame.d - frame.b * frame.c;
-    const auto inside = [&](Vec2 p) {
-        const Vec2 d{p.x - frame.e, p.y - frame.f};
-        const double x = (frame.d * d.x - frame.c * d.y) / determinant;
-        const double y = (frame.a * d.y - frame.b * d.x) / determinant;
-        return x >= -kBeyond && x <= 1.0 + kBeyond && y >= -kBeyond && y <= 1.0 + kBeyond;
-    };
+    const std::optional<AffineMap> back = frame.inverse();
+    if (!back) {
+        return false;
+    }
+    const Box2 square = Box2{{0.0, 0.0}, {1.0, 1.0}}.grown(kBeyond);
+    const auto inside = [&](Vec2 p) { return square.contains((*back)(p)); };
     const auto holds = [&](const Box2 &box) {
         return inside(box.min) && inside(box.max) && inside({box.min.x, box.max.y}) && inside({box.max.x, box.min.y});
     };
