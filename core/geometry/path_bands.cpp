@@ -85,31 +85,37 @@ class Bands {
 
     void bisect(const Curve &curve, double t0, double t1, std::uint32_t segment) {
         constexpr double kCusp = 1e-12; // minimum step of the parameter; a piece that still turns within it is a cusp
+        constexpr int kMaxPieces = 100000; // limits the work where rounding errors exceed the accuracy
         const Curve piece = curve.part(t0, t1);
-        const double corner = t0 + (t1 - t0) * cornerOf(piece);
-        const bool cut = corner - t0 > kCusp && t1 - corner > kCusp;
-        if (!cut && (t1 - t0 <= kCusp || isFine(piece))) {
+        if (t1 - t0 <= kCusp || ++questions_ > kMaxPieces) {
             keep(piece, segment);
             return;
         }
-        const double middle = cut ? corner : 0.5 * (t0 + t1);
-        bisect(curve, t0, middle, segment);
-        bisect(curve, middle, t1, segment);
+        const double corner = cornerOf(piece);
+        if (corner == 0.0 && isFine(piece)) {
+            keep(piece, segment);
+            return;
+        }
+        constexpr double kMinShare = 1.0 / 16.0; // limits the depth
+        const double share = corner > kMinShare && corner < 1.0 - kMinShare ? corner : 0.5;
+        const double cut = t0 + (t1 - t0) * share;
+        bisect(curve, t0, cut, segment);
+        bisect(curve, cut, t1, segment);
     }
 
     /// Returns the parameter of a corner of a parallel, where it begins or ceases to follow the centres of curvature; 0
     /// if there is none.
     double cornerOf(const Curve &piece) const {
         for (const double offset : offsets_) {
-            const bool first = endsAtCentre(piece, 0.0, offset);
-            if (first == endsAtCentre(piece, 1.0, offset)) {
+            const int first = pastCentre(piece, 0.0, offset);
+            if (first * pastCentre(piece, 1.0, offset) >= 0) {
                 continue;
             }
             double low = 0.0, high = 1.0;
             constexpr int kSteps = 53; // the bits of a double
             for (int step = 0; step < kSteps; ++step) {
                 const double middle = 0.5 * (low + high);
-                (endsAtCentre(piece, middle, offset) == first ? low : high) = middle;
+                ((curvature(piece, middle) * offset > 1.0) == (first > 0) ? low : high) = middle;
             }
             return high;
         }
@@ -128,34 +134,41 @@ class Bands {
         return curvatureOf(piece, stands ? std::lerp(t, 0.5, 1e-3) : t);
     }
 
-    /// Returns true where an offset reaches past the centre of curvature; the parallel stops there, since beyond it
-    /// other points of the curve are nearer.
-    bool endsAtCentre(const Curve &piece, double t, double offset) const { return curvature(piece, t) * offset > 1.0; }
+    /// Returns 1 where an offset reaches past the centre of curvature, -1 where it does not, and 0 where it ends there
+    /// to within the accuracy: on a curve that is nearly a circle with the offset as radius, rounding errors decide.
+    int pastCentre(const Curve &piece, double t, double offset) const {
+        const double excess = curvature(piece, t) * offset - 1.0;
+        return excess > style_.accuracy ? 1 : excess < -style_.accuracy ? -1 : 0;
+    }
+
+    /// The parallel stops at the centres of curvature, since beyond them other points of the curve are nearer.
+    bool endsAtCentre(const Curve &piece, double t, double offset) const { return pastCentre(piece, t, offset) > 0; }
 
     /// Returns true if the strips of a piece are accurate enough.
-    bool isFine(const Curve &piece) {
+    bool isFine(const Curve &piece) const {
         return std::all_of(offsets_.begin(), offsets_.end(), [&](double offset) { return isFine(piece, offset); });
     }
 
-    bool isFine(const Curve &piece, double offset) {
+    bool isFine(const Curve &piece, double offset) const {
         constexpr double kMaxTurn = 0.5, kMaxTurnAtCentres = 0.125; // radians
-        constexpr int kMaxQuestions = 50000; // limits the work where rounding errors exceed the accuracy
-        const auto atCentres =
-            std::count_if(kSamples.begin(), kSamples.end(), [&](double t) { return endsAtCentre(piece, t, offset); });
         const double turn = piece.turning();
-        if (atCentres > 0) { // covers slightly too much, but other strips cover that too
-            return atCentres == std::ssize(kSamples) && !(turn > kMaxTurnAtCentres);
+        std::array<int, kSamples.size()> sides{};
+        std::transform(kSamples.begin(), kSamples.end(), sides.begin(),
+                       [&](double t) { return pastCentre(piece, t, offset); });
+        if (std::count(sides.begin(), sides.end(), 1) >
+            0) { // covers slightly too much, but other strips cover that too
+            return std::count(sides.begin(), sides.end(), -1) == 0 && !(turn > kMaxTurnAtCentres);
         }
         const Curve back = parallel(piece, offset);
-        return !(turn > kMaxTurn) &&
-               (++questions_ > kMaxQuestions || std::all_of(kSamples.begin(), kSamples.end(), [&](double t) {
-                   return distance(back.point(t), moved(piece, t, offset)) <= style_.accuracy * size_;
-               }));
+        return !(turn > kMaxTurn) && std::all_of(kSamples.begin(), kSamples.end(), [&](double t) {
+            return distance(back.point(t), moved(piece, t, offset)) <= style_.accuracy * size_;
+        });
     }
 
     /// Returns the distance of a parallel at a parameter: it ends at the centre of curvature.
     double reach(const Curve &curve, double t, double offset) const {
-        return endsAtCentre(curve, t, offset) ? 1.0 / curvature(curve, t) : offset;
+        const double bend = curvature(curve, t);
+        return bend * offset > 1.0 ? 1.0 / bend : offset;
     }
 
     Vec2 moved(const Curve &curve, double t, double offset) const {
@@ -317,7 +330,7 @@ class Bands {
     BandStyle style_;
     double reach_ = 0.0; ///< maximum distance from the path
     double size_ = 0.0;  ///< of the result, about
-    int questions_ = 0;
+    int questions_ = 0;  ///< whether a piece is fine
     std::vector<Piece> pieces_;
     std::vector<BandPart> parts_;
 };

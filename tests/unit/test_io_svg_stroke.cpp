@@ -173,3 +173,16 @@ TEST_CASE("SVG stroke areas: strokes that do not scale stay lines, with a note")
     CHECK(areas(*domain).at(1) == doctest::Approx(2500));
     CHECK(notes.entries().front().code == kStrokeNote);
 }
+
+TEST_CASE("SVG stroke areas: bends whose radius is half the width of the stroke") {
+    // Whether the stroke reaches past a centre of curvature is decided by rounding: all along the circle, and beside
+    // the start of the curve, which stands there.
+    const std::string circle = "M52 50a2 2 0 0 1-4 0 2 2 0 0 1 4 0z";
+    const std::string quarters = "M52 50c0 1.1045695-.8954305 2-2 2s-2-.8954305-2-2 .8954305-2 2-2 2 .8954305 2 2z";
+    checkArea(areaOf(circle, ""), 16 * kPi);
+    for (int k = -10; k <= 10; ++k) {
+        const std::string scale = std::to_string(1.0 + 1e-5 * k);
+        CHECK(areaOf(quarters, "transform='scale(" + scale + ")'") == doctest::Approx(16 * kPi).epsilon(6e-4));
+    }
+    CHECK(areaOf("M79.3 48.6s-4.2 0-6 .3", "stroke-width='1'") == doctest::Approx(6.01).epsilon(1e-3));
+}
