@@ -57,8 +57,8 @@ class AdaptPanel final : public Panel {
             field_ = choice == 0 ? std::string() : names[static_cast<std::size_t>(choice)];
         }
         ui::rowTooltip(context, "The mesh is refined where linear elements approximate the gradient of this field "
-                                "badly. Nodal values of an opened mesh allow one new mesh, which always starts from "
-                                "that file; then compute them again.");
+                                "badly. Nodal values of an opened mesh allow only one new mesh, always made from "
+                                "that file; then recompute the values on it.");
         if (choice == 0) {
             form::label(context, "f(x, y)");
             ui::entry(context, "adapt/expression", expression_, "atan(20*(x*x+y*y-1))");

@@ -115,12 +115,12 @@ void drawMeshedRow(Shell &context, std::int32_t tag, const PartSegments &part, d
 }
 
 std::string explanation(std::size_t segments) {
-    const std::string along = segments == 1 ? "Number of elements along the whole of it"
-                                            : "Number of elements along the whole of each of them";
+    const std::string along = segments == 1 ? "Number of elements along its whole length"
+                                            : "Number of elements along the whole length of each";
     return along +
-           ", around a circle the full turn, whatever other sizes ask for. If others have the same tag, it gets a "
-           "tag of its own. Where segments with the tag differ in length, the longest has this number, and "
-           "shorter ones have elements of the same size. Leave it empty to use the general size.";
+           " (for a circle, the full turn), regardless of other sizes. If others share its tag, it gets a tag of its "
+           "own. Where segments with the tag differ in length, the longest has this number, and "
+           "shorter ones have elements of the same size. Leave empty to use the size from the Spacing panel.";
 }
 
 std::string addressOfCount(std::int32_t tag) {

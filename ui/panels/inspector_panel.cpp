@@ -100,7 +100,7 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
         ui::checkTag(context, "inspector/tag", *wanted)) {
         changeTag(context, part, static_cast<std::int32_t>(*wanted));
     }
-    ui::rowTooltip(context, "The tags differ. A number gives all of them this tag.");
+    ui::rowTooltip(context, "The tags differ. Enter a number to give all of them that tag.");
 }
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {

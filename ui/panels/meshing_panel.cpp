@@ -35,7 +35,7 @@ class MeshingPanel final : public Panel {
         ui::rowTooltip(context, "Keep the drawn segments as mesh edges; do not subdivide them.");
         form::label(context, "Grid");
         changed = ui::combo(context, "meshing/grid", options.grid) || changed;
-        ui::rowTooltip(context, "Background grid that speeds up searches on the front. It changes the work, never the "
+        ui::rowTooltip(context, "Background grid that speeds up searches on the front. It affects speed, never the "
                                 "mesh. Turn on the Grid cells layer to see it.");
         if (changed) {
             Document next = *context.document.current();

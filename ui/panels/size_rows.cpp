@@ -44,8 +44,8 @@ void partSizeRow(Shell &context, std::int32_t tag) {
                                        address + "size");
     ui::rowTooltip(context, follows ? "Element size along this boundary part, which follows from its number of "
                                       "elements, and its growth per unit of distance. A size replaces the number."
-                                    : "Largest element size along this boundary part, and its growth per unit of "
-                                      "distance. Leave it empty to use the general size.");
+                                    : "Maximum element size along this boundary part, and its growth per unit of "
+                                      "distance. Leave empty to use the size from the Spacing panel.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size && !follows); // growth has no meaning without a size
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
@@ -69,8 +69,8 @@ void regionSizeRow(Shell &context, std::uint32_t marker) {
     form::label(context, "Size, growth");
     bool changed =
         form::optionalField(context, "inspector/regionsize", size, "auto", form::halfWidth(context), address + "size");
-    ui::rowTooltip(context, "Largest element size in this region, and its growth per unit of distance outside the "
-                            "region. Leave it empty to use the general size.");
+    ui::rowTooltip(context, "Maximum element size in this region, and its growth per unit of distance outside the "
+                            "region. Leave empty to use the size from the Spacing panel.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size); // growth has no meaning without a size
     changed = ui::inputNumber(context, "inspector/regiongrowth", growth, -1.0F, address + "growth") || changed;

@@ -12,16 +12,17 @@ bool drawSourceGrowth(Shell &context, SizeSource &source, const std::string &add
     if (source.shape == SourceShape::Line) {
         form::label(context, "");
         changed = ui::checkbox(context, "inspector/plane", "Over the whole plane", source.plane);
-        ui::rowTooltip(context,
-                       "A gradient: the size changes from end to end, everywhere beside the line, too, and stays "
-                       "the same beyond each end.");
+        ui::rowTooltip(
+            context,
+            "A gradient: the size changes from one end of the line to the other across the whole plane, and is "
+            "constant beyond each end.");
     }
     if (!source.plane) {
         return form::number(context, "inspector/growth", "Growth", source.growth, address) || changed;
     }
     form::label(context, "");
     changed = ui::checkbox(context, "inspector/geometric", "By equal factors", source.geometric) || changed;
-    ui::rowTooltip(context, "The size doubles in equal distances. Otherwise it changes by equal steps.");
+    ui::rowTooltip(context, "The size doubles over equal distances. Otherwise it changes in equal steps.");
     return changed;
 }
 

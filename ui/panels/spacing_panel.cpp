@@ -152,14 +152,14 @@ void SpacingPanel::drawElementCounts(Shell &context) {
         EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
     }
     ui::rowTooltip(context,
-                   "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
-                   "automatic spacing, fewer on small bends, else 0. Curves always get as many as their shape needs.");
+                   "Elements along a full turn of a curved boundary; 0: ignore bends. Empty: 40 with automatic "
+                   "spacing, fewer on small bends, else 0. Curves always get as many as their shape needs.");
     ImGui::SameLine(0, context.px(6));
     if (form::optionalField(context, "spacing/across", across, "gap", half, "spacing/elementsAcross")) {
         EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements per gap");
     }
-    ui::tooltip(context, "Elements across narrow places, such as channels; 0: narrow places do not matter. Empty: 2 "
-                         "with automatic spacing, else 0. Corners are no narrow places, except tips below 20 degrees.");
+    ui::tooltip(context, "Elements across narrow places, such as channels; 0: ignore narrow places. Empty: 2 with "
+                         "automatic spacing, else 0. Corners are not narrow places, except tips below 20 degrees.");
 }
 
 void SpacingPanel::drawLimits(Shell &context) {

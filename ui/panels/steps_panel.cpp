@@ -114,7 +114,7 @@ std::string tip(const Moment &moment, Step step) {
     if (moment && moment.work[static_cast<std::size_t>(step)].segments > 0) {
         const StepWork &work = moment.work[static_cast<std::size_t>(step)];
         text +=
-            "\n" + ui::count(work.cells) + " grid cells visited, " + ui::count(work.segments) + " segments delivered";
+            "\n" + ui::count(work.cells) + " grid cells visited, " + ui::count(work.segments) + " segments returned";
     }
     if (step == Step::Score) {
         text += ". A point that closes several segments gets the smallest \xce\xb1 of its elements; AC and CB are "

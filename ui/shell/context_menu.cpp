@@ -89,7 +89,7 @@ std::vector<ContextGroup> fieldMenu(const FieldFocus::Clicked &field) {
     whole.push_back(commandOf(
         "field/selectAll", "Select all", [name = field.name](Shell &c) { c.widgets.fields.request(name); }, "Ctrl+A"));
     if (!field.value.empty()) {
-        whole.push_back(commandOf("field/value", "Replace by its value", replaceBy(field.value), field.value));
+        whole.push_back(commandOf("field/value", "Replace with its value", replaceBy(field.value), field.value));
     }
     return {std::move(edit), std::move(whole)};
 }

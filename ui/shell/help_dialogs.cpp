@@ -146,7 +146,7 @@ class Palette final : public Dialog {
         const Action *run = nullptr;
         ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_NoNav);
         if (found.empty()) {
-            ui::small(context, "No command matches '" + query_ + "', or none that is possible now", true);
+            ui::small(context, "No command available now matches '" + query_ + "'", true);
             ui::mark(context, "palette/none");
         }
         for (std::size_t i = 0; i < found.size(); ++i) {

@@ -56,9 +56,8 @@ bool textRow(Shell &context, const std::string &name, const char *mark, Colour m
 void drawList(Shell &context) {
     listLessons(context);
     ui::wrappedText(
-        "Lessons about the advancing front, with the run that each page talks about. Leave one at any time; "
-        "it opens again at the same page. Each page brings its drawing anew: to keep changes to it, save it as a "
-        "file.");
+        "Lessons about the advancing front; each page opens the run it describes. Leave one at any time; it opens "
+        "again at the same page. Each page reloads its drawing: to keep your changes, save the drawing as a file.");
     ImGui::Dummy({0, context.px(4)});
     if (context.lessons.list.empty()) {
         ui::small(context, "No lessons found; set FOREFRONT_ASSETS to the folder that holds lessons/.", true);

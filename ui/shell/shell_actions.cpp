@@ -31,7 +31,7 @@ void chooseTheme(Shell &context, ThemeKind kind) {
 void addCameraActions(ActionRegistry &actions) {
     actions.add({.id = "view.fit",
                  .menu = "View",
-                 .title = "Show all",
+                 .title = "Zoom to fit",
                  .shortcuts = {{'F', kNoModifiers}},
                  .run = [](Shell &c) { c.view.fit(drawingBounds(c)); }});
     actions.add({.id = "view.zoomIn",

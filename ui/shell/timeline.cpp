@@ -189,7 +189,7 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
         return "A mesh read from a file, unchanged; remesh its outline to watch the front.";
     }
     if (atEnd && context.run.outOfDate() && !context.preview->faults.empty()) {
-        return "The mesh is that of before: " + faultText(context.preview->faults.front());
+        return "The mesh is out of date: " + faultText(context.preview->faults.front());
     }
     if (atEnd && run.coarsening > 1.0) {
         return "A preview with " + ui::number(run.coarsening, 2) + " times the node spacing of the drawing.";

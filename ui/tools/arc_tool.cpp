@@ -186,7 +186,7 @@ std::string ArcTool::statusText(const Shell &) const {
                           : "Click where the arc begins, or type x, Tab, y";
     case 1:
         return byCentre() ? "Click where the arc begins, or type the radius, Tab, angle"
-                          : "Click where the arc ends, or type distance, Tab, angle, or its place as 4,3";
+                          : "Click where the arc ends, or type distance, Tab, angle, or a position such as 4,3";
     default:
         return byCentre() ? "Move around the centre and click where the arc ends, or type the angle of its end. "
                             "Backspace: remove the start"

@@ -203,13 +203,13 @@ void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
 
 std::string BoxTool::statusText(const Shell &) const {
     if (kind_ == ShapeKind::Ellipse) {
-        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or its place as "
-                        "x4,3. Shift: circle"
+        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or a position "
+                        "such as x4,3. Shift: circle"
                       : "Drag from corner to corner of its box. Inside another shape it becomes a hole";
     }
     if (isBox()) {
-        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or its place as "
-                        "x4,3. Shift: square"
+        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or a position "
+                        "such as x4,3. Shift: square"
                       : "Drag from corner to corner, or type x, Tab, y. Inside another shape it becomes a hole";
     }
     return first_ ? "Click a point on the circle, or type the radius, or D and the diameter"

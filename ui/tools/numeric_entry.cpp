@@ -417,8 +417,8 @@ std::string NumericEntry::label() const {
 
 void drawUsedOnce(CanvasPainter &painter, const Workspace &context, const NumericEntry &entry, Vec2 at, double y) {
     if (entry.usesParameters() && !entry.isWrong()) {
-        painter.label(at, {16.0, y}, "parameters are used once", context.theme.muted, context.theme.popup,
-                      context.fonts.small);
+        painter.label(at, {16.0, y}, "parameters are evaluated now; later changes do not apply", context.theme.muted,
+                      context.theme.popup, context.fonts.small);
     }
 }
 

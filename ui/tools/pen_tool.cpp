@@ -396,8 +396,8 @@ std::string PenTool::statusText(const Shell &) const {
                                            : "Drag to draw a line freehand";
     }
     if (state_->penMode == PenMode::Spline && !path_.empty() && !(kind_ == ShapeKind::Polygon && canClose())) {
-        return "Click the next point of the curve, or type distance, Tab, angle, or a place as 4,3. Enter: finish, "
-               "Backspace: remove the last point";
+        return "Click the next point of the curve, or type distance, Tab, angle, or a position such as 4,3. "
+               "Enter: finish, Backspace: remove the last point";
     }
     if (path_.empty() && state_->penMode == PenMode::Spline) {
         return "Click the points of a smooth curve, or type x, Tab, y. Enter: finish";
@@ -416,8 +416,8 @@ std::string PenTool::statusText(const Shell &) const {
     }
     return kind_ == ShapeKind::Polygon && canClose()
                ? "Click the first node or press Enter to close. A: arc, Backspace: remove the last node, Esc: cancel"
-               : "Click the next corner, drag for a curve, or type distance, Tab, angle, or a place as 4,3. A: arc, "
-                 "Enter: finish, Backspace: remove the last node";
+               : "Click the next corner, drag for a curve, or type distance, Tab, angle, or a position such as 4,3. "
+                 "A: arc, Enter: finish, Backspace: remove the last node";
 }
 
 } // namespace forefront

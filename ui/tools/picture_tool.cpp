@@ -210,7 +210,7 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
     }
     const Vec2 first = place(picture, 0);
     double length = distance(first, place(picture, 1));
-    if (drawPlaceField(context, flow, "options/picture/distance", "Distance of the points", length) &&
+    if (drawPlaceField(context, flow, "options/picture/distance", "Distance between the points", length) &&
         ui::checkPositive(context, "options/picture/distance", length)) {
         calibrate(context, length);
     }
@@ -341,7 +341,8 @@ std::string PictureTool::statusText(const Shell &context) const {
     case 1:
         return "Click the second point. Esc: start again";
     default:
-        return "Enter the real distance of the points above. Drag a point to correct it; Esc: start again";
+        return "In the field above, enter the real distance between the points. Drag a point to correct it; "
+               "Esc: start again";
     }
 }
 

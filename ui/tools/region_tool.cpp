@@ -109,7 +109,7 @@ void RegionTool::drawSketch(CanvasPainter &painter, Shell &context) {
 std::string RegionTool::statusText(const Shell &context) const {
     if (tag_) {
         return "Click a face to make it part of " + regionName(context.document.current()->regionNames, *tag_) +
-               ". New region: back to a free name for each face";
+               ". New region: make each face a new region again";
     }
     return "Click a face to make it a region, or to select its region; faces without a region belong to region 1";
 }

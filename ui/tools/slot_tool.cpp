@@ -118,7 +118,7 @@ std::string SlotTool::statusText(const Shell &) const {
     case 0:
         return "Click the centre of one end, or type x, Tab, y. Inside another shape it becomes a hole";
     case 1:
-        return "Click the centre of the other end, or type distance, Tab, angle, or its place as 4,3";
+        return "Click the centre of the other end, or type distance, Tab, angle, or a position such as 4,3";
     default:
         return "Click a point on the side, or type the radius of the ends, or D and the width. Backspace: remove the "
                "last "

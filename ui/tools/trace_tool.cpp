@@ -96,7 +96,7 @@ std::vector<ContextGroup> TraceTool::menu(Shell &context, Vec2 place) {
         group.push_back(commandOf("stopPlace", "Stop when an element covers this point", clickAs(TraceMode::Place)));
     }
     if (cellAt(context.run.now(), place)) {
-        group.push_back(commandOf("stopCell", "Stop at the next visit of this cell", clickAs(TraceMode::Cell)));
+        group.push_back(commandOf("stopCell", "Stop at the next visit to this cell", clickAs(TraceMode::Cell)));
     }
     if (context.run.breakpoints().any()) {
         group.push_back(commandOf("noStops", "Remove all breakpoints", [](Shell &c) {

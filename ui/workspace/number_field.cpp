@@ -55,7 +55,7 @@ std::string formulaAt(const Workspace &context, const std::string &address) {
 /// Says beside a field that cannot follow parameters that it has used them, if the text names any.
 void remarkOnce(Workspace &context, std::string_view name, const std::string &text) {
     if (usesNames(text)) {
-        context.fieldFault = {std::string(name), "used once: later changes of the parameters do not apply",
+        context.fieldFault = {std::string(name), "parameters are evaluated now; later changes do not apply",
                               context.document.revision(), ImGui::GetFrameCount(), true};
         context.animate();
     }
