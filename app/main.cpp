@@ -26,7 +26,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront check MESH      check a mesh                   (forefront check --help)
   forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
   forefront film IN -o GIF  film a run step by step        (forefront film --help)
-  forefront tables          run the published tables       (forefront tables --help)
+  forefront tables          reproduce the published tables (forefront tables --help)
   forefront --version       print the version
   forefront --help          print this help
 

@@ -226,7 +226,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
 
 int adaptCommand(int argc, const char *const *argv) {
     AdaptArguments arguments;
-    CLI::App app("Remeshes until a field is represented with a requested accuracy, with as few elements as possible.",
+    CLI::App app("Remeshes until a field is represented to a requested accuracy, with as few elements as possible.",
                  "forefront adapt");
     app.footer(kAdaptExamples);
     addAdaptOptions(app, arguments);

@@ -211,9 +211,10 @@ int checkCommand(int argc, const char *const *argv) {
     auto *limits = app.add_option_group("Limits", "refuse a mesh that violates one of these");
     addLimitOptions(*limits, arguments.limits);
     limits
-        ->add_option("--limits", arguments.savedLimits,
-                     "use the limits saved in a project, except those given here, and its spacing if a "
-                     "limit needs one and none is given")
+        ->add_option(
+            "--limits", arguments.savedLimits,
+            "use the limits saved in a project (those given here take precedence), and its spacing if a limit needs "
+            "one and none is given")
         ->type_name("PROJECT");
     app.add_flag("--measures", arguments.measures, "print the distribution of each quality measure");
     if (const auto code = parseOptions(app, argc, argv)) {

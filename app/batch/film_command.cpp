@@ -113,14 +113,14 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
                    "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
         ->required();
-    addWordOption<Method>(app, "--method", arguments.method, "method; otherwise that of the project, or fast");
+    addWordOption<Method>(app, "--method", arguments.method, "method; default: that of the project, or fast");
     addWordOption<GridKind>(app, "--grid", arguments.grid, "background grid");
-    auto *spacing = app.add_option_group("Spacing", "at most one; otherwise that of the project, or automatic");
+    auto *spacing = app.add_option_group("Spacing", "at most one; default: that of the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
     app.add_option("--from", arguments.from, "first moment: the number of advances done; default 0")
         ->check(wholeNumberWithin(0, 1'000'000'000));
-    app.add_option("--steps", arguments.steps, "number of advances shown; otherwise to the end of the run")
+    app.add_option("--steps", arguments.steps, "number of advances shown; default: to the end of the run")
         ->check(wholeNumberWithin(1, 1'000'000'000));
     app.add_option("--frames", arguments.plan.frames, "maximum number of frames, default 120; long runs skip advances")
         ->check(wholeNumberWithin(1, FilmPlan::kMaxFrames));

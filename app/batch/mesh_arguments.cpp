@@ -107,12 +107,12 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         ->check(positiveNumber())
         ->type_name("G");
     app.add_option("--segments-per-turn", arguments.segmentsPerTurn,
-                   "edges per full turn of a curve; 0: only the chord tolerance counts; default: 40 with automatic "
+                   "elements per full turn of a curve; 0: only the chord tolerance counts; default: 40 with automatic "
                    "spacing, else 0")
         ->check(nonNegativeNumber())
         ->type_name("N");
     app.add_option("--elements-across", arguments.elementsAcross,
-                   "elements across narrow places; 0: narrow places do not matter; default: 2 with automatic spacing, "
+                   "elements across narrow places; 0: ignore narrow places; default: 2 with automatic spacing, "
                    "else 0")
         ->check(nonNegativeNumber())
         ->type_name("N");

@@ -54,7 +54,7 @@ std::string checkPicture(const MeshArguments &arguments, const Input &file) {
     const FileFormat *const format = file.format();
     const bool picture = format != nullptr && std::string_view(format->id) == "png";
     if (picture && !arguments.pictureSizes) {
-        return "--spacing-file: a picture needs the sizes of black and white; add --picture-sizes BLACK:WHITE";
+        return "--spacing-file: a picture needs sizes for black and white; add --picture-sizes BLACK:WHITE";
     }
     return picture || (!arguments.pictureSizes && !arguments.pictureBox)
                ? std::string()

@@ -169,8 +169,8 @@ void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::o
                }
                sizes = PictureSizes{.black = numbers[0], .white = numbers[1]};
            },
-           "edge lengths where a picture given as --spacing-file is black and white; between them linear; transparent "
-           "pixels have none")
+           "edge lengths at black and at white in a picture given as --spacing-file, linear in between; transparent "
+           "pixels set none")
         ->type_name("BLACK:WHITE");
     app.add_option_function<std::string>(
            "--picture-box",
@@ -183,8 +183,8 @@ void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::o
                }
                box = Box2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
            },
-           "rectangle that the picture fills; default: its place if it is the background picture of the project, else "
-           "around the domain in its own proportions")
+           "rectangle that the picture fills; default: where the project places it as its background picture, else "
+           "around the domain, keeping its proportions")
         ->type_name("X0,Y0,X1,Y1");
 }
 
@@ -197,7 +197,7 @@ void addInputFormatOption(CLI::App &app, const std::string &input, std::string &
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
                               std::vector<std::string> &formats, InnerEdges &innerEdges) {
     auto *output = app.add_option("-o,--output", outputs,
-                                  "mesh to write; its extension sets the format; -: standard output; repeatable")
+                                  "mesh to write; its extension sets the format; -: standard output; can be repeated")
                        ->allow_extra_args(false)
                        ->type_name("OUT");
     app.add_option("--format", formats, "formats of the outputs, in the order of -o: " + formatIds())
@@ -247,13 +247,13 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
                                "inside another always keeps its area")
         ->type_name("RULE");
     app.add_flag("--beyond-page", arguments.beyondPage,
-                 "keep what filled shapes of an SVG drawing have outside the page (the view box)");
+                 "keep the parts of filled SVG shapes that lie outside the page (the view box)");
     app.add_flag(
         "--drop-lines", arguments.dropLines,
         "leave out the lines of a drawing or map that has filled shapes or polygons: SVG paths without a fill, "
         "line strings");
     app.add_flag("--stroke-areas", arguments.strokeAreas,
-                 "mesh what the strokes of an SVG drawing paint, too; without it, strokes are lines");
+                 "also mesh the area that SVG strokes paint; by default, strokes are lines");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

@@ -100,8 +100,7 @@ int tablesCommand(int argc, const char *const *argv) {
     TablesArguments arguments;
     std::vector<std::string> rows;
     std::vector<std::string> grids{"none", "30x20", "60x40", "hierarchical"};
-    CLI::App app("Runs the published cases of S. H. Lo's advancing front tables by the classic method.",
-                 "forefront tables");
+    CLI::App app("Runs the cases of S. H. Lo's published tables with the classic method.", "forefront tables");
     app.footer(kTablesExamples);
     app.add_option("--rows", rows,
                    "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3*, 4* (*: our own cases); default all")

@@ -199,7 +199,7 @@ std::string comparisons(const std::vector<RowFigures> &rows) {
            alpha.text("alpha higher by 0.03 or more", 0.03, "%+.4f") +
            delta.text("delta at least as high", 0.0, "%+.4f") +
            tests.text("fewer segments tested per element (Ns)", 0.0, "%.3f fewer") +
-           neighbours.text("hierarchical grid: at most 20 segments delivered (Nc)", -20.0, "%.2f", -1.0) +
+           neighbours.text("hierarchical grid: at most 20 segments returned (Nc)", -20.0, "%.2f", -1.0) +
            efficiency.text("hierarchical grid: efficiency of 100 or more", 100.0, "%.0f");
 }
 

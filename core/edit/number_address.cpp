@@ -267,7 +267,7 @@ std::string quantityWords(const NumberAddress &address) {
          {"endSize", "end size"},
          {"area", "maximum area"},
          {"elements", "number of elements"},
-         {"segmentsPerTurn", "segments per turn"},
+         {"segmentsPerTurn", "elements per turn"},
          {"elementsAcross", "elements across narrow places"}}};
     const auto known =
         std::find_if(kWords.begin(), kWords.end(), [&](const auto &word) { return word.first == address.quantity; });

@@ -128,7 +128,7 @@ Shape slotLike(const Shape &path) {
 Result<Document> convertToSlot(const Document &document, std::uint32_t id) {
     const Shape *const shape = findShape(document, id);
     if (shape == nullptr || !isPath(*shape) || !isSlot(*shape)) {
-        return error("not-possible", "the shape has not the form of a slot",
+        return error("not-possible", "the shape is not slot-shaped",
                      "select a path of two parallel sides and two half circles");
     }
     if (!shape->nodeSizes.empty()) {

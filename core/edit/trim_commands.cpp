@@ -310,8 +310,9 @@ Result<Curve> extensionAt(const Document &document, NodeRef end) {
         }
     }
     if (!first) {
-        return error("not-possible", displayName(*findShape(document, end.shape)) + ", extended, meets no other line",
-                     "draw a line in its way first");
+        return error("not-possible",
+                     displayName(*findShape(document, end.shape)) + " meets no other line when extended",
+                     "draw a line in its path first");
     }
     return further.part(0.0, *first);
 }

@@ -8,7 +8,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// The background grid that answers the searches of the front. It changes the work, never the mesh.
+/// The background grid that answers the searches of the front. It affects speed, never the mesh.
 enum class GridKind : std::uint8_t { None, Uniform, Hierarchical };
 
 template <>

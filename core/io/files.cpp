@@ -107,7 +107,8 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
         }
         if (bytes.starts_with("\x1f\x8b")) {
             return named(
-                error("compressed", "the file is compressed", "unpack it first, such as by gunzip -c FILE >NEW"), path);
+                error("compressed", "the file is compressed", "unpack it first, for example with gunzip -c FILE >NEW"),
+                path);
         }
         if (options.formatId.empty()) {
             if (Diagnostics foreign = foreignFile(bytes); !foreign.empty()) {

@@ -58,7 +58,7 @@ bool isDxf(std::string_view head) {
            (start[1] == '\r' || start[1] == '\n');
 }
 
-constexpr char kToGeoJson[] = "convert it to GeoJSON, such as by ogr2ogr NEW.geojson FILE";
+constexpr char kToGeoJson[] = "convert it to GeoJSON, for example with ogr2ogr NEW.geojson FILE";
 
 /// What a file is and what to do with it.
 struct Kind {
@@ -69,12 +69,13 @@ Kind kindOf(std::string_view head) {
     constexpr std::pair<std::string_view, Kind> kSignatures[] = {
         {"\0\0\x27\x0a"sv, {"an ESRI shapefile", kToGeoJson}},
         {"SQLite format 3"sv, {"a database, perhaps a GeoPackage", kToGeoJson}},
-        {"PK\x03\x04"sv, {"a ZIP archive", "unpack it first, such as by unzip FILE"}},
-        {"%PDF-"sv, {"a PDF document", "convert it to SVG, such as by pdftocairo -svg FILE NEW.svg"}},
+        {"PK\x03\x04"sv, {"a ZIP archive", "unpack it first, for example with unzip FILE"}},
+        {"%PDF-"sv, {"a PDF document", "convert it to SVG, for example with pdftocairo -svg FILE NEW.svg"}},
         {"%!PS-Adobe"sv,
-         {"a PostScript drawing", "convert it to PDF and then to SVG, such as by ps2pdf and pdftocairo -svg"}},
+         {"a PostScript drawing", "convert it to PDF and then to SVG, for example with ps2pdf and pdftocairo -svg"}},
         {"AC10"sv, {"a DWG drawing", "save it as SVG in the program that made it"}},
-        {"\xff\xd8\xff"sv, {"a JPEG picture", "trace its outlines first, such as by Path > Trace Bitmap in Inkscape"}},
+        {"\xff\xd8\xff"sv,
+         {"a JPEG picture", "trace its outlines first, for example with Path > Trace Bitmap in Inkscape"}},
     };
     for (const auto &[signature, kind] : kSignatures) {
         if (head.starts_with(signature)) {

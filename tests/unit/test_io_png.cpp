@@ -124,7 +124,7 @@ TEST_CASE("PNG: large pictures become means of their pixels") {
     REQUIRE_MESSAGE(spacing.ok(), messages(spacing.faults()));
     CHECK(spacing->background->nodes.size() == 302 * 252);
     REQUIRE(notes.diagnostics().size() == 1);
-    CHECK(notes.diagnostics()[0].message == "the picture has 600 x 500 pixels; 300 x 250 means of them are used");
+    CHECK(notes.diagnostics()[0].message == "the picture has 600 x 500 pixels; averaged to 300 x 250");
 }
 
 TEST_CASE("PNG: sizes lie between those of black and white, at the centres of the pixels") {

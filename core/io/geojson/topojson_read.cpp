@@ -112,10 +112,11 @@ class TopoJsonReader {
             }
         }
         if (!others.empty()) {
-            source_.note("layers",
-                         "of several layers, only " + name + " is read, not " + others +
-                             "; to read another, extract it, such as by mapshaper FILE -o NEW.geojson target=LAYER",
-                         objects.offset());
+            source_.note(
+                "layers",
+                "of several layers, only " + name + " is read, not " + others +
+                    "; to read another, extract it, for example with mapshaper FILE -o NEW.geojson target=LAYER",
+                objects.offset());
         }
         return chosen;
     }

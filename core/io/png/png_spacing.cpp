@@ -31,8 +31,8 @@ Result<SpacingSpec> spacingOfPicture(const GreyPicture &picture, const PictureSi
     if (picture.columns < picture.pixelColumns || picture.rows < picture.pixelRows) {
         source.note("picture-averaged",
                     "the picture has " + std::to_string(picture.pixelColumns) + " x " +
-                        std::to_string(picture.pixelRows) + " pixels; " + std::to_string(picture.columns) + " x " +
-                        std::to_string(picture.rows) + " means of them are used",
+                        std::to_string(picture.pixelRows) + " pixels; averaged to " + std::to_string(picture.columns) +
+                        " x " + std::to_string(picture.rows),
                     0);
     }
     const Box2 box = sizes.around ? pictureBoxAround(sizes.box, static_cast<double>(picture.pixelColumns),
@@ -52,7 +52,7 @@ Result<SpacingSpec> spacingOfPicture(const GreyPicture &picture, const PictureSi
 
 Result<SpacingSpec> readPngSpacing(const SourceText &source) {
     if (!source.options.picture) {
-        return error("missing-sizes", "a picture has no sizes of its own; expected those of black and white",
+        return error("missing-sizes", "a picture has no sizes of its own; expected sizes for black and white",
                      "give both sizes");
     }
     const Result<GreyPicture> picture = readGreyPicture(source, kMaxGridValues);

@@ -81,7 +81,7 @@ pugi::xml_node SvgDrawer::clipTarget(const Visit &visit, std::string_view proper
              std::string(property) + ' ' + inQuotes(value) + " is ignored: " +
                  (known                    ? "it refers to itself"
                   : idOfUrl(value).empty() ? "only url(#id) of a " + element + " of the drawing is read"
-                                           : "the drawing has no " + element + " of that id"));
+                                           : "the drawing has no " + element + " with that id"));
     }
     return {};
 }

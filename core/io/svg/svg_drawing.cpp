@@ -328,7 +328,7 @@ void SvgDrawer::use(Visit &visit, std::vector<Visit> &open) {
     if (found == byId_.end()) {
         if (reports_) {
             note(visit.node, "svg-use",
-                 "<use> of " + inQuotes(href) + " is ignored: the drawing has no element of that id");
+                 "<use> of " + inQuotes(href) + " is ignored: the drawing has no element with that id");
         }
         return;
     }

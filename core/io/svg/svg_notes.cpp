@@ -29,8 +29,7 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const Sv
     });
     constexpr std::array<std::string_view, 4> kWithoutMarkers = {"rect", "circle", "ellipse", "image"};
     if (marked && std::find(kWithoutMarkers.begin(), kWithoutMarkers.end(), localName(node)) == kWithoutMarkers.end()) {
-        source.note("svg-marker", "markers, such as heads of arrows, are ignored; convert them to paths",
-                    offsetOf(node));
+        source.note("svg-marker", "markers, such as arrowheads, are ignored; convert them to paths", offsetOf(node));
     }
     if (given("filter")) {
         source.note("svg-filter", "filters, such as shadows and blurs, are ignored: shapes end at their outlines",

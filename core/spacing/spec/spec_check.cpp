@@ -45,7 +45,7 @@ std::optional<Diagnostic> partSizeFault(const PartSize &part, const std::string 
 void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults) {
     if (value && !isNotNegative(*value)) {
         faults.push_back(error("bad-size",
-                               "invalid number of segments per turn " + text(*value) + "; expected 0 or more",
+                               "invalid number of elements per turn " + text(*value) + "; expected 0 or more",
                                "enter a number such as 40, or 0 to ignore the curvature")
                              .front());
     }

@@ -34,7 +34,7 @@ void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults);
 /// Checks the sizes and maximum areas of region markers. Faults: bad-source, bad-region-area, with the marker as part.
 void checkRegions(std::span<const RegionMarker> markers, Diagnostics &faults);
 
-/// Checks that the number of segments per turn is absent, or finite and >= 0. Fault: bad-size.
+/// Checks that the number of elements per turn is absent, or finite and >= 0. Fault: bad-size.
 void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults);
 
 /// Checks that the number of elements across narrow places is absent, or finite and >= 0. Fault: bad-size.

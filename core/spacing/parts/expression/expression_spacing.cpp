@@ -56,10 +56,10 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     spacing.program_.evaluateMany(places, values);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (const char *const fault = faultOf(values[i], spec)) {
-            Diagnostics faults =
-                error("expression-value",
-                      std::string("the spacing expression gives ") + fault + "; expected a number above 0",
-                      "keep it above zero everywhere in the bounding box of the domain, for example by max(0.1, ...)");
+            Diagnostics faults = error(
+                "expression-value",
+                std::string("the spacing expression gives ") + fault + "; expected a number above 0",
+                "keep it above zero everywhere in the bounding box of the domain, for example with max(0.1, ...)");
             faults.front().at = places[i];
             return faults;
         }
