@@ -94,13 +94,13 @@ const std::vector<GlossaryTerm> kTerms = {
      "Background grid",
      {"background grid", "grid"},
      "Cells that know which segments of the front cross them, so that a search looks at nearby segments only. A "
-     "hierarchical grid splits its cells where segments are short. The grid changes the work, never the mesh.",
+     "hierarchical grid splits its cells where segments are short. The grid affects speed, never the mesh.",
      {"neighbours", "counters"},
      figures::grid},
     {"neighbours",
      "Neighbouring segments",
      {"neighbouring segment", "nearby segment"},
-     "The segments of the front that the background grid delivers for a region. The fewer there are, the fewer have to "
+     "The segments of the front that the background grid returns for a region. The fewer there are, the fewer have to "
      "be tested.",
      {"grid", "counters"},
      figures::neighbours},
@@ -108,7 +108,7 @@ const std::vector<GlossaryTerm> kTerms = {
      "Nn, Ne, Nb, Nc, Ns",
      {"nb", "nc", "ns"},
      "Nn is the number of nodes, Ne that of elements. The others are averages over a run: Nb is the number of segments "
-     "on the front; Nc is the number of segments that the grid delivers for each element; Ns is the number of "
+     "on the front; Nc is the number of segments that the grid returns for each element; Ns is the number of "
      "exact intersection tests for each element.",
      {"grid", "neighbours"},
      figures::neighbours},
