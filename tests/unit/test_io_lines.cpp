@@ -2,6 +2,7 @@
 #include "core/io/common/line_outline.hpp"
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/svg/svg.hpp"
+#include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -110,4 +111,61 @@ TEST_CASE("SVG: a set of lines that meet within rounding is an outline") {
     CHECK(boundaryCount(*domain) == 4);
     CHECK(domain->nodes.size() == 4);
     CHECK(validate(*domain).empty());
+}
+
+namespace {
+
+Result<Domain> unfilled(const std::string &content, ImportNotes &notes) {
+    const std::string text = "<svg viewBox='0 0 100 50' fill='none' stroke='black'>" + content + "</svg>";
+    SourceText source = sourceOf(text, "lines.svg");
+    source.notes = &notes;
+    return readSvg(source);
+}
+
+double areaOf(const Domain &domain) {
+    return areas(domain).at(1);
+}
+
+} // namespace
+
+TEST_CASE("SVG: loops of lines bound a drawing without fills beside its closed outlines") {
+    const std::string plate = "<path d='M10 10H90'/><path d='M90 10V40'/><path d='M90 40H10'/><path d='M10 40V10'/>";
+    const std::string closed = "<path d='M10 10H90V40H10z'/>", square = "<path d='M40 20h10v10h-10z'/>";
+    const std::string loose = "<path d='M40 20h10v10'/><path d='M40 20v10h10'/>";
+    for (const std::string &content : {plate + square, closed + loose, plate + loose}) {
+        CAPTURE(content);
+        ImportNotes notes;
+        const auto domain = unfilled(content, notes);
+        REQUIRE(domain.ok());
+        CHECK(areaOf(*domain) == doctest::Approx(2300));
+        CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
+                          [](const ImportNote &note) { return note.code == "lines-as-outline"; }));
+    }
+    ImportNotes notes;
+    const auto beside = unfilled(closed + "<path d='M92 10h6'/><path d='M98 10v10'/><path d='M98 20h-6v-10'/>", notes);
+    REQUIRE(beside.ok());
+    CHECK(areaOf(*beside) == doctest::Approx(2460));
+}
+
+TEST_CASE("SVG: lines across a closed outline divide it, and open ones outside are dropped") {
+    // Centre lines that cross each other, a line from side to side, and a dimension line.
+    ImportNotes notes;
+    const auto domain = unfilled("<path d='M10 10H90V40H10z'/><path d='M20 20H60M20 30H60M30 15V35M50 15V35'/>"
+                                 "<path d='M80 10V40'/><path d='M10 5H90M10 3V10M90 3V10'/>",
+                                 notes);
+    REQUIRE(domain.ok());
+    CHECK(areaOf(*domain) == doctest::Approx(2400));
+    CHECK(boundaryCount(*domain) == 6);
+    CHECK(std::none_of(notes.entries().begin(), notes.entries().end(),
+                       [](const ImportNote &note) { return note.code == "lines-as-outline"; }));
+}
+
+TEST_CASE("SVG: lines around an outline whose ends nearly meet are reported") {
+    ImportNotes notes;
+    REQUIRE(unfilled("<path d='M10 10H90V40'/><path d='M90 40.3H10V10'/><circle cx='50' cy='25' r='8'/>", notes).ok());
+    const auto found = std::find_if(notes.entries().begin(), notes.entries().end(),
+                                    [](const ImportNote &note) { return note.code == "line-gaps"; });
+    REQUIRE(found != notes.entries().end());
+    CHECK(found->message == "2 ends of lines outside the outlines nearly meet another end, at most 0.3 away, first at "
+                            "(90, 10); --weld 0.315 joins them");
 }

@@ -14,6 +14,7 @@ namespace forefront {
 
 namespace {
 
+constexpr double kSpare = 1.05;            ///< by which an advised tolerance exceeds the gap
 constexpr double kDefaultTolerance = 1e-6; ///< fraction of the diagonal: the error of relative path data and digitising
 
 Box2 boundsOf(const ArrangementInput &input) {
@@ -90,9 +91,7 @@ bool DrawingBuilder::hasOutlines() const {
 }
 
 Result<Domain> DrawingBuilder::finish() {
-    const std::optional<double> &chosen = source_.options.weldTolerance;
-    input_.tolerance = chosen.value_or(kDefaultTolerance * boundsOf(input_).diagonal());
-    Result<Arrangement> arranged = !hasOutlines() ? arrangeLines() : chosen ? arrange(input_) : arrangeByDefault();
+    Result<Arrangement> arranged = arrangeParts();
     if (!arranged) {
         Diagnostics faults = arranged.faults();
         for (Diagnostic &fault : faults) {
@@ -117,6 +116,30 @@ Result<Domain> DrawingBuilder::finish() {
     return std::move(arranged->domain);
 }
 
+Result<Arrangement> DrawingBuilder::arrangeParts() {
+    const std::optional<double> &chosen = source_.options.weldTolerance;
+    input_.tolerance = chosen.value_or(kDefaultTolerance * boundsOf(input_).diagonal());
+    const bool outlines = hasOutlines();
+    const bool lines = std::any_of(input_.pieces.begin(), input_.pieces.end(),
+                                   [](const ArrangementPiece &piece) { return piece.role == PieceRole::Constraint; });
+    if (!outlines || (linesBound_ && lines)) {
+        input_.keepOutside = true;
+        Result<Arrangement> arranged = arrange(input_);
+        const std::size_t count = arranged ? takeLinesAsOutline(arranged->domain) : 0;
+        if (count > 0) {
+            return arrangeBounded(*arranged, count);
+        }
+        if (!outlines) {
+            return arranged; // validation reports why nothing is enclosed
+        }
+        if (arranged) {
+            noteLineGaps(*arranged);
+        }
+        input_.keepOutside = false;
+    }
+    return chosen ? arrange(input_) : arrangeByDefault();
+}
+
 /// Arranges with the default tolerance, or with a smaller one where that would change the area of outlines visibly: all
 /// of a drawing may be thinner than a millionth of its length.
 Result<Arrangement> DrawingBuilder::arrangeByDefault() {
@@ -138,31 +161,25 @@ Result<Arrangement> DrawingBuilder::arrangeByDefault() {
     }
 }
 
-/// Arranges lines that come without outlines: joins them, turns those that bound the domain into an outline, and
-/// arranges everything again.
-Result<Arrangement> DrawingBuilder::arrangeLines() {
-    input_.keepOutside = true;
-    Result<Arrangement> lines = arrange(input_);
-    const std::size_t count = lines ? takeLinesAsOutline(lines->domain) : 0;
-    if (count == 0) {
-        return lines; // validation reports why nothing is enclosed
-    }
+/// Arranges lines whose loops bound the domain: they are joined, and then everything is arranged again with an outline.
+Result<Arrangement> DrawingBuilder::arrangeBounded(const Arrangement &lines, std::size_t count) {
     source_.note("lines-as-outline",
-                 "no closed outline found: using the lines that form closed loops as the outline (" +
+                 (hasOutlines() ? "nothing is filled: lines that form closed loops are outlines, too ("
+                                : "no closed outline found: using the lines that form closed loops as the outline (") +
                      std::to_string(count) + " segments)",
                  places_.front());
-    const ArrangementInput outlines = withOutline(*lines);
+    ArrangementInput outlines = withOutline(lines);
     std::vector<std::size_t> places;
-    for (const PieceStretch &stretch : lines->stretches) {
+    for (const PieceStretch &stretch : lines.stretches) {
         places.insert(places.end(), {places_[2 * stretch.piece], places_[2 * stretch.piece + 1]});
     }
-    for (const std::uint32_t piece : lines->pointPiece) {
+    for (const std::uint32_t piece : lines.pointPiece) {
         places.insert(places.end(), 2, places_[2 * piece]);
     }
-    if (Diagnostics faults = report(*lines); !faults.empty()) {
+    if (Diagnostics faults = report(lines); !faults.empty()) {
         return faults;
     }
-    input_ = outlines;
+    input_ = std::move(outlines);
     places_ = std::move(places);
     return arrange(input_);
 }
@@ -203,10 +220,24 @@ Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
     return faults;
 }
 
+/// Reports lines around the outlines that would be outlines themselves if their ends met.
+void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
+    constexpr double kNear = 0.01; // fraction of the diagonal
+    const LineGaps gaps = findLineGaps(lines.domain, kNear * lines.domain.bounds().diagonal());
+    if (gaps.count > 0) {
+        const std::size_t at = places_[2 * lines.stretches[gaps.segment].piece];
+        source_.note("line-gaps",
+                     std::to_string(gaps.count) + (gaps.count == 1 ? " end" : " ends") +
+                         " of lines outside the outlines nearly " + (gaps.count == 1 ? "meets" : "meet") +
+                         " another end, at most " + numberText(gaps.widest, 3) + " away, first at " +
+                         placeText(gaps.first) + "; --weld " + numberText(kSpare * gaps.widest, 3) + " joins them",
+                     at);
+    }
+}
+
 /// Reports neighbours in a map that nearly touch: the mesh would not connect them.
 void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
     constexpr double kNear = 2e-4; // fraction of the diagonal
-    constexpr double kSpare = 1.05;
     if (input_.features.size() < 2 || !hasOutlines() || source_.notes == nullptr) {
         return;
     }
@@ -221,10 +252,9 @@ void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
     if (gaps.count > 0) {
         const std::size_t at = places_[2 * arrangement.stretches[gaps.segment].piece];
         source_.note("feature-gaps",
-                     std::to_string(gaps.count) +
-                         (gaps.count == 1 ? " node nearly touches another feature, "
-                                          : " nodes nearly touch another feature, at most ") +
-                         numberText(gaps.widest, 3) + " away, first at " + placeText(gaps.first) + "; --weld " +
+                     "features nearly touch in " + std::to_string(gaps.count) +
+                         (gaps.count == 1 ? " place, " : " places, at most ") + numberText(gaps.widest, 3) +
+                         " apart, first at " + placeText(gaps.first) + "; --weld " +
                          numberText(kSpare * gaps.widest, 3) + " joins them",
                      at == PartOrigin::kNowhere ? 0 : at);
     }

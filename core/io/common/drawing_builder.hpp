@@ -43,24 +43,31 @@ class DrawingBuilder {
     /// Puts region markers into the domain; without them all elements have the tag 1.
     void markRegions() { input_.markRegions = true; }
 
+    /// Lets lines that form closed loops bound the domain beside its outlines, too; for drawings in which nothing is
+    /// filled, so that outlines differ from lines only in how they were drawn.
+    void letLinesBound() { linesBound_ = true; }
+
     /// Returns true if there are outlines of shapes, apart from those of clips.
     bool hasOutlines() const;
 
-    /// Arranges everything. Lines that form closed loops bound the domain if there are no outlines. Faults: those of
-    /// arrange(); empty-domain; with ImportOptions::strict, every change that would be needed.
+    /// Arranges everything. Lines that form closed loops bound the domain if there are no outlines, or if they may.
+    /// Faults: those of arrange(); empty-domain; with ImportOptions::strict, every change that would be needed.
     Result<Domain> finish();
 
   private:
     std::size_t offset(std::size_t node) const;
     Result<Arrangement> arrangeByDefault();
-    Result<Arrangement> arrangeLines();
+    Result<Arrangement> arrangeParts();
+    Result<Arrangement> arrangeBounded(const Arrangement &lines, std::size_t count);
     ArrangementInput withOutline(const Arrangement &lines) const;
     Diagnostics report(const Arrangement &arrangement) const;
+    void noteLineGaps(const Arrangement &lines) const;
     void noteFeatureGaps(const Arrangement &arrangement) const;
     void recordOrigin(const Arrangement &arrangement) const;
 
     const SourceText &source_;
     ArrangementInput input_;
+    bool linesBound_ = false;
     std::vector<std::size_t> offsets_;
     std::vector<std::size_t> places_; ///< byte offsets in the text of the ends of the pieces, two per piece
 };

@@ -1,35 +1,84 @@
 #include "core/io/common/line_outline.hpp"
 
 #include "core/base/ids.hpp"
+#include "core/domain/free_ends.hpp"
+#include "core/geometry/box_tree.hpp"
+#include "core/geometry/predicates.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace forefront {
 
 namespace {
 
-/// The segments of a domain as a graph: pieces of it that lie on loops, and the side of each that faces outwards.
+/// Decides whether places are inside the boundary of a domain, by the even-odd rule.
+class BoundaryInside {
+  public:
+    explicit BoundaryInside(const Domain &domain) {
+        std::vector<Box2> boxes;
+        for (const DomainSegment &segment : domain.segments) {
+            if (segment.role == SegmentRole::Boundary) {
+                ends_.push_back({domain.nodes[segment.a], domain.nodes[segment.b]});
+                boxes.push_back(boxOf(ends_.back().first, ends_.back().second));
+            }
+        }
+        tree_ = BoxTree(boxes);
+    }
+
+    bool contains(Vec2 p) const {
+        bool inside = false;
+        tree_.query({p, {std::numeric_limits<double>::infinity(), p.y}}, [&](std::uint32_t k) {
+            const auto [a, b] = ends_[k];
+            const bool upward = a.y <= p.y && b.y > p.y, downward = b.y <= p.y && a.y > p.y;
+            if ((upward || downward) && (orientation(a, b, p) > 0) == upward) { // the ray to the right meets it
+                inside = !inside;
+            }
+        });
+        return inside;
+    }
+
+  private:
+    std::vector<std::pair<Vec2, Vec2>> ends_; ///< of segments of the boundary
+    BoxTree tree_;
+};
+
+/// The lines of a domain as a graph: pieces of it that lie on loops, and the side of each that faces outwards.
 class LineGraph {
   public:
-    explicit LineGraph(Domain &domain) : domain_(domain), degree_(domain.nodes.size(), 0), starts_(1, 0) {
+    explicit LineGraph(Domain &domain)
+        : domain_(domain), boundary_(domain), degree_(domain.nodes.size(), 0), alone_(domain.nodes.size(), true),
+          starts_(1, 0) {
         const std::vector<DomainSegment> &segments = domain.segments;
-        for (const DomainSegment &segment : segments) {
-            ++degree_[segment.a];
-            ++degree_[segment.b];
+        dropped_.assign(segments.size(), false);
+        for (std::uint32_t s = 0; s < segments.size(); ++s) {
+            if (segments[s].role == SegmentRole::Boundary) {
+                dropped_[s] = true;
+                bounded_ = true;
+                alone_[segments[s].a] = alone_[segments[s].b] = false;
+            } else {
+                ++degree_[segments[s].a];
+                ++degree_[segments[s].b];
+            }
+        }
+        for (std::uint32_t n = 0; n < degree_.size(); ++n) {
+            alone_[n] = alone_[n] && degree_[n] == 2;
         }
         starts_.resize(degree_.size() + 1);
         std::partial_sum(degree_.begin(), degree_.end(), starts_.begin() + 1);
         around_.resize(starts_.back());
         std::vector<std::uint32_t> filled(starts_.begin(), starts_.end() - 1);
         for (std::uint32_t s = 0; s < segments.size(); ++s) {
-            around_[filled[segments[s].a]++] = s;
-            around_[filled[segments[s].b]++] = s;
+            if (!dropped_[s]) {
+                around_[filled[segments[s].a]++] = s;
+                around_[filled[segments[s].b]++] = s;
+            }
         }
-        dropped_.assign(segments.size(), false);
     }
 
     std::size_t run() {
@@ -91,6 +140,10 @@ class LineGraph {
         } else {
             outline = outerSegments(nodes);
         }
+        if (bounded_ && !std::all_of(nodes.begin(), nodes.end(), [&](auto node) { return alone_[node]; }) &&
+            std::all_of(outline.begin(), outline.end(), [&](auto s) { return boundary_.contains(middleOf(s)); })) {
+            return 0;
+        }
         for (const std::uint32_t s : outline) {
             domain_.segments[s].role = SegmentRole::Boundary;
         }
@@ -147,30 +200,65 @@ class LineGraph {
             }
         }
     }
+    Vec2 middleOf(std::uint32_t s) const {
+        return midpoint(domain_.nodes[domain_.segments[s].a], domain_.nodes[domain_.segments[s].b]);
+    }
     std::uint32_t other(std::uint32_t s, std::uint32_t node) const {
         const DomainSegment &segment = domain_.segments[s];
         return segment.a == node ? segment.b : segment.a;
     }
 
     Domain &domain_;
+    BoundaryInside boundary_;           ///< as it was given
+    bool bounded_ = false;              ///< there is a boundary
     std::vector<std::uint32_t> degree_; ///< per node, without dropped segments
+    std::vector<bool> alone_;           ///< per node: two lines meet there and nothing else
     std::vector<std::uint32_t> starts_; ///< per node, into around_
-    std::vector<std::uint32_t> around_; ///< segments by node
-    std::vector<bool> dropped_;
+    std::vector<std::uint32_t> around_; ///< lines by node
+    std::vector<bool> dropped_;         ///< segments of the boundary, and lines with a free end
 };
 
 } // namespace
 
 std::size_t takeLinesAsOutline(Domain &domain) {
-    const bool bounded = std::any_of(domain.segments.begin(), domain.segments.end(),
-                                     [](const DomainSegment &s) { return s.role == SegmentRole::Boundary; });
     const auto sound = [&](const DomainSegment &s) {
         return s.a < domain.nodes.size() && s.b < domain.nodes.size() && s.a != s.b;
     };
-    if (bounded || !std::all_of(domain.segments.begin(), domain.segments.end(), sound)) {
+    if (!std::all_of(domain.segments.begin(), domain.segments.end(), sound)) {
         return 0;
     }
     return LineGraph(domain).run();
+}
+
+LineGaps findLineGaps(const Domain &domain, double limit) {
+    std::vector<std::uint32_t> count(domain.nodes.size(), 0), segmentOf(domain.nodes.size(), kNoIndex);
+    for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+        for (const std::uint32_t node : {domain.segments[s].a, domain.segments[s].b}) {
+            ++count[node];
+            segmentOf[node] = s;
+        }
+    }
+    const BoundaryInside boundary(domain);
+    std::vector<Vec2> places;
+    std::vector<std::uint32_t> segments;
+    for (std::uint32_t n = 0; n < domain.nodes.size(); ++n) {
+        if (count[n] == 1 && !boundary.contains(domain.nodes[n])) {
+            places.push_back(domain.nodes[n]);
+            segments.push_back(segmentOf[n]);
+        }
+    }
+    LineGaps gaps;
+    const FreeEnds ends(places);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (const double gap = ends.gap(k); gap <= limit) {
+            if (gaps.count++ == 0) {
+                gaps.first = places[k];
+                gaps.segment = segments[k];
+            }
+            gaps.widest = std::max(gaps.widest, gap);
+        }
+    }
+    return gaps;
 }
 
 } // namespace forefront

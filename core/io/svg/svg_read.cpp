@@ -84,6 +84,9 @@ class SvgBuilder {
 
     Result<Domain> run() {
         const std::uint32_t feature = builder_.addFeature(1);
+        if (!anyPainted_) {
+            builder_.letLinesBound();
+        }
         addClips();
         for (SvgPath &path : paths_) {
             const Part part = partOf(path);
