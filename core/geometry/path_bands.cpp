@@ -43,12 +43,12 @@ class Bands {
         }
         for (std::size_t k = 0; k + (closed ? 0 : 1) < pieces_.size(); ++k) {
             Piece &before = pieces_[k], &after = pieces_[(k + 1) % pieces_.size()];
-            if (joinSmoothly(before, after)) {
-                continue;
-            }
+            const bool smooth = isSmooth(before, after);
             const bool within = k + 1 < pieces_.size() && before.segment == after.segment; // at a cusp
             for (std::size_t side = 0; side < offsets_.size(); ++side) {
-                addWedge(before, after, side, within ? BandCorner::Round : style_.corner);
+                if (!smooth || !joinSides(before, after, side)) {
+                    addWedge(before, after, side, within ? BandCorner::Round : style_.corner);
+                }
             }
         }
         std::for_each(pieces_.begin(), pieces_.end(), [&](const Piece &piece) { addStrips(piece); });
@@ -61,8 +61,8 @@ class Bands {
     struct Piece {
         Curve curve;
         std::uint32_t segment = 0;
-        /// For a straight piece, per offset: where its sides begin and end, if not at a right angle to its ends; such
-        /// as at the tips of miters, so that there is no node before them.
+        /// Per offset: where its sides begin and end, if not at a right angle to its ends; such as at the tips of
+        /// miters, so that there is no node before them.
         std::array<std::optional<Vec2>, 2> startTips = {}, endTips = {};
 
         bool isStraight() const { return curve.kind() == CurveKind::Line; }
@@ -202,13 +202,13 @@ class Bands {
                                [&](double t) { return endsAtCentre(piece.curve, t, offset); });
         });
         if (whole && offsets_.size() == 2) {
-            piece.isStraight() ? addStraightStrip(piece) : addStrip(piece, offsets_[0], offsets_[1]);
+            addWholeStrip(piece);
             return;
         }
-        for (const double offset : offsets_) {
-            addStrip(piece, 0.0, offset);
-            if (style_.swept && endsAtCentre(piece.curve, 0.5, offset)) {
-                addBeyondCentres(piece, offset);
+        for (std::size_t side = 0; side < offsets_.size(); ++side) {
+            addHalfStrip(piece, side);
+            if (style_.swept && endsAtCentre(piece.curve, 0.5, offsets_[side])) {
+                addBeyondCentres(piece, offsets_[side]);
             }
         }
     }
@@ -232,57 +232,96 @@ class Bands {
         }
     }
 
-    void addStraightStrip(const Piece &piece) {
-        const Vec2 a = piece.curve.point(0.0), b = piece.curve.point(1.0);
-        const auto side = [&](Vec2 end, const std::array<std::optional<Vec2>, 2> &tips, std::size_t k) {
-            return tips[k].value_or(end + offsets_[k] * leftNormal(piece.curve.tangent(0.0)));
-        };
-        std::vector<Vec2> nodes{side(a, piece.startTips, 0), side(b, piece.endTips, 0)};
+    Vec2 sideStart(const Piece &piece, std::size_t side) const {
+        return piece.startTips[side].value_or(moved(piece.curve, 0.0, offsets_[side]));
+    }
+    Vec2 sideEnd(const Piece &piece, std::size_t side) const {
+        return piece.endTips[side].value_or(moved(piece.curve, 1.0, offsets_[side]));
+    }
+
+    /// Returns a side of a piece, between its tips; a line for a straight piece.
+    Curve sideOf(const Piece &piece, std::size_t side) const {
+        const Curve exact = parallel(piece.curve, offsets_[side]);
+        if (piece.isStraight() || !(piece.startTips[side] || piece.endTips[side])) {
+            return exact;
+        }
+        const Vec2 start = sideStart(piece, side), end = sideEnd(piece, side);
+        const auto n = exact.numbers();
+        if (exact.kind() == CurveKind::Arc) { // of less than half a turn
+            const bool left = n[7] * cross({n[2], n[3]}, {n[4], n[5]}) > 0.0;
+            return arcBetween(start, end, length({n[2], n[3]}), left);
+        }
+        return Curve::cubic(start, start + (Vec2{n[2], n[3]} - Vec2{n[0], n[1]}),
+                            end + (Vec2{n[4], n[5]} - Vec2{n[6], n[7]}), end);
+    }
+
+    /// Returns the arc of a circle of less than half a turn between two points, which turns to the left or right.
+    static Curve arcBetween(Vec2 start, Vec2 end, double radius, bool left) {
+        const double half = std::min(0.5 * distance(start, end), radius), side = left ? 1.0 : -1.0;
+        const Vec2 across = (side / (2.0 * half)) * leftNormal(end - start);
+        const Vec2 centre = midpoint(start, end) + std::sqrt(radius * radius - half * half) * across;
+        const Vec2 u = start - centre;
+        return Curve::arc(centre, u, leftNormal(u), 0.0, side * 2.0 * std::asin(half / radius));
+    }
+
+    void addWholeStrip(const Piece &piece) {
+        std::vector<Vec2> nodes{sideStart(piece, 0), sideEnd(piece, 0)};
+        std::vector<Curve> curves{sideOf(piece, 0), Curve()};
         if (piece.endTips[0] || piece.endTips[1]) {
-            nodes.push_back(b);
+            nodes.push_back(piece.curve.point(1.0));
+            curves.emplace_back();
         }
-        nodes.push_back(side(b, piece.endTips, 1));
-        nodes.push_back(side(a, piece.startTips, 1));
+        nodes.insert(nodes.end(), {sideEnd(piece, 1), sideStart(piece, 1)});
+        curves.insert(curves.end(), {sideOf(piece, 1).part(1.0, 0.0), Curve()});
         if (piece.startTips[0] || piece.startTips[1]) {
-            nodes.push_back(a);
+            nodes.push_back(piece.curve.point(0.0));
+            curves.emplace_back();
         }
-        std::vector<Curve> lines(nodes.size());
-        add(std::move(nodes), std::move(lines), piece.segment);
+        add(std::move(nodes), std::move(curves), piece.segment);
     }
 
-    void addStrip(const Piece &piece, double from, double to) {
-        const Curve &curve = piece.curve;
-        const Vec2 a = moved(curve, 0.0, from), b = moved(curve, 1.0, from);
-        const Vec2 c = moved(curve, 1.0, to), d = moved(curve, 0.0, to);
-        const bool straight = piece.isStraight();
-        const Curve along = straight || from == 0.0 ? curve : parallel(curve, from);
-        const Curve back = straight ? Curve() : parallel(curve, to).part(1.0, 0.0);
+    /// Adds the strip between a piece and one of its sides.
+    void addHalfStrip(const Piece &piece, std::size_t side) {
+        const Vec2 a = piece.curve.point(0.0), b = piece.curve.point(1.0);
+        const Vec2 c = sideEnd(piece, side), d = sideStart(piece, side);
         if (distance(c, d) > kTiny * reach_) {
-            add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.segment);
+            add({a, b, c, d}, {piece.curve, Curve(), sideOf(piece, side).part(1.0, 0.0), Curve()}, piece.segment);
         } else {
-            add({a, b, c}, {along, Curve(), Curve()}, piece.segment);
+            add({a, b, c}, {piece.curve, Curve(), Curve()}, piece.segment);
         }
     }
 
-    /// If the path turns by less than the accuracy, usually because a file has rounded its coordinates, lets the sides
-    /// of a straight piece end where those of the next one begin. Otherwise there would be tiny sides.
-    bool joinSmoothly(Piece &before, Piece &after) {
+    /// Returns true if the path turns so little between two pieces, usually because a file has rounded its coordinates,
+    /// that their sides can be joined without a wedge, which would be tiny. The error is of second order in the turn.
+    bool isSmooth(const Piece &before, const Piece &after) const {
+        constexpr double kMaxTurn = 0.02; // radians
         const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
-        const bool smooth = dot(a, b) > 0.0 && std::fabs(cross(a, b)) * reach_ <= style_.accuracy * size_;
-        if (offsets_.size() != 2 || !smooth || !(before.isStraight() || after.isStraight())) {
+        const double turn = std::fabs(cross(a, b));
+        return offsets_.size() == 2 && dot(a, b) > 0.0 && turn <= kMaxTurn &&
+               turn * turn * reach_ <= 8.0 * style_.accuracy * size_;
+    }
+
+    /// Lets two pieces share the node between their sides at an offset: that of a curve beside a line, that of an arc
+    /// beside another curve, otherwise one in the middle. Returns false, and changes nothing, if a side is too short.
+    bool joinSides(Piece &before, Piece &after, std::size_t side) const {
+        const double offset = offsets_[side];
+        if (endsAtCentre(before.curve, 1.0, offset) || endsAtCentre(after.curve, 0.0, offset)) {
             return false;
         }
-        const Vec2 node = after.curve.point(0.0), mean = (1.0 / length(a + b)) * leftNormal(a + b);
-        for (std::size_t side = 0; side < offsets_.size(); ++side) {
-            const double offset = offsets_[side];
-            if (before.isStraight() && after.isStraight()) {
-                before.endTips[side] = after.startTips[side] = node + offset * mean;
-            } else if (before.isStraight() && !endsAtCentre(after.curve, 0.0, offset)) {
-                before.endTips[side] = moved(after.curve, 0.0, offset);
-            } else if (after.isStraight() && !endsAtCentre(before.curve, 1.0, offset)) {
-                after.startTips[side] = moved(before.curve, 1.0, offset);
-            }
+        const auto rank = [](const Piece &piece) { return piece.isStraight() ? 0 : isCircular(piece.curve) ? 2 : 1; };
+        const Vec2 normals = leftNormal(before.curve.tangent(1.0) + after.curve.tangent(0.0));
+        const Vec2 node = rank(before) > rank(after)   ? moved(before.curve, 1.0, offset)
+                          : rank(before) < rank(after) ? moved(after.curve, 0.0, offset)
+                                                       : after.curve.point(0.0) + (offset / length(normals)) * normals;
+        const auto reaches = [&](const Piece &piece, Vec2 end) {
+            constexpr double kMaxShift = 0.25; // fraction of the side
+            const double size = distance(moved(piece.curve, 0.0, offset), moved(piece.curve, 1.0, offset));
+            return distance(node, end) <= kMaxShift * size;
+        };
+        if (!reaches(before, moved(before.curve, 1.0, offset)) || !reaches(after, moved(after.curve, 0.0, offset))) {
+            return false;
         }
+        before.endTips[side] = after.startTips[side] = node;
         return true;
     }
 

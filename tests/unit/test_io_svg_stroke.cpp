@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <map>
 #include <numbers>
 #include <string>
 
@@ -185,4 +187,40 @@ TEST_CASE("SVG stroke areas: bends whose radius is half the width of the stroke"
         CHECK(areaOf(quarters, "transform='scale(" + scale + ")'") == doctest::Approx(16 * kPi).epsilon(6e-4));
     }
     CHECK(areaOf("M79.3 48.6s-4.2 0-6 .3", "stroke-width='1'") == doctest::Approx(6.01).epsilon(1e-3));
+}
+
+namespace {
+
+/// Returns the length of the shortest side: a curve or line of the outline.
+double shortestSide(const Domain &domain) {
+    std::map<std::uint32_t, double> curves;
+    double size = 1e300;
+    for (const DomainSegment &segment : domain.segments) {
+        const double length = distance(domain.nodes[segment.a], domain.nodes[segment.b]);
+        if (segment.stretch.follows()) {
+            curves[segment.stretch.curve] += length;
+        } else {
+            size = std::min(size, length);
+        }
+    }
+    for (const auto &[curve, length] : curves) {
+        size = std::min(size, length);
+    }
+    return size;
+}
+
+} // namespace
+
+TEST_CASE("SVG stroke areas: bends that files round leave no tiny sides") {
+    // A line and arcs, two arcs, a cubic and an arc, all nearly smooth; and a dot written as a short line.
+    for (const std::string path :
+         {"M10 10H30A10 10 0 0 1 40 20.04A12 12 0 0 1 28 32", "M20 40A15 15 0 0 1 35.03 25V12",
+          "M20 52C22 40 30 36 30 28A14 14 0 0 1 44.02 14", "M50 50h.02", "M50 50l.02 .02-.02 0"}) {
+        CAPTURE(path);
+        const auto domain = readStrokes("<path stroke-linecap='round' d='" + path + "'/>");
+        REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+        CHECK(shortestSide(*domain) > 0.5);
+    }
+    checkArea(areaOf("M10 10H30A10 10 0 0 1 40.01 20.02V40", ""), 222.871); // 4 times its length
+    checkArea(areaOf("M50 50h.02", "stroke-linecap='round'"), 4 * kPi);
 }

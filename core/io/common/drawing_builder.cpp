@@ -14,6 +14,7 @@ namespace forefront {
 
 namespace {
 
+constexpr double kMaxPreferred = 10.0;     ///< default tolerances
 constexpr double kSpare = 1.05;            ///< by which an advised tolerance exceeds the gap
 constexpr double kDefaultTolerance = 1e-6; ///< fraction of the diagonal: the error of relative path data and digitising
 
@@ -118,7 +119,8 @@ Result<Domain> DrawingBuilder::finish() {
 
 Result<Arrangement> DrawingBuilder::arrangeParts() {
     const std::optional<double> &chosen = source_.options.weldTolerance;
-    input_.tolerance = chosen.value_or(kDefaultTolerance * boundsOf(input_).diagonal());
+    const double standard = kDefaultTolerance * boundsOf(input_).diagonal();
+    input_.tolerance = chosen.value_or(std::max(standard, std::min(preferred_, kMaxPreferred * standard)));
     const bool outlines = hasOutlines();
     const bool lines = std::any_of(input_.pieces.begin(), input_.pieces.end(),
                                    [](const ArrangementPiece &piece) { return piece.role == PieceRole::Constraint; });

@@ -43,6 +43,8 @@ class DrawingBuilder {
     /// Puts region markers into the domain; without them all elements have the tag 1.
     void markRegions() { input_.markRegions = true; }
 
+    /// Sets the tolerance to use by default, as far as it is at most ten times the usual one.
+    void preferTolerance(double tolerance) { preferred_ = tolerance; }
     /// Lets lines that form closed loops bound the domain beside its outlines, too; for drawings in which nothing is
     /// filled, so that outlines differ from lines only in how they were drawn.
     void letLinesBound() { linesBound_ = true; }
@@ -68,6 +70,7 @@ class DrawingBuilder {
     const SourceText &source_;
     ArrangementInput input_;
     bool linesBound_ = false;
+    double preferred_ = 0.0; ///< tolerance
     std::vector<std::size_t> offsets_;
     std::vector<std::size_t> places_; ///< byte offsets in the text of the ends of the pieces, two per piece
 };

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -23,6 +25,7 @@ namespace {
 
 constexpr double kSameNode = 1e-6; ///< fraction of the drawing's size: the rounding error of relative path data
 constexpr std::size_t kMaxStrokeNodes = 2'000'000;
+constexpr double kStrokeTolerance = 1e-4; ///< of the width of a stroke: within that, sides of strokes are joined
 constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
 
 bool isLoop(const SvgPath &path) {
@@ -125,6 +128,9 @@ class SvgBuilder {
             case Part::Nothing:
                 break;
             }
+        }
+        if (std::isfinite(thinnest_)) { // where strokes nearly meet, their sides leave tiny pieces
+            builder_.preferTolerance(kStrokeTolerance * thinnest_);
         }
         Result<Domain> domain = builder_.finish();
         if (domain) {
@@ -371,6 +377,7 @@ class SvgBuilder {
         if (parts.empty()) {
             return;
         }
+        thinnest_ = std::min(thinnest_, path.strokeWidth);
         const std::uint32_t shape = builder_.addShape(feature, path.name, path.limit);
         for (const BandPart &part : parts) {
             std::vector<Vec2> nodes;
@@ -415,9 +422,10 @@ class SvgBuilder {
     double tolerance_; ///< of polylines along curves
     bool anyPainted_;
     bool closedStroke_ = false;
-    std::size_t painted_ = kNone; ///< the element of the last contour
-    std::size_t noted_ = kNone;   ///< the element of the last path
-    std::size_t strokeNodes_ = 0; ///< of the outlines of strokes
+    std::size_t painted_ = kNone;                               ///< the element of the last contour
+    std::size_t noted_ = kNone;                                 ///< the element of the last path
+    std::size_t strokeNodes_ = 0;                               ///< of the outlines of strokes
+    double thinnest_ = std::numeric_limits<double>::infinity(); ///< minimum width of the strokes that are areas
     std::uint32_t contour_ = 0;
     std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
     std::set<std::int32_t> clipTags_;

@@ -163,6 +163,7 @@ void addEnd(Vec2 end, Vec2 tangent, bool forward, const SvgLineStyle &style, std
 
 std::vector<BandPart> partsOf(const Run &run, const SvgLineStyle &style) {
     constexpr double kAccuracy = 1e-4, kAccuracyOfWidth = 0.005;
+    constexpr double kMaxDot = 0.0101; // icons write dots as lines of .01, which would leave sides as short as that
     std::vector<BandPart> parts;
     if (run.curves.empty()) {
         addEnd(run.place, run.tangent, false, style, parts);
@@ -172,6 +173,11 @@ std::vector<BandPart> partsOf(const Run &run, const SvgLineStyle &style) {
     Box2 box;
     for (const Curve &curve : run.curves) {
         box.add(curve.bounds());
+    }
+    if (style.cap == SvgCap::Round && box.diagonal() <= kMaxDot * style.width) {
+        addEnd(box.centre(), {1.0, 0.0}, false, style, parts);
+        addEnd(box.centre(), {1.0, 0.0}, true, style, parts);
+        return parts;
     }
     const double reach = 0.5 * style.width, size = box.diagonal() + reach;
     const double accuracy = std::min(kAccuracy, kAccuracyOfWidth * style.width / size);
