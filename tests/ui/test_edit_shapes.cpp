@@ -252,6 +252,78 @@ TEST_CASE("Fillet, chamfer, offset: typed sizes show on the canvas; OK is one un
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
 }
 
+TEST_CASE("Dialogs with a preview: a text that is no number is refused at its field, and nothing is applied") {
+    struct Sample {
+        int key;
+        const char *dialog, *field;
+    };
+    for (const Sample &sample :
+         {Sample{'F', "fillet", "size"}, Sample{'K', "chamfer", "size"}, Sample{'O', "offset", "size"},
+          Sample{'M', "transform", "x"}, Sample{'L', "lineararray", "count"}, Sample{'P', "polararray", "angle"}}) {
+        CAPTURE(sample.dialog);
+        Draughtsman driver;
+        driver.rectangle({1, 1}, {9, 8});
+        driver.key('V');
+        driver.key(sample.key, kControlShift);
+        driver.settle();
+        const std::string name = std::string("dialog/") + sample.dialog, field = name + '/' + sample.field;
+        const auto refuses = [&] { return driver.has(field + "/fault") && driver.has(name + "/ok"); };
+        driver.fill(field, "abc");
+        CHECK(refuses());
+        driver.key(key::kEnter);
+        driver.settle();
+        CHECK(refuses());
+        driver.type("2"); // the field has the focus again
+        driver.frames(2);
+        CHECK_FALSE(driver.has(field + "/fault"));
+        driver.key('A', kControl);
+        driver.type("abc");
+        driver.click(name + "/ok");
+        driver.settle();
+        CHECK(refuses());
+        driver.key(key::kEscape);
+        driver.settle();
+        CHECK(driver.undoLabel() == "Draw rectangle");
+        driver.key(sample.key, kControlShift); // the refused text is forgotten
+        driver.settle();
+        CHECK_FALSE(driver.has(field + "/fault"));
+        driver.key(key::kEnter);
+        driver.settle();
+        CHECK_FALSE(driver.has(name + "/ok"));
+    }
+}
+
+TEST_CASE("Dialogs with a preview: a number shows its result, or why there is none, while it is typed") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.key('F', kControlShift);
+    driver.settle();
+    driver.type("1");
+    driver.settle();
+    CHECK(driver.document().shapes[0]->radius == 1.0);
+    driver.type("0");
+    driver.settle();
+    CHECK(driver.has("dialog/fillet/fault"));
+    CHECK(driver.document().shapes[0]->radius == 0.0);
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(driver.has("dialog/fillet/fault"));
+    driver.type("2*"); // no number yet
+    driver.settle();
+    CHECK(driver.has("dialog/fillet/fault"));
+    driver.type("1");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/fillet/fault"));
+    CHECK(driver.document().shapes[0]->radius == 2.0);
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/fillet/ok"));
+    CHECK(driver.undoLabel() == "Fillet");
+    driver.key('Z', kControl);
+    CHECK(driver.undoLabel() == "Draw rectangle");
+}
+
 TEST_CASE("Dialogs with a preview: the first number has the focus, and typing replaces it") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

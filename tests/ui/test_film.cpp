@@ -68,6 +68,23 @@ TEST_CASE("Film: numbers out of range are refused at their fields, and the old o
     CHECK_FALSE(driver.has("dialog/film/frames/fault"));
 }
 
+TEST_CASE("Film: nothing is exported while a number is refused") {
+    const TemporaryFolder place;
+    Filmmaker driver;
+    driver.openDialog();
+    driver.click("dialog/film/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type((place.path / "run.gif").string());
+    driver.click("dialog/film/width");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("abc");
+    driver.click("dialog/film/ok");
+    driver.settle();
+    CHECK(driver.has("dialog/film/width/fault"));
+    CHECK(driver.has("dialog/film/ok"));
+    CHECK_FALSE(std::filesystem::exists(place.path / "run.gif"));
+}
+
 TEST_CASE("Film: the dialog writes an animation, numbered pictures and a drawing of one moment") {
     Filmmaker driver;
     const TemporaryFolder folder;

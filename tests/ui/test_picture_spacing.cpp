@@ -103,6 +103,23 @@ TEST_CASE("Picture as spacing: Enter accepts a number in its field, and imports 
     CHECK(spacingAt(driver, {8, 3}) == doctest::Approx(0.5));
 }
 
+TEST_CASE("Picture as spacing: a text that is no number is refused at its field, and nothing is imported") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 5});
+    const Document before = driver.document();
+    chooseSpacing(driver, writeHalves(place.path / "sizes.png"));
+    REQUIRE(driver.has("dialog/picturespacing/ok"));
+    driver.click("dialog/picturespacing/black");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("abc");
+    driver.click("dialog/picturespacing/ok");
+    driver.settle();
+    CHECK(driver.has("dialog/picturespacing/black/fault"));
+    CHECK(driver.has("dialog/picturespacing/ok"));
+    CHECK(sameContent(driver.document(), before));
+}
+
 TEST_CASE("Picture as spacing: a size of 0 is reported beside its field, and the old one stays") {
     const TemporaryFolder place;
     Draughtsman driver;

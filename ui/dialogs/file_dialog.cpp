@@ -5,6 +5,7 @@
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -406,23 +407,18 @@ bool FileDialog::drawBottom(Shell &context) {
     ImGui::SameLine(0, context.px(kButtonGap));
     const std::string label = replace_ ? "Replace" : request_.action;
     const bool ready = allowed && !request_.name.empty() && !reading_;
-    wanted = ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, ready, kButton) || wanted || returned();
+    wanted = ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, ready, kButton) || wanted ||
+             (entered_ && !replace_);
     if (cancelled && reading_) {
         cancelReading(context);
         return true;
     }
+    wanted = wanted && !ui::showsFault(context, widget(""));
     return !cancelled && !(wanted && ready && choose(context));
 }
 
-/// Returns true if Return was pressed outside all fields, such as after a click on a file.
-bool FileDialog::returned() const {
-    const bool pressed = ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
-    constexpr int kWithoutPopups = ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy;
-    return pressed && !typing_ && !replace_ && ImGui::IsWindowFocused(kWithoutPopups);
-}
-
 bool FileDialog::draw(Shell &context) {
-    typing_ = ImGui::IsAnyItemActive(); // before a field takes Return
+    entered_ = ui::enterOutsideFields(); // such as after a click on a file
     if (!followReading(context)) {
         return false;
     }

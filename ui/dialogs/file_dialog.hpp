@@ -91,7 +91,6 @@ class FileDialog : public Dialog {
     bool choose(Shell &context);
     /// Logs the faults of the chosen file and shows the first. Returns true if there are none.
     bool show(Shell &context, const Diagnostics &faults);
-    bool returned() const;
     /// Switches to the filter that the extension of a typed name belongs to.
     void followExtension(const std::string &name);
     std::string widget(const char *part) const { return "dialog/" + request_.id + "/" + part; }
@@ -104,7 +103,7 @@ class FileDialog : public Dialog {
     std::shared_ptr<const FileOutcome> reading_;   ///< of the file being read; null: none
     std::optional<std::filesystem::path> replace_; ///< asked whether to replace this file
     bool focusName_ = true;
-    bool typing_ = false; ///< a field was active when this frame began
+    bool entered_ = false; ///< Enter was pressed in this frame, outside all fields
     bool newFolder_ = false;
     std::string newFolderName_;
 };

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -19,30 +20,42 @@ OperationDialog::OperationDialog(Operation operation, Shell &context)
     : operation_(std::move(operation)), start_(context.document.current()), selection_(context.selection),
       stroke_(std::string(operation_.id) + ' ' + std::to_string(context.document.revision())) {
     for (const OperationField &field : operation_.fields) {
-        values_.push_back(field.value);
+        entries_.values.push_back(field.value);
     }
-    formulas_.resize(values_.size());
+    entries_.formulas.resize(entries_.values.size());
     const auto number = std::find_if(operation_.fields.begin(), operation_.fields.end(),
                                      [](const OperationField &f) { return f.kind == OperationField::Kind::Number; });
     if (number != operation_.fields.end()) {
         context.widgets.fields.request(widget(static_cast<std::size_t>(number - operation_.fields.begin())));
     }
     context.document.endStroke();
-    show(context);
+    show(context, entries_);
 }
 
 std::string OperationDialog::widget(std::size_t index) const {
     return std::string("dialog/") + operation_.id + '/' + operation_.fields[index].id;
 }
 
+OperationDialog::Entries OperationDialog::entriesBeingTyped(const Shell &context) const {
+    Entries entries = entries_;
+    for (std::size_t k = 0; k < operation_.fields.size(); ++k) {
+        if (std::optional<ui::TypedNumber> typed = ui::numberBeingTyped(context, widget(k))) {
+            entries.values[k] = typed->value;
+            entries.formulas[k] = std::move(typed->formula);
+        }
+    }
+    return entries;
+}
+
 /// Makes the result the current document, as part of a stroke that can be abandoned.
-void OperationDialog::show(Shell &context) {
+void OperationDialog::show(Shell &context, Entries entries) {
+    shown_ = std::move(entries);
     dismiss(context);
     made_.clear();
     fault_.clear();
-    Result<Document> next = operation_.run(*start_, selection_, values_, &made_);
+    Result<Document> next = operation_.run(*start_, selection_, shown_.values, &made_);
     if (next) {
-        followed_ = operation_.follow && operation_.follow(*next, selection_, formulas_);
+        followed_ = operation_.follow && operation_.follow(*next, selection_, shown_.formulas);
         context.document.apply(*std::move(next), operation_.title, stroke_);
     } else {
         const Diagnostic &fault = next.faults().front();
@@ -65,25 +78,24 @@ void OperationDialog::accept(Shell &context) {
     context.selection.prune(*context.document.current());
 }
 
-bool OperationDialog::drawField(Shell &context, std::size_t index) {
+void OperationDialog::drawField(Shell &context, std::size_t index) {
     const OperationField &field = operation_.fields[index];
     const std::string name = widget(index);
-    double &value = values_[index];
+    double &value = entries_.values[index];
     ui::rowLabel(context, field.kind == OperationField::Kind::Flag ? "" : field.label, kLabelWidth);
-    bool changed = false;
     switch (field.kind) {
     case OperationField::Kind::Number:
-        changed = ui::inputExpression(context, name, value, formulas_[index]);
+        ui::inputExpression(context, name, value, entries_.formulas[index]);
         break;
     case OperationField::Kind::Choice: {
         int choice = static_cast<int>(value);
-        changed = ui::segmented(context, name, field.choices, choice);
+        ui::segmented(context, name, field.choices, choice);
         value = choice;
         break;
     }
     case OperationField::Kind::Flag: {
         bool on = value != 0.0;
-        changed = ui::checkbox(context, name, field.label, on);
+        ui::checkbox(context, name, field.label, on);
         value = on ? 1.0 : 0.0;
         break;
     }
@@ -91,17 +103,9 @@ bool OperationDialog::drawField(Shell &context, std::size_t index) {
     if (*field.tooltip != '\0') {
         ui::tooltip(context, field.tooltip);
     }
-    return changed;
 }
 
-bool OperationDialog::draw(Shell &context) {
-    bool changed = false;
-    for (std::size_t k = 0; k < operation_.fields.size(); ++k) {
-        changed = drawField(context, k) || changed;
-    }
-    if (changed) {
-        show(context);
-    }
+void OperationDialog::drawRemarks(Shell &context) {
     const std::string name = std::string("dialog/") + operation_.id;
     if (!fault_.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
@@ -109,12 +113,16 @@ bool OperationDialog::draw(Shell &context) {
         ImGui::PopStyleColor();
         ui::mark(context, name + "/fault");
     }
-    const bool typed = std::any_of(formulas_.begin(), formulas_.end(), [](const auto &text) { return !text.empty(); });
+    const bool typed =
+        std::any_of(shown_.formulas.begin(), shown_.formulas.end(), [](const auto &text) { return !text.empty(); });
     if (typed && !followed_) {
         ui::small(context, "Parameters are evaluated once here");
         ui::mark(context, name + "/once");
     }
-    ImGui::Dummy({0, context.px(6)});
+}
+
+bool OperationDialog::drawButtons(Shell &context, bool enter) {
+    const std::string name = std::string("dialog/") + operation_.id;
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(218));
     if (ui::button(context, name + "/cancel", "Cancel", ui::ButtonKind::Plain, true, 104.0F)) {
         dismiss(context);
@@ -122,11 +130,30 @@ bool OperationDialog::draw(Shell &context) {
     }
     ImGui::SameLine(0, context.px(10));
     const bool ok = ui::button(context, name + "/ok", "OK", ui::ButtonKind::Primary, fault_.empty(), 104.0F);
-    if (fault_.empty() && (ok || ImGui::IsKeyPressed(key::kEnter, false))) {
-        accept(context);
-        return false;
+    if (!ok && !enter) {
+        return true;
     }
-    return true;
+    const bool refused = ui::showsFault(context, name + '/');
+    if (refused || !fault_.empty()) {
+        FieldFocus &fields = context.widgets.fields;
+        fields.request(refused ? context.fieldFault.field : fields.committed); // to type another number
+        return true;
+    }
+    accept(context);
+    return false;
+}
+
+bool OperationDialog::draw(Shell &context) {
+    const bool enter = ui::enterPressed();
+    for (std::size_t k = 0; k < operation_.fields.size(); ++k) {
+        drawField(context, k);
+    }
+    if (Entries entries = entriesBeingTyped(context); entries != shown_) {
+        show(context, std::move(entries));
+    }
+    drawRemarks(context);
+    ImGui::Dummy({0, context.px(6)});
+    return drawButtons(context, enter);
 }
 
 } // namespace forefront

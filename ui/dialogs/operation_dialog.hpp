@@ -38,8 +38,8 @@ struct Operation {
     std::function<bool(Document &, const Selection &, const std::vector<std::string> &)> follow{};
 };
 
-/// Asks for the numbers of an operation while the canvas previews its result. Cancel leaves the document and its
-/// history unchanged; OK is one undo step.
+/// Asks for the numbers of an operation while the canvas previews its result, also for a number that is being typed.
+/// Cancel leaves the document and its history unchanged; OK is one undo step.
 class OperationDialog final : public PreviewDialog {
   public:
     OperationDialog(Operation operation, Shell &context);
@@ -51,15 +51,27 @@ class OperationDialog final : public PreviewDialog {
     bool draw(Shell &context) override;
 
   private:
-    bool drawField(Shell &context, std::size_t index);
-    void show(Shell &context);
+    /// The contents of the fields, in order.
+    struct Entries {
+        std::vector<double> values;
+        std::vector<std::string> formulas; ///< expressions of the values; empty: plain numbers
+        bool operator==(const Entries &) const = default;
+    };
+
+    void drawField(Shell &context, std::size_t index);
+    void drawRemarks(Shell &context);
+    /// Draws Cancel and OK. Returns false to close the dialog.
+    bool drawButtons(Shell &context, bool enter);
+    /// Returns the contents of the fields, with the number that is being typed.
+    Entries entriesBeingTyped(const Shell &context) const;
+    void show(Shell &context, Entries entries);
     void accept(Shell &context);
     std::string widget(std::size_t index) const;
 
     Operation operation_;
-    std::vector<double> values_;
-    std::vector<std::string> formulas_; ///< expressions of the values; empty: plain numbers
-    bool followed_ = false;             ///< the result follows them
+    Entries entries_;       ///< as committed
+    Entries shown_;         ///< as previewed
+    bool followed_ = false; ///< the result follows the expressions
     std::shared_ptr<const Document> start_;
     Selection selection_;
     Selection made_;

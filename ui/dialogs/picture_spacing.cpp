@@ -192,8 +192,7 @@ bool PictureSpacingDialog::import(Shell &context) {
 }
 
 bool PictureSpacingDialog::draw(Shell &context) {
-    // Enter in a field only accepts its number.
-    const bool enter = !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(key::kEnter, false);
+    const bool enter = ui::enterOutsideFields(); // in a field, it only accepts the number
     drawPicture(context);
     ImGui::Dummy({0, context.px(6)});
     drawSizes(context);
@@ -212,7 +211,7 @@ bool PictureSpacingDialog::draw(Shell &context) {
     }
     ImGui::SameLine(0, context.px(10));
     const bool ok = ui::button(context, "dialog/picturespacing/ok", "Import", ui::ButtonKind::Primary, true, 124.0F);
-    if (ok || enter) {
+    if ((ok || enter) && !ui::showsFault(context, "dialog/picturespacing/")) {
         return !import(context);
     }
     return true;

@@ -87,6 +87,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
 void DialogHost::draw(Shell &context) {
     for (std::unique_ptr<Dialog> &dialog : opening_) {
         stack_.push_back(std::move(dialog));
+        context.fieldFault = {}; // of an earlier dialog of the same kind
         context.animate();
     }
     opening_.clear();

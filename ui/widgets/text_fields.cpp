@@ -155,6 +155,15 @@ bool entry(WidgetContext &context, std::string_view name, std::string &value, st
     return changed;
 }
 
+bool enterPressed() {
+    return ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+}
+
+bool enterOutsideFields() {
+    constexpr int kWithoutPopups = ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy;
+    return enterPressed() && !ImGui::IsAnyItemActive() && ImGui::IsWindowFocused(kWithoutPopups);
+}
+
 Typing typing() {
     const ImGuiID active = ImGui::GetActiveID();
     const ImGuiInputTextState *state = active != 0 ? ImGui::GetInputTextState(active) : nullptr;

@@ -58,6 +58,11 @@ struct Typing {
     bool active = false, canUndo = false, canRedo = false;
 };
 Typing typing();
+/// Returns true if Enter was pressed in this frame.
+bool enterPressed();
+/// Returns true if Enter was pressed in the window being drawn, or in its children, while no field had the focus. Call
+/// it before the fields are drawn: one that takes Enter gives up the focus.
+bool enterOutsideFields();
 /// Draws a selectable row. Returns true when clicked.
 bool selectable(WidgetContext &context, std::string_view name, std::string_view label, bool selected,
                 std::string_view detail = {});

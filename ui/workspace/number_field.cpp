@@ -26,12 +26,20 @@ std::string withoutUnit(const std::string &typed) {
     return {};
 }
 
+/// Returns the value of a number or expression.
+Result<double> valueOf(const Workspace &context, const std::string &typed) {
+    const std::optional<double> number = parseNumber(typed);
+    return number ? Result<double>(*number) : evaluateFormula(*context.document.current(), typed);
+}
+
+/// Returns a typed expression of parameters; empty for a plain number.
+std::string formulaOf(const std::string &typed) {
+    return usesNames(typed) ? std::string(trimmed(typed)) : std::string();
+}
+
 /// Returns the value of a typed number or expression; reports an invalid one beside the field and in the log.
 std::optional<double> typedNumber(Workspace &context, std::string_view name, const std::string &typed) {
-    if (const std::optional<double> number = parseNumber(typed)) {
-        return number;
-    }
-    const Result<double> value = evaluateFormula(*context.document.current(), typed);
+    const Result<double> value = valueOf(context, typed);
     if (value) {
         return *value;
     }
@@ -151,6 +159,19 @@ void refuseCommand(Workspace &context, const Diagnostics &faults) {
     }
 }
 
+std::optional<TypedNumber> numberBeingTyped(const Workspace &context, std::string_view name) {
+    const std::optional<FieldFocus::Entry> &typing = context.widgets.fields.entry;
+    if (!typing || typing->name != name || typing->text == typing->initial) {
+        return std::nullopt;
+    }
+    const Result<double> value = valueOf(context, typing->text);
+    return value ? std::optional(TypedNumber{*value, formulaOf(typing->text)}) : std::nullopt;
+}
+
+bool showsFault(const Workspace &context, std::string_view prefix) {
+    return !context.fieldFault.note && context.fieldFault.field.starts_with(prefix);
+}
+
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
                 const std::string &addressY) {
     std::optional<std::string> x = drawEntry(context, name + "/x", number(value.x, 6), "", width, addressX);
@@ -245,7 +266,7 @@ bool inputExpression(Workspace &context, std::string_view name, double &value, s
     if (!entered) {
         return false;
     }
-    const std::string text = usesNames(typed) ? std::string(trimmed(typed)) : std::string();
+    const std::string text = formulaOf(typed);
     const bool changed = *entered != value || text != formula;
     value = *entered;
     formula = text;

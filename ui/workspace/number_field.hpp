@@ -44,6 +44,16 @@ bool checkTag(Workspace &context, std::string_view name, double value);
 bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula,
                      float width = -1.0F);
 
+/// A number and the expression that it was typed as; empty for a plain number.
+struct TypedNumber {
+    double value = 0.0;
+    std::string formula;
+};
+/// Returns the number that is being typed into a field; none if the text is unchanged or has no value.
+std::optional<TypedNumber> numberBeingTyped(const Workspace &context, std::string_view name);
+/// Returns true while a field whose name begins with `prefix` shows that its text was refused.
+bool showsFault(const Workspace &context, std::string_view prefix);
+
 /// Draws the fields "NAME/x" and "NAME/y" of a point side by side, each `width` design pixels wide. "x, y" typed into
 /// one of them sets both.
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
