@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace forefront::test {
 
@@ -17,7 +18,108 @@ void importFile(Draughtsman &driver, const std::filesystem::path &file) {
     driver.chooseFile("import", file);
 }
 
+/// A filled shape that leaves the page, a line and a stroke: every checkbox is offered.
+constexpr const char *kInked = R"(<svg viewBox="0 0 10 10"><rect x="-5" width="9" height="6"/>)"
+                               R"(<path fill="none" stroke="black" d="M1 1L3 5"/></svg>)";
+
 } // namespace
+
+TEST_CASE("Import: Enter imports, unless a field takes it to accept its number") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "inked.svg") << kInked;
+    Draughtsman driver;
+    const auto imported = [&] {
+        driver.settle();
+        return !driver.has("dialog/importoptions/ok") && driver.undoLabel() == "Import drawing";
+    };
+    const auto open = [&] {
+        driver.key('N', {Modifiers::kControl});
+        driver.settle();
+        if (driver.has("dialog/unsaved/discard")) {
+            driver.click("dialog/unsaved/discard");
+            driver.settle();
+        }
+        importFile(driver, place.path / "inked.svg");
+        REQUIRE(driver.has("dialog/importoptions/ok"));
+    };
+    SUBCASE("right after the file was read") {
+        open();
+    }
+    SUBCASE("on the keypad") {
+        open();
+        driver.key(key::kKeypadEnter);
+        CHECK(imported());
+        open();
+    }
+    SUBCASE("after a checkbox was clicked") {
+        open();
+        driver.click("dialog/importoptions/lines");
+        driver.settle();
+    }
+    SUBCASE("after a number was entered") {
+        open();
+        driver.fill("dialog/importoptions/weld", "0.01");
+        CHECK_FALSE(imported());
+    }
+    SUBCASE("after a field was left unchanged") {
+        open();
+        driver.click("dialog/importoptions/scale");
+        driver.key(key::kEnter);
+        CHECK_FALSE(imported());
+    }
+    driver.key(key::kEnter);
+    CHECK(imported());
+}
+
+TEST_CASE("Import: Enter does not import while a text is refused") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "inked.svg") << kInked;
+    Draughtsman driver;
+    importFile(driver, place.path / "inked.svg");
+    driver.fill("dialog/importoptions/scale", "abc");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(driver.has("dialog/importoptions/scale/fault"));
+    CHECK(driver.document().shapes.empty());
+    driver.fill("dialog/importoptions/scale", "2");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.document().shapes.empty());
+}
+
+TEST_CASE("Import: Tab reaches every field and checkbox in order, and Space switches a checkbox") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "inked.svg") << kInked;
+    Draughtsman driver;
+    importFile(driver, place.path / "inked.svg");
+    REQUIRE(driver.has("dialog/importoptions/page"));
+    const auto focus = [&] {
+        driver.frames(3);
+        const FieldFocus &fields = driver.context().widgets.fields;
+        const std::string name = fields.entry ? fields.entry->name : fields.held();
+        return name.substr(name.find_last_of('/') + 1);
+    };
+    const std::vector<std::string> order{"scale", "weld", "page", "lines", "strokes"};
+    for (std::size_t k = 0; k < 2 * order.size(); ++k) {
+        driver.key(key::kTab);
+        CHECK(focus() == order[k % order.size()]);
+    }
+    driver.key(key::kTab, {Modifiers::kShift});
+    CHECK(focus() == "lines");
+    driver.key(key::kSpace);
+    driver.settle();
+    CHECK(focus() == "lines");
+    driver.key(key::kTab, {Modifiers::kShift});
+    driver.key(key::kTab, {Modifiers::kShift});
+    driver.type("0.01");
+    driver.key(key::kTab);
+    CHECK(focus() == "page");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/importoptions/ok"));
+    CHECK(driver.document().shapes.size() == 1); // without the line
+    CHECK(driver.logHas("dropped-lines"));
+}
 
 TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen unit") {
     const TemporaryFolder place;

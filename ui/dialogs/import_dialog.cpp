@@ -215,6 +215,7 @@ void ImportDialog::drawJoining(Shell &context) {
 }
 
 bool ImportDialog::draw(Shell &context) {
+    const bool enter = ui::enterOutsideFields(); // in a field, it only accepts the number
     drawSizes(context);
     ImGui::Dummy({0, context.px(6)});
     drawUnit(context);
@@ -226,8 +227,9 @@ bool ImportDialog::draw(Shell &context) {
         return false;
     }
     ImGui::SameLine(0, context.px(10));
-    if (ui::button(context, "dialog/importoptions/ok", "Import", ui::ButtonKind::Primary,
-                   !drawing_.shapes.empty() && faults_.empty(), 124.0F)) {
+    const bool ready = !drawing_.shapes.empty() && faults_.empty();
+    const bool ok = ui::button(context, "dialog/importoptions/ok", "Import", ui::ButtonKind::Primary, ready, 124.0F);
+    if ((ok || enter) && ready && !ui::showsFault(context, "dialog/importoptions/")) {
         insert(context);
         return false;
     }

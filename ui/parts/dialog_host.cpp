@@ -64,6 +64,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
         const bool isTop = level + 1 == keep.size();
         const bool escape = isTop && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
                             !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+        ui::startTabbing(context);
         const bool dismissed = std::find(dismissed_.begin(), dismissed_.end(), &dialog) != dismissed_.end();
         keep[level] = !dismissed && dialog.draw(context) && !escape && !closed;
         if (preview != nullptr && !dismissed && (escape || closed)) {

@@ -15,6 +15,11 @@ void FieldFocus::tab(std::string_view name, bool back) {
     back_ = back;
 }
 
+void FieldFocus::tabInto(unsigned group, bool back) {
+    tabbedInto_ = group;
+    back_ = back;
+}
+
 void FieldFocus::request(std::string_view name) {
     wanted_ = name;
     asked_ = false;
@@ -62,23 +67,32 @@ void FieldFocus::endFrame() {
     if (--framesLeft_ <= 0) {
         wanted_.clear();
     }
-    if (!tabbed_) {
-        return;
+    if (!inSight(held_)) {
+        held_.clear();
     }
-    const auto here = std::find_if(order_.begin(), order_.end(), [&](const Field &f) { return f.name == *tabbed_; });
-    tabbed_.reset();
-    if (here == order_.end()) {
-        return;
+    followTab();
+}
+
+/// Requests the focus for the next field of the group, or its first or last one if none has it.
+void FieldFocus::followTab() {
+    const std::optional<std::string> from = std::exchange(tabbed_, {});
+    std::optional<unsigned> group = std::exchange(tabbedInto_, {});
+    if (from) {
+        const auto here = std::find_if(order_.begin(), order_.end(), [&](const Field &f) { return f.name == *from; });
+        group = here == order_.end() ? std::nullopt : std::optional(here->group);
     }
-    std::vector<std::string> group;
+    std::vector<std::string> fields;
     std::size_t at = 0;
     for (const Field &field : order_) {
-        if (field.group == here->group) {
-            at = &field == &*here ? group.size() : at;
-            group.push_back(field.name);
+        if (field.group == group) {
+            at = field.name == from ? fields.size() : at;
+            fields.push_back(field.name);
         }
     }
-    request(group[(at + (back_ ? group.size() - 1 : 1)) % group.size()]);
+    if (!fields.empty()) {
+        const std::size_t next = from ? at + 1 : 0, previous = from ? at + fields.size() - 1 : fields.size() - 1;
+        request(fields[(back_ ? previous : next) % fields.size()]);
+    }
 }
 
 } // namespace forefront

@@ -30,12 +30,18 @@ class FieldFocus {
 
     /// Reports that Tab was pressed in the field `name`.
     void tab(std::string_view name, bool back);
+    /// Reports that Tab was pressed in a group of fields none of which has the focus.
+    void tabInto(unsigned group, bool back);
     /// Gives the field `name` the focus when it is drawn within the next frames, as when its dialog opens.
     void request(std::string_view name);
     /// Returns true once, in the frame in which the field must take the focus.
     bool takes(std::string_view name);
     /// Reports that the field has the focus.
     void gotFocus(std::string_view name);
+    /// Gives the focus to a switch, which Dear ImGui does not do without its keyboard navigation; empty: to none.
+    void hold(std::string_view name) { held_ = name; }
+    /// Returns the switch that has the focus; empty: none.
+    const std::string &held() const { return held_; }
     /// Returns true while the focus is moving to a field. Input must wait for it, or keys would be taken for shortcuts.
     bool travelling() const { return !wanted_.empty(); }
 
@@ -68,10 +74,13 @@ class FieldFocus {
     };
 
     bool inSight(std::string_view name) const;
+    void followTab();
 
     std::vector<Field> order_; ///< fields of this frame as they were drawn
     std::optional<std::string> tabbed_;
+    std::optional<unsigned> tabbedInto_;
     bool back_ = false;
+    std::string held_;
     std::string wanted_;   ///< empty: none
     bool asked_ = false;   ///< Dear ImGui was asked to give it the focus
     int framesLeft_ = 0;   ///< frames until the request is dropped

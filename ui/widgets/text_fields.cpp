@@ -11,6 +11,9 @@ namespace forefront::ui {
 
 namespace {
 
+/// For ImGui::IsWindowFocused().
+constexpr int kWindowWithoutPopups = ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy;
+
 /// Makes Ctrl+Shift+Z redo in text fields: Dear ImGui 1.86 knows only Ctrl+Y, so Z is shown to it as Y while the keys
 /// are held.
 class RedoByShiftZ {
@@ -63,6 +66,10 @@ struct Drawn {
     bool holds = false;    ///< the field has the focus now
 };
 
+bool tabPressed() {
+    return ImGui::IsKeyPressed(key::kTab) && !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyAlt;
+}
+
 /// Draws a text field and adds it to the order in which Tab visits fields.
 Drawn drawField(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
                 ImGuiInputTextFlags flags, bool focus) {
@@ -92,7 +99,7 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
     }
     if (ImGui::GetActiveID() == id) {
         fields.gotFocus(name);
-        const bool tab = ImGui::IsKeyPressed(key::kTab) && !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyAlt;
+        const bool tab = tabPressed();
         if (tab) {
             fields.tab(name, ImGui::GetIO().KeyShift);
         }
@@ -155,13 +162,47 @@ bool entry(WidgetContext &context, std::string_view name, std::string &value, st
     return changed;
 }
 
+void startTabbing(WidgetContext &context) {
+    FieldFocus &fields = context.widgets.fields;
+    if (tabPressed() && !ImGui::IsAnyItemActive() && fields.held().empty() &&
+        ImGui::IsWindowFocused(kWindowWithoutPopups)) {
+        fields.tabInto(ImGui::GetCurrentWindowRead()->RootWindow->ID, ImGui::GetIO().KeyShift);
+        context.animate();
+    }
+}
+
+bool takesFocus(WidgetContext &context, std::string_view name) {
+    const ImGuiWindow *const window = ImGui::GetCurrentWindowRead();
+    if ((window->RootWindow->Flags & ImGuiWindowFlags_Modal) == 0 || window->SkipItems) {
+        return false;
+    }
+    FieldFocus &fields = context.widgets.fields;
+    fields.drawn(name, window->RootWindow->ID);
+    if (fields.takes(name)) {
+        fields.hold(name);
+        fields.gotFocus(name);
+        context.animate();
+    }
+    if (fields.held() != name) {
+        return false;
+    }
+    const bool left = ImGui::IsAnyItemActive() || ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (!left && tabPressed()) {
+        fields.tab(name, ImGui::GetIO().KeyShift);
+    }
+    if (left || tabPressed()) {
+        fields.hold({});
+        context.animate();
+    }
+    return !fields.held().empty();
+}
+
 bool enterPressed() {
     return ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
 }
 
 bool enterOutsideFields() {
-    constexpr int kWithoutPopups = ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy;
-    return enterPressed() && !ImGui::IsAnyItemActive() && ImGui::IsWindowFocused(kWithoutPopups);
+    return enterPressed() && !ImGui::IsAnyItemActive() && ImGui::IsWindowFocused(kWindowWithoutPopups);
 }
 
 Typing typing() {

@@ -146,12 +146,14 @@ bool checkbox(WidgetContext &context, std::string_view name, std::string_view la
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 text = ImGui::CalcTextSize(label.data(), label.data() + label.size());
     const float height = ImGui::GetFrameHeight(), box = context.px(16), gap = context.px(7);
-    const bool pressed = ImGui::InvisibleButton("check", {box + gap + text.x, height});
+    const bool clicked = ImGui::InvisibleButton("check", {box + gap + text.x, height});
+    const bool hovered = ImGui::IsItemHovered();
+    mark(context, name);
+    const bool focused = takesFocus(context, name);
+    const bool pressed = clicked || (focused && ImGui::IsKeyPressed(key::kSpace, false));
     if (pressed) {
         value = !value;
     }
-    const bool hovered = ImGui::IsItemHovered();
-    mark(context, name);
     const Theme &theme = context.theme;
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const ImVec2 corner{at.x, std::round(at.y + (height - box) / 2)};
@@ -165,6 +167,11 @@ bool checkbox(WidgetContext &context, std::string_view name, std::string_view la
         list.AddPolyline(points, 3, theme.onAccent, 0, context.px(1.8));
     } else {
         list.AddRect(corner, {corner.x + box, corner.y + box}, theme.faint, context.px(4));
+    }
+    if (focused) {
+        const float out = context.px(3);
+        list.AddRect({corner.x - out, corner.y - out}, {corner.x + box + out, corner.y + box + out}, theme.accent,
+                     context.px(6), 0, context.px(1.5));
     }
     list.AddText({at.x + box + gap, at.y + (height - text.y) / 2}, theme.text, label.data(),
                  label.data() + label.size());

@@ -29,6 +29,7 @@ bool button(WidgetContext &context, std::string_view name, std::string_view labe
 /// Draws a square button with an icon, highlighted if `on`. Size in design pixels.
 bool iconButton(WidgetContext &context, std::string_view name, const char *icon, const std::string &tooltip,
                 bool on = false, bool enabled = true, float size = 32.0F);
+/// Draws a checkbox. In a dialog, Tab reaches it and Space switches it.
 bool checkbox(WidgetContext &context, std::string_view name, std::string_view label, bool &value);
 /// Draws a visibility switch for a layer: an eye and a label.
 bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view label, bool &value, float width);
@@ -63,6 +64,12 @@ bool enterPressed();
 /// Returns true if Enter was pressed in the window being drawn, or in its children, while no field had the focus. Call
 /// it before the fields are drawn: one that takes Enter gives up the focus.
 bool enterOutsideFields();
+/// Lets Tab reach the first field or switch of the window being drawn when none has the focus. Call it before they are
+/// drawn.
+void startTabbing(WidgetContext &context);
+/// Lets Tab reach the switch just drawn, if it is in a dialog; on the canvas and in panels, its keys are shortcuts.
+/// Returns true if it has the focus.
+bool takesFocus(WidgetContext &context, std::string_view name);
 /// Draws a selectable row. Returns true when clicked.
 bool selectable(WidgetContext &context, std::string_view name, std::string_view label, bool selected,
                 std::string_view detail = {});
