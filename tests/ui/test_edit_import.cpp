@@ -209,6 +209,42 @@ TEST_CASE("Import: a drawing that leaves its page can be read in full") {
     CHECK(boundsOf(driver.document()).size() == Vec2{9, 6});
 }
 
+TEST_CASE("Import: the options stay under the pointer when the notes change, and long notes scroll") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "inked.svg") << kInked;
+    Draughtsman driver;
+    importFile(driver, place.path / "inked.svg");
+    const auto rect = [&](const char *part) {
+        const WidgetRegistry::Widget *const widget =
+            driver.context().widgets.find(std::string("dialog/importoptions") + part);
+        REQUIRE(widget != nullptr);
+        return widget->rect;
+    };
+    const PixelRect before = rect("/page"), dialog = rect(""), report = rect("/report");
+    CHECK(dialog.centre().y == doctest::Approx(400.0).epsilon(0.01));
+    for (const char *option : {"/page", "/lines", "/strokes"}) {
+        driver.click(std::string("dialog/importoptions") + option);
+        driver.settle();
+        CHECK(rect("/page") == before);
+        CHECK(rect("").y == dialog.y);
+    }
+    CHECK_FALSE(rect("").height == dialog.height);
+    driver.click("dialog/importoptions/cancel");
+    driver.settle();
+    std::ofstream odd(place.path / "odd.svg");
+    odd << kInked;
+    odd.seekp(-6, std::ios::end); // the end tag
+    for (int k = 0; k < 40; ++k) {
+        odd << "<odd" << k << "/>";
+    }
+    odd << "</svg>";
+    odd.close();
+    importFile(driver, place.path / "odd.svg");
+    REQUIRE(driver.has("dialog/importoptions/note/5"));
+    CHECK(rect("/report").height > report.height);
+    CHECK(rect("/report").height <= 150.0);
+}
+
 TEST_CASE("Import: the lines of a drawing with filled shapes can be left out") {
     const TemporaryFolder place;
     std::ofstream(place.path / "inked.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/>)"

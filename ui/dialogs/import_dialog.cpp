@@ -6,6 +6,7 @@
 #include "core/edit/shape_geometry.hpp"
 #include "core/io/files.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 
@@ -21,7 +22,8 @@ namespace forefront {
 
 namespace {
 
-constexpr float kLabels = 130.0F; ///< width of the labels, in design pixels
+constexpr float kLabels = 130.0F;  ///< width of the labels, in design pixels
+constexpr double kMaxReport = 150; ///< height of the faults and notes, in design pixels
 
 std::string extent(const Box2 &box, double scale) {
     return box.empty() ? std::string("nothing")
@@ -54,6 +56,18 @@ Result<Reading> readAsItIs(const std::filesystem::path &file, const ImportOption
         return drawing.faults();
     }
     return Reading{*std::move(drawing), notes.diagnostics()};
+}
+
+/// Returns the height of small texts one below the other, in pixels.
+float heightOf(const Shell &context, const Diagnostics &texts, float width) {
+    ImGui::PushFont(context.fonts.small);
+    float height = 0.0F;
+    for (const Diagnostic &text : texts) {
+        height += ImGui::CalcTextSize(ui::wrapped(text.message, width).c_str(), nullptr, false, width).y +
+                  ImGui::GetStyle().ItemSpacing.y;
+    }
+    ImGui::PopFont();
+    return height;
 }
 
 Diagnostics joined(Diagnostics notes, const std::vector<ArrangementChange> &changes) {
@@ -166,7 +180,7 @@ void ImportDialog::drawUnit(Shell &context) {
     ui::field(context, "Size after import", extent(boundsOf(drawing_), scale_), kLabels);
 }
 
-/// Asks for the weld tolerance and the overlap rule, and shows what they change.
+/// Asks how lines and areas are joined, cut off and left out.
 void ImportDialog::drawJoining(Shell &context) {
     ui::rowLabel(context, "Weld tolerance", kLabels);
     std::optional<double> tolerance = options_.weldTolerance;
@@ -203,6 +217,16 @@ void ImportDialog::drawJoining(Shell &context) {
         ui::checkbox(context, "dialog/importoptions/strokes", "Mesh what the strokes paint", options_.strokeAreas)) {
         read();
     }
+}
+
+/// Shows why the file cannot be read with the options, or what reading it changed; what does not fit is scrolled.
+void ImportDialog::drawReport(Shell &context) const {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = heightOf(context, faults_, width) + heightOf(context, notes_, width);
+    if (height <= 0.0F) {
+        return;
+    }
+    ImGui::BeginChild("report", {0, std::min(height, context.px(kMaxReport))}, false, ImGuiWindowFlags_NoNav);
     for (const Diagnostic &fault : faults_) {
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
         ui::small(context, fault.message, true);
@@ -212,6 +236,8 @@ void ImportDialog::drawJoining(Shell &context) {
         ui::small(context, notes_[k].message, true);
         ui::mark(context, "dialog/importoptions/note/" + std::to_string(k));
     }
+    ImGui::EndChild();
+    ui::mark(context, "dialog/importoptions/report");
 }
 
 bool ImportDialog::draw(Shell &context) {
@@ -221,6 +247,7 @@ bool ImportDialog::draw(Shell &context) {
     drawUnit(context);
     ImGui::Dummy({0, context.px(6)});
     drawJoining(context);
+    drawReport(context);
     ImGui::Dummy({0, context.px(8)});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(258));
     if (ui::button(context, "dialog/importoptions/cancel", "Cancel", ui::ButtonKind::Plain, true, 124.0F)) {

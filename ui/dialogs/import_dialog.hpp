@@ -33,6 +33,7 @@ class ImportDialog final : public Dialog {
     void drawSizes(Shell &context) const;
     void drawUnit(Shell &context);
     void drawJoining(Shell &context);
+    void drawReport(Shell &context) const;
     void insert(Shell &context) const;
 
     std::filesystem::path file_;

@@ -9,6 +9,23 @@
 
 namespace forefront {
 
+namespace {
+
+/// Places the next window for a dialog whose rectangle was `last`; null: it opens. It is centred, except that a dialog
+/// as high as its content keeps its upper edge: the content must not move under the pointer when a click changes it.
+void placeDialog(const Dialog &dialog, const PixelRect *last, float margin) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float middle = std::round(size.x / 2);
+    if (last == nullptr || dialog.height() > 0.0F) {
+        ImGui::SetNextWindowPos({middle, std::round(size.y / 2)}, ImGuiCond_Always, {0.5F, 0.5F});
+        return;
+    }
+    const float lowest = size.y - margin / 2 - static_cast<float>(last->height);
+    ImGui::SetNextWindowPos({middle, std::min(static_cast<float>(last->y), lowest)}, ImGuiCond_Always, {0.5F, 0.0F});
+}
+
+} // namespace
+
 void DialogHost::closeAll() {
     stack_.clear();
     opening_.clear();
@@ -31,6 +48,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
     Dialog &dialog = *stack_[level];
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const std::string title = dialog.title() + "###dialog" + dialog.id();
+    const std::string name = std::string("dialog/") + dialog.id();
     const float margin = context.px(24);
     const float width = std::min(context.px(static_cast<double>(dialog.width())), size.x - margin);
     const float height = std::min(context.px(static_cast<double>(dialog.height())), size.y - margin);
@@ -38,7 +56,8 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
     if (preview != nullptr) {
         ImGui::SetNextWindowPos({std::min(context.px(64), size.x - margin / 2 - width), context.px(48)});
     } else {
-        ImGui::SetNextWindowPos({std::round(size.x / 2), std::round(size.y / 2)}, ImGuiCond_Always, {0.5F, 0.5F});
+        const WidgetRegistry::Widget *const last = context.widgets.find(name);
+        placeDialog(dialog, last == nullptr ? nullptr : &last->rect, margin);
     }
     ImGui::SetNextWindowSize({width, dialog.height() > 0.0F ? height : 0.0F});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - margin});
@@ -56,7 +75,6 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
         ImGui::PushFont(context.fonts.title);
         ImGui::TextUnformatted(dialog.title().c_str());
         ImGui::PopFont();
-        const std::string name = std::string("dialog/") + dialog.id();
         ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
         const bool closed = ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false,
                                            dialog.closesOnEscape(), 26.0F);
@@ -70,8 +88,9 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
         if (preview != nullptr && !dismissed && (escape || closed)) {
             preview->dismiss(context);
         }
-        const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
-        ui::markRect(context, name, {at.x, at.y, extent.x, extent.y});
+        if (!ImGui::IsWindowAppearing()) { // its size is known
+            ui::markWindow(context, name);
+        }
         // A dialog on top must begin inside this one, or Dear ImGui closes this one.
         if (!isTop) {
             drawFrom(level + 1, context, keep);
