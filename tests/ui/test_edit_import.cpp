@@ -266,6 +266,42 @@ TEST_CASE("Import: the lines of a drawing with filled shapes can be left out") {
     CHECK(driver.logHas("dropped-lines"));
 }
 
+TEST_CASE("Import: the lines of a map with polygons can be left out; borders that polygons share are no lines") {
+    const TemporaryFolder place;
+    const auto feature = [](const char *kind, const char *coordinates) {
+        return std::string(R"({"type": "Feature", "properties": {}, "geometry": {"type": ")") + kind +
+               R"(", "coordinates": )" + coordinates + "}}";
+    };
+    const std::string polygons = feature("Polygon", "[[[0,0],[4,0],[4,3],[0,3],[0,0]]]") + ", " +
+                                 feature("Polygon", "[[[4,0],[8,0],[8,3],[4,3],[4,0]]]");
+    const std::string start = R"({"type": "FeatureCollection", "features": [)";
+    std::ofstream(place.path / "areas.geojson") << start << polygons << "]}";
+    std::ofstream(place.path / "river.geojson")
+        << start << polygons << ", " << feature("LineString", "[[1,1],[3,2]]") << "]}";
+    Draughtsman driver;
+    importFile(driver, place.path / "areas.geojson");
+    CHECK_FALSE(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/cancel");
+    driver.settle();
+    importFile(driver, place.path / "river.geojson");
+    REQUIRE(driver.has("dialog/importoptions/lines"));
+    driver.click("dialog/importoptions/lines");
+    driver.settle();
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    CHECK(driver.logHas("dropped-lines"));
+    CHECK(toDomain(driver.document()).nodes.size() == 6);
+}
+
+TEST_CASE("Import: the rule for overlaps is offered for maps, and not for drawings, where it changes nothing") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "inked.svg") << kInked;
+    Draughtsman driver;
+    importFile(driver, place.path / "inked.svg");
+    CHECK(driver.has("dialog/importoptions/weld"));
+    CHECK_FALSE(driver.has("dialog/importoptions/overlap/later wins"));
+}
+
 TEST_CASE("Import: what strokes paint can be meshed") {
     struct Sample {
         const char *path;

@@ -70,6 +70,16 @@ float heightOf(const Shell &context, const Diagnostics &texts, float width) {
     return height;
 }
 
+/// Returns true if lines can be left out of a drawing or map. Its constraints alone do not tell: borders that areas
+/// share are constraints, too.
+bool hasLines(const std::filesystem::path &file, const Progress &progress) {
+    ImportOptions options;
+    options.dropLines = true;
+    options.progress = progress;
+    const Result<Reading> reading = readAsItIs(file, options);
+    return reading && has(reading->notes, "dropped-lines");
+}
+
 Diagnostics joined(Diagnostics notes, const std::vector<ArrangementChange> &changes) {
     const Diagnostics more = notesWithPlaces(changes);
     notes.insert(notes.end(), more.begin(), more.end());
@@ -109,7 +119,8 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     }
     const FileFormat *const format = fileFormatOf(file);
     dialog->arranges_ = format != nullptr && format->arranges;
-    dialog->hasLines_ = format != nullptr && std::string_view(format->id) == "svg" && mixesLines(dialog->drawing_);
+    dialog->hasFeatures_ = dialog->arranges_ && std::string_view(format->id) != "svg";
+    dialog->hasLines_ = dialog->arranges_ && mixesLines(dialog->drawing_) && hasLines(file, progress);
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);
     return dialog;
@@ -196,7 +207,7 @@ void ImportDialog::drawJoining(Shell &context) {
                                "as it is.");
     ImGui::SameLine();
     ui::muted(context, "units of the file");
-    if (arranges_) {
+    if (hasFeatures_) {
         ui::rowLabel(context, "Overlaps", kLabels);
         static constexpr std::array<const char *, 2> kRules{"later wins", "smaller wins"};
         int rule = options_.overlap == OverlapRule::Smaller ? 1 : 0;

@@ -38,10 +38,11 @@ class ImportDialog final : public Dialog {
 
     std::filesystem::path file_;
     ImportOptions options_;
-    bool arranges_ = false;   ///< the format is a drawing or map, whose lines may cross and overlap
-    bool leavesPage_ = false; ///< the filled shapes of a drawing reach beyond its page
-    bool hasLines_ = false;   ///< a drawing has filled shapes and lines
-    bool hasStrokes_ = false; ///< a drawing has strokes, which are lines or areas
+    bool arranges_ = false;    ///< the format is a drawing or map, whose lines may cross and overlap
+    bool leavesPage_ = false;  ///< the filled shapes of a drawing reach beyond its page
+    bool hasFeatures_ = false; ///< the format is a map, whose features may overlap
+    bool hasLines_ = false;    ///< a drawing or map has areas and lines
+    bool hasStrokes_ = false;  ///< a drawing has strokes, which are lines or areas
     Document drawing_;
     Diagnostics notes_; ///< what reading ignored and changed
     Diagnostics faults_;
