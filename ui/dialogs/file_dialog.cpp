@@ -6,6 +6,7 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
+#include "ui/workspace/option_hints.hpp"
 
 #include <imgui.h>
 
@@ -40,7 +41,7 @@ std::string lineOf(const Diagnostic &fault) {
         text += fault.line > 0 ? ", line " + std::to_string(fault.line) + ": " : ": ";
     }
     text += fault.message;
-    return fault.advice.empty() ? text : text + "; " + fault.advice;
+    return withEditorHints(fault.advice.empty() ? text : text + "; " + fault.advice);
 }
 
 } // namespace

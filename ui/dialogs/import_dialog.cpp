@@ -9,6 +9,7 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
+#include "ui/workspace/option_hints.hpp"
 
 #include <imgui.h>
 
@@ -58,12 +59,20 @@ Result<Reading> readAsItIs(const std::filesystem::path &file, const ImportOption
     return Reading{*std::move(drawing), notes.diagnostics()};
 }
 
+std::vector<std::string> textsOf(const Diagnostics &diagnostics) {
+    std::vector<std::string> texts;
+    for (const Diagnostic &diagnostic : diagnostics) {
+        texts.push_back(withEditorHints(diagnostic.message, {}));
+    }
+    return texts;
+}
+
 /// Returns the height of small texts one below the other, in pixels.
-float heightOf(const Shell &context, const Diagnostics &texts, float width) {
+float heightOf(const Shell &context, const std::vector<std::string> &texts, float width) {
     ImGui::PushFont(context.fonts.small);
     float height = 0.0F;
-    for (const Diagnostic &text : texts) {
-        height += ImGui::CalcTextSize(ui::wrapped(text.message, width).c_str(), nullptr, false, width).y +
+    for (const std::string &text : texts) {
+        height += ImGui::CalcTextSize(ui::wrapped(text, width).c_str(), nullptr, false, width).y +
                   ImGui::GetStyle().ItemSpacing.y;
     }
     ImGui::PopFont();
@@ -233,18 +242,19 @@ void ImportDialog::drawJoining(Shell &context) {
 /// Shows why the file cannot be read with the options, or what reading it changed; what does not fit is scrolled.
 void ImportDialog::drawReport(Shell &context) const {
     const float width = ImGui::GetContentRegionAvail().x;
-    const float height = heightOf(context, faults_, width) + heightOf(context, notes_, width);
+    const std::vector<std::string> faults = textsOf(faults_), notes = textsOf(notes_);
+    const float height = heightOf(context, faults, width) + heightOf(context, notes, width);
     if (height <= 0.0F) {
         return;
     }
     ImGui::BeginChild("report", {0, std::min(height, context.px(kMaxReport))}, false, ImGuiWindowFlags_NoNav);
-    for (const Diagnostic &fault : faults_) {
+    for (const std::string &fault : faults) {
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
-        ui::small(context, fault.message, true);
+        ui::small(context, fault, true);
         ImGui::PopStyleColor();
     }
-    for (std::size_t k = 0; k < notes_.size(); ++k) {
-        ui::small(context, notes_[k].message, true);
+    for (std::size_t k = 0; k < notes.size(); ++k) {
+        ui::small(context, notes[k], true);
         ui::mark(context, "dialog/importoptions/note/" + std::to_string(k));
     }
     ImGui::EndChild();

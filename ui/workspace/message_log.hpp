@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.hpp"
 #include "ui/workspace/document_store.hpp"
+#include "ui/workspace/option_hints.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -60,8 +61,12 @@ class MessageLog {
 
   private:
     void push(Diagnostic diagnostic, bool announced, std::optional<std::uint64_t> revision) {
-        entries_.push_back(
-            {std::move(diagnostic), time_, ++count_, revision.value_or(document_.revision()), announced, {}});
+        entries_.push_back({withEditorHints(std::move(diagnostic)),
+                            time_,
+                            ++count_,
+                            revision.value_or(document_.revision()),
+                            announced,
+                            {}});
         if (entries_.size() > kLimit) {
             entries_.pop_front();
         }
