@@ -4,6 +4,7 @@
 #include "core/io/inner_edges.hpp"
 #include "core/mesh/verify.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/file_list.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -148,6 +149,35 @@ TEST_CASE("Export: a drawing is meshed and written as a valid MSH file") {
     REQUIRE(mesh.ok());
     CHECK(mesh->elements.size() == driver.run().quality.elements);
     CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
+}
+
+TEST_CASE("Export: the format and its note follow the extension while it is typed") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.context().settings.exportFormat = "msh2";
+    driver.context().actions.run("file.export", driver.context());
+    driver.settle();
+    const auto chosen = [&] {
+        const auto *const dialog = dynamic_cast<const FileDialog *>(driver.context().dialogs.top());
+        REQUIRE(dialog != nullptr);
+        return dialog->filter().id;
+    };
+    CHECK(chosen() == "msh2");
+    driver.click("dialog/export/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("part.vt");
+    CHECK(chosen() == "msh2");
+    driver.type("u");
+    CHECK(chosen() == "vtu");
+    driver.key(key::kBackspace);
+    driver.type("k");
+    CHECK(chosen() == "vtk");
+    driver.click("dialog/export/preset/gmsh");
+    CHECK(chosen() == "msh41");
+    driver.click("dialog/export/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("other.msh"); // the extension of three formats
+    CHECK(chosen() == "msh41");
 }
 
 TEST_CASE("Export: edges inside the domain can be left out") {

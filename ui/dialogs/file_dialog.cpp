@@ -193,10 +193,14 @@ bool FileDialog::drawList(Shell &context) {
 }
 
 void FileDialog::followExtension(const std::string &name) {
+    const std::size_t before = request_.filter;
     for (std::size_t i = 0; i < request_.filters.size() && !passes(filter(), name); ++i) {
         if (!request_.filters[i].extensions.empty() && passes(request_.filters[i], name)) {
             request_.filter = i;
         }
+    }
+    if (request_.filter != before) {
+        enter(folder_); // to list the files of the format
     }
 }
 
@@ -369,6 +373,9 @@ void FileDialog::drawName(Shell &context, bool &wanted) {
     focusName_ = false;
     if (name != request_.name) {
         suggest(name);
+        if (request_.saves) {
+            followExtension(name);
+        }
     }
     ImGui::SameLine();
     std::vector<const char *> labels;

@@ -62,6 +62,8 @@ class FileDialog : public Dialog {
     /// While a file is read, Esc cancels that.
     bool closesOnEscape() const override { return !reading_; }
     bool draw(Shell &context) override;
+    /// Returns the chosen filter.
+    const FileFilter &filter() const { return request_.filters[request_.filter]; }
 
   private:
     /// Uses the result of reading the file, if it is there. Returns false to close the dialog.
@@ -94,7 +96,6 @@ class FileDialog : public Dialog {
     /// Switches to the filter that the extension of a typed name belongs to.
     void followExtension(const std::string &name);
     std::string widget(const char *part) const { return "dialog/" + request_.id + "/" + part; }
-    const FileFilter &filter() const { return request_.filters[request_.filter]; }
 
     FileRequest request_;
     std::filesystem::path folder_;
