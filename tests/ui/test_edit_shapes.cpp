@@ -2,7 +2,7 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "core/io/files.hpp"
-#include "tests/ui/edit_driver.hpp"
+#include "tests/ui/meshed_square.hpp"
 #include "ui/tools/measure_tool.hpp"
 
 #include <doctest/doctest.h>
@@ -26,6 +26,19 @@ void fill(Draughtsman &driver, const char *field, const char *number) {
     driver.type(number);
     driver.key(key::kTab);
     driver.settle();
+}
+
+/// Returns true if a part of the picture has pixels of a colour.
+bool shows(Driver &driver, const PixelRect &area, Colour colour) {
+    const Driver::Picture picture = driver.picture();
+    for (double y = area.y; y < area.y + area.height; ++y) {
+        for (double x = area.x; x < area.x + area.width; ++x) {
+            if (difference(colourAt(picture, {x, y}), colour) < 8) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -304,7 +317,8 @@ TEST_CASE("Dialogs with a preview: a number shows its result, or why there is no
     CHECK(driver.document().shapes[0]->radius == 1.0);
     driver.type("0");
     driver.settle();
-    CHECK(driver.has("dialog/fillet/fault"));
+    REQUIRE(driver.has("dialog/fillet/fault"));
+    CHECK(shows(driver, driver.context().widgets.find("dialog/fillet/fault")->rect, driver.context().theme.bad));
     CHECK(driver.document().shapes[0]->radius == 0.0);
     driver.key(key::kEnter);
     driver.settle();

@@ -6,6 +6,7 @@
 #include "core/edit/shape_geometry.hpp"
 #include "core/io/files.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
@@ -249,9 +250,7 @@ void ImportDialog::drawReport(Shell &context) const {
     }
     ImGui::BeginChild("report", {0, std::min(height, context.px(kMaxReport))}, false, ImGuiWindowFlags_NoNav);
     for (const std::string &fault : faults) {
-        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
-        ui::small(context, fault, true);
-        ImGui::PopStyleColor();
+        ui::faultText(context, fault);
     }
     for (std::size_t k = 0; k < notes.size(); ++k) {
         ui::small(context, notes[k], true);

@@ -1,6 +1,7 @@
 #include "ui/dialogs/operation_dialog.hpp"
 
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 
@@ -108,9 +109,7 @@ void OperationDialog::drawField(Shell &context, std::size_t index) {
 void OperationDialog::drawRemarks(Shell &context) {
     const std::string name = std::string("dialog/") + operation_.id;
     if (!fault_.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
-        ui::small(context, fault_, true);
-        ImGui::PopStyleColor();
+        ui::faultText(context, fault_);
         ui::mark(context, name + "/fault");
     }
     const bool typed =

@@ -5,6 +5,7 @@
 #include "core/io/common/size_grid.hpp"
 #include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 
@@ -199,9 +200,7 @@ bool PictureSpacingDialog::draw(Shell &context) {
     ImGui::Dummy({0, context.px(6)});
     drawPlace(context);
     if (!fault_.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
-        ui::small(context, fault_, true);
-        ImGui::PopStyleColor();
+        ui::faultText(context, fault_);
         ui::mark(context, "dialog/picturespacing/fault");
     }
     ImGui::Dummy({0, context.px(8)});
