@@ -59,6 +59,7 @@ struct ArrangementContour {
     std::uint32_t shape = 0;
     FillRule rule = FillRule::NonZero;
     bool hole = false; ///< the area it encloses is removed from its shape
+    bool made = false; ///< no outline of the file, but made from one: what happens to its pieces is not reported
 };
 
 /// The area of one path or polygon: everything inside at least one of its outer contours and inside none of its holes,
@@ -91,7 +92,8 @@ struct ArrangementInput {
     std::uint32_t addClip(std::uint32_t within = kNoClip);
     /// Adds a shape to the parts of a clip and returns its index among the shapes.
     std::uint32_t addClipPart(std::uint32_t clip, std::uint32_t limit = kNoClip, bool removes = false);
-    std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
+    std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false,
+                             bool made = false);
     /// Adds a closed loop to a contour; its first node is not repeated at the end. Nodes equal to the previous one are
     /// skipped. The stretches, if given, belong to the pieces that begin at the nodes; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
@@ -104,6 +106,11 @@ struct ArrangementInput {
     /// Returns true for a piece of the outline of a clip.
     bool ofClip(const ArrangementPiece &piece) const {
         return piece.role == PieceRole::Outline && shapes[contours[piece.contour].shape].partOf != kNoClip;
+    }
+
+    /// Returns true for a piece of a contour that was made.
+    bool isMade(const ArrangementPiece &piece) const {
+        return piece.role == PieceRole::Outline && contours[piece.contour].made;
     }
 
     std::vector<Curve> curves; ///< that pieces are chords of
@@ -144,8 +151,8 @@ struct Arrangement {
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
 /// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch, and so do
 /// lines that repeat an outline within their reach.
-/// - Outlines of clips appear only where they bound what a shape covers. Where they cross or touch other pieces, and
-///   where joining moves them, is not reported.
+/// - Outlines of clips appear only where they bound what a shape covers. Where they and made contours cross or touch
+///   other pieces, and where joining moves them, is not reported.
 /// - Where pieces follow curves, the curves count, not their chords. Nodes at crossings lie on both curves to rounding.
 ///   Every crossing is found, unless the curves stay within the tolerance of each other beyond it. Curves that touch,
 ///   or come within the tolerance of each other, are joined where they are closest. Chords are divided as far as

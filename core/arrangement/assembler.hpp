@@ -45,7 +45,7 @@ class Assembler {
     void markRegions();
     double areaChange() const;
     void report();
-    std::vector<std::uint8_t> clipPieces() const;
+    std::vector<std::uint8_t> asidePieces() const;
     void reportLine(std::uint32_t line);
     void reportOverlaps();
     void reportVanished();

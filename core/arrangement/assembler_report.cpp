@@ -8,7 +8,7 @@
 namespace forefront {
 
 void Assembler::report() {
-    noteJoining(joined_, changes_, clipPieces());
+    noteJoining(joined_, changes_, asidePieces());
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
         reportLine(i);
     }
@@ -20,17 +20,22 @@ void Assembler::report() {
     }
 }
 
-/// Returns, per piece, whether it is of the outline of a clip; empty without clips.
-std::vector<std::uint8_t> Assembler::clipPieces() const {
-    std::vector<std::uint8_t> ofClip(input_.clips.empty() ? 0 : input_.pieces.size(), 0);
-    for (std::size_t piece = 0; piece < ofClip.size(); ++piece) {
-        ofClip[piece] = input_.ofClip(input_.pieces[piece]) ? 1 : 0;
+/// Returns, per piece, whether it is of the outline of a clip or of a made contour; empty if there are none.
+std::vector<std::uint8_t> Assembler::asidePieces() const {
+    const bool made = std::any_of(input_.contours.begin(), input_.contours.end(),
+                                  [](const ArrangementContour &contour) { return contour.made; });
+    std::vector<std::uint8_t> aside(input_.clips.empty() && !made ? 0 : input_.pieces.size(), 0);
+    for (std::size_t k = 0; k < aside.size(); ++k) {
+        aside[k] = input_.ofClip(input_.pieces[k]) || input_.isMade(input_.pieces[k]) ? 1 : 0;
     }
-    return ofClip;
+    return aside;
 }
 
 /// Records the edges along a line that are not in the domain.
 void Assembler::reportLine(std::uint32_t line) {
+    if (input_.isMade(pieceOf(line))) {
+        return;
+    }
     for (std::uint32_t k = snapped_.starts[line]; k < snapped_.starts[line + 1]; ++k) {
         const std::uint32_t edge = snapped_.ways[k] / 2;
         const PlaneEdge &ends = snapped_.edges[edge];
@@ -125,7 +130,7 @@ void Assembler::reportVanished() {
     }
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
-        if (ofShape(pieceOf(i)) && left[unit(pieceOf(i))] == 0) {
+        if (ofShape(pieceOf(i)) && !input_.isMade(pieceOf(i)) && left[unit(pieceOf(i))] == 0) {
             const std::uint32_t gone = unit(pieceOf(i));
             left[gone] = 1; // counts once
             changes_.add(ChangeKind::VanishedShapes, pieceOf(i).a, 0.0, i);

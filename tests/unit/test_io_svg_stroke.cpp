@@ -16,12 +16,13 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Result<Domain> readStrokes(const std::string &content, ImportNotes *notes = nullptr) {
+Result<Domain> readStrokes(const std::string &content, ImportNotes *notes = nullptr, bool strict = false) {
     const std::string text =
         "<svg viewBox=\"0 0 100 100\" fill=\"none\" stroke=\"black\" stroke-width=\"4\">\n" + content + "\n</svg>\n";
     SourceText source = sourceOf(text, "strokes.svg");
     source.notes = notes;
     source.options.strokeAreas = true;
+    source.options.strict = strict;
     source.options.curveTolerance = 1e-4;
     return readSvg(source);
 }
@@ -223,4 +224,14 @@ TEST_CASE("SVG stroke areas: bends that files round leave no tiny sides") {
     }
     checkArea(areaOf("M10 10H30A10 10 0 0 1 40.01 20.02V40", ""), 222.871); // 4 times its length
     checkArea(areaOf("M50 50h.02", "stroke-linecap='round'"), 4 * kPi);
+}
+
+TEST_CASE("SVG stroke areas: how the sides of strokes are joined is no change of the file") {
+    ImportNotes notes;
+    const auto domain = readStrokes("<path d='M10 10H60V60z'/>\n<path d='M20 5V80M5 20Q40 40 80 20'/>\n"
+                                    "<rect id='plate' x='10' y='10' width='30' height='20' fill='grey'/>",
+                                    &notes, true);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    REQUIRE(notes.entries().size() == 1); // the outline of the rectangle lies inside its stroke
+    CHECK(notes.entries()[0].code == "inner-outlines");
 }

@@ -28,7 +28,7 @@ class DrawingBuilder {
     std::uint32_t addClipPart(std::uint32_t clip, std::uint32_t limit, bool removes) {
         return input_.addClipPart(clip, limit, removes);
     }
-    std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
+    std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false, bool made = false);
     /// Adds curves and renumbers the stretches that refer to them.
     void addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches);
     /// Adds a closed loop to a contour, its first node not repeated. The stretches, if given, are the parts of curves

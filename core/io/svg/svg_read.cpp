@@ -97,7 +97,7 @@ class SvgBuilder {
             builder_.from({path.offset});
             noteReading(path, part);
             if (path.strokeArea) {
-                addStroke(feature, path, tag);
+                addStroke(shapeOf(feature, path), path, tag);
                 if (strokeNodes_ > kMaxStrokeNodes) {
                     return Diagnostics{faultAt(source_, path.offset, "too-large", "the strokes need too many nodes",
                                                "leave out strokes or dashes, or read strokes as lines")};
@@ -110,7 +110,7 @@ class SvgBuilder {
             case Part::Painted:
                 if (painted_ != path.element) {
                     painted_ = path.element;
-                    contour_ = builder_.addContour(builder_.addShape(feature, path.name, path.limit), path.paint.rule);
+                    contour_ = builder_.addContour(shapeOf(feature, path), path.paint.rule);
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 if (path.paint.stroked && !path.strokeArea && !path.closed && !source_.options.dropLines) {
@@ -371,14 +371,21 @@ class SvgBuilder {
         return isGeneratedName(path.name) ? std::min(path.strokeWidth, kMaxStroke * size_) : 0.0;
     }
 
-    /// Adds the area that a stroke paints.
-    void addStroke(std::uint32_t feature, const SvgPath &path, std::int32_t tag) {
+    /// Returns the shape of a path's element: what it fills, and what its stroke paints.
+    std::uint32_t shapeOf(std::uint32_t feature, const SvgPath &path) {
+        if (std::exchange(shaped_, path.element) != path.element) {
+            shape_ = builder_.addShape(feature, path.name, path.limit);
+        }
+        return shape_;
+    }
+
+    /// Adds the area that a stroke paints to a shape.
+    void addStroke(std::uint32_t shape, const SvgPath &path, std::int32_t tag) {
         const std::vector<BandPart> parts = strokeParts(path);
         if (parts.empty()) {
             return;
         }
         thinnest_ = std::min(thinnest_, path.strokeWidth);
-        const std::uint32_t shape = builder_.addShape(feature, path.name, path.limit);
         for (const BandPart &part : parts) {
             std::vector<Vec2> nodes;
             std::vector<Curve> curves;
@@ -401,7 +408,7 @@ class SvgBuilder {
             }
             strokeNodes_ += nodes.size();
             builder_.addCurves(curves, stretches);
-            builder_.addRing(builder_.addContour(shape, FillRule::NonZero), nodes, tag, stretches);
+            builder_.addRing(builder_.addContour(shape, FillRule::NonZero, false, true), nodes, tag, stretches);
         }
     }
 
@@ -422,6 +429,8 @@ class SvgBuilder {
     double tolerance_; ///< of polylines along curves
     bool anyPainted_;
     bool closedStroke_ = false;
+    std::size_t shaped_ = kNone; ///< the element of the last shape
+    std::uint32_t shape_ = 0;
     std::size_t painted_ = kNone;                               ///< the element of the last contour
     std::size_t noted_ = kNone;                                 ///< the element of the last path
     std::size_t strokeNodes_ = 0;                               ///< of the outlines of strokes
