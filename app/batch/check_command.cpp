@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/options.hpp"
+#include "app/batch/report.hpp"
 #include "core/arrangement/repair.hpp"
 #include "core/base/hash.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -128,11 +129,11 @@ int reportQuality(const CheckArguments &arguments, const std::filesystem::path &
         return kUsage;
     }
     const MeshQuality quality = measure(mesh, spacing->get());
-    std::printf("valid%s: %zu nodes, %zu elements, hash %s\n"
+    std::printf("valid%s: %zu nodes, %zu elements, hash %s\n%s"
                 "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
                 arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
-                toHex(meshHash(mesh)).c_str(), quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin,
-                quality.minAngle, quality.maxAngle);
+                toHex(meshHash(mesh)).c_str(), extentLine(quality.area, extentOf(mesh, quality.segments)).c_str(),
+                quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
     if (*spacing) {
         std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
     }

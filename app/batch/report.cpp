@@ -1,6 +1,7 @@
 #include "app/batch/report.hpp"
 
 #include "core/base/hash.hpp"
+#include "core/base/number_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,7 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     RunReport report;
     report.peakBytes = peakBytes(); // before measuring, which needs more memory
     report.quality = measure(outcome.mesh, outcome.spacing.get());
+    report.extent = extentOf(outcome.mesh, report.quality.segments);
     report.sharp = sharpCorners(outcome.mesh, kSharpCorner);
     report.work = outcome.work;
     report.improve = options.improve;
@@ -73,6 +75,13 @@ std::string statisticsJson(const RunReport &report) {
     json["nodes"] = q.nodes;
     json["elements"] = q.elements;
     json["area"] = q.area;
+    json["parts"] = report.extent.parts;
+    json["holes"] = report.extent.holes;
+    json["regions"] = nlohmann::ordered_json::array();
+    for (const RegionExtent &region : report.extent.regions) {
+        json["regions"].push_back(
+            {{"tag", region.tag}, {"name", region.name}, {"elements", region.elements}, {"area", region.area}});
+    }
     json["alpha_mean"] = q.alphaMean;
     json["alpha_geometric_mean"] = q.alphaGeometricMean;
     json["alpha_min"] = q.alphaMin;
@@ -107,20 +116,38 @@ std::string statisticsJson(const RunReport &report) {
     return json.dump(2) + '\n';
 }
 
+std::string extentLine(double area, const MeshExtent &extent) {
+    constexpr std::size_t kShown = 6;
+    constexpr int kDigits = 6;
+    const auto counted = [](std::size_t count, const char *what) {
+        return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+    };
+    std::string line = "area " + numberText(area, kDigits) + ", " + counted(extent.parts, "part") + ", " +
+                       counted(extent.holes, "hole");
+    const std::vector<RegionExtent> &regions = extent.regions;
+    for (std::size_t k = 0; k < std::min(kShown, regions.size()) && regions.size() > 1; ++k) {
+        const RegionExtent &region = regions[k];
+        line += (k == 0 ? "; regions: " : ", ") + (region.name.empty() ? std::to_string(region.tag) : region.name) +
+                " with " + numberText(region.area, kDigits);
+    }
+    return line + (regions.size() > kShown ? " and " + std::to_string(regions.size() - kShown) + " more" : "") + '\n';
+}
+
 std::string summary(const RunReport &report) {
     const MeshQuality &q = report.quality;
     const double cpu = report.meshCpu();
-    char text[600];
+    const std::string size = std::to_string(q.nodes) + " nodes, " + std::to_string(q.elements) + " elements, hash " +
+                             toHex(report.hash) + '\n' + extentLine(q.area, report.extent);
+    char text[500];
     std::snprintf(
         text, sizeof text,
-        "%zu nodes, %zu elements, hash %s\n"
         "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n"
         "spacing conformity: mean %.4f\n"
         "%.3f s for the mesh (%.3f preparation, %.3f front, %.3f improvement), %.0f elements/s, peak %.1f MB\n",
-        q.nodes, q.elements, toHex(report.hash).c_str(), q.alphaMean, q.alphaGeometricMean, q.alphaMin, q.minAngle,
-        q.maxAngle, q.deltaMean, cpu, report.secondsPrepare, report.secondsMesh, report.secondsImprove,
-        cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
-    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + text;
+        q.alphaMean, q.alphaGeometricMean, q.alphaMin, q.minAngle, q.maxAngle, q.deltaMean, cpu, report.secondsPrepare,
+        report.secondsMesh, report.secondsImprove, cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0,
+        static_cast<double>(report.peakBytes) / 1e6);
+    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + size + text;
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/mesh_extent.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/sharp_corners.hpp"
 #include "core/mesher/pipeline.hpp"
@@ -15,6 +16,7 @@ inline constexpr double kSharpCorner = 20.0;
 /// Statistics of a finished run.
 struct RunReport {
     MeshQuality quality;
+    MeshExtent extent;
     SharpCorners sharp; ///< corners of the domain below kSharpCorner
     WorkCounters work;
     ImproveLevel improve = ImproveLevel::None;
@@ -31,6 +33,8 @@ struct RunReport {
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns the JSON object that --stats writes.
 std::string statisticsJson(const RunReport &report);
+/// Returns a line with the area, the number of parts and holes, and the areas of the regions if there are several.
+std::string extentLine(double area, const MeshExtent &extent);
 /// Returns a summary of a few lines.
 std::string summary(const RunReport &report);
 

@@ -106,6 +106,10 @@ class Meshing(Case):
         self.assertGreater(stats["peak_bytes"], 1_000_000)
         checked = self.call("check", "plate.msh").stdout
         self.assertIn(f"{stats['nodes']} nodes, {stats['elements']} elements, hash {stats['hash']}", checked)
+        self.assertEqual((stats["parts"], stats["holes"]), (1, 1))
+        self.assertIn("area 11, 1 part, 1 hole\n", checked)
+        self.assertEqual(sum(region["elements"] for region in stats["regions"]), stats["elements"])
+        self.assertAlmostEqual(sum(region["area"] for region in stats["regions"]), stats["area"])
 
     def test_the_spacing_is_the_one_asked_for(self):
         coarse = self.stats("plate.poly", "--size", "0.4")["elements"]

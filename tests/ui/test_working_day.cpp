@@ -224,7 +224,7 @@ TEST_CASE("Keys: a command can be given another key, shows a conflict, and retur
         openDialog(driver, "edit.preferences", "preferences");
         driver.click("dialog/preferences/page/Keys");
         driver.click("dialog/preferences/keys/find");
-        driver.type("show all");
+        driver.type("zoom to fit");
         driver.click(row);
         driver.key('G', {Modifiers::kControl});
         CHECK(toString(driver.context().actions.find("view.fit")->shortcuts.front()) == "Ctrl+G");
