@@ -115,7 +115,7 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         hint.code = "default-options";
         hint.message = "the domain was read with the default options";
         hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page, "
-                      "--drop-lines, --stroke-areas or --repair";
+                      "--drop-lines, --stroke-areas, --shape-regions or --repair";
         faults.push_back(std::move(hint));
     }
     return faults;

@@ -233,6 +233,7 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
     options.beyondPage = beyondPage;
     options.dropLines = dropLines;
     options.strokeAreas = strokeAreas;
+    options.shapeRegions = shapeRegions;
 }
 
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
@@ -254,6 +255,9 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
         "line strings");
     app.add_flag("--stroke-areas", arguments.strokeAreas,
                  "also mesh the area that SVG strokes paint; by default, strokes are lines");
+    app.add_flag("--shape-regions", arguments.shapeRegions,
+                 "make every filled SVG shape a region with its name, as far as no later shape covers it; by default, "
+                 "all shapes are one region");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

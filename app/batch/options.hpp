@@ -57,11 +57,12 @@ struct DrawingArguments {
     bool beyondPage = false;
     bool dropLines = false;
     bool strokeAreas = false;
+    bool shapeRegions = false;
 
     void applyTo(ImportOptions &options) const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
-/// Adds the options --weld, --overlap, --beyond-page, --drop-lines and --stroke-areas.
+/// Adds the options --weld, --overlap, --beyond-page, --drop-lines, --stroke-areas and --shape-regions.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after

@@ -123,6 +123,9 @@ struct ArrangementInput {
     /// doubles at these coordinates, and a few times as much where pieces follow curves.
     double tolerance = 0.0;
     OverlapRule overlap = OverlapRule::Later;
+    /// A later feature hides what it covers of earlier ones, as in a painting: overlaps are no conflict, and a feature
+    /// inside a later one keeps nothing.
+    bool layered = false;
     bool markRegions = false; ///< put a region marker into every face
     bool keepOutside = false; ///< keep lines and points that no shape covers
 };

@@ -80,6 +80,9 @@ bool Assembler::overlap(std::uint32_t face) const {
 
 /// Notes the faces that several features cover, the largest first, each with a point inside it.
 void Assembler::reportOverlaps() {
+    if (input_.layered) {
+        return;
+    }
     std::vector<std::uint32_t> found;
     for (std::uint32_t face = 1; face < faces_.count; ++face) {
         if (overlap(face)) {

@@ -46,9 +46,9 @@ constexpr Words kWords[] = {
     {ChangeKind::OverlapsDecided, "overlapping-features", "resolved 1 overlap of features",
      "resolved %zu overlaps of features", true},
     {ChangeKind::VanishedShapes, "vanished-shapes",
-     "dropped 1 shape with nothing left: it lies inside others (shapes of any colour are merged), is clipped away, "
+     "dropped 1 shape with nothing left: it is merged with others or lies below them, is clipped away, "
      "or is thinner than the tolerance",
-     "dropped %zu shapes with nothing left: they lie inside others (shapes of any colour are merged), are clipped "
+     "dropped %zu shapes with nothing left: they are merged with others or lie below them, are clipped "
      "away, or are thinner than the tolerance",
      false},
     {ChangeKind::InnerOutlines, "inner-outlines", "dropped 1 outline segment with the same feature on both sides",

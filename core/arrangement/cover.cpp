@@ -263,8 +263,14 @@ class CoverFinder {
         }
     }
 
-    /// Where one feature contains another, the face belongs to the inner one.
+    /// Where one feature contains another, the face belongs to the inner one; among layers, to the last.
     void chooseOwners() {
+        if (input_.layered) {
+            for (const Crowd &crowd : crowded_) {
+                result_.owner[crowd.face] = rivalsOf(crowd.face).back();
+            }
+            return;
+        }
         std::vector<std::uint32_t> leavesFace(input_.features.size(), 0), order;
         std::uint32_t turn = 0;
         for (const Crowd &crowd : crowded_) {

@@ -539,6 +539,15 @@ class Imports(Case):
         self.assertAlmostEqual(self.stats("bar.svg", "-o", "m.msh", "--stroke-areas")["area"], 14)
         self.call("check", "m.msh", "--domain", "bar.svg", "--stroke-areas")
 
+    def test_filled_shapes_can_be_regions(self):
+        self.write("two.svg", '<svg viewBox="0 0 20 10"><rect id="steel" width="12" height="10"/>'
+                              '<rect id="copper" x="10" width="10" height="10"/></svg>')
+        self.assertIn("--shape-regions", self.call("mesh", "two.svg", "-o", "m.msh").stderr)
+        regions = self.stats("two.svg", "-o", "m.msh", "--shape-regions")["regions"]
+        self.assertEqual([(region["name"], round(region["area"], 9)) for region in regions],
+                         [("steel", 100), ("copper", 100)])
+        self.call("check", "m.msh", "--domain", "two.svg", "--shape-regions")
+
     def test_the_maximum_area_of_a_region_is_kept(self):
         text = poly([SQUARE]).rstrip() + "\n1\n1 2 1 1 "
         counts = []

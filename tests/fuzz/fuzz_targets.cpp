@@ -83,6 +83,7 @@ Result<Content> readWith(Result<Content> (*read)(const SourceText &), std::strin
     SourceText source = sourceOf(bytes);
     source.notes = &notes;
     source.options.strokeAreas = bytes.size() % 2 == 1;
+    source.options.shapeRegions = bytes.size() % 3 == 1;
     source.options.picture = PictureSizes{.black = 0.5, .white = 2.0, .box = {{0, 0}, {4, 3}}};
     auto result = read(source);
     checkNotes(notes);

@@ -389,3 +389,21 @@ TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
 }
 
 } // namespace forefront::test
+
+TEST_CASE("Import: filled shapes of a drawing can become regions") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "two.svg") << R"(<svg viewBox="0 0 20 10"><rect id="steel" width="12" height="10"/>)"
+                                          << R"(<rect id="copper" x="10" width="10" height="10"/></svg>)";
+    Draughtsman driver;
+    importFile(driver, place.path / "two.svg");
+    REQUIRE(driver.has("dialog/importoptions/regions"));
+    CHECK(driver.has("dialog/importoptions/note/0")); // that they are merged
+    driver.click("dialog/importoptions/regions");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    const Document &document = driver.document();
+    REQUIRE(document.regionMarkers.size() == 2);
+    CHECK(document.regionNames.size() == 2);
+}

@@ -2,11 +2,14 @@
 #include "core/arrangement/change.hpp"
 #include "core/arrangement/face_points.hpp"
 #include "core/geometry/polygon.hpp"
+#include "tests/support/random_domains.hpp"
 #include "tests/unit/arrangement_support.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 using namespace forefront;
@@ -224,4 +227,35 @@ TEST_CASE("notesOf: one line per kind, with count, displacement and places") {
     CHECK(notes[0].severity == Severity::Note);
     CHECK(notes[1].message == "resolved 1 overlap of features, 2 in area, between A and B");
     CHECK(placesOf(changes[1]) == " at (1, 1)");
+}
+
+TEST_CASE("arrange: layers hide what they cover of earlier ones") {
+    constexpr int kSize = 12, kLayers = 8;
+    RandomSource random(41);
+    for (int round = 0; round < 200; ++round) {
+        ArrangementInput input;
+        input.layered = true;
+        input.markRegions = true;
+        int top[kSize][kSize] = {};
+        for (int layer = 1; layer <= kLayers; ++layer) {
+            const int x = random.integer(0, kSize - 2), y = random.integer(0, kSize - 2);
+            const int width = random.integer(1, kSize - x), height = random.integer(1, kSize - y);
+            addPolygon(input, layer, {rectangle(x, y, width, height)});
+            for (int k = 0; k < width * height; ++k) {
+                top[x + k % width][y + k / width] = layer;
+            }
+        }
+        std::map<std::int32_t, double> expected;
+        for (int k = 0; k < kSize * kSize; ++k) {
+            const int layer = top[k % kSize][k / kSize];
+            expected[layer] += layer > 0 ? 1.0 : 0.0;
+        }
+        expected.erase(0);
+        const Result<Arrangement> arranged = arrange(input);
+        REQUIRE(arranged.ok());
+        CHECK(validate(arranged->domain).empty());
+        CHECK(areas(arranged->domain) == expected);
+        CHECK(std::none_of(arranged->changes.begin(), arranged->changes.end(),
+                           [](const auto &change) { return change.kind == ChangeKind::OverlapsDecided; }));
+    }
 }

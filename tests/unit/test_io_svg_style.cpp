@@ -102,8 +102,9 @@ TEST_CASE("SVG: style sheets have variables, and notes on rules within rules") {
     CHECK(shown(":root { --a: var(--b); --b: var(--a) } .b { display: var(--a) }", ""));
     ImportNotes notes;
     CHECK(shown("g { fill: red; .b { display: none } }", "", &notes));
-    REQUIRE(notes.entries().size() == 1);
-    CHECK(notes.entries().front().code == "svg-style");
+    REQUIRE(notes.entries().size() == 2);
+    CHECK(notes.entries()[0].code == "svg-style");
+    CHECK(notes.entries()[1].code == "svg-regions");
 }
 
 TEST_CASE("SVG: many classes do not outweigh an id") {

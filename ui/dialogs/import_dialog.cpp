@@ -131,6 +131,7 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     dialog->arranges_ = format != nullptr && format->arranges;
     dialog->hasFeatures_ = dialog->arranges_ && std::string_view(format->id) != "svg";
     dialog->hasLines_ = dialog->arranges_ && mixesLines(dialog->drawing_) && hasLines(file, progress);
+    dialog->hasShapes_ = dialog->arranges_ && !dialog->hasFeatures_;
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);
     return dialog;
@@ -237,6 +238,13 @@ void ImportDialog::drawJoining(Shell &context) {
     if (hasStrokes_ &&
         ui::checkbox(context, "dialog/importoptions/strokes", "Mesh what the strokes paint", options_.strokeAreas)) {
         read();
+    }
+    if (hasShapes_) {
+        if (ui::checkbox(context, "dialog/importoptions/regions", "Make every filled shape a region",
+                         options_.shapeRegions)) {
+            read();
+        }
+        ui::tooltip(context, "Each keeps its name, as far as no later shape covers it. Otherwise all are one region.");
     }
 }
 

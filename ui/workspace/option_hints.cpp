@@ -11,6 +11,7 @@ struct OptionHint {
     std::string_view option, words;
 };
 constexpr OptionHint kHints[] = {{"--drop-lines", "\"Leave out lines\""},
+                                 {"--shape-regions", "\"Make every filled shape a region\""},
                                  {"--stroke-areas", "\"Mesh what the strokes paint\""},
                                  {"--weld", "a weld tolerance of"}};
 

@@ -42,6 +42,8 @@ class DrawingBuilder {
     void addPoint(Vec2 at, std::int32_t tag);
     /// Puts region markers into the domain; without them all elements have the tag 1.
     void markRegions() { input_.markRegions = true; }
+    /// Lets later features hide what they cover of earlier ones.
+    void layer() { input_.layered = true; }
 
     /// Sets the tolerance to use by default, as far as it is at most ten times the usual one.
     void preferTolerance(double tolerance) { preferred_ = tolerance; }

@@ -34,6 +34,9 @@ struct ImportOptions {
     bool dropLines = false;
     /// The area that the strokes of an SVG drawing paint belongs to the domain; otherwise strokes are lines.
     bool strokeAreas = false;
+    /// Every filled shape of an SVG drawing is a region with its name, as far as no later shape covers it; otherwise
+    /// all shapes are one region.
+    bool shapeRegions = false;
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};

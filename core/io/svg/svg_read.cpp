@@ -90,6 +90,12 @@ class SvgBuilder {
         if (!anyPainted_) {
             builder_.letLinesBound();
         }
+        if (anyPainted_ && source_.options.shapeRegions) {
+            builder_.layer();
+            builder_.markRegions();
+        } else if (anyPainted_) {
+            noteMergedShapes();
+        }
         addClips();
         for (SvgPath &path : paths_) {
             const Part part = partOf(path);
@@ -135,6 +141,7 @@ class SvgBuilder {
         Result<Domain> domain = builder_.finish();
         if (domain) {
             domain->boundaryNames = usedNames(*domain);
+            domain->regionNames = regionNames(*domain);
             domain->curveTolerance = source_.options.curveTolerance;
         }
         return domain;
@@ -326,6 +333,23 @@ class SvgBuilder {
         return source_.options.dropLines ? Part::LeftOut : Part::Line;
     }
 
+    /// Reports that shapes with names of their own are merged.
+    void noteMergedShapes() {
+        std::string_view name;
+        for (const SvgPath &path : paths_) {
+            if (!path.painted() || isGeneratedName(path.name)) {
+                continue;
+            }
+            if (!name.empty() && path.name != name) {
+                source_.note("svg-regions",
+                             "filled shapes with different names are one region; --shape-regions makes each a region",
+                             path.offset);
+                return;
+            }
+            name = path.name;
+        }
+    }
+
     /// Reports, once per element, how it is read if that differs from how it looks.
     void noteReading(const SvgPath &path, Part part) {
         const bool loop = isLoop(path);
@@ -371,12 +395,30 @@ class SvgBuilder {
         return isGeneratedName(path.name) ? std::min(path.strokeWidth, kMaxStroke * size_) : 0.0;
     }
 
-    /// Returns the shape of a path's element: what it fills, and what its stroke paints.
+    /// Returns the shape of a path's element: what it fills, and what its stroke paints. It belongs to the feature that
+    /// is given, or is one of its own.
     std::uint32_t shapeOf(std::uint32_t feature, const SvgPath &path) {
         if (std::exchange(shaped_, path.element) != path.element) {
-            shape_ = builder_.addShape(feature, path.name, path.limit);
+            const bool apart = source_.options.shapeRegions;
+            shape_ = builder_.addShape(apart ? builder_.addFeature(regionOf(path), path.name) : feature, path.name,
+                                       path.limit);
         }
         return shape_;
+    }
+
+    /// Returns the region tag of a shape: shapes with the same name share it, and each without a name has its own.
+    std::int32_t regionOf(const SvgPath &path) {
+        return regions_.of(path.name.empty() ? "shape_" + std::to_string(++unnamed_) : path.name);
+    }
+
+    std::map<std::int32_t, std::string> regionNames(const Domain &domain) const {
+        std::map<std::int32_t, std::string> names;
+        for (const RegionMarker &marker : domain.regionMarkers) {
+            if (const auto known = regions_.names().find(marker.tag); known != regions_.names().end()) {
+                names.insert(*known);
+            }
+        }
+        return names;
     }
 
     /// Adds the area that a stroke paints to a shape.
@@ -425,8 +467,10 @@ class SvgBuilder {
     std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
     TagAllocator tags_;
-    double size_;      ///< diagonal of what is visible
-    double tolerance_; ///< of polylines along curves
+    TagAllocator regions_;    ///< of filled shapes, if each is a region
+    std::size_t unnamed_ = 0; ///< number of such shapes without a name
+    double size_;             ///< diagonal of what is visible
+    double tolerance_;        ///< of polylines along curves
     bool anyPainted_;
     bool closedStroke_ = false;
     std::size_t shaped_ = kNone; ///< the element of the last shape
