@@ -1,5 +1,6 @@
 #include "core/edit/hole_markers.hpp"
 
+#include "core/base/ids.hpp"
 #include "core/domain/domain_graph.hpp"
 
 #include <vector>
@@ -35,6 +36,27 @@ Domain withEvenOddRoles(const Domain &domain) {
     }
     result.segments = std::move(kept);
     return result;
+}
+
+std::vector<Vec2> idleHoleMarkers(const Domain &domain) {
+    if (domain.insideRule != InsideRule::HoleMarkers || domain.holeMarkers.empty()) {
+        return {};
+    }
+    const DomainGraph graph = graphOf(domain);
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+    if (sweep.droppedCount > 0) {
+        return domain.holeMarkers;
+    }
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    std::vector<Vec2> idle;
+    for (std::size_t k = 0; k < graph.holeMarker.size(); ++k) {
+        const std::uint32_t point = graph.holeMarker[k];
+        const std::uint32_t face = point == kNoIndex ? kNoIndex : faces.ofPoint[point];
+        if (face == kNoIndex || face == 0) {
+            idle.push_back(domain.holeMarkers[k]);
+        }
+    }
+    return idle;
 }
 
 } // namespace forefront

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/base/vec2.hpp"
 #include "core/domain/domain.hpp"
+
+#include <vector>
 
 namespace forefront {
 
@@ -9,5 +12,9 @@ namespace forefront {
 /// to an open outline, which validation reports. Nodes, tags, points, names and region markers stay; hole markers are
 /// removed. If segments cross there are no faces: all segments keep their roles, and validation reports the crossings.
 Domain withEvenOddRoles(const Domain &domain);
+
+/// Returns the hole markers that withEvenOddRoles() removes without effect: those that lie in no hole, or all if
+/// segments cross.
+std::vector<Vec2> idleHoleMarkers(const Domain &domain);
 
 } // namespace forefront

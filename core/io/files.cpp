@@ -1,6 +1,8 @@
 #include "core/io/files.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/document.hpp"
+#include "core/edit/hole_markers.hpp"
 #include "core/io/foreign_files.hpp"
 #include "core/io/format.hpp"
 #include "core/io/source/reorder_origin.hpp"
@@ -171,6 +173,19 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
     return domainOfMesh(*mesh, source.options.progress);
 }
 
+/// Reports hole markers that a drawing cannot keep: holes in it are loops inside others.
+void noteHoleMarkers(const Domain &domain, const SourceText &source) {
+    const std::vector<Vec2> idle = idleHoleMarkers(domain);
+    if (!idle.empty()) {
+        source.note("hole-outside",
+                    (idle.size() == 1
+                         ? "left out 1 hole marker that lies in no hole, at "
+                         : "left out " + std::to_string(idle.size()) + " hole markers that lie in no hole, first at ") +
+                        placeText(idle.front()) + "; a loop inside another is a hole",
+                    0);
+    }
+}
+
 } // namespace
 
 const FileFormat *fileFormatOf(const std::filesystem::path &path) {
@@ -196,6 +211,7 @@ Result<Document> readDocument(const std::filesystem::path &path, const ImportOpt
                                   if (!domain) {
                                       return domain.faults();
                                   }
+                                  noteHoleMarkers(*domain, source);
                                   return fromDomain(*domain);
                               });
 }

@@ -28,12 +28,13 @@ void fill(Draughtsman &driver, const char *field, const char *number) {
     driver.settle();
 }
 
-/// Returns true if a part of the picture has pixels of a colour.
+/// Returns true if a part of the picture has pixels of a colour. Thin letters may cover no pixel fully.
 bool shows(Driver &driver, const PixelRect &area, Colour colour) {
+    constexpr int kSimilar = 40;
     const Driver::Picture picture = driver.picture();
     for (double y = area.y; y < area.y + area.height; ++y) {
         for (double x = area.x; x < area.x + area.width; ++x) {
-            if (difference(colourAt(picture, {x, y}), colour) < 8) {
+            if (difference(colourAt(picture, {x, y}), colour) < kSimilar) {
                 return true;
             }
         }

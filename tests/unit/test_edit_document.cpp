@@ -267,6 +267,23 @@ TEST_CASE("fromDomain: an open outline of a domain with hole markers stays, for 
     CHECK(document.shapes.front()->nodes.size() == 4);
 }
 
+TEST_CASE("idleHoleMarkers: markers outside every loop, on a segment, or all if segments cross") {
+    Domain domain;
+    domain.insideRule = InsideRule::HoleMarkers;
+    domain.nodes = {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {3, 3}, {6, 3}, {6, 6}, {3, 6}};
+    for (const std::uint32_t first : {0U, 4U}) {
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            domain.segments.push_back({first + k, first + (k + 1) % 4});
+        }
+    }
+    domain.holeMarkers = {{5, 5}, {20, 20}, {9, 4}};
+    CHECK(idleHoleMarkers(domain) == std::vector<Vec2>{{20, 20}, {9, 4}});
+    domain.segments.push_back({0, 6});
+    CHECK(idleHoleMarkers(domain) == domain.holeMarkers);
+    domain.insideRule = InsideRule::EvenOdd;
+    CHECK(idleHoleMarkers(domain).empty());
+}
+
 TEST_CASE("withEvenOddRoles: agrees with the markers on random cell patterns") {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random(seed);
