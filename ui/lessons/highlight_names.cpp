@@ -29,6 +29,7 @@ constexpr std::string_view kTimeline[] = {"start",
 
 constexpr std::string_view kStatistics[] = {"Nn",
                                             "Ne",
+                                            "area",
                                             "\xce\x93",
                                             "Nb",
                                             "Nc",

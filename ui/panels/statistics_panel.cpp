@@ -87,16 +87,17 @@ class StatisticsPanel final : public Panel {
              "area/\xce\xa3l\xc2\xb2, arithmetic mean; 1: equilateral");
         cell(context, "Ne", ui::count(q.elements), "Elements");
         cell(context, "\xce\xb1 geom.", ui::format("%.4f", q.alphaGeometricMean), "Geometric mean of \xce\xb1");
-        cell(context, "\xce\x93", ui::count(run.frontSegments), "Segments on the generation front now");
+        cell(context, "area", ui::format("%.6g", q.area), "Total area of the elements");
         cell(context, "\xce\xb1 min", ui::format("%.4f", q.alphaMin), "Shape factor of the worst element");
-        cell(context, "Nb", ui::mean(w.frontMean()), "Mean number of segments on the front");
+        cell(context, "\xce\x93", ui::count(run.frontSegments), "Segments on the generation front now");
         cell(context, "\xce\xb4 mean", ui::format("%.4f", q.deltaMean),
              "Spacing conformity min(L/\xcf\x81, \xcf\x81/L), mean over the segments");
+        cell(context, "Nb", ui::mean(w.frontMean()), "Mean number of segments on the front");
+        cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Smallest angle");
         cell(context, "Nc", ui::mean(w.neighboursMean()),
              "Mean number of nearby segments that the background grid returns per element");
-        cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Smallest angle");
-        cell(context, "Ns", ui::mean(w.testsMean()), "Mean number of segments tested for intersection per element");
         cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Largest angle");
+        cell(context, "Ns", ui::mean(w.testsMean()), "Mean number of segments tested for intersection per element");
         const auto perElement = [&w](std::uint64_t sum) {
             return w.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(w.elements);
         };
