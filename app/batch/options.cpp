@@ -256,7 +256,8 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
     app.add_flag("--stroke-areas", arguments.strokeAreas,
                  "also mesh the area that SVG strokes paint; by default, strokes are lines");
     app.add_flag("--shape-regions", arguments.shapeRegions,
-                 "make every filled SVG shape a region with its name, as far as no later shape covers it; by default, "
+                 "make every filled SVG shape a region named by its id or label, as far as no later shape covers it; "
+                 "by default, "
                  "all shapes are one region");
 }
 

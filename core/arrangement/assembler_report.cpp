@@ -133,7 +133,7 @@ void Assembler::reportVanished() {
     }
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < lineCount(); ++i) {
-        if (ofShape(pieceOf(i)) && !input_.isMade(pieceOf(i)) && left[unit(pieceOf(i))] == 0) {
+        if (ofShape(pieceOf(i)) && left[unit(pieceOf(i))] == 0) {
             const std::uint32_t gone = unit(pieceOf(i));
             left[gone] = 1; // counts once
             changes_.add(ChangeKind::VanishedShapes, pieceOf(i).a, 0.0, i);

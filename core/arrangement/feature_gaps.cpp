@@ -103,15 +103,26 @@ class GapsBetweenFeatures {
         return ending ? std::nullopt : std::optional(Wall{walls_[found], width});
     }
 
-    /// Adds the gap beside the middle of a segment with the width that it has at the ends.
+    /// Adds the gap beside the middle of a segment, with the width that it has at the ends if it reaches that far.
     void addBetween(FeatureGaps &gaps, std::uint32_t segment, double limit, const BoxTree &walls,
                     const BoxTree &ends) const {
         const auto [a, b] = endsOf(segment);
         const Probe probe{midpoint(domain_.nodes[a], domain_.nodes[b]), features_[segment], segment, limit};
-        if (const auto wall = nearestTo(probe, walls, ends)) {
-            add(gaps, probe,
-                std::max(distanceTo(wall->segment, domain_.nodes[a]), distanceTo(wall->segment, domain_.nodes[b])));
+        const auto wall = nearestTo(probe, walls, ends);
+        if (!wall) {
+            return;
         }
+        double width = wall->width;
+        for (const std::uint32_t end : {a, b}) {
+            double gap = limit;
+            const std::uint32_t found = walls.nearest(domain_.nodes[end], gap, [&](std::uint32_t item) {
+                return features_[walls_[item]] == features_[wall->segment]
+                           ? distanceTo(walls_[item], domain_.nodes[end])
+                           : kFar;
+            });
+            width = found == kNoIndex ? width : std::max(width, gap);
+        }
+        add(gaps, probe, width);
     }
 
     std::pair<std::uint32_t, std::uint32_t> endsOf(std::uint32_t segment) const {

@@ -155,9 +155,10 @@ class Bands {
         std::array<int, kSamples.size()> sides{};
         std::transform(kSamples.begin(), kSamples.end(), sides.begin(),
                        [&](double t) { return pastCentre(piece, t, offset); });
-        if (std::count(sides.begin(), sides.end(), 1) >
-            0) { // covers slightly too much, but other strips cover that too
-            return std::count(sides.begin(), sides.end(), -1) == 0 && !(turn > kMaxTurnAtCentres);
+        const auto past = std::count(sides.begin(), sides.end(), 1),
+                   before = std::count(sides.begin(), sides.end(), -1);
+        if (past > 0) { // covers slightly too much, but other strips cover that too
+            return before == 0 && !(turn > kMaxTurnAtCentres);
         }
         const Curve back = parallel(piece, offset);
         return !(turn > kMaxTurn) && std::all_of(kSamples.begin(), kSamples.end(), [&](double t) {
@@ -165,7 +166,8 @@ class Bands {
         });
     }
 
-    /// Returns the distance of a parallel at a parameter: it ends at the centre of curvature.
+    /// Returns the distance of a parallel at a parameter: it ends at the centre of curvature, without regard to the
+    /// accuracy, so that it is continuous.
     double reach(const Curve &curve, double t, double offset) const {
         const double bend = curvature(curve, t);
         return bend * offset > 1.0 ? 1.0 / bend : offset;

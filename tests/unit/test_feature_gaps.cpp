@@ -56,6 +56,9 @@ TEST_CASE("feature gaps: a wedge between long sides is reported though its ends 
     const std::string east = "[100,0],[200,0],[200,200],[100,200],[100,100],[100,99.9],[100,0]";
     CHECK(noteOn({south, north, east}) ==
           "features nearly touch in 2 places, at most 0.1 apart, first at (50, 99.95); --weld 0.105 joins them");
+    CHECK(noteOn({"[0,0],[100,0],[100,10],[0,10],[0,0]", "[100,0],[120,0],[120,10],[100,10],[100,0]",
+                  "[-20,0],[0,0],[0,10],[-20,10],[-20,0]", "[49,10.01],[51,10.01],[51,12],[49,12],[49,10.01]"}) ==
+          "features nearly touch in 3 places, at most 0.01 apart, first at (49, 10.01); --weld 0.0105 joins them");
     const std::string farther = "[0,0],[100,0],[100,98],[0,100],[0,0]"; // a wedge of 1 : 50 may be meant
     CHECK(noteOn({farther, north, "[100,0],[200,0],[200,200],[100,200],[100,100],[100,98],[100,0]"}).empty());
 }

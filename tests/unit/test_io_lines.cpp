@@ -47,9 +47,9 @@ Result<Domain> geoJson(const std::string &geometry, ImportNotes &notes) {
 
 TEST_CASE("Lines as outline: lines that form a loop are the outline, and their free ends are not") {
     Domain domain = lines({{{0, 0}, {1, 0}}, {{1, 1}, {1, 0}}, {{1, 1}, {0, 1}}, {{0, 0}, {0, 1}}, {{1, 1}, {2, 2}}});
-    CHECK(takeLinesAsOutline(domain) == 4);
+    CHECK(takeLinesAsOutline(domain).segments == 4);
     CHECK(domain.segments[4].role == SegmentRole::Constraint);
-    CHECK(takeLinesAsOutline(domain) == 0); // it has a boundary now
+    CHECK(takeLinesAsOutline(domain).segments == 0); // it has a boundary now
 }
 
 TEST_CASE("Lines as outline: the outermost of nested lines are the outline") {
@@ -63,14 +63,14 @@ TEST_CASE("Lines as outline: the outermost of nested lines are the outline") {
                            {{3, 1}, {4, 1}},
                            {{4, 1}, {3, 2}},
                            {{3, 2}, {3, 1}}});
-    CHECK(takeLinesAsOutline(domain) == 7);
+    CHECK(takeLinesAsOutline(domain).segments == 7);
     CHECK(domain.segments[4].role == SegmentRole::Constraint);
     CHECK(domain.segments[5].role == SegmentRole::Constraint);
 }
 
 TEST_CASE("Lines as outline: open lines bound nothing") {
     Domain domain = lines({{{0, 0}, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, {0, 1}}});
-    CHECK(takeLinesAsOutline(domain) == 0);
+    CHECK(takeLinesAsOutline(domain).segments == 0);
     CHECK(boundaryCount(domain) == 0);
     const Diagnostics faults = validate(domain);
     REQUIRE(faults.size() == 1);
@@ -160,12 +160,31 @@ TEST_CASE("SVG: lines across a closed outline divide it, and open ones outside a
                        [](const ImportNote &note) { return note.code == "lines-as-outline"; }));
 }
 
+TEST_CASE("SVG: centre lines, axes and dimension lines are no outlines, and a note says so") {
+    const std::string plate = "<path d='M20 10H80V40H20z'/>";
+    const std::string holes = "<circle cx='30' cy='20' r='3'/><circle cx='70' cy='20' r='3'/>"
+                              "<circle cx='30' cy='30' r='3'/><circle cx='70' cy='30' r='3'/>";
+    const std::string centres = "<path d='M25 20H75M25 30H75M30 15V35M70 15V35'/>";
+    const std::string axes = "<path d='M10 5H90M10 45H90M15 2V48M85 2V48'/>";
+    const std::string dimensions = "<path d='M20 11V2M80 11V2'/><path d='M19 4H81'/><path d='M19 7H81'/>";
+    for (const auto &[lines, area] :
+         {std::pair{holes + centres, 1800 - 36 * 3.14159265}, std::pair{axes, 1800.0}, std::pair{dimensions, 1800.0}}) {
+        CAPTURE(lines);
+        ImportNotes notes;
+        const auto domain = unfilled(plate + lines, notes);
+        REQUIRE(domain.ok());
+        CHECK(areaOf(*domain) == doctest::Approx(area).epsilon(1e-3));
+        CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
+                          [](const ImportNote &note) { return note.code == "line-loops"; }));
+    }
+}
+
 TEST_CASE("SVG: lines around an outline whose ends nearly meet are reported") {
     ImportNotes notes;
     REQUIRE(unfilled("<path d='M10 10H90V40'/><path d='M90 40.3H10V10'/><circle cx='50' cy='25' r='8'/>", notes).ok());
     const auto found = std::find_if(notes.entries().begin(), notes.entries().end(),
                                     [](const ImportNote &note) { return note.code == "line-gaps"; });
     REQUIRE(found != notes.entries().end());
-    CHECK(found->message == "2 ends of lines outside the outlines nearly meet another end, at most 0.3 away, first at "
+    CHECK(found->message == "2 ends of lines nearly meet another end, at most 0.3 away, first at "
                             "(90, 10); --weld 0.315 joins them");
 }

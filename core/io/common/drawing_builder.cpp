@@ -127,15 +127,16 @@ Result<Arrangement> DrawingBuilder::arrangeParts() {
     if (!outlines || (linesBound_ && lines)) {
         input_.keepOutside = true;
         Result<Arrangement> arranged = arrange(input_);
-        const std::size_t count = arranged ? takeLinesAsOutline(arranged->domain) : 0;
-        if (count > 0) {
-            return arrangeBounded(*arranged, count);
+        const LineLoops loops = arranged ? takeLinesAsOutline(arranged->domain) : LineLoops{};
+        if (arranged && (outlines || loops.segments > 0)) {
+            noteLineGaps(*arranged);
+            noteLoopsLeft(*arranged, loops);
+        }
+        if (loops.segments > 0) {
+            return arrangeBounded(*arranged, loops.segments);
         }
         if (!outlines) {
             return arranged; // validation reports why nothing is enclosed
-        }
-        if (arranged) {
-            noteLineGaps(*arranged);
         }
         input_.keepOutside = false;
     }
@@ -222,17 +223,30 @@ Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
     return faults;
 }
 
-/// Reports lines around the outlines that would be outlines themselves if their ends met.
+/// Reports loops of lines that may be meant as outlines.
+void DrawingBuilder::noteLoopsLeft(const Arrangement &lines, const LineLoops &loops) const {
+    if (loops.left > 0) {
+        const DomainSegment &segment = lines.domain.segments[loops.firstLeft];
+        source_.note("line-loops",
+                     std::to_string(loops.left) + (loops.left == 1 ? " loop of lines stays" : " loops of lines stay") +
+                         " lines, since other lines or outlines cross or touch it, first at " +
+                         placeText(midpoint(lines.domain.nodes[segment.a], lines.domain.nodes[segment.b])) +
+                         "; draw outlines as closed paths",
+                     places_[2 * lines.stretches[loops.firstLeft].piece]);
+    }
+}
+
+/// Reports lines that would form loops if their ends met.
 void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
     constexpr double kNear = 0.01; // fraction of the diagonal
     const LineGaps gaps = findLineGaps(lines.domain, kNear * lines.domain.bounds().diagonal());
     if (gaps.count > 0) {
         const std::size_t at = places_[2 * lines.stretches[gaps.segment].piece];
         source_.note("line-gaps",
-                     std::to_string(gaps.count) + (gaps.count == 1 ? " end" : " ends") +
-                         " of lines outside the outlines nearly " + (gaps.count == 1 ? "meets" : "meet") +
-                         " another end, at most " + numberText(gaps.widest, 3) + " away, first at " +
-                         placeText(gaps.first) + "; --weld " + numberText(kSpare * gaps.widest, 3) + " joins them",
+                     std::to_string(gaps.count) + (gaps.count == 1 ? " end" : " ends") + " of lines nearly " +
+                         (gaps.count == 1 ? "meets" : "meet") + " another end, at most " + numberText(gaps.widest, 3) +
+                         " away, first at " + placeText(gaps.first) + "; --weld " +
+                         numberText(kSpare * gaps.widest, 3) + " joins them",
                      at);
     }
 }

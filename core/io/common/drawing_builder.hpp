@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/arrangement/arrangement.hpp"
+#include "core/io/common/line_outline.hpp"
 #include "core/io/source/source.hpp"
 
 #include <cstdint>
@@ -65,6 +66,7 @@ class DrawingBuilder {
     Result<Arrangement> arrangeBounded(const Arrangement &lines, std::size_t count);
     ArrangementInput withOutline(const Arrangement &lines) const;
     Diagnostics report(const Arrangement &arrangement) const;
+    void noteLoopsLeft(const Arrangement &lines, const LineLoops &loops) const;
     void noteLineGaps(const Arrangement &lines) const;
     void noteFeatureGaps(const Arrangement &arrangement) const;
     void recordOrigin(const Arrangement &arrangement) const;

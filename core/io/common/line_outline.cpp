@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -20,16 +21,7 @@ namespace {
 /// Decides whether places are inside the boundary of a domain, by the even-odd rule.
 class BoundaryInside {
   public:
-    explicit BoundaryInside(const Domain &domain) {
-        std::vector<Box2> boxes;
-        for (const DomainSegment &segment : domain.segments) {
-            if (segment.role == SegmentRole::Boundary) {
-                ends_.push_back({domain.nodes[segment.a], domain.nodes[segment.b]});
-                boxes.push_back(boxOf(ends_.back().first, ends_.back().second));
-            }
-        }
-        tree_ = BoxTree(boxes);
-    }
+    explicit BoundaryInside(const Domain &domain) : BoundaryInside(sidesOf(domain)) {}
 
     bool contains(Vec2 p) const {
         bool inside = false;
@@ -43,7 +35,43 @@ class BoundaryInside {
         return inside;
     }
 
+    /// Returns true if a part of the boundary lies within a loop of segments that the boundary neither touches nor
+    /// crosses.
+    bool entersLoop(const Domain &domain, const std::vector<std::uint32_t> &loop) const {
+        Box2 box;
+        std::vector<std::pair<Vec2, Vec2>> sides;
+        for (const std::uint32_t s : loop) {
+            sides.push_back({domain.nodes[domain.segments[s].a], domain.nodes[domain.segments[s].b]});
+            box.add(boxOf(sides.back().first, sides.back().second));
+        }
+        bool enters = false;
+        const BoundaryInside inside(std::move(sides));
+        tree_.search(box, [&](std::uint32_t k) {
+            enters = inside.contains(ends_[k].first);
+            return !enters;
+        });
+        return enters;
+    }
+
   private:
+    explicit BoundaryInside(std::vector<std::pair<Vec2, Vec2>> ends) : ends_(std::move(ends)) {
+        std::vector<Box2> boxes;
+        std::transform(ends_.begin(), ends_.end(), std::back_inserter(boxes),
+                       [](const auto &side) { return boxOf(side.first, side.second); });
+        tree_ = BoxTree(boxes);
+    }
+
+    /// Returns the ends of the boundary segments.
+    static std::vector<std::pair<Vec2, Vec2>> sidesOf(const Domain &domain) {
+        std::vector<std::pair<Vec2, Vec2>> sides;
+        for (const DomainSegment &segment : domain.segments) {
+            if (segment.role == SegmentRole::Boundary) {
+                sides.push_back({domain.nodes[segment.a], domain.nodes[segment.b]});
+            }
+        }
+        return sides;
+    }
+
     std::vector<std::pair<Vec2, Vec2>> ends_; ///< of segments of the boundary
     BoxTree tree_;
 };
@@ -52,7 +80,7 @@ class BoundaryInside {
 class LineGraph {
   public:
     explicit LineGraph(Domain &domain)
-        : domain_(domain), boundary_(domain), degree_(domain.nodes.size(), 0), alone_(domain.nodes.size(), true),
+        : domain_(domain), boundary_(domain), degree_(domain.nodes.size(), 0), touching_(domain.nodes.size(), false),
           starts_(1, 0) {
         const std::vector<DomainSegment> &segments = domain.segments;
         dropped_.assign(segments.size(), false);
@@ -60,15 +88,13 @@ class LineGraph {
             if (segments[s].role == SegmentRole::Boundary) {
                 dropped_[s] = true;
                 bounded_ = true;
-                alone_[segments[s].a] = alone_[segments[s].b] = false;
+                touching_[segments[s].a] = touching_[segments[s].b] = true;
             } else {
                 ++degree_[segments[s].a];
                 ++degree_[segments[s].b];
             }
         }
-        for (std::uint32_t n = 0; n < degree_.size(); ++n) {
-            alone_[n] = alone_[n] && degree_[n] == 2;
-        }
+        given_ = degree_;
         starts_.resize(degree_.size() + 1);
         std::partial_sum(degree_.begin(), degree_.end(), starts_.begin() + 1);
         around_.resize(starts_.back());
@@ -81,16 +107,16 @@ class LineGraph {
         }
     }
 
-    std::size_t run() {
+    LineLoops run() {
         dropOpenChains();
-        std::size_t count = 0;
+        LineLoops loops;
         std::vector<bool> seen(degree_.size(), false);
         for (std::uint32_t start = 0; start < degree_.size(); ++start) {
             if (degree_[start] > 0 && !seen[start]) {
-                count += bound(component(start, seen));
+                bound(component(start, seen), loops);
             }
         }
-        return count;
+        return loops;
     }
 
   private:
@@ -126,10 +152,10 @@ class LineGraph {
         return nodes;
     }
 
-    std::size_t bound(const std::vector<std::uint32_t> &nodes) {
-        const bool loops = std::all_of(nodes.begin(), nodes.end(), [&](auto node) { return degree_[node] % 2 == 0; });
+    void bound(const std::vector<std::uint32_t> &nodes, LineLoops &loops) {
+        const bool even = std::all_of(nodes.begin(), nodes.end(), [&](auto node) { return degree_[node] % 2 == 0; });
         std::vector<std::uint32_t> outline;
-        if (loops) {
+        if (even) {
             for (const std::uint32_t node : nodes) {
                 forEach(node, [&](std::uint32_t s) {
                     if (domain_.segments[s].a == node) {
@@ -140,14 +166,35 @@ class LineGraph {
         } else {
             outline = outerSegments(nodes);
         }
-        if (bounded_ && !std::all_of(nodes.begin(), nodes.end(), [&](auto node) { return alone_[node]; }) &&
-            std::all_of(outline.begin(), outline.end(), [&](auto s) { return boundary_.contains(middleOf(s)); })) {
-            return 0;
+        if (outline.empty()) {
+            return;
+        }
+        if (bounded_ && !isAlone(nodes) && !isAround(nodes, outline)) {
+            if (loops.left++ == 0) {
+                loops.firstLeft = outline.front();
+            }
+            return;
         }
         for (const std::uint32_t s : outline) {
             domain_.segments[s].role = SegmentRole::Boundary;
         }
-        return outline.size();
+        loops.segments += outline.size();
+    }
+
+    /// Returns true for a loop that touches and crosses nothing.
+    bool isAlone(const std::vector<std::uint32_t> &nodes) const {
+        return std::all_of(nodes.begin(), nodes.end(), [&](auto n) { return given_[n] == 2 && !touching_[n]; });
+    }
+
+    /// Returns true for lines around an outline that touch none. Lines cross in a node of four: centre lines, grids and
+    /// dimension lines do so, outlines do not.
+    bool isAround(const std::vector<std::uint32_t> &nodes, const std::vector<std::uint32_t> &outline) const {
+        const auto apart = [&](std::uint32_t s) {
+            return given_[domain_.segments[s].a] <= 3 && given_[domain_.segments[s].b] <= 3 &&
+                   !boundary_.contains(middleOf(s));
+        };
+        return std::none_of(nodes.begin(), nodes.end(), [&](auto n) { return touching_[n]; }) &&
+               std::all_of(outline.begin(), outline.end(), apart) && boundary_.entersLoop(domain_, outline);
     }
 
     /// Walks around the component with the outside on the left. A segment passed on both sides encloses nothing.
@@ -212,7 +259,8 @@ class LineGraph {
     BoundaryInside boundary_;           ///< as it was given
     bool bounded_ = false;              ///< there is a boundary
     std::vector<std::uint32_t> degree_; ///< per node, without dropped segments
-    std::vector<bool> alone_;           ///< per node: two lines meet there and nothing else
+    std::vector<std::uint32_t> given_;  ///< per node: number of lines, with dropped ones
+    std::vector<bool> touching_;        ///< per node: the boundary passes through it
     std::vector<std::uint32_t> starts_; ///< per node, into around_
     std::vector<std::uint32_t> around_; ///< lines by node
     std::vector<bool> dropped_;         ///< segments of the boundary, and lines with a free end
@@ -220,12 +268,12 @@ class LineGraph {
 
 } // namespace
 
-std::size_t takeLinesAsOutline(Domain &domain) {
+LineLoops takeLinesAsOutline(Domain &domain) {
     const auto sound = [&](const DomainSegment &s) {
         return s.a < domain.nodes.size() && s.b < domain.nodes.size() && s.a != s.b;
     };
     if (!std::all_of(domain.segments.begin(), domain.segments.end(), sound)) {
-        return 0;
+        return {};
     }
     return LineGraph(domain).run();
 }
@@ -238,11 +286,10 @@ LineGaps findLineGaps(const Domain &domain, double limit) {
             segmentOf[node] = s;
         }
     }
-    const BoundaryInside boundary(domain);
     std::vector<Vec2> places;
     std::vector<std::uint32_t> segments;
     for (std::uint32_t n = 0; n < domain.nodes.size(); ++n) {
-        if (count[n] == 1 && !boundary.contains(domain.nodes[n])) {
+        if (count[n] == 1) {
             places.push_back(domain.nodes[n]);
             segments.push_back(segmentOf[n]);
         }

@@ -80,6 +80,7 @@ class SvgBuilder {
             }
         }
         for (const SvgPath &path : paths_) {
+            names_.insert(path.name);
             anyPainted_ = anyPainted_ || path.covers();
             closedStroke_ = closedStroke_ || (path.paint.stroked && enclosesArea(path));
         }
@@ -95,6 +96,9 @@ class SvgBuilder {
             builder_.markRegions();
         } else if (anyPainted_) {
             noteMergedShapes();
+        } else if (source_.options.shapeRegions && !paths_.empty()) {
+            source_.note("svg-regions", "nothing is filled: there are no shapes to make regions of",
+                         paths_.front().offset);
         }
         addClips();
         for (SvgPath &path : paths_) {
@@ -408,7 +412,14 @@ class SvgBuilder {
 
     /// Returns the region tag of a shape: shapes with the same name share it, and each without a name has its own.
     std::int32_t regionOf(const SvgPath &path) {
-        return regions_.of(path.name.empty() ? "shape_" + std::to_string(++unnamed_) : path.name);
+        if (!path.name.empty()) {
+            return regions_.of(path.name);
+        }
+        std::string name;
+        do {
+            name = "shape_" + std::to_string(++unnamed_);
+        } while (names_.contains(name));
+        return regions_.of(name);
     }
 
     std::map<std::int32_t, std::string> regionNames(const Domain &domain) const {
@@ -467,10 +478,11 @@ class SvgBuilder {
     std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
     TagAllocator tags_;
-    TagAllocator regions_;    ///< of filled shapes, if each is a region
-    std::size_t unnamed_ = 0; ///< number of such shapes without a name
-    double size_;             ///< diagonal of what is visible
-    double tolerance_;        ///< of polylines along curves
+    std::set<std::string> names_; ///< of paths
+    TagAllocator regions_;        ///< of filled shapes, if each is a region
+    std::size_t unnamed_ = 0;     ///< number of such shapes without a name
+    double size_;                 ///< diagonal of what is visible
+    double tolerance_;            ///< of polylines along curves
     bool anyPainted_;
     bool closedStroke_ = false;
     std::size_t shaped_ = kNone; ///< the element of the last shape

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -174,12 +175,15 @@ std::vector<BandPart> partsOf(const Run &run, const SvgLineStyle &style) {
     for (const Curve &curve : run.curves) {
         box.add(curve.bounds());
     }
-    if (style.cap == SvgCap::Round && box.diagonal() <= kMaxDot * style.width) {
-        addEnd(box.centre(), {1.0, 0.0}, false, style, parts);
-        addEnd(box.centre(), {1.0, 0.0}, true, style, parts);
+    const double reach = 0.5 * style.width, length = box.diagonal();
+    if (style.cap == SvgCap::Round && length <= kMaxDot * style.width) {
+        SvgLineStyle disc = style; // of the same area
+        disc.width = 2.0 * std::sqrt(reach * reach + 2.0 * reach * length / std::numbers::pi);
+        addEnd(box.centre(), {1.0, 0.0}, false, disc, parts);
+        addEnd(box.centre(), {1.0, 0.0}, true, disc, parts);
         return parts;
     }
-    const double reach = 0.5 * style.width, size = box.diagonal() + reach;
+    const double size = length + reach;
     const double accuracy = std::min(kAccuracy, kAccuracyOfWidth * style.width / size);
     const BandStyle bands{style.corner, style.miterLimit, accuracy, true};
     parts = bandsBeside(run.curves, run.closed, std::array{reach, -reach}, bands);
