@@ -257,8 +257,7 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
                  "also mesh the area that SVG strokes paint; by default, strokes are lines");
     app.add_flag("--shape-regions", arguments.shapeRegions,
                  "make every filled SVG shape a region named by its id or label, as far as no later shape covers it; "
-                 "by default, "
-                 "all shapes are one region");
+                 "by default, all shapes are one region");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

@@ -38,6 +38,11 @@ DrawingBuilder::DrawingBuilder(const SourceText &source) : source_(source) {
     }
 }
 
+std::size_t DrawingBuilder::offsetOf(std::uint32_t piece) const {
+    const std::size_t place = places_[2 * piece];
+    return place == PartOrigin::kNowhere ? 0 : place;
+}
+
 std::size_t DrawingBuilder::offset(std::size_t node) const {
     return offsets_.empty() ? PartOrigin::kNowhere : offsets_[std::min(node, offsets_.size() - 1)];
 }
@@ -209,8 +214,7 @@ Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
     Diagnostics faults;
     const Diagnostics notes = notesOf(arrangement.changes);
     for (std::size_t k = 0; k < notes.size(); ++k) {
-        const std::size_t place = places_[2 * arrangement.changes[k].piece];
-        const std::size_t at = place == PartOrigin::kNowhere ? 0 : place;
+        const std::size_t at = offsetOf(arrangement.changes[k].piece);
         if (source_.options.strict && altersInput(arrangement.changes[k].kind)) {
             Diagnostic fault = faultAt(source_, at, notes[k].code, "the input would be changed: " + notes[k].message,
                                        "correct the file, or leave out --strict");
@@ -228,11 +232,14 @@ void DrawingBuilder::noteLoopsLeft(const Arrangement &lines, const LineLoops &lo
     if (loops.left > 0) {
         const DomainSegment &segment = lines.domain.segments[loops.firstLeft];
         source_.note("line-loops",
-                     std::to_string(loops.left) + (loops.left == 1 ? " loop of lines stays" : " loops of lines stay") +
-                         " lines, since other lines or outlines cross or touch it, first at " +
+                     std::to_string(loops.left) +
+                         (loops.left == 1
+                              ? " loop of lines is no outline, because others cross or touch it, at "
+                              : " loops of lines are no outlines, because others cross or touch them, first "
+                                "at ") +
                          placeText(midpoint(lines.domain.nodes[segment.a], lines.domain.nodes[segment.b])) +
                          "; draw outlines as closed paths",
-                     places_[2 * lines.stretches[loops.firstLeft].piece]);
+                     offsetOf(lines.stretches[loops.firstLeft].piece));
     }
 }
 
@@ -241,13 +248,12 @@ void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
     constexpr double kNear = 0.01; // fraction of the diagonal
     const LineGaps gaps = findLineGaps(lines.domain, kNear * lines.domain.bounds().diagonal());
     if (gaps.count > 0) {
-        const std::size_t at = places_[2 * lines.stretches[gaps.segment].piece];
         source_.note("line-gaps",
                      std::to_string(gaps.count) + (gaps.count == 1 ? " end" : " ends") + " of lines nearly " +
                          (gaps.count == 1 ? "meets" : "meet") + " another end, at most " + numberText(gaps.widest, 3) +
                          " away, first at " + placeText(gaps.first) + "; --weld " +
                          numberText(kSpare * gaps.widest, 3) + " joins them",
-                     at);
+                     offsetOf(lines.stretches[gaps.segment].piece));
     }
 }
 
@@ -266,13 +272,12 @@ void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
     const Domain &domain = arrangement.domain;
     const FeatureGaps gaps = findFeatureGaps(domain, features, kNear * domain.bounds().diagonal());
     if (gaps.count > 0) {
-        const std::size_t at = places_[2 * arrangement.stretches[gaps.segment].piece];
         source_.note("feature-gaps",
                      "features nearly touch in " + std::to_string(gaps.count) +
                          (gaps.count == 1 ? " place, " : " places, at most ") + numberText(gaps.widest, 3) +
                          " apart, first at " + placeText(gaps.first) + "; --weld " +
                          numberText(kSpare * gaps.widest, 3) + " joins them",
-                     at == PartOrigin::kNowhere ? 0 : at);
+                     offsetOf(arrangement.stretches[gaps.segment].piece));
     }
 }
 

@@ -61,6 +61,8 @@ class DrawingBuilder {
 
   private:
     std::size_t offset(std::size_t node) const;
+    /// Returns the byte offset of a piece in the text; 0 if that is unknown.
+    std::size_t offsetOf(std::uint32_t piece) const;
     Result<Arrangement> arrangeByDefault();
     Result<Arrangement> arrangeParts();
     Result<Arrangement> arrangeBounded(const Arrangement &lines, std::size_t count);
