@@ -93,8 +93,8 @@ std::uint32_t ArrangementInput::addClipPart(std::uint32_t clip, std::uint32_t li
     return static_cast<std::uint32_t>(shapes.size() - 1);
 }
 
-std::uint32_t ArrangementInput::addContour(std::uint32_t shape, FillRule rule, bool hole, bool made) {
-    contours.push_back({shape, rule, hole, made});
+std::uint32_t ArrangementInput::addContour(std::uint32_t shape, FillRule rule, bool hole) {
+    contours.push_back({shape, rule, hole});
     return static_cast<std::uint32_t>(contours.size() - 1);
 }
 

@@ -59,7 +59,7 @@ struct ArrangementContour {
     std::uint32_t shape = 0;
     FillRule rule = FillRule::NonZero;
     bool hole = false; ///< the area it encloses is removed from its shape
-    bool made = false; ///< no outline of the file, but made from one: what happens to its pieces is not reported
+    bool made = false; ///< made from what the file says, so what happens to its pieces is not reported
 };
 
 /// The area of one path or polygon: everything inside at least one of its outer contours and inside none of its holes,
@@ -92,8 +92,7 @@ struct ArrangementInput {
     std::uint32_t addClip(std::uint32_t within = kNoClip);
     /// Adds a shape to the parts of a clip and returns its index among the shapes.
     std::uint32_t addClipPart(std::uint32_t clip, std::uint32_t limit = kNoClip, bool removes = false);
-    std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false,
-                             bool made = false);
+    std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
     /// Adds a closed loop to a contour; its first node is not repeated at the end. Nodes equal to the previous one are
     /// skipped. The stretches, if given, belong to the pieces that begin at the nodes; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,

@@ -38,19 +38,21 @@ class GapsBetweenFeatures {
                 }
             }
         }
+        for (std::uint32_t node = 0; node < domain.nodes.size(); ++node) {
+            if (nodeFeature_[node] == kSeveral) {
+                meetings_.push_back(domain.nodes[node]);
+            }
+        }
     }
 
-    FeatureGaps find(double limit) {
+    FeatureGaps find(double limit) const {
         std::vector<Box2> boxes;
         for (const std::uint32_t s : walls_) {
             boxes.push_back(boxOf(domain_.nodes[domain_.segments[s].a], domain_.nodes[domain_.segments[s].b]));
         }
         std::vector<Box2> meetings;
-        for (std::uint32_t node = 0; node < domain_.nodes.size(); ++node) {
-            if (nodeFeature_[node] == kSeveral) {
-                meetings_.push_back(domain_.nodes[node]);
-                meetings.push_back(boxAround(domain_.nodes[node], 0.0));
-            }
+        for (const Vec2 place : meetings_) {
+            meetings.push_back(boxAround(place, 0.0));
         }
         const BoxTree walls(boxes), ends(meetings);
         FeatureGaps gaps;

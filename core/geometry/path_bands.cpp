@@ -249,7 +249,7 @@ class Bands {
         }
         const Vec2 start = sideStart(piece, side), end = sideEnd(piece, side);
         const auto n = exact.numbers();
-        if (exact.kind() == CurveKind::Arc) { // of less than half a turn
+        if (exact.kind() == CurveKind::Arc) { // pieces turn by less than half a turn
             const bool left = n[7] * cross({n[2], n[3]}, {n[4], n[5]}) > 0.0;
             return arcBetween(start, end, length({n[2], n[3]}), left);
         }

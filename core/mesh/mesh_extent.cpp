@@ -40,7 +40,7 @@ double areaOf(const Mesh &mesh, const Element &e) {
 
 std::vector<RegionExtent> regionsOf(const Mesh &mesh) {
     std::map<std::int32_t, RegionExtent> regions;
-    RegionExtent *region = nullptr; // of the last element: most neighbours have the same
+    RegionExtent *region = nullptr; // that of the last element, since most neighbours have the same
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const std::int32_t tag = mesh.region(e);
         if (region == nullptr || region->tag != tag) {

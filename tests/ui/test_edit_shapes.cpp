@@ -28,6 +28,14 @@ void fill(Draughtsman &driver, const char *field, const char *number) {
     driver.settle();
 }
 
+/// Draws a rectangle and opens the dialog that rounds its corners.
+void openFillet(Draughtsman &driver) {
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.key('F', kControlShift);
+    driver.settle();
+}
+
 /// Returns true if a part of the picture has pixels of a colour. Thin letters may cover no pixel fully.
 bool shows(Driver &driver, const PixelRect &area, Colour colour) {
     constexpr int kSimilar = 40;
@@ -231,10 +239,7 @@ TEST_CASE("Align: a submenu lines up the selected shapes; each entry is one undo
 
 TEST_CASE("Fillet, chamfer, offset: typed sizes show on the canvas; OK is one undo step") {
     Draughtsman driver;
-    driver.rectangle({1, 1}, {9, 8});
-    driver.key('V');
-    driver.key('F', kControlShift);
-    driver.settle();
+    openFillet(driver);
     fill(driver, "dialog/fillet/size", "9");
     CHECK(driver.has("dialog/fillet/fault"));
     CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
@@ -309,10 +314,7 @@ TEST_CASE("Dialogs with a preview: a text that is no number is refused at its fi
 
 TEST_CASE("Dialogs with a preview: a number shows its result, or why there is none, while it is typed") {
     Draughtsman driver;
-    driver.rectangle({1, 1}, {9, 8});
-    driver.key('V');
-    driver.key('F', kControlShift);
-    driver.settle();
+    openFillet(driver);
     driver.type("1");
     driver.settle();
     CHECK(driver.document().shapes[0]->radius == 1.0);
@@ -341,10 +343,7 @@ TEST_CASE("Dialogs with a preview: a number shows its result, or why there is no
 
 TEST_CASE("Dialogs with a preview: the first number has the focus, and typing replaces it") {
     Draughtsman driver;
-    driver.rectangle({1, 1}, {9, 8});
-    driver.key('V');
-    driver.key('F', kControlShift);
-    driver.settle();
+    openFillet(driver);
     driver.type("1");
     driver.key(key::kEnter);
     driver.settle();

@@ -131,7 +131,6 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     dialog->arranges_ = format != nullptr && format->arranges;
     dialog->hasFeatures_ = dialog->arranges_ && std::string_view(format->id) != "svg";
     dialog->hasLines_ = dialog->arranges_ && mixesLines(dialog->drawing_) && hasLines(file, progress);
-    dialog->hasShapes_ = dialog->arranges_ && !dialog->hasFeatures_;
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);
     return dialog;
@@ -239,7 +238,7 @@ void ImportDialog::drawJoining(Shell &context) {
         ui::checkbox(context, "dialog/importoptions/strokes", "Mesh what the strokes paint", options_.strokeAreas)) {
         read();
     }
-    if (hasShapes_) {
+    if (arranges_ && !hasFeatures_) { // an SVG drawing
         if (ui::checkbox(context, "dialog/importoptions/regions", "Make every filled shape a region",
                          options_.shapeRegions)) {
             read();

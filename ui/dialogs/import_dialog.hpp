@@ -43,7 +43,6 @@ class ImportDialog final : public Dialog {
     bool hasFeatures_ = false; ///< the format is a map, whose features may overlap
     bool hasLines_ = false;    ///< a drawing or map has areas and lines
     bool hasStrokes_ = false;  ///< a drawing has strokes, which are lines or areas
-    bool hasShapes_ = false;   ///< of an SVG drawing
     Document drawing_;
     Diagnostics notes_; ///< what reading ignored and changed
     Diagnostics faults_;

@@ -11,8 +11,9 @@ namespace forefront {
 
 namespace {
 
-/// Places the next window for a dialog whose rectangle was `last`; null: it opens. It is centred, except that a dialog
-/// as high as its content keeps its upper edge: the content must not move under the pointer when a click changes it.
+/// Places the next window for a dialog whose rectangle was `last`; null: it opens. It is centred. A dialog that is
+/// as high as its content keeps its upper edge, so that nothing moves under the pointer when a click changes the
+/// content.
 void placeDialog(const Dialog &dialog, const PixelRect *last, float margin) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float middle = std::round(size.x / 2);
@@ -107,7 +108,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
 void DialogHost::draw(Shell &context) {
     for (std::unique_ptr<Dialog> &dialog : opening_) {
         stack_.push_back(std::move(dialog));
-        context.fieldFault = {}; // of an earlier dialog of the same kind
+        context.fieldFault = {}; // an earlier dialog of the same kind may have left one
         context.animate();
     }
     opening_.clear();

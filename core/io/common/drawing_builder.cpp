@@ -51,8 +51,14 @@ std::uint32_t DrawingBuilder::addFeature(std::int32_t regionTag, std::string nam
     return input_.addFeature(regionTag, std::move(name));
 }
 
-std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, bool hole, bool made) {
-    return input_.addContour(shape, rule, hole, made);
+std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, bool hole) {
+    return input_.addContour(shape, rule, hole);
+}
+
+std::uint32_t DrawingBuilder::addMadeContour(std::uint32_t shape) {
+    const std::uint32_t contour = input_.addContour(shape);
+    input_.contours[contour].made = true;
+    return contour;
 }
 
 void DrawingBuilder::addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches) {

@@ -29,7 +29,9 @@ class DrawingBuilder {
     std::uint32_t addClipPart(std::uint32_t clip, std::uint32_t limit, bool removes) {
         return input_.addClipPart(clip, limit, removes);
     }
-    std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false, bool made = false);
+    std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
+    /// Adds a contour that was made from what the file says, such as a part of a stroke.
+    std::uint32_t addMadeContour(std::uint32_t shape);
     /// Adds curves and renumbers the stretches that refer to them.
     void addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches);
     /// Adds a closed loop to a contour, its first node not repeated. The stretches, if given, are the parts of curves

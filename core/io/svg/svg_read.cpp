@@ -1,13 +1,13 @@
-#include "core/base/lower_case.hpp"
 #include "core/geometry/polygon.hpp"
 #include "core/io/common/drawing_builder.hpp"
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_drawing.hpp"
+#include "core/io/svg/svg_names.hpp"
+#include "core/io/svg/svg_regions.hpp"
 #include "core/io/svg/svg_stroke.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -34,17 +34,6 @@ bool isLoop(const SvgPath &path) {
 
 bool enclosesArea(const SvgPath &path) {
     return isLoop(path) && signedArea(path.nodes) != 0.0;
-}
-
-/// Returns true for no name and for those that drawing programs make up, such as "path3948", "Rectangle 5" or
-/// "XMLID_4_".
-bool isGeneratedName(std::string_view name) {
-    constexpr std::array<std::string_view, 16> kWords = {"path",    "rect", "circle", "ellipse",   "line",   "polyline",
-                                                         "polygon", "use",  "g",      "rectangle", "vector", "group",
-                                                         "layer",   "svg",  "xmlid",  "shape"};
-    const std::string word = lowerCase(name.substr(0, name.find_first_of("0123456789-_. ")));
-    return name.empty() || (std::find(kWords.begin(), kWords.end(), word) != kWords.end() &&
-                            name.find_first_not_of("0123456789-_. ", word.size()) == std::string_view::npos);
 }
 
 /// Closes a path that ends where it begins.
@@ -80,7 +69,7 @@ class SvgBuilder {
             }
         }
         for (const SvgPath &path : paths_) {
-            names_.insert(path.name);
+            regions_.reserve(path.name);
             anyPainted_ = anyPainted_ || path.covers();
             closedStroke_ = closedStroke_ || (path.paint.stroked && enclosesArea(path));
         }
@@ -88,18 +77,7 @@ class SvgBuilder {
 
     Result<Domain> run() {
         const std::uint32_t feature = builder_.addFeature(1);
-        if (!anyPainted_) {
-            builder_.letLinesBound();
-        }
-        if (anyPainted_ && source_.options.shapeRegions) {
-            builder_.layer();
-            builder_.markRegions();
-        } else if (anyPainted_) {
-            noteMergedShapes();
-        } else if (source_.options.shapeRegions && !paths_.empty()) {
-            source_.note("svg-regions", "nothing is filled: there are no shapes to make regions of",
-                         paths_.front().offset);
-        }
+        chooseRules();
         addClips();
         for (SvgPath &path : paths_) {
             const Part part = partOf(path);
@@ -145,7 +123,7 @@ class SvgBuilder {
         Result<Domain> domain = builder_.finish();
         if (domain) {
             domain->boundaryNames = usedNames(*domain);
-            domain->regionNames = regionNames(*domain);
+            domain->regionNames = regions_.namesIn(*domain);
             domain->curveTolerance = source_.options.curveTolerance;
         }
         return domain;
@@ -337,6 +315,22 @@ class SvgBuilder {
         return source_.options.dropLines ? Part::LeftOut : Part::Line;
     }
 
+    /// Tells the builder whether shapes are regions and whether lines may bound the domain.
+    void chooseRules() {
+        if (!anyPainted_) {
+            builder_.letLinesBound();
+            if (source_.options.shapeRegions && !paths_.empty()) {
+                source_.note("svg-regions", "nothing is filled: there are no shapes to make regions of",
+                             paths_.front().offset);
+            }
+        } else if (source_.options.shapeRegions) {
+            builder_.layer();
+            builder_.markRegions();
+        } else {
+            noteMergedShapes();
+        }
+    }
+
     /// Reports that shapes with names of their own are merged.
     void noteMergedShapes() {
         std::string_view name;
@@ -404,32 +398,10 @@ class SvgBuilder {
     std::uint32_t shapeOf(std::uint32_t feature, const SvgPath &path) {
         if (std::exchange(shaped_, path.element) != path.element) {
             const bool apart = source_.options.shapeRegions;
-            shape_ = builder_.addShape(apart ? builder_.addFeature(regionOf(path), path.name) : feature, path.name,
-                                       path.limit);
+            shape_ = builder_.addShape(apart ? builder_.addFeature(regions_.tagOf(path.name), path.name) : feature,
+                                       path.name, path.limit);
         }
         return shape_;
-    }
-
-    /// Returns the region tag of a shape: shapes with the same name share it, and each without a name has its own.
-    std::int32_t regionOf(const SvgPath &path) {
-        if (!path.name.empty()) {
-            return regions_.of(path.name);
-        }
-        std::string name;
-        do {
-            name = "shape_" + std::to_string(++unnamed_);
-        } while (names_.contains(name));
-        return regions_.of(name);
-    }
-
-    std::map<std::int32_t, std::string> regionNames(const Domain &domain) const {
-        std::map<std::int32_t, std::string> names;
-        for (const RegionMarker &marker : domain.regionMarkers) {
-            if (const auto known = regions_.names().find(marker.tag); known != regions_.names().end()) {
-                names.insert(*known);
-            }
-        }
-        return names;
     }
 
     /// Adds the area that a stroke paints to a shape.
@@ -461,7 +433,7 @@ class SvgBuilder {
             }
             strokeNodes_ += nodes.size();
             builder_.addCurves(curves, stretches);
-            builder_.addRing(builder_.addContour(shape, FillRule::NonZero, false, true), nodes, tag, stretches);
+            builder_.addRing(builder_.addMadeContour(shape), nodes, tag, stretches);
         }
     }
 
@@ -478,11 +450,9 @@ class SvgBuilder {
     std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
     TagAllocator tags_;
-    std::set<std::string> names_; ///< of paths
-    TagAllocator regions_;        ///< of filled shapes, if each is a region
-    std::size_t unnamed_ = 0;     ///< number of such shapes without a name
-    double size_;                 ///< diagonal of what is visible
-    double tolerance_;            ///< of polylines along curves
+    SvgRegions regions_; ///< used if every filled shape is a region
+    double size_;        ///< diagonal of what is visible
+    double tolerance_;   ///< of polylines along curves
     bool anyPainted_;
     bool closedStroke_ = false;
     std::size_t shaped_ = kNone; ///< the element of the last shape

@@ -177,7 +177,7 @@ std::vector<BandPart> partsOf(const Run &run, const SvgLineStyle &style) {
     }
     const double reach = 0.5 * style.width, length = box.diagonal();
     if (style.cap == SvgCap::Round && length <= kMaxDot * style.width) {
-        SvgLineStyle disc = style; // of the same area
+        SvgLineStyle disc = style; // has the area of the short line
         disc.width = 2.0 * std::sqrt(reach * reach + 2.0 * reach * length / std::numbers::pi);
         addEnd(box.centre(), {1.0, 0.0}, false, disc, parts);
         addEnd(box.centre(), {1.0, 0.0}, true, disc, parts);
