@@ -24,9 +24,9 @@ struct CleanupCounts {
 
 /// Improves the elements that miss the goal: swaps their edges and moves their free nodes by a pattern search (R.
 /// Hooke, T. A. Jeeves, 1961) wherever that brings the worst element around closer to the goal; later rounds also move
-/// the nodes around. An attempt that changed nothing is not repeated before something around it changes. No α falls
-/// below `minAlpha`, and no lower α falls further. α must be up to date and is kept up to date. Elements whose
-/// surroundings do not touch are cleaned up in parallel.
+/// the nodes around. An attempt that changed nothing is not repeated before something around it changes, and the rounds
+/// end early where they hardly help. No α falls below `minAlpha`, and no lower α falls further. α must be up to date
+/// and is kept up to date. Elements whose surroundings do not touch are cleaned up in parallel.
 CleanupCounts cleanUpWorst(ImproveWorkspace &work, const ShapeGoal &goal, double minAlpha, const Progress &progress);
 
 } // namespace forefront

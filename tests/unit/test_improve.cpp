@@ -260,6 +260,19 @@ TEST_CASE("cleanUpWorst: elements that nothing can improve are tried once, then 
     CHECK(counts.attempts == 4);
 }
 
+TEST_CASE("cleanUpWorst: ends early where most elements miss the goal and hardly one meets it after a round") {
+    Mesh mesh = samples::square(60, 60, 0.24, {}, 11);
+    for (Vec2 &p : mesh.nodes) {
+        p.x *= 1000.0;
+    }
+    ThreadPool pool(1);
+    ImproveWorkspace work(mesh, pool);
+    const CleanupCounts counts = cleanUpWorst(work, {0.8, 35.0, 6}, work.measureAlpha(), {});
+    CHECK(counts.left > mesh.elements.size() / 2);
+    CHECK(counts.attempts <= 2 * mesh.elements.size()); // in two rounds of six
+    CHECK(verify(mesh).empty());
+}
+
 TEST_CASE("CleanupBatches: each element is in one batch, and no two of a batch touch the same nodes") {
     Mesh mesh = samples::square(20, 20, 0.2);
     ThreadPool pool(1);
