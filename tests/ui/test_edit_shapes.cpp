@@ -3,16 +3,19 @@
 #include "core/edit/spacing_commands.hpp"
 #include "core/io/files.hpp"
 #include "tests/ui/meshed_square.hpp"
+#include "ui/dialogs/question_dialog.hpp"
 #include "ui/tools/measure_tool.hpp"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -339,6 +342,28 @@ TEST_CASE("Dialogs with a preview: a number shows its result, or why there is no
     CHECK(driver.undoLabel() == "Fillet");
     driver.key('Z', kControl);
     CHECK(driver.undoLabel() == "Draw rectangle");
+}
+
+TEST_CASE("Dialogs with a preview: Enter answers a question above, and applies nothing") {
+    for (const int enter : {key::kEnter, key::kKeypadEnter}) {
+        CAPTURE(enter);
+        Draughtsman driver;
+        openFillet(driver);
+        bool answered = false;
+        const QuestionDialog::Answer yes{"yes", "Yes", true, [&answered](Shell &) { answered = true; }};
+        driver.context().dialogs.open(std::make_unique<QuestionDialog>("sure", "Sure?", "Enter is for this.",
+                                                                       std::vector<QuestionDialog::Answer>{yes}));
+        driver.settle();
+        driver.key(enter);
+        driver.settle();
+        CHECK(answered);
+        CHECK_FALSE(driver.has("dialog/sure/yes"));
+        CHECK(driver.has("dialog/fillet/ok"));
+        driver.key(enter);
+        driver.settle();
+        CHECK_FALSE(driver.has("dialog/fillet/ok"));
+        CHECK(driver.undoLabel() == "Fillet");
+    }
 }
 
 TEST_CASE("Dialogs with a preview: the first number has the focus, and typing replaces it") {

@@ -320,18 +320,20 @@ TEST_CASE("Editor: the shortcut sheet opens with ? and closes with Esc") {
 }
 
 TEST_CASE("Editor: the palette finds an action by a part of its name") {
-    Driver driver;
-    driver.key('P', {Modifiers::kControl});
-    driver.frames(4);
-    REQUIRE(driver.has("palette/query"));
-    driver.type("light");
-    driver.frames(2);
-    CHECK(driver.has("palette/view.theme"));
-    CHECK_FALSE(driver.has("palette/run.mesh"));
-    driver.key(key::kEnter);
-    driver.settle();
-    CHECK(driver.context().theme.kind == ThemeKind::Light);
-    CHECK(driver.context().dialogs.top() == nullptr);
+    for (const int enter : {key::kEnter, key::kKeypadEnter}) {
+        Driver driver;
+        driver.key('P', {Modifiers::kControl});
+        driver.frames(4);
+        REQUIRE(driver.has("palette/query"));
+        driver.type("light");
+        driver.frames(2);
+        CHECK(driver.has("palette/view.theme"));
+        CHECK_FALSE(driver.has("palette/run.mesh"));
+        driver.key(enter);
+        driver.settle();
+        CHECK(driver.context().theme.kind == ThemeKind::Light);
+        CHECK(driver.context().dialogs.top() == nullptr);
+    }
 }
 
 TEST_CASE("Editor: the palette says when nothing matches") {

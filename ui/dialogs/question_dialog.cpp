@@ -20,7 +20,7 @@ bool QuestionDialog::draw(Shell &context) {
     for (const Answer &answer : answers_) {
         if (ui::button(context, "dialog/" + id_ + "/" + answer.id, answer.label,
                        answer.primary ? ui::ButtonKind::Primary : ui::ButtonKind::Plain, true, kWidth) ||
-            (answer.primary && ImGui::IsKeyPressed(key::kEnter, false))) {
+            (answer.primary && ui::enterPressed())) {
             given = &answer;
         }
         ImGui::SameLine(0, context.px(static_cast<double>(kGap)));

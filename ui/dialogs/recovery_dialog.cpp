@@ -80,9 +80,7 @@ bool RecoveryDialog::draw(Shell &context) {
     ImGui::SameLine(0, context.px(10));
     const bool recovered = ui::button(context, "dialog/recovery/recover", "Recover", ui::ButtonKind::Primary, true,
                                       static_cast<float>(kWidth));
-    const bool enter = context.dialogs.top() == this &&
-                       (ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false));
-    if (recovered || enter) {
+    if (recovered || ui::enterPressed()) {
         return !recovery_.recover(orphans_[chosen_], context);
     }
     if (discarded) {

@@ -163,7 +163,7 @@ class Palette final : public Dialog {
             }
         }
         ImGui::EndChild();
-        if (ImGui::IsKeyPressed(key::kEnter, false) && chosen_ < static_cast<int>(found.size())) {
+        if (ui::enterPressed() && chosen_ < static_cast<int>(found.size())) {
             run = found[static_cast<std::size_t>(chosen_)];
         }
         if (run == nullptr) {

@@ -198,11 +198,12 @@ bool takesFocus(WidgetContext &context, std::string_view name) {
 }
 
 bool enterPressed() {
-    return ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+    const bool pressed = ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+    return pressed && ImGui::IsWindowFocused(kWindowWithoutPopups);
 }
 
 bool enterOutsideFields() {
-    return enterPressed() && !ImGui::IsAnyItemActive() && ImGui::IsWindowFocused(kWindowWithoutPopups);
+    return enterPressed() && !ImGui::IsAnyItemActive();
 }
 
 Typing typing() {

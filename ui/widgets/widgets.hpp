@@ -59,10 +59,11 @@ struct Typing {
     bool active = false, canUndo = false, canRedo = false;
 };
 Typing typing();
-/// Returns true if Enter was pressed in this frame.
+/// Returns true if Enter, also that of the keypad, was pressed in the window being drawn or in its children, not in a
+/// menu or dialog above it.
 bool enterPressed();
-/// Returns true if Enter was pressed in the window being drawn, or in its children, while no field had the focus. Call
-/// it before the fields are drawn: one that takes Enter gives up the focus.
+/// Returns true if enterPressed() while no field had the focus. Call it before the fields are drawn: one that takes
+/// Enter gives up the focus.
 bool enterOutsideFields();
 /// Lets Tab reach the first field or switch of the window being drawn when none has the focus. Call it before they are
 /// drawn.
