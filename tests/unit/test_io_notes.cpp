@@ -9,6 +9,7 @@
 #include "core/io/triangle/triangle.hpp"
 #include "core/io/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
+#include "tests/unit/svg_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -36,6 +37,35 @@ Diagnostic refusalOf(const Result<Mesh> &mesh) {
 }
 
 } // namespace
+
+TEST_CASE("Import notes: drawings and maps tell what options change, whether or not the options are set") {
+    const auto contentsOf = [](const std::string &text, Result<Domain> (*read)(const SourceText &), bool drops) {
+        ImportNotes notes;
+        SourceText source = sourceOf(text, "drawing");
+        source.notes = &notes;
+        source.options.dropLines = drops;
+        REQUIRE(read(source).ok());
+        return notes.contents();
+    };
+    const std::string area = R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,0]]]})";
+    const std::string line = R"({"type": "LineString", "coordinates": [[2,1],[3,1]]})";
+    const auto map = [](const std::string &parts) {
+        return R"({"type": "GeometryCollection", "geometries": [)" + parts + "]}";
+    };
+    const std::string shapes = R"(<rect width="5" height="5"/><path d="M6 6h2v2zM1 1h1v1z"/>)";
+    for (const bool drops : {false, true}) {
+        CHECK(contentsOf(map(area + ',' + line), readGeoJson, drops).lines);
+        CHECK_FALSE(contentsOf(map(area), readGeoJson, drops).lines);
+        const DrawingContents filled = contentsOf(svgDrawing(shapes), readSvg, drops);
+        CHECK_FALSE(filled.lines);
+        const DrawingContents inked =
+            contentsOf(svgDrawing(shapes + R"(<path fill="none" stroke="black" d="M1 3h2"/>)"), readSvg, drops);
+        CHECK(inked.lines);
+    }
+    const DrawingContents outlines =
+        contentsOf(svgDrawing(R"(<path fill="none" stroke="black" d="M1 1h5v5z"/>)"), readSvg, false);
+    CHECK_FALSE(outlines.lines); // nothing is filled: they bound the domain
+}
 
 TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties and unknown members") {
     const std::string text = R"({"type": "FeatureCollection", "title": "lake",

@@ -45,10 +45,11 @@ bool has(const Diagnostics &diagnostics, std::string_view code) {
                        [code](const Diagnostic &diagnostic) { return diagnostic.code == code; });
 }
 
-/// A drawing, and a record of what the reader ignored and changed.
+/// A drawing, and a record of what the reader found, ignored and changed.
 struct Reading {
     Document drawing;
     Diagnostics notes;
+    DrawingContents contents{};
 };
 
 Result<Reading> readAsItIs(const std::filesystem::path &file, const ImportOptions &options) {
@@ -57,7 +58,7 @@ Result<Reading> readAsItIs(const std::filesystem::path &file, const ImportOption
     if (!drawing) {
         return drawing.faults();
     }
-    return Reading{*std::move(drawing), notes.diagnostics()};
+    return Reading{*std::move(drawing), notes.diagnostics(), notes.contents()};
 }
 
 std::vector<std::string> textsOf(const Diagnostics &diagnostics) {
@@ -78,16 +79,6 @@ float heightOf(const Shell &context, const std::vector<std::string> &texts, floa
     }
     ImGui::PopFont();
     return height;
-}
-
-/// Returns true if lines can be left out of a drawing or map. Its constraints alone do not tell: borders that areas
-/// share are constraints, too.
-bool hasLines(const std::filesystem::path &file, const Progress &progress) {
-    ImportOptions options;
-    options.dropLines = true;
-    options.progress = progress;
-    const Result<Reading> reading = readAsItIs(file, options);
-    return reading && has(reading->notes, "dropped-lines");
 }
 
 Diagnostics joined(Diagnostics notes, const std::vector<ArrangementChange> &changes) {
@@ -130,7 +121,7 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     const FileFormat *const format = fileFormatOf(file);
     dialog->arranges_ = format != nullptr && format->arranges;
     dialog->hasFeatures_ = dialog->arranges_ && std::string_view(format->id) != "svg";
-    dialog->hasLines_ = dialog->arranges_ && mixesLines(dialog->drawing_) && hasLines(file, progress);
+    dialog->hasLines_ = dialog->contents_.lines && mixesLines(dialog->drawing_); // lines along outlines are gone
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);
     return dialog;
@@ -145,6 +136,7 @@ void ImportDialog::read(const Progress &progress) {
     if (reading) {
         drawing_ = std::move(reading->drawing);
         notes_ = std::move(reading->notes);
+        contents_ = reading->contents;
     }
 }
 

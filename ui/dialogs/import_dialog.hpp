@@ -4,6 +4,7 @@
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
+#include "core/io/source/import_notes.hpp"
 #include "core/io/source/import_options.hpp"
 #include "ui/parts/dialog.hpp"
 
@@ -41,9 +42,10 @@ class ImportDialog final : public Dialog {
     bool arranges_ = false;    ///< the format is a drawing or map, whose lines may cross and overlap
     bool leavesPage_ = false;  ///< the filled shapes of a drawing reach beyond its page
     bool hasFeatures_ = false; ///< the format is a map, whose features may overlap
-    bool hasLines_ = false;    ///< a drawing or map has areas and lines
+    bool hasLines_ = false;    ///< a drawing or map has areas and lines, whether or not they are left out
     bool hasStrokes_ = false;  ///< a drawing has strokes, which are lines or areas
     Document drawing_;
+    DrawingContents contents_;
     Diagnostics notes_; ///< what reading ignored and changed
     Diagnostics faults_;
     double scale_ = 1.0;

@@ -221,7 +221,9 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
         return check_.faults();
     }
     buildPolygons();
-    const bool drops = source_.options.dropLines && !polygons_.empty();
+    const bool mixed = !polygons_.empty() && !lines_.empty();
+    const bool drops = source_.options.dropLines && mixed;
+    source_.found({.lines = mixed});
     for (Line &line : lines_) {
         if (drops) {
             source_.note("dropped-lines", "lines are left out", line.path.offsets.front());

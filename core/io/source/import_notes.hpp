@@ -20,6 +20,11 @@ struct ImportNote {
     int column = 0;
 };
 
+/// What an SVG drawing or map holds that import options change.
+struct DrawingContents {
+    bool lines = false; ///< lines beside areas, which ImportOptions::dropLines leaves out
+};
+
 /// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.
 class ImportNotes {
   public:
@@ -27,13 +32,16 @@ class ImportNotes {
     /// After 200 different ones, the first with this code is counted instead.
     void add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
              std::size_t offset, std::size_t count = 1);
+    void setContents(const DrawingContents &contents) { contents_ = contents; }
     const std::vector<ImportNote> &entries() const { return entries_; }
+    const DrawingContents &contents() const { return contents_; }
     bool empty() const { return entries_.empty(); }
     /// Returns the notes for a log: "... (3 times)" with file, line and column of the first.
     Diagnostics diagnostics() const;
 
   private:
     std::vector<ImportNote> entries_;
+    DrawingContents contents_;
 };
 
 } // namespace forefront

@@ -29,6 +29,12 @@ struct SourceText {
             notes->add(code, message, name, text, offset, count);
         }
     }
+    /// Reports what a drawing or map holds.
+    void found(const DrawingContents &contents) const {
+        if (notes != nullptr) {
+            notes->setContents(contents);
+        }
+    }
 };
 
 /// Returns one error that carries file, line and column of `offset`.

@@ -78,6 +78,7 @@ class SvgBuilder {
     Result<Domain> run() {
         const std::uint32_t feature = builder_.addFeature(1);
         chooseRules();
+        source_.found(contents());
         addClips();
         for (SvgPath &path : paths_) {
             const Part part = partOf(path);
@@ -295,7 +296,7 @@ class SvgBuilder {
     /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
     /// strokes are outlines. Closed paths with neither, such as the frames of icons, count only if there are no such
     /// shapes or strokes.
-    Part partOf(const SvgPath &path) {
+    Part partOf(const SvgPath &path) const {
         if (path.painted()) {
             return Part::Painted;
         }
@@ -313,6 +314,16 @@ class SvgBuilder {
             return loop ? Part::Outline : Part::Line;
         }
         return source_.options.dropLines ? Part::LeftOut : Part::Line;
+    }
+
+    /// Returns what options change, whether or not they are set.
+    DrawingContents contents() const {
+        DrawingContents contents;
+        for (const SvgPath &path : paths_) {
+            const Part part = partOf(path);
+            contents.lines = contents.lines || (anyPainted_ && (part == Part::Line || part == Part::LeftOut));
+        }
+        return contents;
     }
 
     /// Tells the builder whether shapes are regions and whether lines may bound the domain.
