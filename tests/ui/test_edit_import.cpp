@@ -20,8 +20,9 @@ void importFile(Draughtsman &driver, const std::filesystem::path &file) {
     driver.chooseFile("import", file);
 }
 
-/// A filled shape that leaves the page, a line and a stroke: every checkbox is offered.
+/// Two filled shapes, one of which leaves the page, a line and a stroke: every checkbox is offered.
 constexpr const char *kInked = R"(<svg viewBox="0 0 10 10"><rect x="-5" width="9" height="6"/>)"
+                               R"(<rect x="2" y="1" width="1" height="1"/>)"
                                R"(<path fill="none" stroke="black" d="M1 1L3 5"/></svg>)";
 
 } // namespace
@@ -386,6 +387,26 @@ TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
     driver.settle();
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
+}
+
+TEST_CASE("Import: regions are offered only where a drawing has several filled shapes") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "disc.svg") << R"(<svg viewBox="0 0 10 10"><circle cx="5" cy="5" r="4"/>)"
+                                           << R"(<path fill="none" stroke="black" d="M4 5H6"/></svg>)";
+    Draughtsman driver;
+    importFile(driver, place.path / "disc.svg");
+    REQUIRE(driver.has("dialog/importoptions/strokes"));
+    CHECK_FALSE(driver.has("dialog/importoptions/regions"));
+    driver.click("dialog/importoptions/strokes"); // what the stroke paints is a second shape
+    driver.settle();
+    REQUIRE(driver.has("dialog/importoptions/regions"));
+    driver.click("dialog/importoptions/regions");
+    driver.click("dialog/importoptions/strokes");
+    driver.settle();
+    REQUIRE(driver.has("dialog/importoptions/regions"));
+    driver.click("dialog/importoptions/regions");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/importoptions/regions"));
 }
 
 TEST_CASE("Import: filled shapes of a drawing can become regions") {

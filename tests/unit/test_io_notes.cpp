@@ -58,13 +58,16 @@ TEST_CASE("Import notes: drawings and maps tell what options change, whether or 
         CHECK_FALSE(contentsOf(map(area), readGeoJson, drops).lines);
         const DrawingContents filled = contentsOf(svgDrawing(shapes), readSvg, drops);
         CHECK_FALSE(filled.lines);
+        CHECK(filled.filledShapes == 2);
         const DrawingContents inked =
             contentsOf(svgDrawing(shapes + R"(<path fill="none" stroke="black" d="M1 3h2"/>)"), readSvg, drops);
         CHECK(inked.lines);
+        CHECK(inked.filledShapes == 2);
     }
     const DrawingContents outlines =
         contentsOf(svgDrawing(R"(<path fill="none" stroke="black" d="M1 1h5v5z"/>)"), readSvg, false);
     CHECK_FALSE(outlines.lines); // nothing is filled: they bound the domain
+    CHECK(outlines.filledShapes == 0);
 }
 
 TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties and unknown members") {

@@ -230,7 +230,7 @@ void ImportDialog::drawJoining(Shell &context) {
         ui::checkbox(context, "dialog/importoptions/strokes", "Mesh what the strokes paint", options_.strokeAreas)) {
         read();
     }
-    if (arranges_ && !hasFeatures_) { // an SVG drawing
+    if (contents_.filledShapes > 1 || options_.shapeRegions) { // a switch that is on can be switched off
         if (ui::checkbox(context, "dialog/importoptions/regions", "Make every filled shape a region",
                          options_.shapeRegions)) {
             read();

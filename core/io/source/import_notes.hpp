@@ -22,7 +22,8 @@ struct ImportNote {
 
 /// What an SVG drawing or map holds that import options change.
 struct DrawingContents {
-    bool lines = false; ///< lines beside areas, which ImportOptions::dropLines leaves out
+    bool lines = false;           ///< lines beside areas, which ImportOptions::dropLines leaves out
+    std::size_t filledShapes = 0; ///< number of those that ImportOptions::shapeRegions makes regions
 };
 
 /// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.

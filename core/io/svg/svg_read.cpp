@@ -319,9 +319,13 @@ class SvgBuilder {
     /// Returns what options change, whether or not they are set.
     DrawingContents contents() const {
         DrawingContents contents;
+        std::size_t last = kNone;
         for (const SvgPath &path : paths_) {
             const Part part = partOf(path);
             contents.lines = contents.lines || (anyPainted_ && (part == Part::Line || part == Part::LeftOut));
+            if (path.covers() && std::exchange(last, path.element) != path.element) {
+                ++contents.filledShapes;
+            }
         }
         return contents;
     }
