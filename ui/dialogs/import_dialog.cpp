@@ -24,7 +24,7 @@ namespace forefront {
 
 namespace {
 
-constexpr float kLabels = 130.0F;  ///< width of the labels, in design pixels
+constexpr float kLabels = 150.0F;  ///< column of the values, in design pixels
 constexpr double kMaxReport = 150; ///< height of the faults and notes, in design pixels
 
 std::string extent(const Box2 &box, double scale) {

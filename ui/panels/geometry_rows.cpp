@@ -140,11 +140,11 @@ void geometryRows(Shell &context, const Shape &shape) {
         }
         return;
     } else {
-        ui::field(context, "Nodes", ui::count(shape.nodes.size()), static_cast<float>(form::kLabel));
+        ui::field(context, "Nodes", ui::count(shape.nodes.size()), form::kLabel);
     }
-    ui::field(context, "Length", ui::number(lengthOf(shape), 5), static_cast<float>(form::kLabel));
+    ui::field(context, "Length", ui::number(lengthOf(shape), 5), form::kLabel);
     if (isClosed(shape)) {
-        ui::field(context, "Area", ui::number(areaOf(shape), 5), static_cast<float>(form::kLabel));
+        ui::field(context, "Area", ui::number(areaOf(shape), 5), form::kLabel);
     }
 }
 
@@ -160,7 +160,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
                                  addressOf(shape, "arcRadius/" + std::to_string(ref.segment)))) {
             EditState::apply(context, setArcRadius(document, ref, radius), "Change radius");
         }
-        ui::field(context, "Length", ui::number(curve.length(), 5), static_cast<float>(form::kLabel));
+        ui::field(context, "Length", ui::number(curve.length(), 5), form::kLabel);
         return;
     }
     const std::vector<Vec2> handles = handlesOf(shape);

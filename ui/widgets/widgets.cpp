@@ -354,11 +354,9 @@ void heading(WidgetContext &context, std::string_view text) {
     ImGui::PopFont();
 }
 
-void field(WidgetContext &context, std::string_view label, std::string_view value, float column) {
-    const float left = ImGui::GetCursorPosX();
+void field(WidgetContext &context, std::string_view label, std::string_view value, double width) {
     muted(context, label);
-    ImGui::SameLine();
-    ImGui::SetCursorPosX(left + context.px(column));
+    ImGui::SameLine(context.px(width));
     ImGui::TextUnformatted(value.data(), value.data() + value.size());
 }
 

@@ -79,8 +79,8 @@ bool link(WidgetContext &context, std::string_view name, std::string_view text);
 
 /// Draws the heading of a group.
 void heading(WidgetContext &context, std::string_view text);
-/// Draws a muted label and, at a fixed column (design pixels), its value.
-void field(WidgetContext &context, std::string_view label, std::string_view value, float column = 108.0F);
+/// Draws a muted label and its value in the column where rowLabel() of this width has its field.
+void field(WidgetContext &context, std::string_view label, std::string_view value, double width);
 void muted(WidgetContext &context, std::string_view text);
 /// Draws the muted label of a row in a column of this width, in design pixels. Draw the field next.
 void rowLabel(WidgetContext &context, const char *text, double width);
