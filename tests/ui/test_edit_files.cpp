@@ -95,6 +95,23 @@ TEST_CASE("Files: reopening a file after saving shows the saved changes") {
     CHECK(readDocument(place.path / "bay.forefront")->shapes.size() == 2);
 }
 
+TEST_CASE("Files: Save as starts beside the last project, not beside a drawing that was opened to import it") {
+    const TemporaryFolder projects, downloads;
+    std::ofstream(downloads.path / "plan.svg") << R"(<svg viewBox="0 0 9 9"><rect width="9" height="6"/></svg>)";
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S', {Modifiers::kControl});
+    driver.frames(5);
+    driver.chooseFile("save", projects.path / "bay");
+    driver.key('O', {Modifiers::kControl});
+    driver.frames(5);
+    driver.chooseFile("open", downloads.path / "plan.svg");
+    REQUIRE(driver.context().document.title() == "plan");
+    driver.key('S', {Modifiers::kControl | Modifiers::kShift});
+    driver.settle();
+    CHECK(driver.has("dialog/save/list/bay.forefront"));
+}
+
 TEST_CASE("Files: replacing a file needs a confirmation, and write errors are reported") {
     const TemporaryFolder place;
     std::ofstream(place.path / "old.forefront") << "keep me";

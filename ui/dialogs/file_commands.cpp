@@ -19,9 +19,10 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kMaxRecent = 12;
+constexpr const char *kProjectExtension = ".forefront";
 
 FileFilter projects() {
-    return {"Projects (.forefront)", {".forefront", ".json"}, "project"};
+    return {"Projects (.forefront)", {kProjectExtension, ".json"}, "project"};
 }
 
 std::vector<FileFilter> drawings() {
@@ -144,6 +145,24 @@ void showLastView(Shell &context) {
     }
 }
 
+/// Returns the folder of the document, or else of the most recent file that passes `accepts`; empty: the working
+/// folder.
+template <class Accepts>
+std::filesystem::path folderFor(const Shell &context, const Accepts &accepts) {
+    if (!context.document.path().empty()) {
+        return context.document.path().parent_path();
+    }
+    const std::vector<std::string> &recent = context.settings.recentFiles;
+    const auto last = std::find_if(recent.begin(), recent.end(), accepts);
+    return last == recent.end() ? std::filesystem::path() : std::filesystem::path(*last).parent_path();
+}
+
+/// Returns the folder that Save as starts in. Drawings that were opened to be imported may lie where nobody keeps
+/// projects, such as in a folder of downloads.
+std::filesystem::path saveFolder(const Shell &context) {
+    return folderFor(context, [](const std::filesystem::path &file) { return file.extension() == kProjectExtension; });
+}
+
 } // namespace
 
 void rememberView(Shell &context) {
@@ -158,12 +177,7 @@ void rememberView(Shell &context) {
 }
 
 std::filesystem::path startFolder(const Shell &context) {
-    if (!context.document.path().empty()) {
-        return context.document.path().parent_path();
-    }
-    const std::vector<std::string> &recent = context.settings.recentFiles;
-    return recent.empty() ? std::filesystem::path() // the working folder
-                          : std::filesystem::path(recent.front()).parent_path();
+    return folderFor(context, [](const std::filesystem::path &) { return true; });
 }
 
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
@@ -295,9 +309,9 @@ void saveDocumentAs(Shell &context, std::function<void(Shell &)> then) {
     request.action = "Save";
     request.saves = true;
     request.filters = {projects()};
-    request.folder = startFolder(context);
+    request.folder = saveFolder(context);
     const std::filesystem::path &path = context.document.path();
-    request.name = path.empty() ? context.document.title() + ".forefront" : path.filename().string();
+    request.name = path.empty() ? context.document.title() + kProjectExtension : path.filename().string();
     request.chosen = [then = std::move(then)](Shell &c, const std::filesystem::path &file, const FileFilter &) {
         Status faults = save(c, file);
         if (faults.empty() && then) {
