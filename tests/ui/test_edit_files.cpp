@@ -222,6 +222,17 @@ TEST_CASE("Export: edges inside the domain can be left out") {
         CHECK((withoutInnerEdges(*mesh).edges.size() == mesh->edges.size()) != keeps);
     }
     CHECK(edges[1] < edges[0]);
+    askForExport(driver);
+    driver.click("dialog/export/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("flow.su2"); // for SU2, every tagged edge is a boundary
+    CHECK(driver.has("dialog/export/no-inner-edges"));
+    CHECK_FALSE(driver.has("dialog/export/inner-edges"));
+    driver.chooseFile("export", place.path / "flow.su2");
+    driver.settle();
+    const Result<Mesh> flow = readMesh(place.path / "flow.su2");
+    REQUIRE(flow.ok());
+    CHECK(flow->edges.size() == edges[1]);
 }
 
 TEST_CASE("Files: the file dialog and the shortcut sheet fit into a small window") {

@@ -123,31 +123,26 @@ const char *keptBy(std::string_view format) {
     return known == std::end(kKept) ? "" : known->text;
 }
 
-/// The programs with a button, each with the format to use and whether it accepts tagged edges inside the domain.
-struct Solver {
-    const char *id, *label, *format;
-    bool innerEdges;
-};
-constexpr Solver kSolvers[] = {
-    {"gmsh", "Gmsh", "msh41", true},       {"freefem", "FreeFem++", "medit", true},
-    {"calculix", "CalculiX", "inp", true}, {"su2", "SU2", "su2", false},
-    {"paraview", "ParaView", "vtu", true}, {"triangle", "Triangle", "triangle", true},
-};
-
-/// Returns false for the format of a program that refuses tagged edges inside the domain.
-bool acceptsInnerEdges(std::string_view format) {
-    const auto known = std::find_if(std::begin(kSolvers), std::end(kSolvers),
-                                    [&](const Solver &solver) { return solver.format == format; });
-    return known == std::end(kSolvers) || known->innerEdges;
+/// The programs with a button.
+std::vector<FilePreset> solverPresets() {
+    return {{"gmsh", "Gmsh", "msh41"}, {"freefem", "FreeFem++", "medit"}, {"calculix", "CalculiX", "inp"},
+            {"su2", "SU2", "su2"},     {"paraview", "ParaView", "vtu"},   {"triangle", "Triangle", "triangle"}};
 }
 
-std::vector<FilePreset> solverPresets(const std::shared_ptr<bool> &keepsInnerEdges) {
-    std::vector<FilePreset> presets;
-    for (const Solver &solver : kSolvers) {
-        presets.push_back({solver.id, solver.label, solver.format,
-                           [keepsInnerEdges, keeps = solver.innerEdges] { *keepsInnerEdges = keeps; }});
+/// Returns false for SU2, which takes every tagged edge for a boundary.
+bool acceptsInnerEdges(std::string_view format) {
+    return format != "su2";
+}
+
+/// Asks whether to export tagged edges inside the domain, or says why they are left out.
+void drawInnerEdges(Shell &context, std::string_view format, bool &keep) {
+    if (acceptsInnerEdges(format)) {
+        ui::checkbox(context, "dialog/export/inner-edges", "Include tagged edges inside the domain", keep);
+        return;
     }
-    return presets;
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, "Tagged edges inside the domain are left out: for SU2 they would be boundaries");
+    ui::mark(context, "dialog/export/no-inner-edges");
 }
 
 /// Returns the size of all files that were written, in bytes.
@@ -210,16 +205,17 @@ void exportMesh(Shell &context, std::string_view proposed) {
     request.folder = document.parent_path();
     request.name = (document.empty() ? context.document.title() : document.stem().string()) +
                    request.filters[request.filter].extensions.front();
-    const auto keepsInnerEdges = std::make_shared<bool>(acceptsInnerEdges(request.filters[request.filter].id));
+    const auto keepsInnerEdges = std::make_shared<bool>(true);
     request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         c.settings.exportFormat = filter.id;
-        return write(c, file, filter, *keepsInnerEdges ? InnerEdges::Keep : InnerEdges::Drop);
+        const bool keep = *keepsInnerEdges && acceptsInnerEdges(filter.id);
+        return write(c, file, filter, keep ? InnerEdges::Keep : InnerEdges::Drop);
     };
-    request.presets = solverPresets(keepsInnerEdges);
+    request.presets = solverPresets();
     request.extraLines = 2;
-    request.extra = [keepsInnerEdges, asked = false](Shell &c) mutable {
+    request.extra = [keepsInnerEdges, asked = false](Shell &c, const FileFilter &filter) mutable {
         const bool ready = drawMeshLine(c, asked);
-        ui::checkbox(c, "dialog/export/inner-edges", "Include tagged edges inside the domain", *keepsInnerEdges);
+        drawInnerEdges(c, filter.id, *keepsInnerEdges);
         return ready;
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

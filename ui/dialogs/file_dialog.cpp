@@ -340,9 +340,6 @@ void FileDialog::drawPresets(Shell &context) {
             const auto wanted = std::find_if(request_.filters.begin(), request_.filters.end(),
                                              [&](const FileFilter &f) { return f.id == preset.filter; });
             useFilter(static_cast<std::size_t>(wanted - request_.filters.begin()));
-            if (preset.chosen) {
-                preset.chosen();
-            }
         }
     }
 }
@@ -397,7 +394,7 @@ bool FileDialog::drawBottom(Shell &context) {
     if (hasNotes(request_)) {
         drawNote(context);
     }
-    const bool allowed = !request_.extra || request_.extra(context);
+    const bool allowed = !request_.extra || request_.extra(context, filter());
     ImGui::Dummy({0, context.px(4)});
     const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kButton + kButtonGap);
     ImGui::AlignTextToFramePadding();

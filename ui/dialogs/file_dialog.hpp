@@ -18,8 +18,7 @@ namespace forefront {
 struct FilePreset {
     std::string id; ///< the button is the widget "dialog/DIALOG/preset/ID"
     std::string label;
-    std::string filter;           ///< id of the filter
-    std::function<void()> chosen; ///< may be empty
+    std::string filter; ///< id of the filter
 };
 
 /// The outcome of reading a file in the background.
@@ -45,8 +44,9 @@ struct FileRequest {
     /// Called before `chosen`, if set: reads the file as the background task of the shell. The dialog stays open until
     /// the result is there, and then as with `chosen`. Returns null to leave a small file to `chosen`.
     std::function<std::shared_ptr<const FileOutcome>(Shell &, const std::filesystem::path &)> reads;
-    /// Draws extra lines between the list and the buttons; returns false to disable the button. May be empty.
-    std::function<bool(Shell &)> extra;
+    /// Draws extra lines between the list and the buttons, for the chosen filter; returns false to disable the button.
+    /// May be empty.
+    std::function<bool(Shell &, const FileFilter &)> extra;
     int extraLines = 1; ///< number of lines that `extra` draws
 };
 

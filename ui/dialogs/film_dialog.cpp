@@ -180,7 +180,7 @@ void exportFilm(Shell &context) {
         return film(c, planFor(*settings, file, filter));
     };
     request.extraLines = 3;
-    request.extra = [settings](Shell &c) {
+    request.extra = [settings](Shell &c, const FileFilter &) {
         drawRange(c, *settings);
         drawLook(c, settings->plan);
         drawLayers(c, settings->plan.layers);
