@@ -40,7 +40,7 @@ const char *verdictText(Verdict verdict) {
     case Verdict::Withdrawn:
         return "too near the front";
     case Verdict::NotLeft:
-        return "not left of AB";
+        return "on AB or its meshed side";
     case Verdict::OutsideAngle:
         return "leaves the unmeshed side";
     case Verdict::CrossesFront:
@@ -71,8 +71,8 @@ std::string plural(std::size_t count, const char *noun) {
     return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
-/// Returns a text such as "; 3 candidates rejected: 2 cross the front, 1 not left of AB". Points that are withdrawn
-/// before any test do not count as rejected.
+/// Returns a text such as "; 3 candidates rejected: 2 cross the front, 1 on AB or its meshed side". Points that are
+/// withdrawn before any test do not count as rejected.
 std::string rejections(const AdvanceExplanation &explanation) {
     struct Reason {
         Verdict verdict;
@@ -83,7 +83,7 @@ std::string rejections(const AdvanceExplanation &explanation) {
         {Verdict::CrossesFront, "crosses the front", "cross the front"},
         {Verdict::ContainsNode, "encloses a node", "enclose a node"},
         {Verdict::OutsideAngle, "leaves the unmeshed side", "leave the unmeshed side"},
-        {Verdict::NotLeft, "not left of AB", "not left of AB"}};
+        {Verdict::NotLeft, "on AB or its meshed side", "on AB or its meshed side"}};
     const auto countOf = [&](Verdict verdict) {
         return static_cast<std::size_t>(
             std::count_if(explanation.candidates.begin(), explanation.candidates.end(),

@@ -37,7 +37,7 @@ const char *shortVerdict(Verdict verdict) {
     case Verdict::Withdrawn:
         return "too near";
     case Verdict::NotLeft:
-        return "not left";
+        return "behind AB";
     case Verdict::OutsideAngle:
         return "outside";
     case Verdict::CrossesFront:
