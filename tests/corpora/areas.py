@@ -11,23 +11,32 @@ import xml.etree.ElementTree as xml
 PIXELS = 800  # along the longer side of a rendered drawing
 
 
+# How sources.py writes the edges of a graph.
+DRAWING_OF_LINES = '<svg xmlns="http://www.w3.org/2000/svg"><g fill="none" stroke="black">\n'
+FILLS_ALONE = "* { stroke: none !important; filter: none !important }"
+
+
 def area_of(path):
     """Returns the area of a file of a corpus, or None if no reference is defined for it."""
     path = pathlib.Path(path)
-    if path.suffix == ".geojson":
+    if path.suffix in (".geojson", ".json"):
         return area_of_map(json.loads(path.read_text(encoding="utf-8-sig")))
     text = path.read_text(encoding="utf-8")
-    return area_of_lines(text) if 'fill="none" stroke' in text else area_painted(text)
+    return area_of_lines(text) if text.startswith(DRAWING_OF_LINES) else area_painted(text)
 
 
 def area_painted(text):
-    """Returns the area that librsvg paints, in units of the drawing: the sum of the coverage of all pixels.
+    """Returns the area that librsvg paints without strokes, in units of the drawing: the coverage of all pixels.
 
-    What lies outside of the view box is not painted.
+    What lies outside of the view box is not painted. Half-transparent shapes count in part. Returns None for a drawing
+    without a view box, or if nothing is filled.
     """
     from PIL import Image, ImageStat  # pylint: disable=import-outside-toplevel
 
     root = xml.fromstring(text)
+    if "viewBox" not in root.attrib:
+        return None
+    xml.SubElement(root, "{http://www.w3.org/2000/svg}style").text = FILLS_ALONE
     x, y, width, height = (float(word) for word in re.split(r"[\s,]+", root.attrib["viewBox"].strip()))
     root.set("viewBox", f"{x} {y} {width} {height}")
     for name in ("width", "height"):
@@ -37,7 +46,7 @@ def area_painted(text):
     png = subprocess.run(["rsvg-convert", f"--width={columns}", f"--height={rows}", "--format=png"],
                          input=xml.tostring(root), check=True, capture_output=True).stdout
     coverage = Image.open(io.BytesIO(png)).convert("RGBA").getchannel("A")
-    return ImageStat.Stat(coverage).mean[0] / 255.0 * width * height
+    return ImageStat.Stat(coverage).mean[0] / 255.0 * width * height or None
 
 
 def winding(lines, place):
@@ -110,10 +119,45 @@ def area_of_lines(text):
     return covered.area
 
 
+def arcs_of(topology):
+    """Returns the arcs of a TopoJSON topology as lists of places."""
+    transform = topology.get("transform")
+    if not transform:
+        return topology["arcs"]
+    (sx, sy), (tx, ty) = transform["scale"], transform["translate"]
+    arcs = []
+    for steps in topology["arcs"]:
+        x = y = 0
+        arcs.append([])
+        for step in steps:
+            x, y = x + step[0], y + step[1]
+            arcs[-1].append([sx * x + tx, sy * y + ty])
+    return arcs
+
+
+def with_coordinates(geometry, arcs):
+    """Returns the GeoJSON geometry of a polygon or a collection of a topology."""
+    def ring(numbers):
+        parts = [arcs[number] if number >= 0 else arcs[~number][::-1] for number in numbers]
+        return parts[0] + [place for part in parts[1:] for place in part[1:]]
+
+    kind = geometry.get("type")
+    if kind == "GeometryCollection":
+        return {"type": kind, "geometries": [with_coordinates(g, arcs) for g in geometry["geometries"]]}
+    if kind == "Polygon":
+        return {"type": kind, "coordinates": [ring(numbers) for numbers in geometry["arcs"]]}
+    if kind == "MultiPolygon":
+        return {"type": kind, "coordinates": [[ring(numbers) for numbers in polygon] for polygon in geometry["arcs"]]}
+    return {"type": kind, "coordinates": []}
+
+
 def geometries_of(data):
     if data is None:
         return []
     kind = data.get("type")
+    if kind == "Topology":
+        arcs = arcs_of(data)
+        return [g for part in data["objects"].values() for g in geometries_of(with_coordinates(part, arcs))]
     if kind == "FeatureCollection":
         return [g for feature in data["features"] for g in geometries_of(feature)]
     if kind == "Feature":

@@ -4,7 +4,7 @@
     python3 tests/corpora/corpora.py fetch --corpus DIR [--repositories DIR] [NAME]...
     python3 tests/corpora/corpora.py run   --corpus DIR --program build/release/app/forefront [NAME]... [--jobs N]
 
-`fetch` writes the files below DIR; the sources are in sources.py. `run` meshes each file with the default options on one
+`fetch` writes the files below DIR; the sources are in sources.py: whole corpora, and samples of others. `run` meshes each file with the default options on one
 thread, checks the mesh against the file, and compares its area with what librsvg paints (SVG) or GEOS unites (maps).
 Details of every file go to DIR/NAME.csv, so that two runs can be compared.
 
@@ -75,13 +75,22 @@ def judge(program, path):
     return row
 
 
+def area_or_none(path):
+    """Returns the true area of a file, or None if it is malformed or beyond the reference program."""
+    try:
+        return areas.area_of(path)
+    except Exception as fault:  # pylint: disable=broad-exception-caught
+        print(f"no area of {path}: {fault}", file=sys.stderr)
+        return None
+
+
 def true_areas(folder, files):
     """Returns the true area of each file, from a cache beside the files where there is one."""
     cache = folder.parent / f"{folder.name}-areas.json"
     known = json.loads(cache.read_text()) if cache.exists() else {}
     missing = [path for path in files if path.name not in known]
     with concurrent.futures.ProcessPoolExecutor() as pool:
-        for path, area in zip(missing, pool.map(areas.area_of, missing, chunksize=8)):
+        for path, area in zip(missing, pool.map(area_or_none, missing, chunksize=8)):
             known[path.name] = area
     cache.write_text(json.dumps(known))
     return known
@@ -118,6 +127,25 @@ def area_is_off(row):
     return true is not None and row["area"] is not None and abs(row["area"] - true) > MAX_AREA_ERROR * abs(true)
 
 
+def is_slow(row):
+    return row["seconds"] > SLOW_SECONDS and row["elements"] < SLOW_ELEMENTS
+
+
+def is_poor(row):
+    return row["alpha"] < MIN_ALPHA
+
+
+def is_sharp(row):
+    """Returns true if an angle is small away from corners and narrow places that force it."""
+    return row["angle_elsewhere"] < MIN_ANGLE
+
+
+def refusals(rows):
+    """Returns the reasons of refusals with their counts."""
+    reasons = collections.Counter(row.get("reason", "") for row in rows if row["state"] != "meshed")
+    return ", ".join(f"{count} {reason}" for reason, count in reasons.most_common()) or 0
+
+
 def share(rows, condition):
     """Returns how many rows fulfil a condition, with the first names."""
     found = [row for row in rows if condition(row)]
@@ -127,9 +155,8 @@ def share(rows, condition):
 
 def table(name, rows):
     meshed = [row for row in rows if row["state"] == "meshed"]
-    refused = collections.Counter(row.get("reason", "") for row in rows if row["state"] != "meshed")
     lines = [("files", len(rows)), ("meshed", len(meshed)), ("of them valid", sum(row["valid"] for row in meshed)),
-             ("refused", ", ".join(f"{count} {reason}" for reason, count in refused.most_common()) or 0)]
+             ("refused", refusals(rows))]
     if meshed:
         elements = sorted(row["elements"] for row in meshed)
         slowest = max(meshed, key=lambda row: row["seconds"])
@@ -138,12 +165,10 @@ def table(name, rows):
             ("triangles: median, 99 %, maximum",
              f"{elements[len(elements) // 2]}, {elements[len(elements) * 99 // 100]}, {elements[-1]}"),
             ("slowest", f"{slowest['file']}: {slowest['seconds']:.1f} s, {slowest['elements']} triangles"),
-            ("more than 2 s for fewer than 500,000 triangles", share(
-                meshed, lambda row: row["seconds"] > SLOW_SECONDS and row["elements"] < SLOW_ELEMENTS)),
-            ("α geometric mean below .95", share(meshed, lambda row: row["alpha"] < MIN_ALPHA)),
+            ("more than 2 s for fewer than 500,000 triangles", share(meshed, is_slow)),
+            ("α geometric mean below .95", share(meshed, is_poor)),
             ("minimum angle below 20°", share(meshed, lambda row: row["angle"] < MIN_ANGLE)),
-            ("the same away from corners and narrow places that force it",
-             share(meshed, lambda row: row["angle_elsewhere"] < MIN_ANGLE)),
+            ("the same away from corners and narrow places that force it", share(meshed, is_sharp)),
             ("minimum angle", f"{min(row['angle'] for row in meshed):.2g}°"),
         ]
     source, licence = sources.SOURCES[name]
@@ -151,10 +176,35 @@ def table(name, rows):
                      [f"| {label} | {value} |" for label, value in lines]) + "\n"
 
 
+def sample_table(corpora):
+    """Returns one table of all samples, a line each."""
+    lines = ["### Samples", "", "| corpus | files | meshed | valid | refused | area off | slow | α below .95 | minimum angle "
+             "below 20° elsewhere | triangles: median, maximum | source |", "|---|" + "---|" * 10]
+    for name, rows in corpora.items():
+        meshed = [row for row in rows if row["state"] == "meshed"]
+        elements = sorted(row["elements"] for row in meshed) or [0]
+        source, licence, _ = sources.SAMPLES[name]
+        cells = [name, len(rows), len(meshed), sum(row["valid"] for row in meshed), refusals(rows),
+                 share(meshed, area_is_off), share(meshed, is_slow), share(meshed, is_poor), share(meshed, is_sharp),
+                 f"{elements[len(elements) // 2]}, {elements[-1]}", f"{source} ({licence})"]
+        lines.append("| " + " | ".join(str(cell) for cell in cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def summary(corpora):
+    """Returns a sentence about all files."""
+    rows = [row for some in corpora.values() for row in some]
+    meshed = [row for row in rows if row["state"] == "meshed"]
+    poor = sum(1 for row in meshed if is_poor(row))
+    return (f"All corpora of this run: {len(rows)} files, {len(meshed)} meshed, {sum(row['valid'] for row in meshed)} "
+            f"of them valid; {poor} ({100 * poor / max(1, len(meshed)):.2f} %) with α below .95.\n")
+
+
 def main():
+    known = [*sources.SOURCES, *sources.SAMPLES]
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("command", choices=["fetch", "run"])
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(sources.SOURCES)}; default: all")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(known)}; default: all")
     parser.add_argument("--corpus", type=pathlib.Path, required=True, help="folder of the files")
     parser.add_argument("--repositories", type=pathlib.Path, help="folder of clones named OWNER+NAME")
     parser.add_argument("--program", default="forefront")
@@ -162,15 +212,22 @@ def main():
     parser.add_argument("--only", default="*", help="pattern of file names")
     parser.add_argument("--suffix", default="", help="appended to the names of the CSV files")
     arguments = parser.parse_intermixed_args()
-    names = arguments.names or list(sources.SOURCES)
-    unknown = set(names) - set(sources.SOURCES)
+    names = arguments.names or known
+    unknown = set(names) - set(known)
     if unknown:
-        parser.error(f"unknown corpus {', '.join(sorted(unknown))}; expected {', '.join(sources.SOURCES)}")
+        parser.error(f"unknown corpus {', '.join(sorted(unknown))}; expected {', '.join(known)}")
     if arguments.command == "fetch":
         sources.fetch(names, arguments.corpus, arguments.repositories)
         return
+    corpora = {}
     for name in names:
-        print(table(name, run_corpus(name, arguments)), flush=True)
+        corpora[name] = run_corpus(name, arguments)
+        if name in sources.SOURCES:
+            print(table(name, corpora[name]), flush=True)
+    samples = {name: rows for name, rows in corpora.items() if name in sources.SAMPLES}
+    if samples:
+        print(sample_table(samples), flush=True)
+    print(summary(corpora))
 
 
 if __name__ == "__main__":

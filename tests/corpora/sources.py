@@ -5,6 +5,7 @@ are written to a folder outside the repository.
 """
 
 import fnmatch
+import hashlib
 import json
 import math
 import pathlib
@@ -12,6 +13,8 @@ import re
 import subprocess
 import tempfile
 import xml.etree.ElementTree as xml
+
+import areas
 
 # repository, licence
 SOURCES = {
@@ -24,6 +27,44 @@ SOURCES = {
     "countries": ("johan/world.geo.json", "Unlicense"),
 }
 
+SAMPLE_SIZE = 150  # maximum number of files taken from each of the following
+# repository, licence, patterns
+SAMPLES = {
+    "bootstrap": ("twbs/icons", "MIT", ["icons/*.svg"]),
+    "breeze": ("KDE/breeze-icons", "LGPL-3.0", ["icons/*.svg"]),
+    "circles": ("numixproject/numix-icon-theme-circle", "GPL-3.0", ["*/48/apps/*.svg"]),
+    "cards": ("htdebeer/SVG-cards", "LGPL-2.1", ["*.svg"]),
+    "devicon": ("devicons/devicon", "MIT", ["icons/*-original.svg", "icons/*-plain.svg"]),
+    "emoji": ("mozilla/fxemoji", "CC-BY-4.0", ["svgs/FirefoxEmoji/*.svg"]),
+    "flags": ("hampusborgos/country-flags", "public domain", ["svg/*.svg"]),
+    "flags-4x3": ("lipis/flag-icons", "MIT", ["flags/4x3/*.svg"]),
+    "games": ("game-icons/icons", "CC-BY-3.0", ["*.svg"]),
+    "health": ("resolvetosavelives/healthicons", "MIT", ["public/icons/svg/*.svg"]),
+    "logos-in-colour": ("gilbarbara/logos", "CC0", ["logos/*.svg"]),
+    "lucide": ("lucide-icons/lucide", "ISC", ["icons/*.svg"]),
+    "material": ("PKief/vscode-material-icon-theme", "MIT", ["icons/*.svg"]),
+    "noto": ("googlefonts/noto-emoji", "OFL-1.1", ["svg/*.svg"]),
+    "octicons": ("primer/octicons", "MIT", ["icons/*.svg"]),
+    "paper": ("snwh/paper-icon-theme", "CC-BY-SA-4.0", ["*/48x48/apps/*.svg", "*/scalable/*.svg"]),
+    "phosphor": ("phosphor-icons/core", "MIT", ["raw/*.svg"]),
+    "svg-maps": ("VictorCazanave/svg-maps", "MIT", ["packages/*.svg"]),
+    "tiny": ("edent/SuperTinyIcons", "MIT", ["images/svg/*.svg"]),
+    "vscode": ("vscode-icons/vscode-icons", "MIT", ["icons/*.svg"]),
+    "cities": ("codeforgermany/click_that_hood", "MIT", ["public/data/*.geojson"]),
+    "france": ("gregoiredavid/france-geojson", "Licence Ouverte", ["*.geojson"]),
+    "germany": ("isellsoap/deutschlandGeoJSON", "Unlicense", ["*.json"]),
+    "india": ("datameet/maps", "MIT", ["*.geojson", "*.json"]),
+    "italy": ("openpolis/geojson-italy", "CC-BY-4.0", ["geojson/*.geojson", "topojson/*.json"]),
+    "korea": ("southkorea/southkorea-maps", "various", ["*/json/*.json"]),
+    "neighbourhoods": ("blackmad/neighborhoods", "not stated", ["*.geojson"]),
+    "topojson": ("deldersveld/topojson", "MIT", ["*.json"]),
+    "uk": ("martinjc/UK-GeoJSON", "Open Government Licence", ["json/*.json"]),
+}
+
+
+MAX_NAME = 120  # characters
+SYMBOLIC_LINK = "120000"  # git's mode
+
 
 class Repository:
     """A git directory whose newest commit is read without a work tree."""
@@ -35,11 +76,20 @@ class Repository:
         for line in listing.decode().split("\0"):
             if line:
                 about, path = line.split("\t", 1)
-                self.objects[path] = about.split()[2]
+                mode, _, name = about.split()
+                if mode != SYMBOLIC_LINK:
+                    self.objects[path] = name
+
+    def paths(self, *patterns):
+        """Returns the paths that match a pattern."""
+        return sorted(p for p in self.objects if any(fnmatch.fnmatch(p, pattern) for pattern in patterns))
 
     def files(self, *patterns):
         """Yields path and content of each file that matches a pattern and is present."""
-        wanted = sorted(p for p in self.objects if any(fnmatch.fnmatch(p, pattern) for pattern in patterns))
+        yield from self.read(self.paths(*patterns))
+
+    def read(self, wanted):
+        """Yields path and content of each of these files that is present."""
         with subprocess.Popen(self.git + ["cat-file", "--batch"], stdin=subprocess.PIPE,
                               stdout=subprocess.PIPE) as batch:
             for path in wanted:
@@ -101,8 +151,7 @@ def fetch_cdt(repository, folder):
         lines = "".join(f'<path d="M{places[a][0]!r},{places[a][1]!r}L{places[b][0]!r},{places[b][1]!r}"/>\n'
                         for a, b in ends)
         name = pathlib.PurePosixPath(path).stem.replace(" ", "-")
-        (folder / f"{name}.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"><g fill="none" stroke="black">\n' +
-                                            lines + "</g></svg>\n")
+        (folder / f"{name}.svg").write_text(areas.DRAWING_OF_LINES + lines + "</g></svg>\n")
 
 
 def polygons_of(geometry):
@@ -169,6 +218,14 @@ def fetch_countries(repository, folder):
             (folder / f"{name}.geojson").write_bytes(content)
 
 
+def fetch_sample(repository, folder, patterns):
+    """Writes files in an order that depends on their paths alone, without copies of the same content."""
+    paths = sorted(repository.paths(*patterns), key=lambda path: hashlib.sha256(path.encode()).digest())
+    distinct = {repository.objects[path]: path for path in reversed(paths)}
+    for path, content in repository.read([p for p in paths if distinct[repository.objects[p]] == p][:SAMPLE_SIZE]):
+        (folder / path.replace("/", "-")[-MAX_NAME:]).write_bytes(content)
+
+
 FETCHERS = {
     "logos": fetch_logos,
     "earcut": fetch_earcut,
@@ -186,6 +243,10 @@ def fetch(names, folder, clones):
         for name in names:
             target = folder / name
             target.mkdir(parents=True, exist_ok=True)
-            FETCHERS[name](open_repository(SOURCES[name][0], clones, scratch), target)
-            print(f"{name}: {sum(1 for _ in target.iterdir())} files from github.com/{SOURCES[name][0]} "
-                  f"({SOURCES[name][1]})", flush=True)
+            origin, licence = (SAMPLES[name][:2] if name in SAMPLES else SOURCES[name])
+            repository = open_repository(origin, clones, scratch)
+            if name in SAMPLES:
+                fetch_sample(repository, target, SAMPLES[name][2])
+            else:
+                FETCHERS[name](repository, target)
+            print(f"{name}: {sum(1 for _ in target.iterdir())} files from github.com/{origin} ({licence})", flush=True)
