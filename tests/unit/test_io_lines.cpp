@@ -188,3 +188,70 @@ TEST_CASE("SVG: lines around an outline whose ends nearly meet are reported") {
     CHECK(found->message == "2 ends of lines nearly meet another end, at most 0.3 away, first at "
                             "(90, 10); --weld 0.315 joins them");
 }
+
+TEST_CASE("SVG: a larger weld tolerance is advised only where it loses nothing") {
+    ImportNotes notes;
+    REQUIRE(unfilled("<path d='M10 10H90V40'/><path d='M90 40.3H10V10'/><circle cx='50' cy='25' r='.1'/>", notes).ok());
+    const auto found = std::find_if(notes.entries().begin(), notes.entries().end(),
+                                    [](const ImportNote &note) { return note.code == "line-gaps"; });
+    REQUIRE(found != notes.entries().end());
+    CHECK(found->message == "2 ends of lines nearly meet another end, at most 0.3 away, first at "
+                            "(90, 10); join them in the drawing");
+    ImportNotes others;
+    REQUIRE(unfilled("<path d='M10 10H90V40'/><path d='M90 40.01H10V10'/><path d='M20 5h9m.9 0h9'/>"
+                     "<circle cx='50' cy='25' r='.5'/>",
+                     others)
+                .ok());
+    CHECK(std::any_of(others.entries().begin(), others.entries().end(), [](const ImportNote &note) {
+        return note.code == "line-gaps" && note.message.find("; --weld 0.0105 joins them") != std::string::npos;
+    }));
+}
+
+TEST_CASE("SVG: an outline drawn twice counts once, wherever it begins and in either direction") {
+    const std::string plate = "<path d='M10 10H90V40H10z'/>", hole = "<path d='M40 20h10v10h-10z'/>";
+    const std::string turned = "<path d='M50 30v-10h-10v10z'/>", round = "<circle cx='70' cy='25' r='5'/>";
+    for (const std::string &content :
+         {plate + hole + hole, plate + hole + turned, plate + plate + hole, plate + hole + turned + plate + hole}) {
+        CAPTURE(content);
+        ImportNotes notes;
+        const auto domain = unfilled(content, notes);
+        REQUIRE(domain.ok());
+        CHECK(areaOf(*domain) == doctest::Approx(2300));
+        CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
+                          [](const ImportNote &note) { return note.code == "svg-duplicate"; }));
+    }
+    ImportNotes notes;
+    const auto circles = unfilled(plate + round + round, notes);
+    REQUIRE(circles.ok());
+    CHECK(areaOf(*circles) == doctest::Approx(2400 - 25 * 3.14159265).epsilon(1e-3));
+    const auto named = unfilled("<path d='M10 10H90V40H10z'/><path id='rim' d='M10 10H90V40H10z'/>", notes);
+    REQUIRE(named.ok());
+    CHECK(named->boundaryNames.size() == 1);
+}
+
+TEST_CASE("SVG: an invisible frame around open strokes is no outline") {
+    const std::string text = "<svg viewBox='0 0 24 24' fill='none'><path d='M0 0H24V24H0z'/>"
+                             "<path stroke='black' d='M2 2H9M4 5V20'/></svg>";
+    const auto domain = readSvg(sourceOf(text));
+    REQUIRE(domain.ok());
+    CHECK(boundaryCount(*domain) == 0);
+    SourceText source = sourceOf(text);
+    source.options.strokeAreas = true;
+    const auto areas = readSvg(source);
+    REQUIRE(areas.ok());
+    CHECK(boundaryCount(*areas) > 0);
+}
+
+TEST_CASE("SVG: a domain that is only a part of the drawing is reported, and one enclosed by chance no domain") {
+    const std::string open = "<path d='M10 10H90V40H10V20'/>";
+    ImportNotes notes;
+    REQUIRE(unfilled(open + "<path d='M40 20h10v10h-10z'/>", notes).ok());
+    CHECK(std::any_of(notes.entries().begin(), notes.entries().end(), [](const ImportNote &note) {
+        return note.code == "small-domain" && note.message.find("from (40, 20) to (50, 30)") != std::string::npos;
+    }));
+    ImportNotes others;
+    const auto chance = unfilled(open + "<path d='M40 20h.1v.1h-.1z'/>", others);
+    REQUIRE(chance.ok());
+    CHECK(boundaryCount(*chance) == 0);
+    CHECK(chance->segments.size() == 8);
+}

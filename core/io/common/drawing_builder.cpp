@@ -29,6 +29,35 @@ Box2 boundsOf(const ArrangementInput &input) {
     return box;
 }
 
+Box2 boundaryBox(const Domain &domain) {
+    Box2 box;
+    for (const DomainSegment &segment : domain.segments) {
+        if (segment.role == SegmentRole::Boundary) {
+            box.add(domain.nodes[segment.a]);
+            box.add(domain.nodes[segment.b]);
+        }
+    }
+    return box;
+}
+
+double areaOf(const Box2 &box) {
+    return box.size().x * box.size().y;
+}
+
+/// Returns true for a boundary so small a part of a drawing that its lines enclose it by chance, where they meet.
+bool isScrap(const Box2 &boundary, const Box2 &drawn) {
+    constexpr double kChance = 1e-5;
+    return !boundary.empty() && areaOf(boundary) < kChance * areaOf(drawn);
+}
+
+/// Makes all lines constraints; validation reports why nothing is enclosed.
+Arrangement onlyLines(Arrangement arrangement) {
+    for (DomainSegment &segment : arrangement.domain.segments) {
+        segment.role = SegmentRole::Constraint;
+    }
+    return arrangement;
+}
+
 } // namespace
 
 DrawingBuilder::DrawingBuilder(const SourceText &source) : source_(source) {
@@ -103,6 +132,8 @@ bool DrawingBuilder::hasOutlines() const {
 }
 
 Result<Domain> DrawingBuilder::finish() {
+    const Box2 drawn = boundsOf(input_);
+    const bool filled = hasOutlines() && !linesBound_;
     Result<Arrangement> arranged = arrangeParts();
     if (!arranged) {
         Diagnostics faults = arranged.faults();
@@ -123,6 +154,9 @@ Result<Domain> DrawingBuilder::finish() {
         return Diagnostics{faultAt(source_, 0, "empty-domain", "the outlines enclose no area",
                                    "draw a closed outline, or lower the weld tolerance")};
     }
+    if (!filled) {
+        noteSmallDomain(arranged->domain, drawn);
+    }
     noteFeatureGaps(*arranged);
     recordOrigin(*arranged);
     return std::move(arranged->domain);
@@ -139,6 +173,9 @@ Result<Arrangement> DrawingBuilder::arrangeParts() {
         input_.keepOutside = true;
         Result<Arrangement> arranged = arrange(input_);
         const LineLoops loops = arranged ? takeLinesAsOutline(arranged->domain) : LineLoops{};
+        if (arranged && isScrap(boundaryBox(arranged->domain), boundsOf(input_))) {
+            return onlyLines(*std::move(arranged));
+        }
         if (arranged && (outlines || loops.segments > 0)) {
             noteLineGaps(*arranged);
             noteLoopsLeft(*arranged, loops);
@@ -249,17 +286,57 @@ void DrawingBuilder::noteLoopsLeft(const Arrangement &lines, const LineLoops &lo
     }
 }
 
-/// Reports lines that would form loops if their ends met.
+/// Reports lines that would form loops if their ends met, with a tolerance that joins them, or the closest of them.
 void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
-    constexpr double kNear = 0.01; // fraction of the diagonal
-    const LineGaps gaps = findLineGaps(lines.domain, kNear * lines.domain.bounds().diagonal());
-    if (gaps.count > 0) {
+    constexpr double kSteps[] = {1.0, 0.1, 0.01};
+    const double near = kNearEnds * lines.domain.bounds().diagonal();
+    const LineGaps all = findLineGaps(lines.domain, near);
+    if (all.count == 0) {
+        return;
+    }
+    const auto noteGaps = [&](const LineGaps &gaps, const std::string &advice) {
         source_.note("line-gaps",
                      std::to_string(gaps.count) + (gaps.count == 1 ? " end" : " ends") + " of lines nearly " +
                          (gaps.count == 1 ? "meets" : "meet") + " another end, at most " + numberText(gaps.widest, 3) +
-                         " away, first at " + placeText(gaps.first) + "; --weld " +
-                         numberText(kSpare * gaps.widest, 3) + " joins them",
+                         " away, first at " + placeText(gaps.first) + "; " + advice,
                      offsetOf(lines.stretches[gaps.segment].piece));
+    };
+    for (const double step : kSteps) {
+        const LineGaps gaps = findLineGaps(lines.domain, step * near);
+        const double tolerance = kSpare * gaps.widest;
+        if (gaps.count > 0 && joinsAlone(lines, tolerance, step * near)) {
+            noteGaps(gaps, "--weld " + numberText(tolerance, 3) + " joins them");
+            return;
+        }
+    }
+    noteGaps(all, "join them in the drawing");
+}
+
+/// Returns true if a larger tolerance joins the ends of lines within `near` of each other, and loses nothing.
+bool DrawingBuilder::joinsAlone(const Arrangement &lines, double tolerance, double near) const {
+    const auto lost = [](const Arrangement &arrangement) {
+        std::size_t count = 0;
+        for (const ArrangementChange &change : arrangement.changes) {
+            const bool loses = change.kind == ChangeKind::ShortPieces || change.kind == ChangeKind::VanishedShapes;
+            count += loses ? change.count : 0;
+        }
+        return count;
+    };
+    ArrangementInput input = input_;
+    input.tolerance = tolerance;
+    const Result<Arrangement> joined = arrange(input);
+    return joined && findLineGaps(joined->domain, near).count == 0 && lost(*joined) <= lost(lines);
+}
+
+/// Reports a domain that is only a part of what is drawn.
+void DrawingBuilder::noteSmallDomain(const Domain &domain, const Box2 &drawn) const {
+    constexpr double kSmall = 0.25; // fraction of the area that the drawing extends over
+    const Box2 box = boundaryBox(domain);
+    if (!box.empty() && areaOf(box) < kSmall * areaOf(drawn)) {
+        source_.note("small-domain",
+                     "the domain is only a part of the drawing, from " + placeText(box.min) + " to " +
+                         placeText(box.max) + ": the other lines do not close",
+                     0);
     }
 }
 

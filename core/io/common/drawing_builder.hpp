@@ -72,6 +72,8 @@ class DrawingBuilder {
     Diagnostics report(const Arrangement &arrangement) const;
     void noteLoopsLeft(const Arrangement &lines, const LineLoops &loops) const;
     void noteLineGaps(const Arrangement &lines) const;
+    bool joinsAlone(const Arrangement &lines, double tolerance, double near) const;
+    void noteSmallDomain(const Domain &domain, const Box2 &drawn) const;
     void noteFeatureGaps(const Arrangement &arrangement) const;
     void recordOrigin(const Arrangement &arrangement) const;
 

@@ -22,6 +22,9 @@ struct LineLoops {
 /// lines. No two segments may cross.
 LineLoops takeLinesAsOutline(Domain &domain);
 
+/// Ends of lines within this fraction of the diagonal of each other may be meant to meet.
+inline constexpr double kNearEnds = 0.01;
+
 /// Free ends of lines that nearly meet. Lengths are in domain units.
 struct LineGaps {
     std::size_t count = 0;   ///< number of ends

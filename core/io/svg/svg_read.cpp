@@ -1,5 +1,5 @@
-#include "core/geometry/polygon.hpp"
 #include "core/io/common/drawing_builder.hpp"
+#include "core/io/common/repeated_loops.hpp"
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_drawing.hpp"
@@ -11,9 +11,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,10 +32,6 @@ constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest s
 
 bool isLoop(const SvgPath &path) {
     return path.closed && path.nodes.size() > 2;
-}
-
-bool enclosesArea(const SvgPath &path) {
-    return isLoop(path) && signedArea(path.nodes) != 0.0;
 }
 
 /// Closes a path that ends where it begins.
@@ -71,11 +69,12 @@ class SvgBuilder {
         for (const SvgPath &path : paths_) {
             regions_.reserve(path.name);
             anyPainted_ = anyPainted_ || path.covers();
-            closedStroke_ = closedStroke_ || (path.paint.stroked && enclosesArea(path));
+            anyStroked_ = anyStroked_ || (path.paint.stroked && path.nodes.size() > 1);
         }
     }
 
     Result<Domain> run() {
+        dropRepeatedOutlines();
         const std::uint32_t feature = builder_.addFeature(1);
         chooseRules();
         source_.found(contents());
@@ -132,6 +131,7 @@ class SvgBuilder {
 
     /// Returns the paths as shapes that share no nodes.
     Result<Domain> runApart() {
+        dropRepeatedOutlines();
         std::vector<Part> parts;
         for (const SvgPath &path : paths_) {
             parts.push_back(partOf(path));
@@ -154,8 +154,7 @@ class SvgBuilder {
                     continue;
                 }
                 if (!added.insert(&paths_[k]).second) {
-                    source_.note("svg-duplicate", "shapes that lie exactly on another one are left out",
-                                 paths_[k].offset);
+                    noteRepeated(paths_[k]);
                     continue;
                 }
                 if (parts[k] == Part::Painted && std::exchange(painted_, paths_[k].element) != paths_[k].element &&
@@ -179,6 +178,41 @@ class SvgBuilder {
                                                 comesBefore);
         }
     };
+
+    /// Removes outlines that lie on another one, of which those with names come first. Drawings made for cutters and
+    /// circuit boards often repeat them, and by the even-odd rule each pair would cancel out.
+    void dropRepeatedOutlines() {
+        std::map<std::uint32_t, std::vector<std::size_t>> outlines; // by the clip that limits them
+        for (const bool named : {true, false}) {
+            for (std::size_t k = 0; k < paths_.size(); ++k) {
+                if (partOf(paths_[k]) == Part::Outline && isGeneratedName(paths_[k].name) != named) {
+                    outlines[paths_[k].limit].push_back(k);
+                }
+            }
+        }
+        std::vector<std::uint8_t> dropped(paths_.size(), 0);
+        for (const auto &[clip, paths] : outlines) {
+            std::vector<std::span<const Vec2>> loops;
+            std::transform(paths.begin(), paths.end(), std::back_inserter(loops),
+                           [&](std::size_t k) -> std::span<const Vec2> { return paths_[k].nodes; });
+            const std::vector<std::uint8_t> repeated = findRepeatedLoops(loops, kSameNode * size_);
+            for (std::size_t i = 0; i < paths.size(); ++i) {
+                dropped[paths[i]] = repeated[i];
+            }
+        }
+        std::size_t at = 0;
+        std::erase_if(paths_, [&](const SvgPath &path) {
+            const bool drops = dropped[at++] != 0;
+            if (drops) {
+                noteRepeated(path);
+            }
+            return drops;
+        });
+    }
+
+    void noteRepeated(const SvgPath &path) const {
+        source_.note("svg-duplicate", "shapes that lie exactly on another one are left out", path.offset);
+    }
 
     /// Adds a path with nodes of its own.
     void addApart(const SvgPath &path, bool area, Domain &domain) {
@@ -307,7 +341,7 @@ class SvgBuilder {
             return Part::Nothing;
         }
         const bool loop = isLoop(path);
-        if (loop && !path.paint.stroked && (anyPainted_ || closedStroke_)) {
+        if (loop && !path.paint.stroked && (anyPainted_ || anyStroked_)) {
             return Part::Nothing;
         }
         if (!anyPainted_) {
@@ -469,7 +503,7 @@ class SvgBuilder {
     double size_;        ///< diagonal of what is visible
     double tolerance_;   ///< of polylines along curves
     bool anyPainted_;
-    bool closedStroke_ = false;
+    bool anyStroked_ = false;
     std::size_t shaped_ = kNone; ///< the element of the last shape
     std::uint32_t shape_ = 0;
     std::size_t painted_ = kNone;                               ///< the element of the last contour
