@@ -14,6 +14,12 @@ PIXELS = 800  # along the longer side of a rendered drawing
 # How sources.py writes the edges of a graph.
 DRAWING_OF_LINES = '<svg xmlns="http://www.w3.org/2000/svg"><g fill="none" stroke="black">\n'
 FILLS_ALONE = "* { stroke: none !important; filter: none !important }"
+OPACITY = re.compile(r"""(opacity\s*[:=]\s*["']?\s*)([0-9.eE+-]+%?)""")
+
+
+def opaque(found):
+    """Returns an opacity of 1 instead of any other but 0."""
+    return found[1] + ("1" if re.search("[1-9]", found[2].split("e")[0]) else found[2])
 
 
 def area_of(path):
@@ -28,12 +34,12 @@ def area_of(path):
 def area_painted(text):
     """Returns the area that librsvg paints without strokes, in units of the drawing: the coverage of all pixels.
 
-    What lies outside of the view box is not painted. Half-transparent shapes count in part. Returns None for a drawing
-    without a view box, or if nothing is filled.
+    What lies outside of the view box is not painted. Half-transparent shapes count as a whole. Returns None for a
+    drawing without a view box, or if nothing is filled.
     """
     from PIL import Image, ImageStat  # pylint: disable=import-outside-toplevel
 
-    root = xml.fromstring(text)
+    root = xml.fromstring(OPACITY.sub(opaque, text))
     if "viewBox" not in root.attrib:
         return None
     xml.SubElement(root, "{http://www.w3.org/2000/svg}style").text = FILLS_ALONE
