@@ -47,13 +47,8 @@ class AdaptPanel final : public Panel {
         }
         const auto known = std::find(names.begin() + 1, names.end(), field_);
         auto choice = static_cast<int>(known == names.end() ? 0 : known - names.begin());
-        std::vector<const char *> labels;
-        labels.reserve(names.size());
-        for (const std::string &name : names) {
-            labels.push_back(name.c_str());
-        }
         form::label(context, "Field");
-        if (ui::combo(context, "adapt/field", labels, choice)) {
+        if (ui::combo(context, "adapt/field", names, choice)) {
             field_ = choice == 0 ? std::string() : names[static_cast<std::size_t>(choice)];
         }
         ui::rowTooltip(context, "The mesh is refined where linear elements approximate the gradient of this field "

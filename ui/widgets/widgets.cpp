@@ -245,15 +245,27 @@ bool combo(WidgetContext &context, std::string_view name, std::span<const char *
     mark(context, name);
     if (open) {
         for (std::size_t i = 0; i < labels.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i)); // labels may be empty or repeated
             if (ImGui::Selectable(labels[i], choice == static_cast<int>(i))) {
                 choice = static_cast<int>(i);
                 changed = true;
             }
+            ImGui::PopID();
             mark(context, std::string(name) + "/" + labels[i]);
         }
         ImGui::EndCombo();
     }
     return changed;
+}
+
+bool combo(WidgetContext &context, std::string_view name, const std::vector<std::string> &labels, int &choice,
+           float width) {
+    std::vector<const char *> texts;
+    texts.reserve(labels.size());
+    for (const std::string &label : labels) {
+        texts.push_back(label.c_str());
+    }
+    return combo(context, name, std::span<const char *const>(texts), choice, width);
 }
 
 bool slider(WidgetContext &context, std::string_view name, double &value, double minimum, double maximum,

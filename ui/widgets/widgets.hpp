@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Widgets of Dear ImGui in the style of the program. Each registers its name and rectangle, so that scripts and tests
 /// can refer to it. Names are paths, unique within a frame: "dialog/export/format".
@@ -38,6 +39,9 @@ bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view l
 bool segmented(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
                float width = 0.0F, std::span<const char *const> tips = {});
 bool combo(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+           float width = -1.0F);
+/// Draws a combo of any texts, such as names from a file, which may be empty or repeated.
+bool combo(WidgetContext &context, std::string_view name, const std::vector<std::string> &labels, int &choice,
            float width = -1.0F);
 /// Draws a linear or logarithmic slider and its number; `width` is that of both. `format` is a printf format for a
 /// double.
