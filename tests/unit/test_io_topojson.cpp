@@ -7,8 +7,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
+#include <map>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -27,9 +30,10 @@ std::string topology(const std::string &members) {
     return "{\"type\": \"Topology\", " + members + "}";
 }
 
-Domain topoJsonDomain(const std::string &text, ImportNotes *notes = nullptr) {
+Domain topoJsonDomain(const std::string &text, ImportNotes *notes = nullptr, const ImportOptions &options = {}) {
     SourceText source = sourceOf(text, "map.topojson");
     source.notes = notes;
+    source.options = options;
     const auto domain = readTopoJson(source);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     return *domain;
@@ -103,8 +107,36 @@ TEST_CASE("TopoJSON: of several layers the first with polygons is read, and a no
                        &notes);
     CHECK(domain.points.empty());
     REQUIRE(topoCodes(notes) == "layers 1 ");
-    CHECK(notes.diagnostics()[0].message.starts_with(
-        "of several layers, only 'states' is read, not 'cities', 'nation'; to read another"));
+    CHECK(notes.diagnostics()[0].message ==
+          "of several layers, only 'states' is read, not 'cities', 'nation'; --layer selects another");
+    CHECK(notes.contents().layers == std::vector<std::string>{"cities", "states", "nation"});
+    CHECK(notes.contents().layer == "states");
+}
+
+TEST_CASE("TopoJSON: an option selects the layer; an unknown one is refused with the names of all") {
+    const std::string text = topology(
+        R"("arcs": [[[0, 0], [4, 0], [4, 4], [0, 0]], [[6, 0], [8, 0], [8, 1], [6, 0]]], "objects": {
+ "états": {"type": "Polygon", "arcs": [[0]], "properties": {"name": "A", "code": "x"}},
+ "nation": {"type": "Polygon", "arcs": [[1]], "properties": {"name": "B", "tag": 1, "land": "y"}}})");
+    ImportNotes notes;
+    const Domain domain = topoJsonDomain(text, &notes, {.layer = "nation"});
+    CHECK(domain.bounds().min == Vec2{6, 0});
+    CHECK(domain.regionNames == std::map<std::int32_t, std::string>{{1, "B"}});
+    CHECK(topoCodes(notes) == "properties 1 ");
+    CHECK(notes.contents().layer == "nation");
+    CHECK(notes.contents().layers.size() == 2);
+    CHECK(topoJsonDomain(text, &notes, {.layer = "états"}).bounds().max == Vec2{4, 4});
+    for (const char *name : {"Nation", ""}) {
+        SourceText source = sourceOf(text, "map.topojson");
+        source.options.layer = name;
+        const auto refused = readTopoJson(source);
+        REQUIRE_FALSE(refused.ok());
+        CHECK(allLocated(refused.faults()));
+        CHECK(refused.faults().size() == 1);
+        CHECK(refused.faults()[0].code == "unknown-layer");
+        CHECK(refused.faults()[0].message == "unknown layer '" + std::string(name) + '\'');
+        CHECK(refused.faults()[0].advice == "expected one of 'états', 'nation'");
+    }
 }
 
 TEST_CASE("TopoJSON: faults are located") {

@@ -72,6 +72,14 @@ std::string cleanName(std::string_view text) {
     return name;
 }
 
+std::string listed(const std::vector<std::string> &names, std::size_t maximum) {
+    std::string list;
+    for (std::size_t k = 0; k < std::min(names.size(), maximum); ++k) {
+        list += (k > 0 ? ", '" : "'") + cleanName(names[k]) + '\'';
+    }
+    return list + (names.size() > maximum ? " and " + std::to_string(names.size() - maximum) + " more" : "");
+}
+
 std::string asIdentifier(std::string_view name, std::size_t maximum) {
     std::string result;
     for (std::size_t at = 0; at < name.size();) {

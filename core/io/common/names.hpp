@@ -22,6 +22,9 @@ std::string shortened(const std::string &text, std::size_t maximum);
 /// Cleans a name read from a file: valid UTF-8, without control characters and surrounding blanks, at most 200 bytes.
 std::string cleanName(std::string_view text);
 
+/// Lists up to `maximum` names for a message, such as "'land', 'sea' and 3 more".
+std::string listed(const std::vector<std::string> &names, std::size_t maximum);
+
 /// Returns the name as an identifier: ASCII letters, digits and '_' only, beginning with a letter, at most `maximum`
 /// bytes.
 std::string asIdentifier(std::string_view name, std::size_t maximum = 80);

@@ -96,6 +96,11 @@ void MapReader::Unused::add(const std::string &key, std::size_t offset) {
 MapReader::MapReader(const SourceText &source, const char *format)
     : source_(source), format_(format), check_(source), builder_(source) {}
 
+void MapReader::setLayers(std::vector<std::string> names, std::string read) {
+    contents_.layers = std::move(names);
+    contents_.layer = std::move(read);
+}
+
 void MapReader::reserveTag(const JsonValue &feature) {
     const auto properties = feature.find("properties");
     if (const auto tag = properties ? tagIn(*properties) : std::nullopt) {
@@ -223,7 +228,8 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
     buildPolygons();
     const bool mixed = !polygons_.empty() && !lines_.empty();
     const bool drops = source_.options.dropLines && mixed;
-    source_.found({.lines = mixed});
+    contents_.lines = mixed;
+    source_.found(contents_);
     for (Line &line : lines_) {
         if (drops) {
             source_.note("dropped-lines", "lines are left out", line.path.offsets.front());

@@ -36,6 +36,8 @@ class MapReader {
 
     JsonCheck &check() { return check_; }
 
+    /// Records the layers of the file, and which of them is read.
+    void setLayers(std::vector<std::string> names, std::string read);
     /// Keeps the tag in the properties of a feature from being given to others. To be called for all features before
     /// anything is added.
     void reserveTag(const JsonValue &feature);
@@ -96,6 +98,7 @@ class MapReader {
     std::vector<Point> points_;
     Unused properties_, members_, heights_;
     std::size_t features_ = 0; ///< numbered so far
+    DrawingContents contents_;
     DrawingBuilder builder_;
 };
 

@@ -1,11 +1,14 @@
 #include "core/io/common/names.hpp"
 #include "core/io/geojson/map_reader.hpp"
 #include "core/io/geojson/topojson.hpp"
+#include "core/io/geojson/topojson_layers.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -30,7 +33,7 @@ class TopoJsonReader {
         }
         const auto objects = check_.member(topology, "objects", "the topology");
         if (objects && check_.expect(*objects, JsonKind::Object, "\"objects\"")) {
-            if (const auto layer = chooseLayer(*objects)) {
+            if (const auto layer = findLayer(*objects)) {
                 reserveTags(*layer);
                 geometry(*layer, {});
             }
@@ -79,46 +82,34 @@ class TopoJsonReader {
         }
     }
 
-    static bool holdsPolygons(const JsonValue &value) {
-        const auto type = value.find("type");
-        const std::string word = type ? type->string() : std::string();
-        if (word != "GeometryCollection") {
-            return word == "Polygon" || word == "MultiPolygon";
-        }
-        bool found = false;
-        if (const auto list = value.find("geometries")) {
-            for (const JsonValue item : *list) {
-                found = found || holdsPolygons(item);
+    /// Finds the layer to read; reports the others if nobody chose it.
+    std::optional<JsonValue> findLayer(const JsonValue &objects) {
+        const std::optional<std::string> &wanted = source_.options.layer;
+        const std::vector<TopoLayer> layers = topoLayers(objects);
+        const TopoLayer *const chosen = chooseLayer(layers, wanted);
+        std::vector<std::string> names, others;
+        for (const TopoLayer &layer : layers) {
+            names.push_back(layer.name);
+            if (&layer != chosen) {
+                others.push_back(layer.name);
             }
         }
-        return found;
-    }
-
-    std::optional<JsonValue> chooseLayer(const JsonValue &objects) {
-        std::optional<JsonValue> first, chosen;
-        std::string name, others;
-        for (auto member = objects.begin(); member != objects.end(); ++member) {
-            first = first ? first : *member;
-            if (!chosen && holdsPolygons(*member)) {
-                chosen = *member;
+        if (chosen == nullptr) {
+            if (wanted) {
+                check_.fault(objects, "unknown-layer", "unknown layer '" + cleanName(*wanted) + '\'',
+                             names.empty() ? "the file has no layers"
+                                           : "expected one of " + listed(names, names.size()));
             }
+            return std::nullopt;
         }
-        chosen = chosen ? chosen : first;
-        for (auto member = objects.begin(); member != objects.end(); ++member) {
-            if ((*member).offset() == chosen->offset()) {
-                name = inQuotes(member.key());
-            } else {
-                others += (others.empty() ? "" : ", ") + inQuotes(member.key());
-            }
+        if (!others.empty() && !wanted) {
+            source_.note("layers",
+                         "of several layers, only " + listed({chosen->name}, 1) + " is read, not " +
+                             listed(others, others.size()) + "; --layer selects another",
+                         objects.offset());
         }
-        if (!others.empty()) {
-            source_.note(
-                "layers",
-                "of several layers, only " + name + " is read, not " + others +
-                    "; to read another, extract it, for example with mapshaper FILE -o NEW.geojson target=LAYER",
-                objects.offset());
-        }
-        return chosen;
+        map_.setLayers(std::move(names), chosen->name);
+        return chosen->content;
     }
 
     void reserveTags(const JsonValue &value) {

@@ -22,8 +22,11 @@ struct ImportNote {
 
 /// What an SVG drawing or map holds that import options change.
 struct DrawingContents {
-    bool lines = false;           ///< lines beside areas, which ImportOptions::dropLines leaves out
-    std::size_t filledShapes = 0; ///< number of those that ImportOptions::shapeRegions makes regions
+    bool lines = false;                   ///< lines beside areas, which ImportOptions::dropLines leaves out
+    std::size_t filledShapes = 0;         ///< number of those that ImportOptions::shapeRegions makes regions
+    std::vector<std::string> layers = {}; ///< of a TopoJSON file, as ImportOptions::layer takes them
+    std::string layer = {};               ///< the one that was read
+};
 };
 
 /// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.

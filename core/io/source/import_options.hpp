@@ -27,7 +27,9 @@ struct ImportOptions {
     /// as they are.
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later; ///< between features of a map
-    bool strict = false;                      ///< refuse a drawing or map that would have to be changed
+    /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one.
+    std::optional<std::string> layer = {};
+    bool strict = false;     ///< refuse a drawing or map that would have to be changed
     bool beyondPage = false; ///< keep what filled shapes of an SVG drawing have outside its page (its view box)
     /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line
     /// strings.
