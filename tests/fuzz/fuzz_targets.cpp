@@ -16,6 +16,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace forefront::fuzz {
 
@@ -84,6 +86,7 @@ Result<Content> readWith(Result<Content> (*read)(const SourceText &), std::strin
     source.notes = &notes;
     source.options.strokeAreas = bytes.size() % 2 == 1;
     source.options.shapeRegions = bytes.size() % 3 == 1;
+    source.options.nameProperty = bytes.size() % 7 == 1 ? std::optional<std::string>("name") : std::nullopt;
     source.options.picture = PictureSizes{.black = 0.5, .white = 2.0, .box = {{0, 0}, {4, 3}}};
     auto result = read(source);
     checkNotes(notes);

@@ -125,6 +125,7 @@ TEST_CASE("TopoJSON: an option selects the layer; an unknown one is refused with
     CHECK(topoCodes(notes) == "properties 1 ");
     CHECK(notes.contents().layer == "nation");
     CHECK(notes.contents().layers.size() == 2);
+    CHECK(notes.contents().properties == std::vector<std::string>{"land", "name", "tag"}); // of this layer alone
     CHECK(topoJsonDomain(text, &notes, {.layer = "états"}).bounds().max == Vec2{4, 4});
     for (const char *name : {"Nation", ""}) {
         SourceText source = sourceOf(text, "map.topojson");

@@ -16,7 +16,7 @@ class GeoJsonReader {
     /// `texts`: an array of GeoJSON texts, usually one.
     Result<Domain> read(const JsonValue &texts) {
         for (const JsonValue text : texts) {
-            reserveTags(text);
+            survey(text);
         }
         for (const JsonValue text : texts) {
             noteReferenceSystem(text);
@@ -41,14 +41,14 @@ class GeoJsonReader {
                      crs->offset());
     }
 
-    void reserveTags(const JsonValue &text) {
+    void survey(const JsonValue &text) {
         const auto features = text.find("features");
         if (!features) {
-            map_.reserveTag(text);
+            map_.survey(text);
             return;
         }
         for (const JsonValue feature : *features) {
-            map_.reserveTag(feature);
+            map_.survey(feature);
         }
     }
 

@@ -94,16 +94,20 @@ void MapReader::Unused::add(const std::string &key, std::size_t offset) {
 }
 
 MapReader::MapReader(const SourceText &source, const char *format)
-    : source_(source), format_(format), check_(source), builder_(source) {}
+    : source_(source), format_(format), check_(source), names_(source.options.nameProperty), builder_(source) {}
 
 void MapReader::setLayers(std::vector<std::string> names, std::string read) {
     contents_.layers = std::move(names);
     contents_.layer = std::move(read);
 }
 
-void MapReader::reserveTag(const JsonValue &feature) {
+void MapReader::survey(const JsonValue &feature) {
     const auto properties = feature.find("properties");
-    if (const auto tag = properties ? tagIn(*properties) : std::nullopt) {
+    if (!properties) {
+        return;
+    }
+    names_.survey(*properties);
+    if (const auto tag = tagIn(*properties)) {
         boundaries_.reserve(*tag);
         regions_.reserve(*tag);
     }
@@ -115,12 +119,8 @@ MapLabel MapReader::label(const JsonValue &feature) {
     if (!properties) {
         return label;
     }
-    for (const char *key : {"name", "Name", "NAME"}) {
-        const auto name = properties->find(key);
-        if (name && name->is(JsonKind::String) && label.name.empty()) {
-            label.name = cleanName(name->string());
-        }
-    }
+    label.name = names_.nameOf(*properties);
+    named_ = named_ || !label.name.empty();
     label.tag = tagIn(*properties);
     const auto tag = properties->find("tag");
     if (tag && !label.tag) {
@@ -128,7 +128,7 @@ MapLabel MapReader::label(const JsonValue &feature) {
     }
     for (auto member = properties->begin(); member != properties->end(); ++member) {
         const std::string key = member.key();
-        if (!oneOf(key, {"name", "Name", "NAME", "tag"})) {
+        if (key != "tag" && !names_.uses(key)) {
             properties_.add(key, member.keyValue().offset());
         }
     }
@@ -219,6 +219,14 @@ void MapReader::addPoint(Vec2 place, std::size_t offset, const MapLabel &label) 
 }
 
 Result<Domain> MapReader::finish(const JsonValue &whole) {
+    contents_.properties = names_.keys();
+    if (check_.faults().empty() && !names_.found()) {
+        constexpr std::size_t kShown = 12;
+        check_.fault(whole, "unknown-property",
+                     "no feature has a property '" + cleanName(names_.source()) + "' with text or a number",
+                     contents_.properties.empty() ? "the features have no properties to take names from"
+                                                  : "expected one of " + listed(contents_.properties, kShown));
+    }
     if (check_.faults().empty() && polygons_.empty() && lines_.empty()) {
         check_.fault(whole, "empty-domain", "the file holds no polygon and no line that could bound a domain");
     }
@@ -256,26 +264,19 @@ void MapReader::noteUnused() const {
     if (heights_.count > 0) {
         source_.note("height", "third coordinates are ignored: the domain is planar", heights_.first, heights_.count);
     }
-    note(properties_, "properties", "properties other than \"name\" and \"tag\" are ignored: ");
+    note(properties_, "properties",
+         "properties other than \"" + cleanName(names_.source()) + "\" and \"tag\" are ignored: ",
+         !named_ && names_.offersText() ? "; --name-property takes names from one of them" : "");
     note(members_, "members", std::string("members that ") + format_ + " does not define are ignored: ");
 }
 
-void MapReader::note(const Unused &unused, const char *code, const std::string &start) const {
+void MapReader::note(const Unused &unused, const char *code, const std::string &start, const std::string &end) const {
     if (unused.count == 0) {
         return;
     }
     constexpr std::size_t kShown = 8;
-    std::string keys;
-    std::size_t shown = 0;
-    for (const std::string &key : unused.keys) {
-        if (shown++ < kShown) {
-            keys += (shown > 1 ? ", " : "") + inQuotes(key);
-        }
-    }
-    if (shown > kShown) {
-        keys += " and " + std::to_string(shown - kShown) + " more";
-    }
-    source_.note(code, start + keys, unused.first, unused.count);
+    const std::vector<std::string> keys(unused.keys.begin(), unused.keys.end());
+    source_.note(code, start + listed(keys, kShown) + end, unused.first, unused.count);
 }
 
 /// A hole is cut only out of its own polygon.

@@ -2,6 +2,7 @@
 
 #include "core/io/common/drawing_builder.hpp"
 #include "core/io/common/tag_allocator.hpp"
+#include "core/io/geojson/feature_names.hpp"
 #include "core/io/json/json_check.hpp"
 
 #include <cstdint>
@@ -38,9 +39,9 @@ class MapReader {
 
     /// Records the layers of the file, and which of them is read.
     void setLayers(std::vector<std::string> names, std::string read);
-    /// Keeps the tag in the properties of a feature from being given to others. To be called for all features before
-    /// anything is added.
-    void reserveTag(const JsonValue &feature);
+    /// Looks at the properties of a feature: keeps its tag from being given to others, and finds out where names are.
+    /// To be called for all features before anything is added.
+    void survey(const JsonValue &feature);
     /// Reads the properties of a feature; without a number.
     MapLabel label(const JsonValue &feature);
     /// Returns the number of the next feature.
@@ -86,12 +87,14 @@ class MapReader {
 
     void noteOuterHoles(Polygon &polygon);
     void noteUnused() const;
-    void note(const Unused &unused, const char *code, const std::string &start) const;
+    void note(const Unused &unused, const char *code, const std::string &start, const std::string &end = {}) const;
     void buildPolygons();
 
     const SourceText &source_;
     const char *format_;
     JsonCheck check_;
+    FeatureNames names_;
+    bool named_ = false; ///< a feature has a name
     TagAllocator boundaries_, regions_;
     std::vector<Polygon> polygons_;
     std::vector<Line> lines_;

@@ -34,7 +34,7 @@ class TopoJsonReader {
         const auto objects = check_.member(topology, "objects", "the topology");
         if (objects && check_.expect(*objects, JsonKind::Object, "\"objects\"")) {
             if (const auto layer = findLayer(*objects)) {
-                reserveTags(*layer);
+                survey(*layer);
                 geometry(*layer, {});
             }
         }
@@ -112,11 +112,11 @@ class TopoJsonReader {
         return chosen->content;
     }
 
-    void reserveTags(const JsonValue &value) {
-        map_.reserveTag(value);
+    void survey(const JsonValue &value) {
+        map_.survey(value);
         if (const auto list = value.find("geometries")) {
             for (const JsonValue item : *list) {
-                reserveTags(item);
+                survey(item);
             }
         }
     }

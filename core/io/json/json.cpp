@@ -365,6 +365,14 @@ std::optional<std::int64_t> JsonValue::integer() const {
     return problem == std::errc{} && !more ? std::optional<std::int64_t>(value) : std::nullopt;
 }
 
+std::string_view JsonValue::numeral() const {
+    if (!is(JsonKind::Number)) {
+        return {};
+    }
+    const std::string_view text = document_->text_.substr(offset());
+    return text.substr(0, text.find_first_not_of("+-.0123456789eE"));
+}
+
 std::string JsonValue::string() const {
     std::string result;
     if (!is(JsonKind::String)) {

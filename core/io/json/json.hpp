@@ -90,6 +90,8 @@ class JsonValue {
     std::optional<std::int64_t> integer() const;
     /// Returns the decoded string; empty if this is not one.
     std::string string() const;
+    /// Returns a number as it is written; empty if this is not one.
+    std::string_view numeral() const;
 
   private:
     const JsonDocument::Entry &entry() const { return document_->tape_[index_]; }

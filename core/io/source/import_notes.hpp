@@ -26,7 +26,8 @@ struct DrawingContents {
     std::size_t filledShapes = 0;         ///< number of those that ImportOptions::shapeRegions makes regions
     std::vector<std::string> layers = {}; ///< of a TopoJSON file, as ImportOptions::layer takes them
     std::string layer = {};               ///< the one that was read
-};
+    /// Those of features with text or a number, which ImportOptions::nameProperty takes; sorted.
+    std::vector<std::string> properties = {};
 };
 
 /// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.
