@@ -114,8 +114,8 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         hint.severity = Severity::Note;
         hint.code = "default-options";
         hint.message = "the domain was read with the default options";
-        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --beyond-page, "
-                      "--drop-lines, --stroke-areas, --shape-regions or --repair";
+        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
+                      "--beyond-page, --drop-lines, --stroke-areas, --shape-regions or --repair";
         faults.push_back(std::move(hint));
     }
     return faults;
@@ -170,7 +170,7 @@ int check(CheckArguments &arguments) {
             printFaults(domain.faults());
             return kRefused;
         }
-        std::string wrong = checkWeld(arguments.drawing.weldTolerance, *domain, arguments.repair);
+        std::string wrong = checkDrawingOptions(arguments.drawing, *domain, arguments.repair);
         // If only --limits names a project, the parameters are those of that project.
         if (wrong.empty() && (domain->isProject() || !arguments.savedLimits)) {
             wrong = setParameters(*domain, arguments.parameters);

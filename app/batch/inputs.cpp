@@ -40,13 +40,23 @@ std::string setParameters(Input &input, const std::map<std::string, std::string>
     return parameters.empty() || input.isProject() ? std::string() : "--set: only projects have parameters";
 }
 
-std::string checkWeld(const std::optional<double> &tolerance, const Input &input, bool repairs) {
-    const FileFormat *const format = tolerance && !repairs ? input.format() : nullptr;
-    return format == nullptr || format->arranges
-               ? std::string()
-               : "--weld: " + std::string(format->name) +
-                     " files are read unchanged; add --repair to join nearby nodes and "
-                     "segments";
+std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &input, bool repairs) {
+    const FileFormat *const format = input.format();
+    if (format == nullptr) {
+        return {}; // reading it says so
+    }
+    if (drawing.weldTolerance && !repairs && !format->arranges) {
+        return "--weld: " + std::string(format->name) +
+               " files are read unchanged; add --repair to join nearby nodes and segments";
+    }
+    const std::string_view id = format->id;
+    if (drawing.layer && id != "topojson") {
+        return "--layer: only TopoJSON files have layers";
+    }
+    if (drawing.nameProperty && id != "topojson" && id != "geojson") {
+        return "--name-property: only the features of GeoJSON and TopoJSON files have properties";
+    }
+    return {};
 }
 
 Result<Input> openInput(const std::filesystem::path &path, const std::optional<std::string> &formatId) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/options.hpp"
 #include "core/base/diagnostic.hpp"
 #include "core/base/result.hpp"
 #include "core/io/files.hpp"
@@ -45,9 +46,9 @@ std::string checkInputs(std::initializer_list<std::optional<std::filesystem::pat
 /// Sets the values of --set. Returns what is wrong if the input has no parameters; empty if it is a project.
 std::string setParameters(Input &input, const std::map<std::string, std::string> &parameters);
 
-/// Returns what is wrong with a weld tolerance given for an input whose parts are not joined; empty if it is valid.
-/// `repairs` is true if --repair is given.
-std::string checkWeld(const std::optional<double> &tolerance, const Input &input, bool repairs);
+/// Returns what is wrong with options that the format of an input does not have: a weld tolerance where parts are not
+/// joined, a layer, a property for names; empty if they are valid. `repairs` is true if --repair is given.
+std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &input, bool repairs);
 
 /// Returns the ids of the formats that can be read, as --input-format accepts them, separated by commas.
 std::string inputFormatIds();

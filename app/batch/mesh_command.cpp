@@ -64,7 +64,7 @@ std::string checkPicture(const MeshArguments &arguments, const Input &file) {
 /// Sets the parameters of the input. Returns what is wrong with options that depend on the formats of the files; empty
 /// if nothing is.
 std::string checkFiles(const MeshArguments &arguments, Input &input, const std::optional<Input> &spacingFile) {
-    std::string wrong = checkWeld(arguments.drawing.weldTolerance, input, arguments.repair);
+    std::string wrong = checkDrawingOptions(arguments.drawing, input, arguments.repair);
     wrong = wrong.empty() ? setParameters(input, arguments.parameters) : wrong;
     return wrong.empty() && spacingFile ? checkPicture(arguments, *spacingFile) : wrong;
 }

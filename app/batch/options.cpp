@@ -230,6 +230,8 @@ void addParameterOption(CLI::App &app, std::map<std::string, std::string> &param
 void DrawingArguments::applyTo(ImportOptions &options) const {
     options.weldTolerance = weldTolerance;
     options.overlap = overlap;
+    options.layer = layer;
+    options.nameProperty = nameProperty;
     options.beyondPage = beyondPage;
     options.dropLines = dropLines;
     options.strokeAreas = strokeAreas;
@@ -247,6 +249,13 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
                                "which polygon of a map wins where two overlap: later (default) or smaller; a polygon "
                                "inside another always keeps its area")
         ->type_name("RULE");
+    app.add_option("--layer", arguments.layer,
+                   "layer of a TopoJSON file to read, such as counties; default: the first one with polygons")
+        ->type_name("NAME");
+    app.add_option("--name-property", arguments.nameProperty,
+                   "property of the features of a map that names regions and boundaries, text or numbers; default: "
+                   "name, Name or NAME, else NAME_n of the finest administrative level n")
+        ->type_name("KEY");
     app.add_flag("--beyond-page", arguments.beyondPage,
                  "keep the parts of filled SVG shapes that lie outside the page (the view box)");
     app.add_flag(

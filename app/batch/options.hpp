@@ -54,6 +54,7 @@ void addParameterOption(CLI::App &app, std::map<std::string, std::string> &param
 struct DrawingArguments {
     std::optional<double> weldTolerance; ///< absent: the default of the input's format
     OverlapRule overlap = OverlapRule::Later;
+    std::optional<std::string> layer, nameProperty; ///< of a map
     bool beyondPage = false;
     bool dropLines = false;
     bool strokeAreas = false;
@@ -62,7 +63,8 @@ struct DrawingArguments {
     void applyTo(ImportOptions &options) const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
-/// Adds the options --weld, --overlap, --beyond-page, --drop-lines, --stroke-areas and --shape-regions.
+/// Adds the options --weld, --overlap, --layer, --name-property, --beyond-page, --drop-lines, --stroke-areas and
+/// --shape-regions.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after

@@ -504,6 +504,40 @@ class Imports(Case):
         self.assertIn("expected a number of at least 0, got '-1'",
                       self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "-1", code=2).stderr)
 
+    def test_a_layer_of_a_map_can_be_selected(self):
+        self.write("atlas.json", '''{"type": "Topology", "arcs": [[[0, 0], [4, 0], [4, 3], [0, 0]], [[6, 0], [8, 0], [8, 1], [6, 0]]],
+            "objects": {"counties": {"type": "Polygon", "arcs": [[0]], "properties": {"name": "A"}},
+                        "nation": {"type": "Polygon", "arcs": [[1]], "properties": {"name": "B"}}}}''')
+        self.assertIn("note: of several layers, only 'counties' is read, not 'nation'; --layer selects another [layers]",
+                      self.call("mesh", "atlas.json", "-o", "a.msh").stderr)
+        stats = self.stats("atlas.json", "-o", "b.msh", "--layer", "nation")
+        self.assertEqual([(region["name"], round(region["area"], 9)) for region in stats["regions"]], [("B", 1)])
+        self.call("check", "b.msh", "--domain", "atlas.json", "--layer", "nation")
+        self.call("check", "b.msh", "--domain", "atlas.json", code=1)
+        self.assertEqual(self.call("mesh", "atlas.json", "-o", "c.msh", "--layer", "states", code=1).stderr,
+                         "atlas.json:2:24: error: unknown layer 'states' [unknown-layer]; expected one of 'counties', "
+                         "'nation'\n")
+        self.assertIn("--layer: only TopoJSON files have layers",
+                      self.call("mesh", "plate.poly", "-o", "c.msh", "--layer", "a", code=2).stderr)
+
+    def test_names_of_a_map_can_come_from_any_property(self):
+        polygon = ('{"type": "Feature", "properties": {"NAME_0": "Swiss", "NAME_1": "%s", "id": %d}, "geometry": '
+                   '{"type": "Polygon", "coordinates": [[[%d,0],[%d,0],[%d,1],[%d,1],[%d,0]]]}}')
+        pair = [polygon % ("Zürich", 261, 0, 1, 1, 0, 0), polygon % ("Bern", 351, 1, 2, 2, 1, 1)]
+        self.write("map.geojson", '{"type": "FeatureCollection", "features": [%s]}' % ", ".join(pair))
+        for names, options in ((["Zürich", "Bern"], []), (["261", "351"], ["--name-property", "id"]),
+                               (["Swiss"], ["--name-property", "NAME_0"])):
+            stats = self.stats("map.geojson", "-o", "map.msh", "-o", "map.vtu", *options)
+            self.assertEqual([region["name"] for region in stats["regions"]], names)
+            for name in names:
+                self.assertIn(f'"{name}', self.read("map.msh"))
+            self.call("check", "map.msh", "--domain", "map.geojson", *options)
+        self.assertEqual(self.call("mesh", "map.geojson", "-o", "a.msh", "--name-property", "nom", code=1).stderr,
+                         "map.geojson:1:1: error: no feature has a property 'nom' with text or a number "
+                         "[unknown-property]; expected one of 'NAME_0', 'NAME_1', 'id'\n")
+        self.assertIn("--name-property: only the features of GeoJSON and TopoJSON files have properties",
+                      self.call("mesh", "plate.poly", "-o", "a.msh", "--name-property", "id", code=2).stderr)
+
     def test_a_drawing_ends_at_its_page_unless_asked_otherwise(self):
         self.write("wide.svg", '<svg viewBox="0 0 10 10">\n<rect x="-5" width="9" height="6"/></svg>')
         self.assertIn("wide.svg:1:2: note: shapes are cut off at the page (the view box)",
