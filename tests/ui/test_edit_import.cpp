@@ -4,9 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -306,6 +308,53 @@ TEST_CASE("Import: the rule for overlaps is offered for maps, and not for drawin
     CHECK_FALSE(driver.has("dialog/importoptions/overlap/later wins"));
 }
 
+TEST_CASE("Import: a layer of a map and the property with its names can be chosen") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "atlas.json")
+        << R"({"type": "Topology", "arcs": [[[0, 0], [4, 0], [4, 3], [0, 0]], [[6, 0], [8, 0], [8, 1], [6, 0]], )"
+        << R"([[7, 0.25], [7.5, 0.25]]], "objects": {"counties": {"type": "Polygon", "arcs": [[0]], "properties": )"
+        << R"({"nom": "A", "": "unnamed"}}, "gauges": {"type": "Point", "coordinates": [1, 1]}, "nation": )"
+        << R"({"type": "GeometryCollection", "geometries": [{"type": "Polygon", "arcs": [[1]], "properties": )"
+        << R"({"NAME_1": "B", "code": 12}}, {"type": "LineString", "arcs": [2]}]}}})";
+    Draughtsman driver;
+    importFile(driver, place.path / "atlas.json");
+    const std::string dialog = "dialog/importoptions/", layer = dialog + "layer", names = dialog + "names";
+    const auto choose = [&](const std::string &combo, const std::string &label) {
+        driver.click(combo);
+        driver.frames(3);
+        REQUIRE(driver.has(combo + '/' + label));
+        driver.click(combo + '/' + label);
+        driver.settle();
+    };
+    const auto hasNote = [&] { return driver.has(dialog + "note/0"); };
+    REQUIRE(driver.has(layer));
+    CHECK(hasNote()); // the other layers
+    CHECK_FALSE(driver.has(dialog + "lines"));
+    choose(names, "nom");
+    choose(layer, "gauges");
+    CHECK(hasNote()); // refused: no polygon and no line
+    choose(layer, "nation");
+    CHECK(driver.has(dialog + "lines"));
+    choose(names, "code");
+    choose(names, "automatic");
+    choose(names, "code");
+    driver.click(dialog + "ok");
+    driver.settle();
+    const Domain domain = toDomain(driver.document());
+    CHECK(domain.bounds().max == Vec2{8, 1});
+    CHECK(domain.regionNames == std::map<std::int32_t, std::string>{{1, "12"}});
+}
+
+TEST_CASE("Import: neither layers nor properties are offered for a map without them") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "map.geojson") << R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,0]]]})";
+    Draughtsman driver;
+    importFile(driver, place.path / "map.geojson");
+    CHECK(driver.has("dialog/importoptions/ok"));
+    CHECK_FALSE(driver.has("dialog/importoptions/layer"));
+    CHECK_FALSE(driver.has("dialog/importoptions/names"));
+}
+
 TEST_CASE("Import: what strokes paint can be meshed") {
     struct Sample {
         const char *path;
@@ -337,6 +386,9 @@ TEST_CASE("Notes on files name what to do in the editor, not options of the comm
         << R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,3],[0,0]]]}}, )"
         << R"({"type": "Feature", "properties": {}, "geometry": )"
         << R"({"type": "Polygon", "coordinates": [[[4.001,0],[8,0],[8,3],[4.001,3],[4.001,0]]]}}]})";
+    std::ofstream(place.path / "atlas.json")
+        << R"({"type": "Topology", "arcs": [[[0, 0], [4, 0], [4, 3], [0, 0]]], "objects": {"land": {"type": "Polygon", )"
+        << R"("arcs": [[0]], "properties": {"nom": "A"}}, "sea": {"type": "Point", "coordinates": [1, 1]}}})";
     Draughtsman driver;
     const auto log = [&] {
         std::string text;
@@ -355,7 +407,7 @@ TEST_CASE("Notes on files name what to do in the editor, not options of the comm
     log();
     for (const bool opens : {true, false}) {
         CAPTURE(opens);
-        for (const char *file : {"inked.svg", "gap.geojson"}) {
+        for (const char *file : {"inked.svg", "gap.geojson", "atlas.json"}) {
             driver.key(opens ? 'O' : 'I', {Modifiers::kControl});
             driver.frames(5);
             driver.chooseFile(opens ? "open" : "import", place.path / file);
@@ -365,7 +417,8 @@ TEST_CASE("Notes on files name what to do in the editor, not options of the comm
             }
         }
         expectHints(log(), {"\"Leave out lines\" leaves", "\"Mesh what the strokes paint\" meshes",
-                            "a weld tolerance of 0.00105 joins"});
+                            "a weld tolerance of 0.00105 joins", "\"Layer\" selects another",
+                            "\"Names from\" takes names from one of them"});
     }
     CHECK(withEditorHints("--weld 2; --weld 3", {}) == "a weld tolerance of 2; a weld tolerance of 3");
 }

@@ -25,6 +25,7 @@ namespace forefront {
 namespace {
 
 constexpr float kLabels = 150.0F;  ///< column of the values, in design pixels
+constexpr float kChoices = 220.0F; ///< width of the choices, in design pixels
 constexpr double kMaxReport = 150; ///< height of the faults and notes, in design pixels
 
 std::string extent(const Box2 &box, double scale) {
@@ -38,6 +39,11 @@ bool mixesLines(const Document &drawing) {
                            [use](const auto &shape) { return shape->use == use; });
     };
     return has(ShapeUse::Boundary) && has(ShapeUse::Constraint);
+}
+
+/// Returns the place of a text in a list that holds it.
+int placeIn(const std::vector<std::string> &list, const std::string &text) {
+    return static_cast<int>(std::find(list.begin(), list.end(), text) - list.begin());
 }
 
 bool has(const Diagnostics &diagnostics, std::string_view code) {
@@ -140,6 +146,14 @@ void ImportDialog::read(const Progress &progress) {
     }
 }
 
+void ImportDialog::readLayer(const std::string &name) {
+    options_.layer = name;
+    options_.nameProperty.reset(); // the features of another layer have other properties,
+    options_.dropLines = false;    // and perhaps no lines
+    read();
+    hasLines_ = contents_.lines && mixesLines(drawing_);
+}
+
 void ImportDialog::insert(Shell &context) const {
     Insertion insertion;
     context.document.apply(insertDrawing(*context.document.current(), drawing_, scale_, &insertion), "Import drawing");
@@ -193,6 +207,29 @@ void ImportDialog::drawUnit(Shell &context) {
     ui::field(context, "Size after import", extent(boundsOf(drawing_), scale_), kLabels);
 }
 
+/// Asks which layer of a map is read, and where the names of its features are.
+void ImportDialog::drawMap(Shell &context) {
+    if (contents_.layers.size() > 1) {
+        ui::rowLabel(context, "Layer", kLabels);
+        int choice = placeIn(contents_.layers, options_.layer.value_or(contents_.layer));
+        if (ui::combo(context, "dialog/importoptions/layer", contents_.layers, choice, kChoices)) {
+            readLayer(contents_.layers[static_cast<std::size_t>(choice)]);
+        }
+    }
+    if (!contents_.properties.empty()) {
+        std::vector<std::string> labels{"automatic"};
+        labels.insert(labels.end(), contents_.properties.begin(), contents_.properties.end());
+        ui::rowLabel(context, "Names from", kLabels);
+        int choice = options_.nameProperty ? 1 + placeIn(contents_.properties, *options_.nameProperty) : 0;
+        if (ui::combo(context, "dialog/importoptions/names", labels, choice, kChoices)) {
+            options_.nameProperty = choice > 0 ? std::optional(labels[static_cast<std::size_t>(choice)]) : std::nullopt;
+            read();
+        }
+        ui::rowTooltip(context, "The property of the features that names regions and boundaries. Automatic: name, "
+                                "Name or NAME, else NAME_n of the finest administrative level n.");
+    }
+}
+
 /// Asks how lines and areas are joined, cut off and left out.
 void ImportDialog::drawJoining(Shell &context) {
     ui::rowLabel(context, "Weld tolerance", kLabels);
@@ -213,7 +250,7 @@ void ImportDialog::drawJoining(Shell &context) {
         ui::rowLabel(context, "Overlaps", kLabels);
         static constexpr std::array<const char *, 2> kRules{"later wins", "smaller wins"};
         int rule = options_.overlap == OverlapRule::Smaller ? 1 : 0;
-        if (ui::segmented(context, "dialog/importoptions/overlap", kRules, rule, 220.0F)) {
+        if (ui::segmented(context, "dialog/importoptions/overlap", kRules, rule, kChoices)) {
             options_.overlap = rule == 1 ? OverlapRule::Smaller : OverlapRule::Later;
             read();
         }
@@ -265,6 +302,7 @@ bool ImportDialog::draw(Shell &context) {
     ImGui::Dummy({0, context.px(6)});
     drawUnit(context);
     ImGui::Dummy({0, context.px(6)});
+    drawMap(context);
     drawJoining(context);
     drawReport(context);
     ImGui::Dummy({0, context.px(8)});

@@ -31,8 +31,11 @@ class ImportDialog final : public Dialog {
 
     /// Reads the file with the current options. If that fails, the drawing read before stays, and `faults_` says why.
     void read(const Progress &progress = {});
+    /// Reads another layer of a map.
+    void readLayer(const std::string &name);
     void drawSizes(Shell &context) const;
     void drawUnit(Shell &context);
+    void drawMap(Shell &context);
     void drawJoining(Shell &context);
     void drawReport(Shell &context) const;
     void insert(Shell &context) const;

@@ -11,6 +11,8 @@ struct OptionHint {
     std::string_view option, words;
 };
 constexpr OptionHint kHints[] = {{"--drop-lines", "\"Leave out lines\""},
+                                 {"--layer", "\"Layer\""},
+                                 {"--name-property", "\"Names from\""},
                                  {"--shape-regions", "\"Make every filled shape a region\""},
                                  {"--stroke-areas", "\"Mesh what the strokes paint\""},
                                  {"--weld", "a weld tolerance of"}};
