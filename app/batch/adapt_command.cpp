@@ -43,8 +43,8 @@ struct AdaptArguments {
     int rounds = 8;
     std::optional<std::filesystem::path> domain;
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
-    InnerEdges innerEdges = InnerEdges::Keep;
+    std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
+    std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
     bool quiet = false;
 
     /// Returns the stream for messages: stderr if a mesh goes to standard output.

@@ -19,8 +19,8 @@ struct MeshArguments {
     std::filesystem::path input; ///< "-": standard input
     std::string inputFormat;     ///< id; empty: by content and extension
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
-    InnerEdges innerEdges = InnerEdges::Keep;
+    std::vector<std::string> formats;              ///< ids for the outputs in order; the rest by extension
+    std::optional<InnerEdges> innerEdges;          ///< absent: as the formats accept them
     std::map<std::string, std::string> parameters; ///< expressions by name, from --set
     std::optional<double> size;
     std::optional<std::string> expression;

@@ -195,7 +195,7 @@ void addInputFormatOption(CLI::App &app, const std::string &input, std::string &
 }
 
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
-                              std::vector<std::string> &formats, InnerEdges &innerEdges) {
+                              std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges) {
     auto *output = app.add_option("-o,--output", outputs,
                                   "mesh to write; its extension sets the format; -: standard output; can be repeated")
                        ->allow_extra_args(false)
@@ -203,10 +203,10 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
     app.add_option("--format", formats, "formats of the outputs, in the order of -o: " + formatIds())
         ->allow_extra_args(false)
         ->type_name("ID");
-    addWordOption<InnerEdges>(
-        app, "--inner-edges", innerEdges,
-        "tagged edges inside the domain in the output meshes: keep (default) or drop, for programs such as "
-        "deal.II that accept tags on the boundary only")
+    addWordOption<InnerEdges>(app, "--inner-edges", innerEdges,
+                              "tagged edges inside the domain in the output meshes: keep (default, except for SU2) or "
+                              "drop (default for SU2), "
+                              "for programs such as deal.II that accept tags on the boundary only")
         ->type_name("WORD");
     return output;
 }

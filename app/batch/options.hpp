@@ -45,7 +45,7 @@ void addInputFormatOption(CLI::App &app, const std::string &input, std::string &
 
 /// Adds the options of the commands that write meshes: --output, which is returned, --format and --inner-edges.
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
-                              std::vector<std::string> &formats, InnerEdges &innerEdges);
+                              std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges);
 
 /// Adds --set, which may be repeated: expressions for parameters of a project, by name.
 void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters);

@@ -132,19 +132,37 @@ Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &
     return sink.failure() != 0 ? sink.status() : status;
 }
 
+/// Reports that inner edges were left out because of the format.
+Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "inner-edges";
+    note.message = "left out " + std::to_string(count) + (count == 1 ? " tagged edge" : " tagged edges") +
+                   " inside the domain: in this format, every tagged edge is a boundary; --inner-edges keep writes " +
+                   (count == 1 ? "it" : "them");
+    note.file = isStandardStream(output.path) ? "" : output.path.string();
+    return note;
+}
+
 } // namespace
 
-Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, InnerEdges innerEdges,
+Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, std::optional<InnerEdges> innerEdges,
                          const Progress &progress) {
-    const bool drops = innerEdges == InnerEdges::Drop && !outputs.empty();
-    const Mesh outline = drops ? withoutInnerEdges(mesh) : Mesh();
+    const auto drops = [&](const Output &output) {
+        return innerEdges ? *innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
+    };
+    const bool anyDrops = std::any_of(outputs.begin(), outputs.end(), drops);
+    const Mesh outline = anyDrops ? withoutInnerEdges(mesh) : Mesh();
     Diagnostics notes;
     for (const Output &output : outputs) {
-        Diagnostics faults = writeOutput(output, drops ? outline : mesh, progress);
+        Diagnostics faults = writeOutput(output, drops(output) ? outline : mesh, progress);
         if (hasErrors(faults)) {
             return faults;
         }
         notes.insert(notes.end(), faults.begin(), faults.end());
+        if (!innerEdges && drops(output) && outline.edges.size() < mesh.edges.size()) {
+            notes.push_back(innerEdgesNote(output, mesh.edges.size() - outline.edges.size()));
+        }
     }
     return notes;
 }

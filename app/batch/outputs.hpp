@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,9 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
 bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 
 /// Writes a mesh to files and to standard output. Stops at the first error. Returns the errors or, if there are none,
-/// the notes of exportNotes().
-Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, InnerEdges innerEdges,
+/// the notes of exportNotes(). Where `innerEdges` is absent, inner edges are left out of the formats that do not accept
+/// them, with a note.
+Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, std::optional<InnerEdges> innerEdges,
                          const Progress &progress);
 
 /// Prints "wrote PATH" for each output that is a file.

@@ -334,6 +334,11 @@ Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std
     return format != nullptr && format->noteChanges != nullptr ? named(format->noteChanges(mesh), path) : Diagnostics{};
 }
 
+bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format == nullptr || format->about.acceptsInnerEdges;
+}
+
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
     const Format *format = meshFormat(path, formatId);
     if (format == nullptr || format->writeFiles == nullptr) {

@@ -28,6 +28,9 @@ struct FileFormat {
     bool readsDomain, readsMesh, writesMesh;
     /// Its lines may cross, touch and overlap: reading arranges them (see ImportOptions::weldTolerance).
     bool arranges = false;
+    /// Programs that read it accept tagged edges inside the domain, such as constraints and interfaces, rather than
+    /// take each for a boundary.
+    bool acceptsInnerEdges = true;
 };
 /// Returns all formats, in the order of menus.
 std::span<const FileFormat> fileFormats();
@@ -77,6 +80,10 @@ Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId);
 /// Returns notes on the tag names of the mesh that the format changes, such as to identifiers; empty if there are none.
 /// Parameters as for writeMesh().
 Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {});
+
+/// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
+/// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().
+bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId = {});
 
 /// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});

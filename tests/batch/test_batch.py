@@ -188,9 +188,30 @@ class Meshing(Case):
         self.assertIn("hash", text)
         self.assertEqual(text, binary)
 
-    def test_inner_edges_can_be_left_out(self):
+    def write_inner_edges(self):
+        """Writes a domain with a constraint of the tag 9."""
         inner = poly([SQUARE]).replace("4 2 0 0", "6 2 0 0").replace("4 1\n", "5 1 1\n6 2 2\n5 1\n", 1)
         self.write("inner.poly", inner.replace("\n0\n", "\n5 5 6 9\n0\n"))
+
+    def test_su2_gets_no_inner_edges_unless_they_are_asked_for(self):
+        self.write_inner_edges()
+        markers = lambda name: re.findall("MARKER_TAG= (.*)", self.read(name))
+        done = self.call("mesh", "inner.poly", "-o", "inner.su2", "-o", "inner.msh", "--size", "0.5")
+        self.assertRegex(done.stderr, r"inner.su2: note: left out \d+ tagged edges? inside the domain.* \[inner-edges\]")
+        self.assertEqual(done.stderr.count("[inner-edges]"), 1)
+        self.assertEqual(markers("inner.su2"), ["boundary_1"])
+        self.assertIn('1 9 "', self.read("inner.msh"))
+        for word, names in (("keep", ["boundary_1", "boundary_9"]), ("drop", ["boundary_1"])):
+            done = self.call("mesh", "inner.poly", "-o", "inner.su2", "--inner-edges", word)
+            self.assertNotIn("[inner-edges]", done.stderr)
+            self.assertEqual(markers("inner.su2"), names)
+        self.assertNotIn("[inner-edges]", self.call("mesh", "plate.poly", "-o", "plate.su2").stderr)
+        piped = self.call("mesh", "inner.poly", "-o", "-", "--format", "su2")
+        self.assertIn("[inner-edges]", piped.stderr)
+        self.assertNotIn("boundary_9", piped.stdout)
+
+    def test_inner_edges_can_be_left_out(self):
+        self.write_inner_edges()
         for command in (["mesh", "inner.poly"],
                         ["adapt", "base.msh", "--domain", "inner.poly", "--expression", "x*x", "--error", "0.3"]):
             if command[0] == "adapt":

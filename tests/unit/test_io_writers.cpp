@@ -304,6 +304,18 @@ TEST_CASE("withoutInnerEdges: only edges on the boundary of the triangles stay")
     }
 }
 
+TEST_CASE("acceptsInnerEdges: only SU2 takes every tagged edge for a boundary") {
+    for (const FileFormat &format : fileFormats()) {
+        if (format.writesMesh) {
+            CAPTURE(format.id);
+            CHECK(acceptsInnerEdges({}, format.id) == (std::string_view(format.id) != "su2"));
+        }
+    }
+    CHECK_FALSE(acceptsInnerEdges("wing.SU2"));
+    CHECK(acceptsInnerEdges("wing.su2", "msh2"));
+    CHECK(acceptsInnerEdges("wing.msh"));
+}
+
 TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characters, and changes are reported") {
     const TemporaryFolder folder;
     Mesh mesh = twoRegionMesh();

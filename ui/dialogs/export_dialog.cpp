@@ -129,19 +129,14 @@ std::vector<FilePreset> solverPresets() {
             {"su2", "SU2", "su2"},     {"paraview", "ParaView", "vtu"},   {"triangle", "Triangle", "triangle"}};
 }
 
-/// Returns false for SU2, which takes every tagged edge for a boundary.
-bool acceptsInnerEdges(std::string_view format) {
-    return format != "su2";
-}
-
 /// Asks whether to export tagged edges inside the domain, or says why they are left out.
-void drawInnerEdges(Shell &context, std::string_view format, bool &keep) {
-    if (acceptsInnerEdges(format)) {
+void drawInnerEdges(Shell &context, const FileFilter &filter, bool &keep) {
+    if (acceptsInnerEdges({}, filter.id)) {
         ui::checkbox(context, "dialog/export/inner-edges", "Include tagged edges inside the domain", keep);
         return;
     }
     ImGui::AlignTextToFramePadding();
-    ui::muted(context, "Tagged edges inside the domain are left out: for SU2 they would be boundaries");
+    ui::muted(context, "Tagged edges inside the domain are left out: in this format they would be boundaries");
     ui::mark(context, "dialog/export/no-inner-edges");
 }
 
@@ -208,14 +203,14 @@ void exportMesh(Shell &context, std::string_view proposed) {
     const auto keepsInnerEdges = std::make_shared<bool>(true);
     request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         c.settings.exportFormat = filter.id;
-        const bool keep = *keepsInnerEdges && acceptsInnerEdges(filter.id);
+        const bool keep = *keepsInnerEdges && acceptsInnerEdges(file, filter.id);
         return write(c, file, filter, keep ? InnerEdges::Keep : InnerEdges::Drop);
     };
     request.presets = solverPresets();
     request.extraLines = 2;
     request.extra = [keepsInnerEdges, asked = false](Shell &c, const FileFilter &filter) mutable {
         const bool ready = drawMeshLine(c, asked);
-        drawInnerEdges(c, filter.id, *keepsInnerEdges);
+        drawInnerEdges(c, filter, *keepsInnerEdges);
         return ready;
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
