@@ -114,6 +114,38 @@ TEST_CASE("SVG paint: many shapes with one gradient of many transparent stops ta
     CHECK(enclosedArea(*domain) == doctest::Approx(1.0));
 }
 
+TEST_CASE("SVG paint: a note says that gradients that fade to transparent count as solid") {
+    const auto codesOf = [](const std::string &shape) {
+        ImportNotes notes;
+        const std::string gradients =
+            "<linearGradient id=\"fades\"><stop/><stop offset=\"1\" stop-opacity=\"0\"/></linearGradient>"
+            "<radialGradient id=\"same\" href=\"#fades\"/>"
+            "<linearGradient id=\"nearly\"><stop/><stop offset=\"1\" stop-color=\"#fff2\" stop-opacity=\".1\"/>"
+            "</linearGradient><linearGradient id=\"half\"><stop/><stop stop-opacity=\".5\"/></linearGradient>"
+            "<linearGradient id=\"faint\"><stop stop-opacity=\"0\"/><stop stop-opacity=\".04\"/></linearGradient>";
+        svgDomain(svgDrawing(gradients + "<path d=\"M0 0h1v1z\"/>" + shape), &notes);
+        std::string codes;
+        for (const ImportNote &note : notes.entries()) {
+            codes += note.code + ' ' + std::to_string(note.count) + ' ';
+        }
+        return codes;
+    };
+    for (const char *fill : {"url(#fades)", "url(#same)", "url(#nearly)"}) {
+        CAPTURE(fill);
+        const std::string group = "<g fill=\"" + std::string(fill) + "\">";
+        CHECK(codesOf(group + "<path d=\"M2 2h1v1z\"/><path d=\"M4 4h1v1z\"/></g>") == "svg-gradient 2 ");
+        CHECK(codesOf(group + "<path fill-opacity=\"0\" d=\"M2 2h1v1z\"/></g>").find("gradient") == std::string::npos);
+        CHECK(codesOf("<clipPath id=\"c\">" + group +
+                      "<path d=\"M2 2h1v1z\"/></g></clipPath>"
+                      "<path d=\"M2 2h9v9z\" clip-path=\"url(#c)\"/>")
+                  .find("gradient") == std::string::npos);
+    }
+    for (const char *fill : {"url(#half)", "url(#faint)", "#f008"}) {
+        CAPTURE(fill);
+        CHECK(codesOf("<path d=\"M2 2h1v1z\" fill=\"" + std::string(fill) + "\"/>").empty());
+    }
+}
+
 TEST_CASE("SVG paint: a drawing of text alone is refused with what to do") {
     const auto refused = [](const std::string &text) {
         const auto domain = readSvg(sourceOf(text, "drawing.svg"));

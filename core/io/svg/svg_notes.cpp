@@ -44,10 +44,16 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const Sv
     }
 }
 
-void notePattern(const SourceText &source, const SvgPaint &paint, const pugi::xml_node &node) {
-    if (paint.filled && paint.patterned) {
+void noteFill(const SourceText &source, const SvgPaint &paint, const pugi::xml_node &node) {
+    if (!(paint.fillAlpha() > 0.0)) {
+        return;
+    }
+    if (paint.patterned) {
         source.note("svg-pattern", "patterns count as a solid fill, without the gaps between their parts",
                     offsetOf(node));
+    }
+    if (paint.faded) {
+        source.note("svg-gradient", "gradients that fade to transparent count as a solid fill", offsetOf(node));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/lower_case.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -59,26 +60,21 @@ pugi::xml_node SvgPaintServers::origin(const pugi::xml_node &server) const {
     return (isGradient(name) && isGradient(other)) || name == other ? found->second : pugi::xml_node();
 }
 
-bool SvgPaintServers::paints(pugi::xml_node server) {
+SvgPaintServers::Coverage SvgPaintServers::coverageOf(pugi::xml_node server) {
     if (!isGradient(localName(server)) && localName(server) != "pattern") {
-        return true;
+        return Coverage::Everything;
     }
-    const auto shows = [&](const pugi::xml_node &child) {
-        return isContent(child) && (!isGradient(localName(child.parent())) ||
-                                    (parseOpacity(styles_.value(child, "stop-opacity")) > 0.0 &&
-                                     parseColour(styles_.value(child, "stop-color"), {}).alpha > 0.0));
-    };
     std::vector<std::size_t> asked;
-    bool result = false;
+    Coverage result = Coverage::Nothing;
     for (; server; server = origin(server)) {
-        const auto [known, added] = known_.try_emplace(server.hash_value(), false);
+        const auto [known, added] = known_.try_emplace(server.hash_value(), Coverage::Nothing);
         if (!added) { // or references in a circle
             result = known->second;
             break;
         }
         asked.push_back(server.hash_value());
         if (server.find_child(isContent)) {
-            result = static_cast<bool>(server.find_child(shows));
+            result = isGradient(localName(server)) ? coverageOfStops(server) : Coverage::Everything;
             break;
         }
     }
@@ -88,6 +84,27 @@ bool SvgPaintServers::paints(pugi::xml_node server) {
     return result;
 }
 
+SvgPaintServers::Coverage SvgPaintServers::coverageOfStops(const pugi::xml_node &gradient) const {
+    constexpr double kFaint = 0.05; // greatest opacity that is hardly seen
+    double least = 1.0, greatest = 0.0;
+    for (const pugi::xml_node child : gradient.children()) {
+        if (isContent(child)) {
+            const double alpha = parseOpacity(styles_.value(child, "stop-opacity")) *
+                                 parseColour(styles_.value(child, "stop-color"), {}).alpha;
+            least = std::min(least, alpha);
+            greatest = std::max(greatest, alpha);
+        }
+    }
+    return !(greatest > 0.0)                      ? Coverage::Nothing
+           : least <= kFaint && greatest > kFaint ? Coverage::Parts
+                                                  : Coverage::Everything;
+}
+
+bool SvgPaintServers::fades(const pugi::xml_node &node, const char *property) {
+    const pugi::xml_node target = targetOf(styles_.valueAsWritten(node, property), ids_);
+    return isGradient(localName(target)) && coverageOf(target) == Coverage::Parts;
+}
+
 std::string SvgPaintServers::paintedBy(const pugi::xml_node &node, const char *property, const std::string &value) {
     const std::size_t end = value.find(')');
     if (!value.starts_with("url(") || end == std::string::npos) {
@@ -95,7 +112,7 @@ std::string SvgPaintServers::paintedBy(const pugi::xml_node &node, const char *p
     }
     const pugi::xml_node target = targetOf(styles_.valueAsWritten(node, property), ids_);
     if (isPaintServer(localName(target))) {
-        return paints(target) ? value : "none";
+        return coverageOf(target) == Coverage::Nothing ? "none" : value;
     }
     const std::size_t fallback = value.find_first_not_of(kBlanks, end + 1);
     return fallback == std::string::npos ? "none" : value.substr(fallback);
@@ -115,6 +132,7 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
         paint.filled = value != "none";
         paint.fillGiven = true;
         paint.patterned = localName(targetOf(styles.valueAsWritten(node, "fill"), servers.ids())) == "pattern";
+        paint.faded = servers.fades(node, "fill");
         paint.fill = parseColour(value, paint.current);
     });
     take("stroke", [&](const std::string &given) {

@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <unordered_map>
 
@@ -19,6 +20,7 @@ struct SvgPaint {
     bool filled = true;
     bool fillGiven = false; ///< the drawing states the fill
     bool patterned = false; ///< the fill is a pattern
+    bool faded = false;     ///< the fill is a gradient that is transparent in parts
     bool stroked = false;
     FillRule rule = FillRule::NonZero;
     FillRule clipRule = FillRule::NonZero; ///< the rule that applies instead inside a clip path
@@ -42,19 +44,24 @@ class SvgPaintServers {
     /// Returns what a value of `fill` or `stroke` paints: "none" if it refers to a gradient or pattern that paints
     /// nothing; if it refers to anything else, or to nothing, the fallback after the reference, or "none".
     std::string paintedBy(const pugi::xml_node &node, const char *property, const std::string &value);
+    /// Returns true if a property is a gradient with stops that show and others that are nearly transparent.
+    bool fades(const pugi::xml_node &node, const char *property);
 
     const SvgStyles &styles() const { return styles_; }
     const SvgIds &ids() const { return ids_; }
 
   private:
-    /// Returns false if a gradient has no stops or only transparent ones, or a pattern is empty. Stops and contents may
-    /// be those of another gradient or pattern.
-    bool paints(pugi::xml_node server);
+    enum class Coverage : std::uint8_t { Nothing, Parts, Everything };
+
+    /// Returns Nothing if a gradient has no stops or only transparent ones, or a pattern is empty, and Parts for a
+    /// gradient that fades(). Stops and contents may be those of another gradient or pattern.
+    Coverage coverageOf(pugi::xml_node server);
+    Coverage coverageOfStops(const pugi::xml_node &gradient) const;
     pugi::xml_node origin(const pugi::xml_node &server) const;
 
     const SvgStyles &styles_;
     const SvgIds &ids_;
-    std::unordered_map<std::size_t, bool> known_; ///< by the hash value of the element
+    std::unordered_map<std::size_t, Coverage> known_; ///< by the hash value of the element
 };
 
 /// Returns the paint of an element: its own where given, otherwise inherited.
