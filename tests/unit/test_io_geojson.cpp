@@ -145,6 +145,19 @@ TEST_CASE("GeoJSON: a polygon thinner than a millionth of the map stays if it is
     CHECK(nodesAt(geoJsonDomain(collection({square, needle, continent})), {1e6, 110.0}) == 0);
 }
 
+TEST_CASE("GeoJSON: a map without polygons is refused with what it holds") {
+    const auto domain = readGeoJson(sourceOf(feature("MultiPoint", "[[0,0],[1,0],[2,2]]"), "a.geojson"));
+    REQUIRE_FALSE(domain.ok());
+    CHECK(domain.faults()[0].code == "empty-domain");
+    CHECK(domain.faults()[0].message ==
+          "the file holds only points (3); expected polygons, or lines that form closed loops");
+    const auto lines = readGeoJson(sourceOf(feature("LineString", "[[0,0],[1,0],[2,2]]"), "a.geojson"));
+    REQUIRE(lines.ok());
+    const Diagnostics faults = validate(*lines);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].message.find("only constraint lines") != std::string::npos);
+}
+
 TEST_CASE("GeoJSON: faults have a location") {
     const auto codeOf = [](const std::string &text) {
         const auto domain = readGeoJson(sourceOf(text, "a.geojson"));

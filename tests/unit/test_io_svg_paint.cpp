@@ -157,3 +157,21 @@ TEST_CASE("SVG paint: a drawing of text alone is refused with what to do") {
     CHECK(text.advice.find("text to paths") != std::string::npos);
     CHECK(refused("<svg viewBox=\"0 0 9 9\"/>").advice.empty());
 }
+
+TEST_CASE("SVG paint: a drawing of symbols or glyphs alone is refused with the reason") {
+    const auto messageOf = [](const std::string &content) {
+        const auto domain = readSvg(sourceOf(svgDrawing(content), "drawing.svg"));
+        REQUIRE_FALSE(domain.ok());
+        return domain.faults().front().message;
+    };
+    const std::string start = "the drawing holds no path that could bound a domain";
+    const std::string shapes = "<g><path d=\"M0 0h1v1z\"/></g><circle r=\"1\"/>";
+    CHECK(messageOf("<symbol id=\"a\">" + shapes + "</symbol><defs><rect/></defs>") ==
+          start + ": its 3 shapes are in symbols or definitions that nothing uses");
+    CHECK(messageOf("<defs><path d=\"M0 0h1v1z\"/></defs>") ==
+          start + ": its 1 shape is in symbols or definitions that nothing uses");
+    CHECK(messageOf("<symbol id=\"a\" display=\"none\">" + shapes + "</symbol><use href=\"#a\"/>") == start);
+    CHECK(messageOf("<defs><clipPath>" + shapes + "</clipPath><pattern>" + shapes + "</pattern></defs>") == start);
+    CHECK(messageOf("<defs><font><glyph d=\"M0 0h1v1z\"/><glyph/><glyph d=\"M0 0h1v1z\"/></font></defs>") ==
+          start + ": its 2 glyphs are of a font");
+}

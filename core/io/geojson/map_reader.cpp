@@ -228,7 +228,10 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
                                                   : "expected one of " + listed(contents_.properties, kShown));
     }
     if (check_.faults().empty() && polygons_.empty() && lines_.empty()) {
-        check_.fault(whole, "empty-domain", "the file holds no polygon and no line that could bound a domain");
+        check_.fault(whole, "empty-domain",
+                     points_.empty() ? "the file holds no polygon and no line that could bound a domain"
+                                     : "the file holds only points (" + std::to_string(points_.size()) +
+                                           "); expected polygons, or lines that form closed loops");
     }
     if (!check_.faults().empty()) {
         return check_.faults();

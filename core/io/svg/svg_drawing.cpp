@@ -84,9 +84,9 @@ Result<SvgPaths> SvgDrawer::run() {
     if (faults_.empty() && (!std::isfinite(size) || !(size > 0.0))) {
         reports_ = true;
         walk(1.0); // what is left out may be why nothing remains
-        const bool hasText = root_.find_node([](const pugi::xml_node &node) { return localName(node) == "text"; });
-        fail(root_, "", 0, "empty-domain", "the drawing holds no path that could bound a domain",
-             hasText ? "convert its text to paths" : "");
+        if (faults_.empty()) {
+            faults_.push_back(nothingDrawn(source_, root_));
+        }
     }
     if (faults_.empty()) {
         reports_ = true;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -55,6 +57,58 @@ void noteFill(const SourceText &source, const SvgPaint &paint, const pugi::xml_n
     if (paint.faded) {
         source.note("svg-gradient", "gradients that fade to transparent count as a solid fill", offsetOf(node));
     }
+}
+
+namespace {
+
+/// What a drawing holds that is not shown, or has no outline.
+struct Unshown {
+    std::size_t defined = 0; ///< shapes in symbols and definitions
+    std::size_t glyphs = 0;
+    bool text = false;
+    bool used = false; ///< there is a <use>
+};
+
+Unshown unshownIn(const pugi::xml_node &root) {
+    Unshown found;
+    std::vector<std::pair<pugi::xml_node, bool>> open = {{root, false}}; // and if a <use> could show it
+    while (!open.empty()) {
+        auto [node, usable] = open.back();
+        open.pop_back();
+        const std::string_view name = localName(node);
+        usable = isDefinition(name) ? name == "symbol" || name == "defs" : usable;
+        found.defined += usable && isShape(name) ? 1 : 0;
+        found.glyphs += name == "glyph" && node.attribute("d") ? 1 : 0;
+        found.text = found.text || name == "text";
+        found.used = found.used || name == "use";
+        for (const pugi::xml_node child : node.children()) {
+            open.emplace_back(child, usable);
+        }
+    }
+    return found;
+}
+
+std::string countOf(std::size_t count, const char *what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+} // namespace
+
+Diagnostic nothingDrawn(const SourceText &source, const pugi::xml_node &root) {
+    const Unshown unshown = unshownIn(root);
+    std::string reason, advice;
+    if (unshown.defined > 0 && !unshown.used) {
+        reason = ": its " + countOf(unshown.defined, "shape") + (unshown.defined == 1 ? " is" : " are") +
+                 " in symbols or definitions that nothing uses";
+        advice = "draw them with <use>, or move them out of <symbol> and <defs>";
+    } else if (unshown.glyphs > 0) {
+        reason = ": its " + countOf(unshown.glyphs, "glyph") + (unshown.glyphs == 1 ? " is" : " are") + " of a font";
+        advice = "write text in this font, and convert it to paths in the drawing program";
+    } else if (unshown.text) {
+        advice = "convert its text to paths";
+    }
+    return faultAt(source, offsetOf(root), "empty-domain",
+                   "the drawing holds no path that could bound a domain" + reason, advice);
 }
 
 std::string whyIgnored(std::string_view name) {
