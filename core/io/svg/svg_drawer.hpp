@@ -105,7 +105,6 @@ class SvgDrawer {
     void keepPart(const Visit &visit, SvgPath path);
 
     // svg_visible.cpp
-    std::vector<Box2> clipBoxes() const;
     void choosePage();
     void notePage() const;
     void cropFarFromPage(double tolerance);

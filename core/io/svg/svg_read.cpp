@@ -2,6 +2,7 @@
 #include "core/io/common/repeated_loops.hpp"
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
+#include "core/io/svg/svg_background.hpp"
 #include "core/io/svg/svg_drawing.hpp"
 #include "core/io/svg/svg_names.hpp"
 #include "core/io/svg/svg_regions.hpp"
@@ -377,6 +378,7 @@ class SvgBuilder {
             builder_.markRegions();
         } else {
             noteMergedShapes();
+            noteBackground(source_, paths_, clips_);
         }
     }
 

@@ -1,9 +1,9 @@
+#include "core/io/svg/svg_clip_boxes.hpp"
 #include "core/io/svg/svg_crop.hpp"
 #include "core/io/svg/svg_drawer.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,13 +12,6 @@ namespace forefront {
 namespace {
 
 constexpr double kBeyond = 1e-3; ///< part of a viewport by which rounding may exceed it
-constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr Box2 kEverything{{-kFar, -kFar}, {kFar, kFar}};
-
-Box2 common(const Box2 &s, const Box2 &t) {
-    return {{std::max(s.min.x, t.min.x), std::max(s.min.y, t.min.y)},
-            {std::min(s.max.x, t.max.x), std::min(s.max.y, t.max.y)}};
-}
 
 /// Returns true if the unit square under a map contains a path, up to rounding.
 bool contains(const AffineMap &frame, const SvgPath &path) {
@@ -50,30 +43,11 @@ Box2 imageBox(const AffineMap &frame) {
     return box;
 }
 
-/// Returns the box outside of which a clip shows nothing.
-Box2 boxOfClip(std::uint32_t clip, const std::vector<Box2> &boxes) {
-    return clip == kNoClip ? kEverything : boxes[clip];
-}
-
 bool hasArea(const Box2 &box) {
     return box.min.x < box.max.x && box.min.y < box.max.y;
 }
 
 } // namespace
-
-/// Returns boxes outside of which clip paths and masks show nothing, without the page and other viewports.
-std::vector<Box2> SvgDrawer::clipBoxes() const {
-    std::vector<Box2> boxes;
-    for (const SvgClip &clip : clips_) {
-        Box2 parts;
-        for (const SvgPath &part : clip.parts) {
-            parts.add(part.box());
-        }
-        const bool wide = clip.kind == SvgClipKind::Viewport; // those that are needed are only known later
-        boxes.push_back(common(wide ? kEverything : parts, boxOfClip(clip.within, boxes)));
-    }
-    return boxes;
-}
 
 /// Cuts nothing off at the page if nothing is filled, as in a drawing of outlines, or if all that is filled lies
 /// outside of it.
@@ -81,13 +55,13 @@ void SvgDrawer::choosePage() {
     if (!page_) {
         return;
     }
-    const std::vector<Box2> boxes = clipBoxes();
+    const SvgClipBoxes boxes(clips_, false);
     const Box2 page = imageBox(*page_);
     bool painted = false, shown = false;
     for (const SvgPath &path : paths_) {
-        const Box2 visible = common(path.box().grown(path.reach()), boxOfClip(path.limit, boxes));
+        const Box2 visible = boxes.visible(path.box().grown(path.reach()), path.limit);
         painted = painted || (path.covers() && hasArea(visible));
-        shown = shown || (path.covers() && hasArea(common(visible, page)));
+        shown = shown || (path.covers() && hasArea(commonBox(visible, page)));
     }
     if (!shown) {
         page_.reset();
@@ -99,11 +73,11 @@ void SvgDrawer::choosePage() {
 
 /// Reports that shapes are cut off at the page.
 void SvgDrawer::notePage() const {
-    const std::vector<Box2> boxes = clipBoxes();
+    const SvgClipBoxes boxes(clips_, false);
     Box2 page = imageBox(*page_);
     page = page.grown(kBeyond * std::min(page.size().x, page.size().y));
     for (const SvgPath &path : paths_) {
-        const Box2 visible = common(path.bounds().grown(path.reach()), boxOfClip(path.limit, boxes));
+        const Box2 visible = boxes.visible(path.bounds().grown(path.reach()), path.limit);
         if (!visible.empty() && !(page.contains(visible.min) && page.contains(visible.max))) {
             note(root_, kPageNote, "shapes are cut off at the page (the view box), as renderers show them");
             return;
@@ -151,11 +125,11 @@ void SvgDrawer::cropFarFromPage(double tolerance) {
 
 /// Returns the box of the shapes, as far as the page and the boxes of clip paths and masks show them.
 Box2 SvgDrawer::visibleBox() const {
-    const std::vector<Box2> boxes = clipBoxes();
+    const SvgClipBoxes boxes(clips_, false);
     const Box2 page = page_ ? imageBox(*page_) : kEverything;
     Box2 box;
     for (const SvgPath &path : paths_) {
-        const Box2 visible = common(common(path.box().grown(path.reach()), boxOfClip(path.limit, boxes)), page);
+        const Box2 visible = commonBox(boxes.visible(path.box().grown(path.reach()), path.limit), page);
         if (!visible.empty()) {
             box.add(visible);
         }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/io/source/source.hpp"
+#include "core/io/svg/svg_drawing.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+/// Reports a filled rectangle that covers everything else in a drawing, such as the white background that plotting
+/// programs draw: merged with it, all other filled shapes vanish, or what would be outlines without it are lines in it.
+void noteBackground(const SourceText &source, const std::vector<SvgPath> &paths, const std::vector<SvgClip> &clips);
+
+} // namespace forefront
