@@ -205,8 +205,7 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
         ->type_name("ID");
     addWordOption<InnerEdges>(app, "--inner-edges", innerEdges,
                               "tagged edges inside the domain in the output meshes: keep (default, except for SU2) or "
-                              "drop (default for SU2), "
-                              "for programs such as deal.II that accept tags on the boundary only")
+                              "drop, for programs such as deal.II that accept tags on the boundary only")
         ->type_name("WORD");
     return output;
 }
