@@ -5,6 +5,7 @@
 #include "core/domain/coordinate_range.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -71,6 +72,45 @@ Diagnostics checkClosed(const ArrangementInput &input, const JoinedLines &joined
     return faults;
 }
 
+/// Arranges the pieces. Sets `reduced` to what has to be arranged instead if lines repeat outlines.
+Result<Arrangement> arrangeOnce(const ArrangementInput &input, std::optional<ReducedDrawing> &reduced,
+                                const std::stop_token &stop) {
+    const Box2 box = boundsOf(input);
+    if (Diagnostics faults = checkRange(input, box); !faults.empty()) {
+        return faults;
+    }
+    std::vector<SnapLine> lines;
+    std::vector<CurveStretch> stretches;
+    lines.reserve(input.pieces.size());
+    stretches.reserve(input.pieces.size());
+    for (const ArrangementPiece &piece : input.pieces) {
+        lines.push_back({piece.a, piece.b});
+        stretches.push_back(piece.stretch);
+    }
+    const JoinedLines joined =
+        joinLines(lines, stretches, input.curves, std::max(input.tolerance, resolutionOf(box)), stop);
+    const SnappedLines &snapped = joined.snapped;
+    if (!snapped.finished) {
+        return error("cancelled", "arranging the drawing was cancelled");
+    }
+    if (Diagnostics faults = checkClosed(input, joined); !faults.empty()) {
+        return faults;
+    }
+    const PlaneSweepResult sweep = sweepPlane(snapped.nodes, snapped.edges, stop);
+    if (stop.stop_requested()) {
+        return error("cancelled", "joining the pieces was cancelled");
+    }
+    if (sweep.droppedCount != 0) {
+        return error("arrangement-failed", "segments still cross or touch after joining",
+                     "please report this file as a bug");
+    }
+    Assembler assembler(input, joined, findFaces(snapped.nodes, snapped.edges, sweep));
+    Arrangement result = assembler.run();
+    result.radius = snapped.radius;
+    reduced = assembler.reduced();
+    return result;
+}
+
 } // namespace
 
 std::uint32_t ArrangementInput::addFeature(std::int32_t regionTag, std::string name) {
@@ -124,38 +164,26 @@ void ArrangementInput::addPoint(Vec2 at, std::int32_t tag) {
 }
 
 Result<Arrangement> arrange(const ArrangementInput &input, const std::stop_token &stop) {
-    const Box2 box = boundsOf(input);
-    if (Diagnostics faults = checkRange(input, box); !faults.empty()) {
-        return faults;
+    std::optional<ReducedDrawing> reduced;
+    Result<Arrangement> first = arrangeOnce(input, reduced, stop);
+    if (!first || !reduced) {
+        return first;
     }
-    std::vector<SnapLine> lines;
-    std::vector<CurveStretch> stretches;
-    lines.reserve(input.pieces.size());
-    stretches.reserve(input.pieces.size());
-    for (const ArrangementPiece &piece : input.pieces) {
-        lines.push_back({piece.a, piece.b});
-        stretches.push_back(piece.stretch);
+    const ReducedDrawing rest = *std::exchange(reduced, std::nullopt);
+    Result<Arrangement> second = arrangeOnce(rest.input, reduced, stop);
+    if (second) {
+        for (std::uint32_t &piece : second->nodePiece) {
+            piece = rest.source[piece];
+        }
+        for (PieceStretch &stretch : second->stretches) {
+            stretch.piece = rest.source[stretch.piece];
+        }
+        for (std::uint32_t &piece : second->pointPiece) {
+            piece = rest.source[piece];
+        }
+        second->changes = std::move(first->changes); // of the drawing as it was given
     }
-    const JoinedLines joined =
-        joinLines(lines, stretches, input.curves, std::max(input.tolerance, resolutionOf(box)), stop);
-    const SnappedLines &snapped = joined.snapped;
-    if (!snapped.finished) {
-        return error("cancelled", "arranging the drawing was cancelled");
-    }
-    if (Diagnostics faults = checkClosed(input, joined); !faults.empty()) {
-        return faults;
-    }
-    const PlaneSweepResult sweep = sweepPlane(snapped.nodes, snapped.edges, stop);
-    if (stop.stop_requested()) {
-        return error("cancelled", "joining the pieces was cancelled");
-    }
-    if (sweep.droppedCount != 0) {
-        return error("arrangement-failed", "segments still cross or touch after joining",
-                     "please report this file as a bug");
-    }
-    Arrangement result = Assembler(input, joined, findFaces(snapped.nodes, snapped.edges, sweep)).run();
-    result.radius = snapped.radius;
-    return result;
+    return second;
 }
 
 } // namespace forefront

@@ -46,8 +46,8 @@ struct ArrangementPiece {
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
     std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
-    /// The distance from outlines, in domain units, up to which a Constraint that repeats them is dropped; 0: never.
-    /// See edgesRepeatingOutlines().
+    /// The distance from outlines, in domain units, up to which parts of a Constraint that repeat them are dropped; 0:
+    /// never. See findRepeatedOutlines().
     double reach = 0.0;
 };
 
@@ -151,15 +151,17 @@ struct Arrangement {
 
 /// Builds a domain from labelled pieces as their planar arrangement: crossings, contacts and overlaps are found
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
-/// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch, and so do
-/// lines that repeat an outline within their reach.
+/// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
+/// - Parts of lines that repeat an outline within their reach disappear, and the rest is then arranged again. Its ends
+///   move to the outline, within that reach. Changes are those of the drawing as it was given.
 /// - Outlines of clips appear only where they bound what a shape covers. Where they and made contours cross or touch
 ///   other pieces, and where joining moves them, is not reported.
 /// - Where pieces follow curves, the curves count, not their chords. Nodes at crossings lie on both curves to rounding.
 ///   Every crossing is found, unless the curves stay within the tolerance of each other beyond it. Curves that touch,
 ///   or come within the tolerance of each other, are joined where they are closest. Chords are divided as far as
 ///   needed.
-/// - Nothing moves by more than the tolerance. Nodes with nothing close to them keep their coordinates bit for bit.
+/// - Nothing else moves by more than the tolerance. Nodes with nothing close to them keep their coordinates bit for
+/// bit.
 /// - A valid domain is returned with its nodes and segments in the order of the pieces.
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses
 ///   between tags and decides between features.

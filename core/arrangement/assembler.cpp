@@ -22,7 +22,7 @@ Arrangement Assembler::run() {
         (line.shown ? isLine_ : hidden_)[line.edge] = 1;
     }
     decideFates();
-    dropRepeatedOutlines();
+    findRepeats();
     chooseTags();
     buildDomain();
     if (input_.markRegions) {
@@ -133,17 +133,31 @@ void Assembler::decideFates() {
     }
 }
 
-/// Drops the lines that repeat an outline: the gap between them would be full of tiny or very long elements.
-void Assembler::dropRepeatedOutlines() {
+/// Finds the lines that repeat an outline: the gap between them would be full of tiny or very long elements.
+void Assembler::findRepeats() {
     const auto isLoose = [](const ArrangementPiece &piece) { return piece.reach > 0.0; };
     if (std::none_of(input_.pieces.begin(), input_.pieces.end(), isLoose)) {
         return;
     }
-    for (const RepeatingEdge &found :
-         edgesRepeatingOutlines(snapped_.nodes, snapped_.edges, edgesBeside(), input_.curves)) {
+    beside_ = edgesBeside();
+    repeats_ = findRepeatedOutlines(snapped_.nodes, snapped_.edges, beside_, input_.curves);
+    for (const RepeatingEdge &found : repeats_.edges) {
         fate_[found.edge] = Fate::Repeated;
         repeated_.emplace(found.edge, found.distance);
     }
+}
+
+std::optional<ReducedDrawing> Assembler::reduced() const {
+    if (repeats_.edges.empty()) {
+        return std::nullopt;
+    }
+    RepeatedOutlines gone = repeats_;
+    for (std::uint32_t e = 0; e < fate_.size(); ++e) {
+        if (fate_[e] == Fate::Outside) { // or it would still cross the outlines
+            gone.edges.push_back({e, 0.0});
+        }
+    }
+    return withoutRepeats(input_, joined_, gone, beside_);
 }
 
 /// Describes the edges for the search for lines that repeat outlines.

@@ -5,10 +5,12 @@
 #include "core/arrangement/change.hpp"
 #include "core/arrangement/cover.hpp"
 #include "core/arrangement/joined_lines.hpp"
+#include "core/arrangement/without_repeats.hpp"
 #include "core/domain/faces.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace forefront {
@@ -20,6 +22,9 @@ class Assembler {
     Assembler(const ArrangementInput &input, const JoinedLines &joined, Faces faces);
 
     Arrangement run();
+    /// Returns the drawing without the lines that repeat outlines if there are any, to be arranged again: the nodes
+    /// that those leave on outlines would still be in the way.
+    std::optional<ReducedDrawing> reduced() const;
 
   private:
     /// The role of an edge in the domain, or the reason why it is dropped.
@@ -31,7 +36,7 @@ class Assembler {
     Fate fateOf(std::uint32_t edge) const;
     bool separates(std::uint32_t edge) const;
     Fate clippedFate(std::uint32_t edge, Fate fate) const;
-    void dropRepeatedOutlines();
+    void findRepeats();
     std::vector<BesideEdge> edgesBeside() const;
     void chooseTags();
     void buildDomain();
@@ -64,9 +69,11 @@ class Assembler {
     Faces faces_;
     EdgeRuns runs_;
     FaceCover cover_;
-    std::vector<std::uint8_t> isLine_;         ///< per edge: a constraint runs along it and is not clipped away
-    std::vector<std::uint8_t> hidden_;         ///< per edge: a constraint along it is clipped away; empty without clips
-    std::vector<Fate> fate_;                   ///< per edge
+    std::vector<std::uint8_t> isLine_; ///< per edge: a constraint runs along it and is not clipped away
+    std::vector<std::uint8_t> hidden_; ///< per edge: a constraint along it is clipped away; empty without clips
+    std::vector<Fate> fate_;           ///< per edge
+    std::vector<BesideEdge> beside_;   ///< per edge; empty if no line may be dropped
+    RepeatedOutlines repeats_;
     std::map<std::uint32_t, double> repeated_; ///< the edges that repeat outlines, with their distance from them
     std::vector<std::int32_t> tag_;            ///< per edge
     std::vector<std::uint8_t> added_;          ///< per edge: it is in the domain

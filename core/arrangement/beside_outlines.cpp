@@ -1,8 +1,9 @@
 #include "core/arrangement/beside_outlines.hpp"
 
-#include "core/base/ids.hpp"
-#include "core/geometry/box_tree.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/arrangement/line_cuts.hpp"
+#include "core/arrangement/loose_chains.hpp"
+#include "core/arrangement/outline_runs.hpp"
+#include "core/arrangement/outline_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,177 +19,7 @@ namespace {
 /// The places along an edge where its distance from the outlines is measured.
 constexpr std::array kPlaces = {0.0, 0.25, 0.5, 0.75, 1.0};
 
-/// The edges with the curves that they follow.
-class EdgeShapes {
-  public:
-    EdgeShapes(std::span<const Vec2> nodes, std::span<const PlaneEdge> edges, std::span<const BesideEdge> about,
-               std::span<const Curve> curves)
-        : nodes_(nodes), edges_(edges), about_(about), curves_(curves) {}
-
-    Vec2 a(std::uint32_t edge) const { return nodes_[edges_[edge].a]; }
-    Vec2 b(std::uint32_t edge) const { return nodes_[edges_[edge].b]; }
-
-    Vec2 at(std::uint32_t edge, double fraction) const {
-        if (!follows(edge) || fraction == 0.0 || fraction == 1.0) {
-            return fraction == 1.0 ? b(edge) : lerp(a(edge), b(edge), fraction);
-        }
-        const CurveStretch &stretch = about_[edge].stretch;
-        return curves_[stretch.curve].point(std::lerp(stretch.t0, stretch.t1, fraction));
-    }
-    /// Returns the place on an edge nearest to p.
-    Vec2 nearest(std::uint32_t edge, Vec2 p) const {
-        if (!follows(edge)) {
-            const Vec2 from = a(edge), along = b(edge) - from;
-            return from + std::clamp(dot(p - from, along) / lengthSquared(along), 0.0, 1.0) * along;
-        }
-        const CurveStretch &stretch = about_[edge].stretch;
-        const Curve &curve = curves_[stretch.curve];
-        return curve.point(curve.nearest(p, std::min(stretch.t0, stretch.t1), std::max(stretch.t0, stretch.t1)));
-    }
-    /// Returns the maximum distance of an edge from its curve.
-    double deviation(std::uint32_t edge) const {
-        const CurveStretch &stretch = about_[edge].stretch;
-        return follows(edge) ? curves_[stretch.curve].deviation(stretch.t0, stretch.t1) : 0.0;
-    }
-
-  private:
-    bool follows(std::uint32_t edge) const { return about_[edge].stretch.curve < curves_.size(); }
-
-    std::span<const Vec2> nodes_;
-    std::span<const PlaneEdge> edges_;
-    std::span<const BesideEdge> about_;
-    std::span<const Curve> curves_;
-};
-
-/// Finds the outlines near segments and points.
-class OutlineSearch {
-  public:
-    OutlineSearch(const EdgeShapes &shapes, std::span<const BesideEdge> about) : shapes_(shapes) {
-        std::vector<Box2> boxes;
-        for (std::uint32_t e = 0; e < about.size(); ++e) {
-            if (about[e].role == BesideRole::Outline) {
-                edges_.push_back(e);
-                deviations_.push_back(shapes.deviation(e));
-                boxes.push_back(boxOf(shapes.a(e), shapes.b(e)));
-                maxDeviation_ = std::max(maxDeviation_, deviations_.back());
-            }
-        }
-        tree_ = BoxTree(boxes);
-    }
-
-    /// Returns true if all points of the segment are within `reach` (positive) of the chords of outlines, apart from
-    /// the deviation of these.
-    bool accompanies(Vec2 p, Vec2 q, double reach) const {
-        const Vec2 middle = midpoint(p, q);
-        for (const Vec2 place : {q, p, middle}) { // at corners, several outlines are equally near
-            const std::uint32_t nearest = nearestTo(place, reach);
-            if (nearest == kNoIndex) {
-                return false;
-            }
-            // The distance from a segment is a convex function: it is greatest at an end.
-            if (std::max(distanceTo(nearest, p), distanceTo(nearest, q)) <= reach + deviations_[nearest]) {
-                return true;
-            }
-        }
-        return distance(p, q) >= kShortest * reach && middle != p && middle != q && accompanies(q, middle, reach) &&
-               accompanies(p, middle, reach);
-    }
-
-    /// Returns the place on outlines near a point, whose chord must be within `reach` apart from its deviation.
-    std::optional<Vec2> placeNear(Vec2 p, double reach) const {
-        const std::uint32_t nearest = nearestTo(p, reach);
-        return nearest == kNoIndex ? std::nullopt : std::optional(shapes_.nearest(edges_[nearest], p));
-    }
-
-  private:
-    /// Fraction of the reach. Shorter parts that no single outline accompanies are too far away.
-    static constexpr double kShortest = 1.0 / 16.0;
-
-    std::uint32_t nearestTo(Vec2 p, double reach) const {
-        double limit = reach + maxDeviation_;
-        return tree_.nearest(p, limit, [&](std::uint32_t outline) { return distanceTo(outline, p); });
-    }
-    double distanceTo(std::uint32_t outline, Vec2 p) const {
-        return distanceToSegment(shapes_.a(edges_[outline]), shapes_.b(edges_[outline]), p);
-    }
-
-    const EdgeShapes &shapes_;
-    std::vector<std::uint32_t> edges_; // the outlines
-    std::vector<double> deviations_;   // likewise
-    double maxDeviation_ = 0.0;
-    BoxTree tree_;
-};
-
-/// Loose lines from one node where they meet anything else to the next.
-struct LooseChain {
-    std::vector<std::uint32_t> edges; ///< one of them, those on from its end `a`, and those on from its end `b`
-    std::size_t before = 0;           ///< number of those on from its end `a`
-    std::vector<std::uint32_t> ends;  ///< two nodes; none if it is a loop that meets nothing
-};
-
-/// Divides the loose lines into chains.
-class LooseLines {
-  public:
-    LooseLines(std::span<const PlaneEdge> edges, std::span<const BesideEdge> about, std::size_t nodeCount)
-        : edges_(edges), around_(nodeCount), taken_(edges.size(), 0) {
-        for (std::uint32_t e = 0; e < edges.size(); ++e) {
-            if (about[e].role == BesideRole::Dropped) {
-                continue;
-            }
-            for (const std::uint32_t node : {edges[e].a, edges[e].b}) {
-                Around &around = around_[node];
-                if (around.count < 2 && about[e].role == BesideRole::LooseLine) {
-                    around.loose[around.count] = e;
-                }
-                ++around.count;
-            }
-        }
-    }
-
-    bool taken(std::uint32_t edge) const { return taken_[edge] != 0; }
-
-    /// Returns the chain through an edge that no chain before it has taken.
-    LooseChain take(std::uint32_t edge) {
-        LooseChain chain{{edge}, 0, {}};
-        taken_[edge] = 1;
-        extend(chain, edge, edges_[edge].a);
-        chain.before = chain.edges.size() - 1;
-        extend(chain, edge, edges_[edge].b);
-        return chain;
-    }
-
-  private:
-    struct Around {
-        std::uint32_t count = 0; ///< edges that are not dropped
-        std::array<std::uint32_t, 2> loose{kNoIndex, kNoIndex};
-    };
-
-    /// Adds the edges on from a node of an edge.
-    void extend(LooseChain &chain, std::uint32_t edge, std::uint32_t node) {
-        std::uint32_t next = beyond(edge, node);
-        while (next != kNoIndex && !taken(next)) {
-            taken_[next] = 1;
-            chain.edges.push_back(next);
-            node = edges_[next].a == node ? edges_[next].b : edges_[next].a;
-            next = beyond(next, node);
-        }
-        if (next == kNoIndex) {
-            chain.ends.push_back(node);
-        }
-    }
-
-    /// Returns the loose line that continues another one at a node; kNoIndex if none does, or anything else meets them.
-    std::uint32_t beyond(std::uint32_t edge, std::uint32_t node) const {
-        const Around &around = around_[node];
-        return around.count != 2 ? kNoIndex : around.loose[around.loose[0] == edge ? 1 : 0];
-    }
-
-    std::span<const PlaneEdge> edges_;
-    std::vector<Around> around_;
-    std::vector<std::uint8_t> taken_;
-};
-
-/// Finds the chains that repeat outlines, except those on which another line ends.
+/// Finds the chains that repeat outlines, and parts of others.
 class RepeatFinder {
   public:
     RepeatFinder(std::span<const Vec2> nodes, std::span<const PlaneEdge> edges, std::span<const BesideEdge> about,
@@ -196,27 +27,39 @@ class RepeatFinder {
         : nodes_(nodes), edges_(edges), about_(about), shapes_(nodes, edges, about, curves), outlines_(shapes_, about),
           distance_(edges.size(), 0.0), kept_(nodes.size()) {}
 
-    std::vector<RepeatingEdge> run() {
+    RepeatedOutlines run() {
         findChains();
         describeNodes();
-        keepConnections();
-        std::vector<RepeatingEdge> found;
+        std::vector<LineCut> cuts;
         for (std::size_t c = 0; c < chains_.size(); ++c) {
-            for (std::size_t k = 0; k < chains_[c].edges.size() && repeats_[c] != 0; ++k) {
-                found.push_back({chains_[c].edges[k], distance_[chains_[c].edges[k]]});
+            if (fates_[c] == ChainFate::Stays) {
+                cutRuns(chains_[c], cuts);
             }
         }
-        return found;
+        keepConnections();
+        for (std::size_t c = 0; c < chains_.size(); ++c) {
+            for (std::size_t k = 0; k < chains_[c].edges.size() && fates_[c] == ChainFate::Repeats; ++k) {
+                const std::uint32_t edge = chains_[c].edges[k];
+                cuts.push_back({edge, 0.0, 1.0, {}, {}, distance_[edge]});
+            }
+        }
+        std::vector<std::uint8_t> movable;
+        for (const Kept &kept : kept_) {
+            movable.push_back(!kept.outline && !kept.line && !kept.attached ? 1 : 0);
+        }
+        return withoutCuts(std::move(cuts), nodes_, edges_, about_, movable, outlines_);
     }
 
   private:
     /// The edges at a node that are kept.
     struct Kept {
         bool outline = false;
-        bool divides = false;  ///< a line divides two faces
+        bool line = false;     ///< a line that must stay
+        bool divides = false;  ///< such a line divides two faces
         bool attached = false; ///< a short line leads to an outline
         bool lacksOutline() const { return divides && !outline && !attached; }
     };
+    enum class ChainFate : std::uint8_t { Stays, Repeats };
     /// A chain that is shorter in relation to its distance leads across to an outline.
     static constexpr double kMinLengthToDistance = 4.0;
 
@@ -230,7 +73,8 @@ class RepeatFinder {
                     lengths_.back() += distance(shapes_.a(edge), shapes_.b(edge));
                 }
                 near_.push_back(isNear(chains_.back()) ? 1 : 0);
-                repeats_.push_back(near_.back() != 0 && runsAlong(chains_.back(), lengths_.back()) ? 1 : 0);
+                fates_.push_back(near_.back() != 0 && runsAlong(chains_.back(), lengths_.back()) ? ChainFate::Repeats
+                                                                                                 : ChainFate::Stays);
             }
         }
     }
@@ -283,22 +127,16 @@ class RepeatFinder {
     }
 
     void describeNodes() {
-        std::vector<std::uint8_t> dropped(edges_.size(), 0);
-        for (std::size_t c = 0; c < chains_.size(); ++c) {
-            for (const std::uint32_t edge : chains_[c].edges) {
-                dropped[edge] = repeats_[c];
-            }
-        }
         for (std::size_t e = 0; e < edges_.size(); ++e) {
             for (const std::uint32_t node : {edges_[e].a, edges_[e].b}) {
-                if (about_[e].role != BesideRole::Dropped && dropped[e] == 0) {
-                    kept_[node].outline = kept_[node].outline || about_[e].role == BesideRole::Outline;
-                    kept_[node].divides = kept_[node].divides || about_[e].divides;
-                }
+                const bool line = about_[e].role == BesideRole::Line;
+                kept_[node].outline = kept_[node].outline || about_[e].role == BesideRole::Outline;
+                kept_[node].line = kept_[node].line || line;
+                kept_[node].divides = kept_[node].divides || (line && about_[e].divides);
             }
         }
         for (std::size_t c = 0; c < chains_.size(); ++c) {
-            if (near_[c] != 0 && repeats_[c] == 0) {
+            if (near_[c] != 0 && fates_[c] == ChainFate::Stays) {
                 attach(chains_[c]);
             }
         }
@@ -313,6 +151,78 @@ class RepeatFinder {
         }
     }
 
+    /// Adds the parts of a chain that repeat outlines, except where a line that must stay would lose its connection.
+    void cutRuns(const LooseChain &chain, std::vector<LineCut> &cuts) const {
+        const std::vector<ChainEdge> path = directed(chain);
+        const auto mayEnd = [&](const ChainPlace &place) {
+            const PlaneEdge &edge = edges_[path[place.edge].edge];
+            const bool atA = place.part == (path[place.edge].forward ? 0.0 : 1.0);
+            const bool inside = place.part > 0.0 && place.part < 1.0;
+            return inside || !kept_[atA ? edge.a : edge.b].line || kept_[atA ? edge.a : edge.b].outline;
+        };
+        for (const ChainRun &run : runsBesideOutlines(path, about_, shapes_, outlines_)) {
+            for (std::size_t k = run.from.edge; k <= run.to.edge && mayEnd(run.from) && mayEnd(run.to); ++k) {
+                LineCut cut{path[k].edge, 0.0, 1.0, {}, {}, run.distance};
+                if (k == run.from.edge && run.from.part > 0.0) {
+                    cut.from = run.from.part;
+                    cut.before = run.from.outline;
+                }
+                if (k == run.to.edge && run.to.part < 1.0) {
+                    cut.to = run.to.part;
+                    cut.beyond = run.to.outline;
+                }
+                if (!path[k].forward) {
+                    cut = {cut.edge, 1.0 - cut.to, 1.0 - cut.from, cut.beyond, cut.before, cut.distance};
+                }
+                if (cut.from < cut.to) {
+                    cuts.push_back(cut);
+                }
+            }
+        }
+    }
+
+    /// Returns a chain in a direction that depends on its places alone; a loop begins at the node farthest from
+    /// outlines.
+    std::vector<ChainEdge> directed(const LooseChain &chain) const {
+        std::vector<ChainEdge> path;
+        std::uint32_t node = chain.ends.empty() ? edges_[chain.edges.front()].b : chain.ends.front();
+        for (const std::uint32_t edge : inOrder(chain)) {
+            path.push_back({edge, edges_[edge].a == node});
+            node = path.back().forward ? edges_[edge].b : edges_[edge].a;
+        }
+        if (chain.ends.empty()) {
+            std::rotate(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(farthestNode(path)), path.end());
+        }
+        const auto endOf = [&](const ChainEdge &edge, bool ahead) {
+            return edge.forward == ahead ? shapes_.b(edge.edge) : shapes_.a(edge.edge);
+        };
+        const bool closed = chain.ends.empty() || chain.ends.front() == chain.ends.back();
+        if (comesBefore(endOf(path.back(), !closed), endOf(path.front(), closed))) {
+            std::reverse(path.begin(), path.end());
+            for (ChainEdge &edge : path) {
+                edge.forward = !edge.forward;
+            }
+        }
+        return path;
+    }
+
+    /// Returns the index of the edge of a loop that begins at the node farthest from outlines.
+    std::size_t farthestNode(std::span<const ChainEdge> path) const {
+        std::size_t best = 0;
+        std::pair<double, Vec2> found;
+        for (std::size_t k = 0; k < path.size(); ++k) {
+            const Vec2 p = path[k].forward ? shapes_.a(path[k].edge) : shapes_.b(path[k].edge);
+            const double reach = about_[path[k].edge].reach;
+            const auto q = outlines_.placeNear(p, reach);
+            const double away = q ? std::min(distance(p, *q), reach) : reach;
+            if (k == 0 || away > found.first || (away == found.first && comesBefore(p, found.second))) {
+                best = k;
+                found = {away, p};
+            }
+        }
+        return best;
+    }
+
     /// Keeps chains at nodes where lines that divide faces would no longer reach an outline.
     void keepConnections() {
         std::vector<std::uint32_t> starts(nodes_.size() + 1, 0); // chains by their ends
@@ -322,22 +232,17 @@ class RepeatFinder {
             }
         }
         std::partial_sum(starts.begin(), starts.end(), starts.begin());
-        std::vector<std::uint32_t> ending(starts.back()), fill(starts.begin(), starts.end() - 1), open;
+        std::vector<std::uint32_t> ending(starts.back()), fill(starts.begin(), starts.end() - 1);
         for (std::uint32_t c = 0; c < chains_.size(); ++c) {
             for (const std::uint32_t end : chains_[c].ends) {
                 ending[fill[end]++] = c;
-                if (repeats_[c] != 0 && kept_[end].lacksOutline()) {
-                    open.push_back(end);
-                }
             }
         }
-        while (!open.empty()) {
-            const std::uint32_t node = open.back();
-            open.pop_back();
+        for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
             const std::span<const std::uint32_t> here(ending.data() + starts[node], starts[node + 1] - starts[node]);
             if (kept_[node].lacksOutline() && !keepShortest(node, here)) {
                 for (const std::uint32_t chain : here) {
-                    keep(chain, open);
+                    fates_[chain] = ChainFate::Stays;
                 }
             }
         }
@@ -350,26 +255,17 @@ class RepeatFinder {
             return chains_[chain].ends[chains_[chain].ends[0] == node ? 1 : 0];
         };
         for (const std::uint32_t chain : here) {
-            if (repeats_[chain] != 0 && kept_[farEnd(chain)].outline &&
+            if (fates_[chain] == ChainFate::Repeats && kept_[farEnd(chain)].outline &&
                 (best == kNoIndex || lengths_[chain] < lengths_[best] ||
                  (lengths_[chain] == lengths_[best] && comesBefore(nodes_[farEnd(chain)], nodes_[farEnd(best)])))) {
                 best = chain;
             }
         }
         if (best != kNoIndex) {
-            repeats_[best] = 0;
+            fates_[best] = ChainFate::Stays;
             kept_[node].attached = true;
         }
         return best != kNoIndex;
-    }
-
-    void keep(std::uint32_t chain, std::vector<std::uint32_t> &open) {
-        if (std::exchange(repeats_[chain], 0) != 0) {
-            for (const std::uint32_t end : chains_[chain].ends) {
-                kept_[end].divides = true;
-                open.push_back(end);
-            }
-        }
     }
 
     std::span<const Vec2> nodes_;
@@ -378,17 +274,17 @@ class RepeatFinder {
     EdgeShapes shapes_;
     OutlineSearch outlines_;
     std::vector<LooseChain> chains_;
-    std::vector<double> lengths_;       // per chain
-    std::vector<std::uint8_t> near_;    // per chain: within its reach of chords of outlines
-    std::vector<std::uint8_t> repeats_; // per chain
-    std::vector<double> distance_;      // per edge of such a chain
-    std::vector<Kept> kept_;            // per node
+    std::vector<double> lengths_;    // per chain
+    std::vector<std::uint8_t> near_; // per chain: within its reach of chords of outlines
+    std::vector<ChainFate> fates_;   // per chain
+    std::vector<double> distance_;   // per edge of such a chain
+    std::vector<Kept> kept_;         // per node
 };
 
 } // namespace
 
-std::vector<RepeatingEdge> edgesRepeatingOutlines(std::span<const Vec2> nodes, std::span<const PlaneEdge> edges,
-                                                  std::span<const BesideEdge> about, std::span<const Curve> curves) {
+RepeatedOutlines findRepeatedOutlines(std::span<const Vec2> nodes, std::span<const PlaneEdge> edges,
+                                      std::span<const BesideEdge> about, std::span<const Curve> curves) {
     return RepeatFinder(nodes, edges, about, curves).run();
 }
 

@@ -4,6 +4,7 @@
 #include "core/geometry/plane_sweep.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,17 +25,36 @@ struct BesideEdge {
     CurveStretch stretch = {}; ///< the part of a curve that it is a chord of, from its end `a` to its end `b`
 };
 
-/// An edge that repeats outlines.
+/// An edge that repeats outlines, at least in part.
 struct RepeatingEdge {
     std::uint32_t edge = 0;
-    double distance = 0.0; ///< from the outlines, the maximum at five places along it
+    double distance = 0.0; ///< from the outlines, the maximum at the places where it was measured
 };
 
-/// Finds the loose lines that repeat outlines: chains of them, from one node where they meet anything else to the next,
-/// that stay within their reach of outlines on one side, and whose length is at least four times that distance. Where
-/// another line that divides two faces ends on such a chain, the chain stays, or the shortest one that leads from there
-/// to an outline. `about`: per edge.
-std::vector<RepeatingEdge> edgesRepeatingOutlines(std::span<const Vec2> nodes, std::span<const PlaneEdge> edges,
-                                                  std::span<const BesideEdge> about, std::span<const Curve> curves);
+/// A part that stays of an edge that repeats outlines elsewhere, or that meets such an edge.
+struct RemainingPart {
+    std::uint32_t edge = 0;
+    double from = 0.0, to = 1.0;    ///< fractions of the way from its end `a`, along its curve by the parameter
+    std::optional<Vec2> begin, end; ///< the places on outlines that its ends have to move to
+};
+
+/// What repeats outlines, and what is left of lines there.
+struct RepeatedOutlines {
+    std::vector<RepeatingEdge> edges;
+    std::vector<RemainingPart> parts; ///< by edges, and then by fractions
+};
+
+/// Finds the loose lines that repeat outlines. They are searched in chains, from one node where they meet anything else
+/// to the next.
+/// - A chain repeats outlines as a whole if it stays within its reach of them on one side, and its length is at least
+///   four times that distance.
+/// - A part of a chain does so if it is long for its distance, see kMinRunToDistance. It ends where the line turns
+/// away.
+/// - Where another loose line goes on from a part that is dropped, its end moves to the outline.
+/// - Where a line that must stay and divides two faces ends on a chain, the chain stays, or the shortest one that leads
+///   from there to an outline.
+/// `about`: per edge.
+RepeatedOutlines findRepeatedOutlines(std::span<const Vec2> nodes, std::span<const PlaneEdge> edges,
+                                      std::span<const BesideEdge> about, std::span<const Curve> curves);
 
 } // namespace forefront

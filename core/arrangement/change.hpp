@@ -29,7 +29,7 @@ enum class ChangeKind : std::uint8_t {
     VanishedShapes,   ///< nothing is left of a feature or, if there is only one, of a shape
     InnerOutlines,    ///< an outline with the same feature on both sides vanished
     ClippedSegments,  ///< a part of an outline or line that its clip does not show vanished
-    RepeatedOutlines, ///< a line that repeats an outline nearby vanished
+    RepeatedOutlines, ///< a part of a line that repeats an outline nearby vanished
     OutsideLines,     ///< a constraint line outside the domain vanished
     OutsidePoints,    ///< a constraint point outside the domain vanished
     OutsideMarkers,   ///< a hole marker vanished because its hole was open to the outside

@@ -38,6 +38,15 @@ std::size_t lineCount(const Domain &domain) {
                       [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; }));
 }
 
+/// Returns true if a domain has a segment between two places.
+bool hasSegment(const Domain &domain, Vec2 a, Vec2 b) {
+    const auto same = [](Vec2 p, Vec2 q) { return distance(p, q) < 1e-9; };
+    return std::any_of(domain.segments.begin(), domain.segments.end(), [&](const DomainSegment &segment) {
+        const Vec2 p = domain.nodes[segment.a], q = domain.nodes[segment.b];
+        return (same(p, a) && same(q, b)) || (same(p, b) && same(q, a));
+    });
+}
+
 std::size_t linesIn(const std::vector<LooseLine> &lines) {
     return lineCount(arranged(squareWith(lines)).domain);
 }
@@ -62,37 +71,92 @@ TEST_CASE("repeated outlines: a line that stays within its reach of outlines is 
     CHECK(linesIn({{beside, 0.6}, {beside, 0.0}}) == 2); // another line there must stay
 }
 
-TEST_CASE("repeated outlines: a line that leaves an outline stays as a whole") {
-    CHECK(linesIn({{{{1, 0.5}, {9, 0.5}, {5, 5}}, 0.6}}) == 2);
+TEST_CASE("repeated outlines: a line that only ends on, crosses or comes near an outline stays as a whole") {
     CHECK(linesIn({{{{0, 0}, {10, 10}}, 0.6}}) == 1);
     CHECK(linesIn({{{{5, 0}, {5, 4}}, 0.6}}) == 1);
     CHECK(linesIn({{{{5, 0}, {5, 0.6}}, 0.6}}) == 1); // however short
+    CHECK(linesIn({{{{2, 0}, {9, 1}}, 0.6}}) == 1);   // at a small angle
+    CHECK(linesIn({{{{2, -1}, {9, 2}}, 0.6}}) == 1);
+    CHECK(linesIn({{{{9, 5}, {5, 0.1}, {1, 5}}, 0.6}}) == 2);           // a tip near the outline
+    CHECK(linesIn({{{{1, 5}, {1, 0.5}, {5, 0.5}, {5, 5}}, 0.6}}) == 3); // short for its distance
+    // Beside an outline, but beyond the reach, as hatching is; and beside another line.
+    CHECK(linesIn({{{{1, 0.6}, {9, 0.6}, {5, 5}}, 0.3}}) == 2);
+    CHECK(linesIn({{{{1, 5}, {9, 5}, {5, 2}}, 0.3}, {{{1, 5.1}, {9, 5.1}, {5, 8}}, 0.3}}) == 4);
+}
+
+TEST_CASE("repeated outlines: a part of a line that repeats an outline is dropped, and the rest begins there") {
+    const Arrangement result = arranged(squareWith({{{{1, 0.01}, {6, 0.01}, {5, 5}}, 0.6}}));
+    REQUIRE(lineCount(result.domain) == 1);
+    CHECK(hasSegment(result.domain, {6, 0}, {5, 5}));
+    const ArrangementChange *const change = find(result, ChangeKind::RepeatedOutlines);
+    REQUIRE(change != nullptr);
+    CHECK(change->count == 1);
+    CHECK(change->displacement == doctest::Approx(0.01));
+    // Both ends of a line, and its middle.
+    const Arrangement ends = arranged(squareWith({{{{0.01, 9}, {0.01, 4}, {5, 5}, {9, 0.01}, {2, 0.01}}, 0.6}}));
+    CHECK(lineCount(ends.domain) == 2);
+    CHECK(hasSegment(ends.domain, {0, 4}, {5, 5}));
+    const Arrangement middle = arranged(squareWith({{{{1, 5}, {1, 0.01}, {7, 0.01}, {7, 5}}, 0.6}}));
+    CHECK(lineCount(middle.domain) == 2);
+    CHECK(hasSegment(middle.domain, {1, 0}, {1, 5}));
+    CHECK(hasSegment(middle.domain, {7, 0}, {7, 5}));
+    // A loop, whichever of its nodes comes first.
+    std::vector<Vec2> loop{{1, 0.01}, {7, 0.01}, {7, 5}, {1, 5}};
+    for (int turn = 0; turn < 4; ++turn) {
+        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+        LooseLine line{loop, 0.6};
+        line.nodes.push_back(loop.front());
+        const Domain domain = arranged(squareWith({line})).domain;
+        CHECK(lineCount(domain) == 3);
+        CHECK(hasSegment(domain, {1, 0}, {1, 5}));
+    }
+}
+
+TEST_CASE("repeated outlines: a part ends where the outline turns away, and where the line crosses it") {
+    ArrangementInput input;
+    addPath(input, FillRule::NonZero, {{{0, 0}, {6, 0}, {6, -3}, {10, -3}, {10, 10}, {0, 10}}});
+    input.addChain(std::vector<Vec2>{{1, 0.01}, {10, 0.01}}, 5, {}, kNoClip, 0.6);
+    const Domain domain = arranged(input).domain;
+    CHECK(lineCount(domain) == 1);
+    CHECK(hasSegment(domain, {6, 0}, {10, 0.01}));
+    CHECK(domain.nodes.size() == 7);
+    // Along the outline on both sides of it: no nodes remain where they cross.
+    CHECK(arranged(squareWith({{{{1, 0.01}, {3, -0.01}, {5, 0.01}, {7, -0.01}, {9, 0.01}, {5, 5}}, 0.6}}))
+              .domain.nodes.size() == 6);
 }
 
 TEST_CASE("repeated outlines: lines are dropped from one node with other pieces to the next") {
     // The first line leaves the square where the second begins, and comes back.
     const LooseLine along{{{1, 0.2}, {4, 0.1}, {4, -2}, {6, -2}, {6, 0.1}, {9, 0.2}, {5, 5}}, 0.3};
-    const Arrangement result = arranged(squareWith({along}));
-    CHECK(lineCount(result.domain) == 3); // the first two segments in the square are gone
-    // Another line divides it into the part that repeats the outline and the rest.
+    CHECK(linesIn({{along}}) == 3);
     const LooseLine whole{{{1, 0.2}, {9, 0.2}, {9, 5}, {5, 5}}, 0.3};
-    CHECK(linesIn({whole}) == 3);
-    CHECK(linesIn({whole, {{{6, 0}, {6, 5}}, 0.3}}) == 6); // without the part from x = 1 to 6
+    CHECK(linesIn({whole}) == 2);
+    CHECK(linesIn({whole, {{{6, 0}, {6, 5}}, 0.3}}) == 6);
+}
+
+TEST_CASE("repeated outlines: what goes on from lines that are dropped ends on the outline") {
+    // An inner frame is dropped. Lines that meet it go on to the outline.
+    const LooseLine frame{{{0.2, 0.2}, {9.8, 0.2}, {9.8, 9.8}, {0.2, 9.8}, {0.2, 0.2}}, 0.3};
+    CHECK(linesIn({frame, {{{5, 0}, {5, 10}}, 0.3}, {{{0, 5}, {10, 5}}, 0.3}}) == 4);
+    const Domain across = arranged(squareWith({frame, {{{5, 0.2}, {5, 9.8}}, 0.3}})).domain;
+    CHECK(lineCount(across) == 1);
+    CHECK(hasSegment(across, {5, 0}, {5, 10}));
+    CHECK(hasSegment(arranged(squareWith({frame, {{{5, 0.2}, {5, 5}}, 0.3}})).domain, {5, 0}, {5, 5}));
+    const LooseLine diamond{{{5, 0.2}, {9.8, 5}, {5, 9.8}, {0.2, 5}, {5, 0.2}}, 0.3};
+    CHECK(linesIn({frame, diamond}) == 4);
+    // A line that reaches the outline beyond the frame stays as it is.
+    CHECK(hasSegment(arranged(squareWith({frame, {{{0, 0.1}, {10, 2}}, 0.3}})).domain, {0, 0.1}, {10, 2}));
 }
 
 TEST_CASE("repeated outlines: lines that lead across to something stay") {
-    // An inner frame is dropped, but not the ends of the cross that lie outside of it.
+    // The frame stays if a line that must stay would no longer reach anything.
     const LooseLine frame{{{0.2, 0.2}, {9.8, 0.2}, {9.8, 9.8}, {0.2, 9.8}, {0.2, 0.2}}, 0.3};
-    CHECK(linesIn({frame, {{{5, 0}, {5, 10}}, 0.3}, {{{0, 5}, {10, 5}}, 0.3}}) == 8);
-    // It stays if what divides it would no longer reach anything.
-    CHECK(linesIn({frame, {{{5, 0.2}, {5, 9.8}}, 0.3}}) == 7);
-    CHECK(linesIn({frame, {{{5, 0.2}, {5, 5}}, 0.3}}) == 1); // divides nothing
-    // A diamond whose corners lie on the frame: without the frame, what is outside of it would be connected.
-    const LooseLine diamond{{{5, 0.2}, {9.8, 5}, {5, 9.8}, {0.2, 5}, {5, 0.2}}, 0.3};
+    CHECK(linesIn({frame, {{{5, 0.2}, {5, 9.8}}, 0.0}}) == 7);
+    CHECK(linesIn({frame, {{{5, 0.2}, {5, 5}}, 0.0}}) == 1); // divides nothing
+    const LooseLine diamond{{{5, 0.2}, {9.8, 5}, {5, 9.8}, {0.2, 5}, {5, 0.2}}, 0.0};
     CHECK(linesIn({frame, diamond}) == 12);
-    // A line that crosses the frame at a small angle stays, and so it still reaches the outline.
-    const Arrangement crossed = arranged(squareWith({frame, {{{0, 0.1}, {10, 2}}, 0.3}}));
-    CHECK(lineCount(crossed.domain) == 3);
+    // So does a part.
+    CHECK(linesIn({{{{1, 0.01}, {6, 0.01}, {5, 5}}, 0.6}, {{{1, 0.01}, {1, 9}}, 0.0}}) == 3);
     // Oblique dividers of a strip.
     ArrangementInput strip;
     addPath(strip, FillRule::NonZero, {rectangle(0, 0, 100, 2)});
@@ -100,11 +164,15 @@ TEST_CASE("repeated outlines: lines that lead across to something stay") {
         strip.addChain(std::vector<Vec2>{{double(k), 0}, {double(k) + 4.0, 2}}, 5, {}, kNoClip, 1.01);
     }
     CHECK(lineCount(arranged(strip).domain) == 18);
-    // A bridge across a narrow part.
+    // A bridge across a narrow part, and a line that leads slowly from one side of it to the other.
     ArrangementInput holed;
     addPath(holed, FillRule::EvenOdd, {rectangle(0, 0, 10, 10), rectangle(0.5, 2, 4, 6)});
     holed.addChain(std::vector<Vec2>{{0, 5}, {0.5, 5}}, 5, {}, kNoClip, 0.3);
     CHECK(lineCount(arranged(holed).domain) == 1);
+    ArrangementInput channel;
+    addPath(channel, FillRule::NonZero, {rectangle(0, 0, 100, 1)});
+    channel.addChain(std::vector<Vec2>{{0, 0}, {100, 1}}, 5, {}, kNoClip, 0.6);
+    CHECK(lineCount(arranged(channel).domain) == 1);
 }
 
 TEST_CASE("repeated outlines: circles of a stroke inside the outline, whose chords are not parallel") {
@@ -183,6 +251,27 @@ TEST_CASE("repeated outlines: SVG strokes that reach the outline all along are d
     // Thinner ones do not reach it.
     CHECK(linesInDrawing("<rect x=\"1.1\" y=\"1.1\" width=\"7.8\" height=\"7.8\" fill=\"none\" stroke=\"red\" "
                          "stroke-width=\".15\"/>") == 4);
+}
+
+TEST_CASE("repeated outlines: SVG strokes that leave the outline that they nearly follow") {
+    const std::string stroke = "<path fill=\"none\" stroke=\"#000\" stroke-width=\"2\" ";
+    const Domain straight = svgDomain(svgDrawing(
+        "<path d=\"M10 10h40v40h-40z\"/>" + stroke + "d=\"M10 10.0007h30l-10 15\"/>", "viewBox=\"0 0 72 72\""));
+    CHECK(lineCount(straight) == 1);
+    CHECK(hasSegment(straight, {40, 62}, {30, 46.9993}));
+    // The stroke of a curve leaves it in the middle of a piece; the rest follows its curve.
+    const std::string arch = "<path d=\"M10 40 C 10 0 60 0 60 40 z\"/>", page = "viewBox=\"0 0 72 72\"";
+    const Domain curved =
+        svgDomain(svgDrawing(arch + stroke + "d=\"M10.0007 40 C 10 0.02 60 0.02 59.98 39.98 L 30 30\"/>", page));
+    CHECK(lineCount(curved) == 1);
+    CHECK(hasSegment(curved, {60, 32}, {30, 42}));
+    const std::string square = "<path d=\"M10 10h50v50h-50z\"/>", away = "d=\"M10 10.001C40 10.001 55 15 55 40\"";
+    const Domain leaving = svgDomain(svgDrawing(square + stroke + away + "/>", page));
+    const Domain whole = svgDomain(svgDrawing(square + stroke + "id=\"wall\" " + away + "/>", page));
+    CHECK(lineCount(leaving) < lineCount(whole));
+    CHECK(std::count_if(leaving.segments.begin(), leaving.segments.end(), [](const DomainSegment &segment) {
+              return segment.role == SegmentRole::Constraint && segment.stretch.follows();
+          }) > 0);
 }
 
 TEST_CASE("repeated outlines: SVG stroke widths are inherited, scaled and have units") {
