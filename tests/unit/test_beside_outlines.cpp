@@ -295,3 +295,17 @@ TEST_CASE("repeated outlines: SVG stroke widths are inherited, scaled and have u
     CHECK(linesInDrawing("<path d=\"M1.5 1.35H4.5\" fill=\"none\" stroke=\"red\" stroke-width=\"9\"/>") == 0);
     CHECK(linesInDrawing("<path d=\"M1.5 1.37H4.5\" fill=\"none\" stroke=\"red\" stroke-width=\"9\"/>") == 1);
 }
+
+TEST_CASE("repeated outlines: lines with a name that nearly follow the boundary are reported") {
+    const std::string line = "<path d=\"M1 1.0001H7L5 4\" fill=\"none\" stroke=\"red\" stroke-width=\".5\" id=\"";
+    const auto reported = [](const ImportNotes &notes) {
+        return std::any_of(notes.entries().begin(), notes.entries().end(), [](const ImportNote &note) {
+            return note.code == "near-lines" && note.message.find("0.0001 away") != std::string::npos;
+        });
+    };
+    ImportNotes named, unnamed;
+    CHECK(linesInDrawing(line + "inlet\"/>", &named) == 2);
+    CHECK(reported(named));
+    CHECK(linesInDrawing(line + "path7\"/>", &unnamed) == 1);
+    CHECK_FALSE(reported(unnamed));
+}

@@ -1,6 +1,7 @@
 #include "core/io/common/drawing_builder.hpp"
 
 #include "core/arrangement/feature_gaps.hpp"
+#include "core/arrangement/near_lines.hpp"
 #include "core/arrangement/snap.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/number_text.hpp"
@@ -158,6 +159,7 @@ Result<Domain> DrawingBuilder::finish() {
         noteSmallDomain(arranged->domain, drawn);
     }
     noteFeatureGaps(*arranged);
+    noteNearLines(*arranged);
     recordOrigin(*arranged);
     return std::move(arranged->domain);
 }
@@ -361,6 +363,24 @@ void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
                          " apart, first at " + placeText(gaps.first) + "; --weld " +
                          numberText(kSpare * gaps.widest, 3) + " joins them",
                      offsetOf(arrangement.stretches[gaps.segment].piece));
+    }
+}
+
+/// Reports lines that nearly follow the boundary but stay, such as those with a name: they spoil the mesh.
+void DrawingBuilder::noteNearLines(const Arrangement &arrangement) const {
+    if (!hasOutlines() || source_.notes == nullptr) {
+        return;
+    }
+    const NearLines near = findNearLines(arrangement.domain);
+    if (near.count > 0) {
+        source_.note("near-lines",
+                     std::to_string(near.count) +
+                         (near.count == 1 ? " segment of a line nearly follows the boundary"
+                                          : " segments of lines nearly follow the boundary") +
+                         ", " + (near.count == 1 ? "" : "at least ") + numberText(near.nearest, 3) + " away, " +
+                         (near.count == 1 ? "at " : "first at ") + placeText(near.first) +
+                         "; --drop-lines leaves lines out",
+                     offsetOf(arrangement.stretches[near.segment].piece));
     }
 }
 

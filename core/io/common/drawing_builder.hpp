@@ -38,8 +38,8 @@ class DrawingBuilder {
     /// that the segments from each node on are chords of; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
-    /// Adds a line; where it lies on an outline, the outline takes the tag of the line. Where it repeats an outline
-    /// within half of `width`, the width that it is drawn with, it is dropped.
+    /// Adds a line; where it lies on an outline, the outline takes the tag of the line. The parts that repeat an
+    /// outline within half of `width`, the width that it is drawn with, are dropped.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {},
                   std::uint32_t limit = kNoClip, double width = 0.0);
     void addPoint(Vec2 at, std::int32_t tag);
@@ -75,6 +75,7 @@ class DrawingBuilder {
     bool joinsAlone(const Arrangement &lines, double tolerance, double near) const;
     void noteSmallDomain(const Domain &domain, const Box2 &drawn) const;
     void noteFeatureGaps(const Arrangement &arrangement) const;
+    void noteNearLines(const Arrangement &arrangement) const;
     void recordOrigin(const Arrangement &arrangement) const;
 
     const SourceText &source_;
