@@ -118,6 +118,14 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
                       "--beyond-page, --drop-lines, --stroke-areas, --shape-regions or --repair";
         faults.push_back(std::move(hint));
     }
+    if (!acceptsInnerEdges(arguments.mesh)) {
+        Diagnostic hint;
+        hint.severity = Severity::Note;
+        hint.code = "inner-edges";
+        hint.message = "by default, meshes of this format are written without tagged edges inside the domain";
+        hint.advice = "write the mesh with --inner-edges keep";
+        faults.push_back(std::move(hint));
+    }
     return faults;
 }
 

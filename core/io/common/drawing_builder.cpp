@@ -30,6 +30,17 @@ Box2 boundsOf(const ArrangementInput &input) {
     return box;
 }
 
+Box2 boundsOfLines(const ArrangementInput &input) {
+    Box2 box;
+    for (const ArrangementPiece &piece : input.pieces) {
+        if (piece.role == PieceRole::Constraint && piece.limit == kNoClip) {
+            box.add(piece.a);
+            box.add(piece.b);
+        }
+    }
+    return box;
+}
+
 Box2 boundaryBox(const Domain &domain) {
     Box2 box;
     for (const DomainSegment &segment : domain.segments) {
@@ -43,20 +54,6 @@ Box2 boundaryBox(const Domain &domain) {
 
 double areaOf(const Box2 &box) {
     return box.size().x * box.size().y;
-}
-
-/// Returns true for a boundary so small a part of a drawing that its lines enclose it by chance, where they meet.
-bool isScrap(const Box2 &boundary, const Box2 &drawn) {
-    constexpr double kChance = 1e-5;
-    return !boundary.empty() && areaOf(boundary) < kChance * areaOf(drawn);
-}
-
-/// Makes all lines constraints; validation reports why nothing is enclosed.
-Arrangement onlyLines(Arrangement arrangement) {
-    for (DomainSegment &segment : arrangement.domain.segments) {
-        segment.role = SegmentRole::Constraint;
-    }
-    return arrangement;
 }
 
 } // namespace
@@ -133,8 +130,7 @@ bool DrawingBuilder::hasOutlines() const {
 }
 
 Result<Domain> DrawingBuilder::finish() {
-    const Box2 drawn = boundsOf(input_);
-    const bool filled = hasOutlines() && !linesBound_;
+    const Box2 lines = hasOutlines() && !linesBound_ ? Box2{} : boundsOfLines(input_);
     Result<Arrangement> arranged = arrangeParts();
     if (!arranged) {
         Diagnostics faults = arranged.faults();
@@ -155,9 +151,7 @@ Result<Domain> DrawingBuilder::finish() {
         return Diagnostics{faultAt(source_, 0, "empty-domain", "the outlines enclose no area",
                                    "draw a closed outline, or lower the weld tolerance")};
     }
-    if (!filled) {
-        noteSmallDomain(arranged->domain, drawn);
-    }
+    noteSmallDomain(arranged->domain, lines);
     noteFeatureGaps(*arranged);
     noteNearLines(*arranged);
     recordOrigin(*arranged);
@@ -175,9 +169,6 @@ Result<Arrangement> DrawingBuilder::arrangeParts() {
         input_.keepOutside = true;
         Result<Arrangement> arranged = arrange(input_);
         const LineLoops loops = arranged ? takeLinesAsOutline(arranged->domain) : LineLoops{};
-        if (arranged && isScrap(boundaryBox(arranged->domain), boundsOf(input_))) {
-            return onlyLines(*std::move(arranged));
-        }
         if (arranged && (outlines || loops.segments > 0)) {
             noteLineGaps(*arranged);
             noteLoopsLeft(*arranged, loops);
@@ -291,6 +282,7 @@ void DrawingBuilder::noteLoopsLeft(const Arrangement &lines, const LineLoops &lo
 /// Reports lines that would form loops if their ends met, with a tolerance that joins them, or the closest of them.
 void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
     constexpr double kSteps[] = {1.0, 0.1, 0.01};
+    constexpr std::size_t kMost = 1000; // ends; more are those of hatching, and trials would take long
     const double near = kNearEnds * lines.domain.bounds().diagonal();
     const LineGaps all = findLineGaps(lines.domain, near);
     if (all.count == 0) {
@@ -306,7 +298,7 @@ void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
     for (const double step : kSteps) {
         const LineGaps gaps = findLineGaps(lines.domain, step * near);
         const double tolerance = kSpare * gaps.widest;
-        if (gaps.count > 0 && joinsAlone(lines, tolerance, step * near)) {
+        if (gaps.count > 0 && gaps.count <= kMost && joinsAlone(lines, tolerance, step * near)) {
             noteGaps(gaps, "--weld " + numberText(tolerance, 3) + " joins them");
             return;
         }
@@ -330,14 +322,16 @@ bool DrawingBuilder::joinsAlone(const Arrangement &lines, double tolerance, doub
     return joined && findLineGaps(joined->domain, near).count == 0 && lost(*joined) <= lost(lines);
 }
 
-/// Reports a domain that is only a part of what is drawn.
-void DrawingBuilder::noteSmallDomain(const Domain &domain, const Box2 &drawn) const {
-    constexpr double kSmall = 0.25; // fraction of the area that the drawing extends over
+/// Reports a domain that is only a part of what is drawn with lines.
+void DrawingBuilder::noteSmallDomain(const Domain &domain, const Box2 &lines) const {
+    constexpr double kSmall = 0.25; // fraction of the area that everything extends over
     const Box2 box = boundaryBox(domain);
-    if (!box.empty() && areaOf(box) < kSmall * areaOf(drawn)) {
+    Box2 whole = box;
+    whole.add(lines);
+    if (!lines.empty() && !box.empty() && areaOf(box) < kSmall * areaOf(whole)) {
         source_.note("small-domain",
                      "the domain is only a part of the drawing, from " + placeText(box.min) + " to " +
-                         placeText(box.max) + ": the other lines do not close",
+                         placeText(box.max) + ": the lines around it form no outline",
                      0);
     }
 }

@@ -73,7 +73,7 @@ class DrawingBuilder {
     void noteLoopsLeft(const Arrangement &lines, const LineLoops &loops) const;
     void noteLineGaps(const Arrangement &lines) const;
     bool joinsAlone(const Arrangement &lines, double tolerance, double near) const;
-    void noteSmallDomain(const Domain &domain, const Box2 &drawn) const;
+    void noteSmallDomain(const Domain &domain, const Box2 &lines) const;
     void noteFeatureGaps(const Arrangement &arrangement) const;
     void noteNearLines(const Arrangement &arrangement) const;
     void recordOrigin(const Arrangement &arrangement) const;

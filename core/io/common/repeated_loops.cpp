@@ -1,8 +1,10 @@
 #include "core/io/common/repeated_loops.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
-#include <utility>
+#include <tuple>
 
 namespace forefront {
 
@@ -39,23 +41,28 @@ std::vector<std::uint8_t> findRepeatedLoops(const std::vector<std::span<const Ve
         std::size_t loop;
         Box2 box;
     };
-    std::multimap<std::pair<std::size_t, double>, Known> known; // by the number of nodes and the left end
+    // By the number of nodes and the cell that holds the lower left corner of the box.
+    std::map<std::tuple<std::size_t, double, double>, std::vector<Known>> known;
+    const double cell = std::max(4.0 * tolerance, std::numeric_limits<double>::min());
     std::vector<std::uint8_t> repeated(loops.size(), 0);
     for (std::size_t k = 0; k < loops.size(); ++k) {
-        const std::size_t count = loops[k].size();
         const Box2 box = boxOf(loops[k]);
-        const auto end = known.upper_bound({count, box.min.x + tolerance});
-        const auto original =
-            std::find_if(known.lower_bound({count, box.min.x - tolerance}), end, [&](const auto &entry) {
-                const Known &other = entry.second;
-                return distance(other.box.min, box.min) <= 2.0 * tolerance &&
-                       distance(other.box.max, box.max) <= 2.0 * tolerance &&
-                       isSame(loops[k], loops[other.loop], tolerance);
-            });
-        if (original != end) {
-            repeated[k] = 1;
-        } else {
-            known.insert({{count, box.min.x}, {k, box}});
+        const double column = std::floor(box.min.x / cell), row = std::floor(box.min.y / cell);
+        const auto isOriginal = [&](const Known &other) {
+            return distance(other.box.min, box.min) <= 2.0 * tolerance &&
+                   distance(other.box.max, box.max) <= 2.0 * tolerance &&
+                   isSame(loops[k], loops[other.loop], tolerance);
+        };
+        for (const double x : {column - 1.0, column, column + 1.0}) {
+            for (const double y : {row - 1.0, row, row + 1.0}) {
+                const auto found = known.find({loops[k].size(), x, y});
+                if (found != known.end() && std::any_of(found->second.begin(), found->second.end(), isOriginal)) {
+                    repeated[k] = 1;
+                }
+            }
+        }
+        if (repeated[k] == 0) {
+            known[{loops[k].size(), column, row}].push_back({k, box});
         }
     }
     return repeated;

@@ -19,7 +19,7 @@ class FeatureNames {
     /// `key`: the property to take names from; absent: by the rule above.
     explicit FeatureNames(std::optional<std::string> key) : key_(std::move(key)) {}
 
-    /// Collects what the properties of a feature offer. To be called for all features before any are named.
+    /// Collects what the properties of a feature offer. Call this for all features before naming any.
     void survey(const JsonValue &properties);
 
     /// Returns the name of a feature; empty if it has none.

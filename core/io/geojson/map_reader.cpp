@@ -268,7 +268,9 @@ void MapReader::noteUnused() const {
         source_.note("height", "third coordinates are ignored: the domain is planar", heights_.first, heights_.count);
     }
     note(properties_, "properties",
-         "properties other than \"" + cleanName(names_.source()) + "\" and \"tag\" are ignored: ",
+         names_.source() == "tag"
+             ? std::string("properties other than \"tag\" are ignored: ")
+             : "properties other than \"" + cleanName(names_.source()) + "\" and \"tag\" are ignored: ",
          !named_ && names_.offersText() ? "; --name-property takes names from one of them" : "");
     note(members_, "members", std::string("members that ") + format_ + " does not define are ignored: ");
 }

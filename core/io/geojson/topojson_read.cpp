@@ -84,6 +84,7 @@ class TopoJsonReader {
 
     /// Finds the layer to read; reports the others if nobody chose it.
     std::optional<JsonValue> findLayer(const JsonValue &objects) {
+        constexpr std::size_t kShown = 12;
         const std::optional<std::string> &wanted = source_.options.layer;
         const std::vector<TopoLayer> layers = topoLayers(objects);
         const TopoLayer *const chosen = chooseLayer(layers, wanted);
@@ -97,15 +98,14 @@ class TopoJsonReader {
         if (chosen == nullptr) {
             if (wanted) {
                 check_.fault(objects, "unknown-layer", "unknown layer '" + cleanName(*wanted) + '\'',
-                             names.empty() ? "the file has no layers"
-                                           : "expected one of " + listed(names, names.size()));
+                             names.empty() ? "the file has no layers" : "expected one of " + listed(names, kShown));
             }
             return std::nullopt;
         }
         if (!others.empty() && !wanted) {
             source_.note("layers",
                          "of several layers, only " + listed({chosen->name}, 1) + " is read, not " +
-                             listed(others, others.size()) + "; --layer selects another",
+                             listed(others, kShown) + "; --layer selects another",
                          objects.offset());
         }
         map_.setLayers(std::move(names), chosen->name);

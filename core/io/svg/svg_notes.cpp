@@ -97,15 +97,15 @@ std::string countOf(std::size_t count, const char *what) {
 Diagnostic nothingDrawn(const SourceText &source, const pugi::xml_node &root) {
     const Unshown unshown = unshownIn(root);
     std::string reason, advice;
-    if (unshown.defined > 0 && !unshown.used) {
+    if (unshown.text) {
+        advice = "convert its text to paths";
+    } else if (unshown.defined > 0 && !unshown.used) {
         reason = ": its " + countOf(unshown.defined, "shape") + (unshown.defined == 1 ? " is" : " are") +
                  " in symbols or definitions that nothing uses";
         advice = "draw them with <use>, or move them out of <symbol> and <defs>";
     } else if (unshown.glyphs > 0) {
         reason = ": its " + countOf(unshown.glyphs, "glyph") + (unshown.glyphs == 1 ? " is" : " are") + " of a font";
         advice = "write text in this font, and convert it to paths in the drawing program";
-    } else if (unshown.text) {
-        advice = "convert its text to paths";
     }
     return faultAt(source, offsetOf(root), "empty-domain",
                    "the drawing holds no path that could bound a domain" + reason, advice);

@@ -85,19 +85,19 @@ SvgPaintServers::Coverage SvgPaintServers::coverageOf(pugi::xml_node server) {
 }
 
 SvgPaintServers::Coverage SvgPaintServers::coverageOfStops(const pugi::xml_node &gradient) const {
-    constexpr double kFaint = 0.05; // greatest opacity that is hardly seen
-    double least = 1.0, greatest = 0.0;
+    constexpr double kFaint = 0.05; // maximum opacity that is hardly seen
+    double minimum = 1.0, maximum = 0.0;
     for (const pugi::xml_node child : gradient.children()) {
         if (isContent(child)) {
             const double alpha = parseOpacity(styles_.value(child, "stop-opacity")) *
                                  parseColour(styles_.value(child, "stop-color"), {}).alpha;
-            least = std::min(least, alpha);
-            greatest = std::max(greatest, alpha);
+            minimum = std::min(minimum, alpha);
+            maximum = std::max(maximum, alpha);
         }
     }
-    return !(greatest > 0.0)                      ? Coverage::Nothing
-           : least <= kFaint && greatest > kFaint ? Coverage::Parts
-                                                  : Coverage::Everything;
+    return !(maximum > 0.0)                        ? Coverage::Nothing
+           : minimum <= kFaint && maximum > kFaint ? Coverage::Parts
+                                                   : Coverage::Everything;
 }
 
 bool SvgPaintServers::fades(const pugi::xml_node &node, const char *property) {

@@ -183,6 +183,9 @@ class SvgBuilder {
     /// Removes outlines that lie on another one, of which those with names come first. Drawings made for cutters and
     /// circuit boards often repeat them, and by the even-odd rule each pair would cancel out.
     void dropRepeatedOutlines() {
+        if (source_.options.strict) { // what cancels out is refused
+            return;
+        }
         std::map<std::uint32_t, std::vector<std::size_t>> outlines; // by the clip that limits them
         for (const bool named : {true, false}) {
             for (std::size_t k = 0; k < paths_.size(); ++k) {
@@ -411,9 +414,11 @@ class SvgBuilder {
                          "nothing is filled: closed lines are outlines, and a closed line inside another is a hole",
                          path.offset);
         } else if (part == Part::Nothing) {
-            source_.note("svg-unpainted",
-                         "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke",
-                         path.offset);
+            source_.note(
+                "svg-unpainted",
+                "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke; an "
+                "outline needs one",
+                path.offset);
         } else if (part == Part::Line && loop) {
             source_.note("svg-unfilled",
                          "shapes without fill are read as lines, because other shapes are filled; "
