@@ -86,7 +86,7 @@ TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties a
     CHECK(toString(list[0]) == "lake.geojson:2:9: note: the coordinate reference system 'EPSG:32632' is ignored: "
                                "coordinates are used as they are [crs]");
     CHECK(list[4].message == "properties other than \"name\" and \"tag\" are ignored: 'depth'");
-    CHECK(list[5].message == "members that GeoJSON does not define are ignored: 'id', 'title' (2 times)");
+    CHECK(list[5].message == "members that have no meaning here are ignored: 'id', 'title' (2 times)");
 }
 
 TEST_CASE("Import notes: mesh formats report what they skip; our own files cause no notes") {

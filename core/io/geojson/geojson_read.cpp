@@ -11,7 +11,7 @@ namespace {
 
 class GeoJsonReader {
   public:
-    explicit GeoJsonReader(const SourceText &source) : source_(source), map_(source, "GeoJSON"), check_(map_.check()) {}
+    explicit GeoJsonReader(const SourceText &source) : source_(source), map_(source), check_(map_.check()) {}
 
     /// `texts`: an array of GeoJSON texts, usually one.
     Result<Domain> read(const JsonValue &texts) {

@@ -93,8 +93,8 @@ void MapReader::Unused::add(const std::string &key, std::size_t offset) {
     first = count++ == 0 ? offset : first;
 }
 
-MapReader::MapReader(const SourceText &source, const char *format)
-    : source_(source), format_(format), check_(source), names_(source.options.nameProperty), builder_(source) {}
+MapReader::MapReader(const SourceText &source)
+    : source_(source), check_(source), names_(source.options.nameProperty), builder_(source) {}
 
 void MapReader::setLayers(std::vector<std::string> names, std::string read) {
     contents_.layers = std::move(names);
@@ -272,7 +272,7 @@ void MapReader::noteUnused() const {
              ? std::string("properties other than \"tag\" are ignored: ")
              : "properties other than \"" + cleanName(names_.source()) + "\" and \"tag\" are ignored: ",
          !named_ && names_.offersText() ? "; --name-property takes names from one of them" : "");
-    note(members_, "members", std::string("members that ") + format_ + " does not define are ignored: ");
+    note(members_, "members", "members that have no meaning here are ignored: ");
 }
 
 void MapReader::note(const Unused &unused, const char *code, const std::string &start, const std::string &end) const {

@@ -32,8 +32,7 @@ struct MapLabel {
 /// Collects the features of a map in JSON and arranges them; what GeoJSON and TopoJSON have in common.
 class MapReader {
   public:
-    /// `format`: for messages.
-    MapReader(const SourceText &source, const char *format);
+    explicit MapReader(const SourceText &source);
 
     JsonCheck &check() { return check_; }
 
@@ -91,7 +90,6 @@ class MapReader {
     void buildPolygons();
 
     const SourceText &source_;
-    const char *format_;
     JsonCheck check_;
     FeatureNames names_;
     bool named_ = false; ///< a feature has a name

@@ -16,8 +16,7 @@ namespace {
 
 class TopoJsonReader {
   public:
-    explicit TopoJsonReader(const SourceText &source)
-        : source_(source), map_(source, "TopoJSON"), check_(map_.check()) {}
+    explicit TopoJsonReader(const SourceText &source) : source_(source), map_(source), check_(map_.check()) {}
 
     Result<Domain> read(const JsonValue &topology) {
         const auto type = check_.member(topology, "type", "the topology");
