@@ -1,6 +1,7 @@
 #include "app/batch/outputs.hpp"
 
 #include "app/batch/inputs.hpp"
+#include "core/base/number_text.hpp"
 #include "core/io/files.hpp"
 
 #include <algorithm>
@@ -137,7 +138,7 @@ Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
     Diagnostic note;
     note.severity = Severity::Note;
     note.code = "inner-edges";
-    note.message = "left out " + std::to_string(count) + (count == 1 ? " tagged edge" : " tagged edges") +
+    note.message = "left out " + countText(count, "tagged edge") +
                    " inside the domain: in this format, every tagged edge is a boundary; --inner-edges keep writes " +
                    (count == 1 ? "it" : "them");
     note.file = isStandardStream(output.path) ? "" : output.path.string();

@@ -181,7 +181,7 @@ Result<Arrangement> arrange(const ArrangementInput &input, const std::stop_token
         for (std::uint32_t &piece : second->pointPiece) {
             piece = rest.source[piece];
         }
-        second->changes = std::move(first->changes); // of the drawing as it was given
+        second->changes = std::move(first->changes); // those of the drawing as it was given
     }
     return second;
 }

@@ -160,8 +160,7 @@ struct Arrangement {
 ///   Every crossing is found, unless the curves stay within the tolerance of each other beyond it. Curves that touch,
 ///   or come within the tolerance of each other, are joined where they are closest. Chords are divided as far as
 ///   needed.
-/// - Nothing else moves by more than the tolerance. Nodes with nothing close to them keep their coordinates bit for
-/// bit.
+/// - Nothing else moves by more than the tolerance. Nodes with nothing close to them keep their coordinates exactly.
 /// - A valid domain is returned with its nodes and segments in the order of the pieces.
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses
 ///   between tags and decides between features.

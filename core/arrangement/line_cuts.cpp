@@ -27,7 +27,7 @@ class LineRemains {
     /// Moves the ends of lines at nodes where other lines are dropped.
     void moveEnds(std::span<const Vec2> nodes, std::span<const std::uint8_t> movable, const OutlineSearch &outlines) {
         moved_.resize(nodes.size());
-        std::vector<double> reach(nodes.size(), 0.0); // of the lines that are dropped
+        std::vector<double> reach(nodes.size(), 0.0); // the largest of the lines that are dropped there
         for (std::uint32_t e = 0; e < edges_.size(); ++e) {
             for (const auto &[node, dropped] : endsOf(e)) {
                 reach[node] = dropped ? std::max(reach[node], about_[e].reach) : reach[node];

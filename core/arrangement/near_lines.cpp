@@ -7,14 +7,17 @@
 
 namespace forefront {
 
-NearLines findNearLines(const Domain &domain) {
+NearLines findNearLines(const Domain &domain, std::span<const std::uint8_t> isLine) {
     constexpr double kNear = 1.0 / 64.0; // the gap beside a shorter segment needs few elements
     std::vector<PlaneEdge> edges;
     std::vector<BesideEdge> about;
-    for (const DomainSegment &segment : domain.segments) {
+    for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+        const DomainSegment &segment = domain.segments[s];
         edges.push_back({segment.a, segment.b});
-        const bool bounds = segment.role == SegmentRole::Boundary;
-        about.push_back({bounds ? BesideRole::Outline : BesideRole::Line, 0.0, true, segment.stretch});
+        const BesideRole role = isLine[s] != 0                          ? BesideRole::Line
+                                : segment.role == SegmentRole::Boundary ? BesideRole::Outline
+                                                                        : BesideRole::Dropped;
+        about.push_back({role, 0.0, true, segment.stretch});
     }
     const EdgeShapes shapes(domain.nodes, edges, about, domain.curves);
     const OutlineSearch outlines(shapes, about);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstddef>
 #include <string>
 
 namespace forefront {
@@ -21,6 +22,11 @@ inline std::string exactText(double value) {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
     return {text.data(), end.ptr};
+}
+
+/// Returns a count with its noun, such as "1 node" or "3 nodes", for messages.
+inline std::string countText(std::size_t count, const char *noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
 /// Returns a position as "(1.5, 2)" with six significant digits, for messages.

@@ -316,12 +316,12 @@ class Cleanup {
     /// coarse for its boundary then: on a map with a size far above its segments, further rounds took 4 of 5.6 s and
     /// raised the geometric mean of α from .603 to .607.
     bool isHopeless(std::size_t before, std::size_t after) const {
-        constexpr std::size_t kMany = 2000;  // cleaned up in a tenth of a second
-        constexpr double kManyOfAll = 0.1;   // of all elements
-        constexpr double kHardlyFewer = 0.9; // of the number before
+        constexpr std::size_t kMany = 2000;          // cleaned up in a tenth of a second
+        constexpr double kManyFraction = 0.1;        // many for the number of elements
+        constexpr double kHardlyFewerFraction = 0.9; // hardly fewer than before
         const double left = static_cast<double>(after);
-        return after > kMany && left > kManyOfAll * static_cast<double>(work_.mesh.elements.size()) &&
-               left > kHardlyFewer * static_cast<double>(before);
+        return after > kMany && left > kManyFraction * static_cast<double>(work_.mesh.elements.size()) &&
+               left > kHardlyFewerFraction * static_cast<double>(before);
     }
 
     /// Cleans up elements, and their surroundings if `vain` is given. Returns 1 for each that changed something.

@@ -1,5 +1,7 @@
 #include "core/mesher/trace.hpp"
 
+#include "core/base/number_text.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -67,10 +69,6 @@ std::string candidateName(const CandidateTrace &candidate) {
                                   : "one point for " + std::to_string(candidate.over.size() - 1) + " segments";
 }
 
-std::string plural(std::size_t count, const char *noun) {
-    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
 /// Returns a text such as "; 3 candidates rejected: 2 cross the front, 1 on AB or its meshed side". Points that are
 /// withdrawn before any test do not count as rejected.
 std::string rejections(const AdvanceExplanation &explanation) {
@@ -98,10 +96,10 @@ std::string rejections(const AdvanceExplanation &explanation) {
             total += count;
         }
     }
-    std::string text = total == 0 ? "" : "; " + plural(total, "candidate") + " rejected: " + list;
+    std::string text = total == 0 ? "" : "; " + countText(total, "candidate") + " rejected: " + list;
     const std::size_t withdrawn = countOf(Verdict::Withdrawn);
     if (withdrawn > 0) {
-        text += "; " + plural(withdrawn, "new point") + " too near the front";
+        text += "; " + countText(withdrawn, "new point") + " too near the front";
     }
     return text;
 }

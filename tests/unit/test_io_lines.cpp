@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -41,6 +42,11 @@ Result<Domain> geoJson(const std::string &geometry, ImportNotes &notes) {
     SourceText source = sourceOf(geometry, "lines.geojson");
     source.notes = &notes;
     return readGeoJson(source);
+}
+
+bool hasNote(const ImportNotes &notes, std::string_view code) {
+    return std::any_of(notes.entries().begin(), notes.entries().end(),
+                       [&](const ImportNote &note) { return note.code == code; });
 }
 
 } // namespace
@@ -103,6 +109,17 @@ TEST_CASE("GeoJSON: a closed line inside a polygon stays a constraint") {
     CHECK(notes.empty());
 }
 
+TEST_CASE("GeoJSON: borders that polygons share are not reported as lines near the boundary") {
+    ImportNotes notes;
+    const auto domain = geoJson(R"({"type": "GeometryCollection", "geometries": [
+        {"type": "Polygon", "coordinates": [[[0,0],[10,0],[10,0.05],[0,0.05],[0,0]]]},
+        {"type": "Polygon", "coordinates": [[[0,0.05],[10,0.05],[10,5],[0,5],[0,0.05]]]}]})",
+                                notes);
+    REQUIRE(domain.ok());
+    CHECK(domain->segments.size() > boundaryCount(*domain));
+    CHECK_FALSE(hasNote(notes, "near-lines"));
+}
+
 TEST_CASE("SVG: a set of lines that meet within rounding is an outline") {
     const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 10 10\"><line x1=\"0\" y1=\"0\" x2=\"4\" y2=\"0\"/>"
                                          "<line x1=\"4.0000000001\" y1=\"0\" x2=\"4\" y2=\"3\"/>"
@@ -138,8 +155,7 @@ TEST_CASE("SVG: loops of lines bound a drawing without fills beside its closed o
         const auto domain = unfilled(content, notes);
         REQUIRE(domain.ok());
         CHECK(areaOf(*domain) == doctest::Approx(2300));
-        CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
-                          [](const ImportNote &note) { return note.code == "lines-as-outline"; }));
+        CHECK(hasNote(notes, "lines-as-outline"));
     }
     ImportNotes notes;
     const auto beside = unfilled(closed + "<path d='M92 10h6'/><path d='M98 10v10'/><path d='M98 20h-6v-10'/>", notes);
@@ -156,8 +172,7 @@ TEST_CASE("SVG: lines across a closed outline divide it, and open ones outside a
     REQUIRE(domain.ok());
     CHECK(areaOf(*domain) == doctest::Approx(2400));
     CHECK(boundaryCount(*domain) == 6);
-    CHECK(std::none_of(notes.entries().begin(), notes.entries().end(),
-                       [](const ImportNote &note) { return note.code == "lines-as-outline"; }));
+    CHECK_FALSE(hasNote(notes, "lines-as-outline"));
 }
 
 TEST_CASE("SVG: centre lines, axes and dimension lines are no outlines, and a note says so") {
@@ -174,8 +189,7 @@ TEST_CASE("SVG: centre lines, axes and dimension lines are no outlines, and a no
         const auto domain = unfilled(plate + lines, notes);
         REQUIRE(domain.ok());
         CHECK(areaOf(*domain) == doctest::Approx(area).epsilon(1e-3));
-        CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
-                          [](const ImportNote &note) { return note.code == "line-loops"; }));
+        CHECK(hasNote(notes, "line-loops"));
     }
 }
 
@@ -217,8 +231,7 @@ TEST_CASE("SVG: an outline drawn twice counts once, wherever it begins and in ei
         const auto domain = unfilled(content, notes);
         REQUIRE(domain.ok());
         CHECK(areaOf(*domain) == doctest::Approx(2300));
-        CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
-                          [](const ImportNote &note) { return note.code == "svg-duplicate"; }));
+        CHECK(hasNote(notes, "svg-duplicate"));
     }
     ImportNotes notes;
     const auto circles = unfilled(plate + round + round, notes);

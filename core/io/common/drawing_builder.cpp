@@ -290,9 +290,9 @@ void DrawingBuilder::noteLineGaps(const Arrangement &lines) const {
     }
     const auto noteGaps = [&](const LineGaps &gaps, const std::string &advice) {
         source_.note("line-gaps",
-                     std::to_string(gaps.count) + (gaps.count == 1 ? " end" : " ends") + " of lines nearly " +
-                         (gaps.count == 1 ? "meets" : "meet") + " another end, at most " + numberText(gaps.widest, 3) +
-                         " away, first at " + placeText(gaps.first) + "; " + advice,
+                     countText(gaps.count, "end") + " of lines nearly " + (gaps.count == 1 ? "meets" : "meet") +
+                         " another end, at most " + numberText(gaps.widest, 3) + " away, first at " +
+                         placeText(gaps.first) + "; " + advice,
                      offsetOf(lines.stretches[gaps.segment].piece));
     };
     for (const double step : kSteps) {
@@ -365,7 +365,16 @@ void DrawingBuilder::noteNearLines(const Arrangement &arrangement) const {
     if (!hasOutlines() || source_.notes == nullptr) {
         return;
     }
-    const NearLines near = findNearLines(arrangement.domain);
+    std::vector<std::uint8_t> isLine; // not borders that features share, which are constraints, too
+    for (std::size_t s = 0; s < arrangement.stretches.size(); ++s) {
+        const bool line = arrangement.domain.segments[s].role == SegmentRole::Constraint &&
+                          input_.pieces[arrangement.stretches[s].piece].role == PieceRole::Constraint;
+        isLine.push_back(line ? 1 : 0);
+    }
+    if (std::find(isLine.begin(), isLine.end(), 1) == isLine.end()) {
+        return;
+    }
+    const NearLines near = findNearLines(arrangement.domain, isLine);
     if (near.count > 0) {
         source_.note("near-lines",
                      std::to_string(near.count) +

@@ -1,5 +1,6 @@
 #include "core/io/svg/svg_notes.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/io/svg/svg_elements.hpp"
 
 #include <algorithm>
@@ -88,10 +89,6 @@ Unshown unshownIn(const pugi::xml_node &root) {
     return found;
 }
 
-std::string countOf(std::size_t count, const char *what) {
-    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
 } // namespace
 
 Diagnostic nothingDrawn(const SourceText &source, const pugi::xml_node &root) {
@@ -100,11 +97,11 @@ Diagnostic nothingDrawn(const SourceText &source, const pugi::xml_node &root) {
     if (unshown.text) {
         advice = "convert its text to paths";
     } else if (unshown.defined > 0 && !unshown.used) {
-        reason = ": its " + countOf(unshown.defined, "shape") + (unshown.defined == 1 ? " is" : " are") +
+        reason = ": its " + countText(unshown.defined, "shape") + (unshown.defined == 1 ? " is" : " are") +
                  " in symbols or definitions that nothing uses";
         advice = "draw them with <use>, or move them out of <symbol> and <defs>";
     } else if (unshown.glyphs > 0) {
-        reason = ": its " + countOf(unshown.glyphs, "glyph") + (unshown.glyphs == 1 ? " is" : " are") + " of a font";
+        reason = ": its " + countText(unshown.glyphs, "glyph") + (unshown.glyphs == 1 ? " is" : " are") + " of a font";
         advice = "write text in this font, and convert it to paths in the drawing program";
     }
     return faultAt(source, offsetOf(root), "empty-domain",

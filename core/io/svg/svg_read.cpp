@@ -1,22 +1,20 @@
 #include "core/io/common/drawing_builder.hpp"
-#include "core/io/common/repeated_loops.hpp"
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_background.hpp"
 #include "core/io/svg/svg_drawing.hpp"
 #include "core/io/svg/svg_names.hpp"
 #include "core/io/svg/svg_regions.hpp"
+#include "core/io/svg/svg_repeats.hpp"
 #include "core/io/svg/svg_stroke.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -180,38 +178,22 @@ class SvgBuilder {
         }
     };
 
-    /// Removes outlines that lie on another one, of which those with names come first. Drawings made for cutters and
-    /// circuit boards often repeat them, and by the even-odd rule each pair would cancel out.
+    /// Removes outlines that lie on another one: by the even-odd rule, each pair would cancel out.
     void dropRepeatedOutlines() {
         if (source_.options.strict) { // what cancels out is refused
             return;
         }
-        std::map<std::uint32_t, std::vector<std::size_t>> outlines; // by the clip that limits them
-        for (const bool named : {true, false}) {
-            for (std::size_t k = 0; k < paths_.size(); ++k) {
-                if (partOf(paths_[k]) == Part::Outline && isGeneratedName(paths_[k].name) != named) {
-                    outlines[paths_[k].limit].push_back(k);
-                }
+        const auto isOutline = [&](const SvgPath &path) { return partOf(path) == Part::Outline; };
+        const std::vector<std::uint8_t> repeated = findRepeatedPaths(paths_, isOutline, kSameNode * size_);
+        std::vector<SvgPath> kept;
+        for (std::size_t k = 0; k < paths_.size(); ++k) {
+            if (repeated[k] != 0) {
+                noteRepeated(paths_[k]);
+            } else {
+                kept.push_back(std::move(paths_[k]));
             }
         }
-        std::vector<std::uint8_t> dropped(paths_.size(), 0);
-        for (const auto &[clip, paths] : outlines) {
-            std::vector<std::span<const Vec2>> loops;
-            std::transform(paths.begin(), paths.end(), std::back_inserter(loops),
-                           [&](std::size_t k) -> std::span<const Vec2> { return paths_[k].nodes; });
-            const std::vector<std::uint8_t> repeated = findRepeatedLoops(loops, kSameNode * size_);
-            for (std::size_t i = 0; i < paths.size(); ++i) {
-                dropped[paths[i]] = repeated[i];
-            }
-        }
-        std::size_t at = 0;
-        std::erase_if(paths_, [&](const SvgPath &path) {
-            const bool drops = dropped[at++] != 0;
-            if (drops) {
-                noteRepeated(path);
-            }
-            return drops;
-        });
+        paths_ = std::move(kept);
     }
 
     void noteRepeated(const SvgPath &path) const {
