@@ -4,6 +4,8 @@
 #include "core/domain/validate.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/format.hpp"
+#include "core/io/geojson/geojson.hpp"
+#include "core/io/geojson/topojson.hpp"
 #include "core/io/lesson/lesson_read.hpp"
 #include "core/io/png/png.hpp"
 #include "core/io/project/project.hpp"
@@ -86,6 +88,8 @@ Result<Content> readWith(Result<Content> (*read)(const SourceText &), std::strin
     source.notes = &notes;
     source.options.strokeAreas = bytes.size() % 2 == 1;
     source.options.shapeRegions = bytes.size() % 3 == 1;
+    source.options.dropLines = bytes.size() % 5 == 1;
+    source.options.layer = bytes.size() % 11 == 1 ? std::optional<std::string>("a") : std::nullopt;
     source.options.nameProperty = bytes.size() % 7 == 1 ? std::optional<std::string>("name") : std::nullopt;
     source.options.picture = PictureSizes{.black = 0.5, .white = 2.0, .box = {{0, 0}, {4, 3}}};
     auto result = read(source);
@@ -102,6 +106,13 @@ void checkDocument(const Document &document) {
     demand(again.ok() && projectText(*again) == text, "a project survives being written and read");
 }
 
+/// Drawings and maps are arranged while they are read, so that whatever they hold, the domain is one to mesh.
+void checkArranged(const Domain &domain) {
+    for (const Diagnostic &fault : validate(domain)) {
+        demand(!repairable(fault), "a drawing or map arrives without faults to repair");
+    }
+}
+
 /// Runs all readers of a format.
 void runFormat(const Format &format, std::string_view bytes) {
     if (format.readDocument != nullptr) {
@@ -112,6 +123,9 @@ void runFormat(const Format &format, std::string_view bytes) {
     if (format.readDomain != nullptr) {
         if (const auto domain = readWith(format.readDomain, bytes)) {
             checkDomain(*domain);
+            if (format.readDomain == readSvg || format.readDomain == readGeoJson || format.readDomain == readTopoJson) {
+                checkArranged(*domain);
+            }
         }
     }
     if (format.readDomain == readSvg) { // the clipboard reads drawings as shapes

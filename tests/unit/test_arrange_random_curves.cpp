@@ -233,9 +233,10 @@ void checkDrawn(const Arrangement &result, double tolerance) {
     }
     const std::map<std::int32_t, double> before = curvedAreas(result.domain), after = curvedAreas(drawn);
     REQUIRE(before.size() == after.size());
-    for (const auto &[tag, area] : after) {
+    for (const auto &entry : after) {
+        const std::int32_t tag = entry.first;
         CAPTURE(tag);
-        CHECK(std::fabs(area - before.at(tag)) <= 4.0 * tolerance * perimeter);
+        CHECK(std::fabs(entry.second - before.at(tag)) <= 4.0 * tolerance * perimeter);
     }
 }
 
