@@ -332,6 +332,7 @@ TEST_CASE("Import: a layer of a map and the property with its names can be chose
     choose(names, "nom");
     choose(layer, "gauges");
     CHECK(hasNote()); // refused: no polygon and no line
+    CHECK_FALSE(driver.has(names));
     choose(layer, "nation");
     CHECK(driver.has(dialog + "lines"));
     choose(names, "code");

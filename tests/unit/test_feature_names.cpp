@@ -85,6 +85,27 @@ TEST_CASE("Names of features: a property can be given, with text or numbers") {
     CHECK(namesOf({R"({"NAME_1": "A", "NAME_2": "B"})"}, "NAME_1") == Names{{1, "A"}});
 }
 
+TEST_CASE("Names of features: the id of a feature stands in for a property of that name, if asked for") {
+    const auto feature = [](const std::string &members, int at) {
+        const std::string a = std::to_string(at), b = std::to_string(at + 1);
+        return R"({"type": "Feature", )" + members + R"("geometry": {"type": "Polygon", "coordinates": [[[)" + a +
+               ",0],[" + b + ",0],[" + b + ",1],[" + a + ",1],[" + a + ",0]]]}}";
+    };
+    const std::string map = R"({"type": "FeatureCollection", "features": [)" +
+                            feature(R"("id": "01", "properties": {"name": "A"}, )", 0) + ", " +
+                            feature(R"("id": 2, "properties": {"id": "own"}, )", 1) + ", " +
+                            feature(R"("id": 30, )", 2) + ", " + feature(R"("properties": null, )", 3) + "]}";
+    ImportNotes named, byId;
+    const auto plain = readMap(map, {}, &named), ids = readMap(map, "id", &byId);
+    REQUIRE(plain.ok());
+    CHECK(plain->regionNames == Names{{1, "A"}});
+    CHECK(named.contents().properties == std::vector<std::string>{"id", "name"});
+    CHECK(named.entries().back().message == "members that have no meaning here are ignored: 'id'");
+    REQUIRE(ids.ok());
+    CHECK(ids->regionNames == Names{{1, "01"}, {2, "own"}, {3, "30"}});
+    CHECK(noteOf(byId) == "properties other than \"id\" and \"tag\" are ignored: 'name'");
+}
+
 TEST_CASE("Names of features: a property that no feature has is refused with those that occur") {
     const auto refusal = [](const std::vector<std::string> &map, const std::string &key) {
         const auto domain = readMap(mapOf(map), key);

@@ -140,6 +140,18 @@ TEST_CASE("TopoJSON: an option selects the layer; an unknown one is refused with
     }
 }
 
+TEST_CASE("TopoJSON: names can come from the ids of geometries, with or without properties") {
+    const std::string text = topology(kTransform + ", " + kArcs + R"(, "objects": {"counties": {
+ "type": "GeometryCollection", "geometries": [
+ {"type": "Polygon", "id": "01001", "properties": {"name": "Lee"}, "arcs": [[0, 1], [3]]},
+ {"type": "GeometryCollection", "id": 2, "properties": {"name": "Lee"}, "geometries": [
+  {"type": "MultiPolygon", "id": "part", "arcs": [[[2, -1]]]}]},
+ {"type": "Polygon", "id": 3, "arcs": [[-4]]}]}})");
+    CHECK(topoJsonDomain(text).regionNames == std::map<std::int32_t, std::string>{{1, "Lee"}});
+    CHECK(topoJsonDomain(text, nullptr, {.nameProperty = "id"}).regionNames ==
+          std::map<std::int32_t, std::string>{{1, "01001"}, {2, "2"}, {3, "3"}});
+}
+
 TEST_CASE("TopoJSON: faults are located") {
     const std::string arcs = R"("arcs": [[[0, 0], [4, 0], [4, 4], [0, 0]]])";
     const auto inLayer = [&](const std::string &geometry) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kNameKeys{"name", "Name", "NAME"};
 constexpr std::string_view kLevelPrefix = "NAME_";
+constexpr const char *kId = "id";
 
 bool isNameKey(std::string_view key) {
     return std::find(kNameKeys.begin(), kNameKeys.end(), key) != kNameKeys.end();
@@ -28,9 +29,29 @@ std::string textOf(const std::optional<JsonValue> &value) {
     return value ? cleanName(value->string()) : std::string();
 }
 
+std::string textOrNumberOf(const std::optional<JsonValue> &value) {
+    return value && value->is(JsonKind::Number) ? cleanName(value->numeral()) : textOf(value);
+}
+
+/// Returns the value of a property; the member "id" of a feature stands in for a property of that name.
+std::optional<JsonValue> propertyOf(const JsonValue &feature, const std::string &key) {
+    const auto properties = feature.find("properties");
+    auto value = properties ? properties->find(key) : std::nullopt;
+    return value || key != kId ? value : feature.find(kId);
+}
+
 } // namespace
 
-void FeatureNames::survey(const JsonValue &properties) {
+void FeatureNames::survey(const JsonValue &feature) {
+    if (const auto properties = feature.find("properties")) {
+        surveyProperties(*properties);
+    }
+    if (!textOrNumberOf(feature.find(kId)).empty()) {
+        keys_.try_emplace(kId, false);
+    }
+}
+
+void FeatureNames::surveyProperties(const JsonValue &properties) {
     unsigned levels = 0;
     for (auto member = properties.begin(); member != properties.end(); ++member) {
         const std::string key = member.key();
@@ -50,18 +71,21 @@ void FeatureNames::survey(const JsonValue &properties) {
     levels_ &= levels != 0 ? levels : ~0U;
 }
 
-std::string FeatureNames::nameOf(const JsonValue &properties) const {
+std::string FeatureNames::nameOf(const JsonValue &feature) const {
     if (key_) {
-        const auto value = properties.find(*key_);
-        return value && value->is(JsonKind::Number) ? cleanName(value->numeral()) : textOf(value);
+        return textOrNumberOf(propertyOf(feature, *key_));
+    }
+    const auto properties = feature.find("properties");
+    if (!properties) {
+        return {};
     }
     for (const std::string_view key : kNameKeys) {
-        if (std::string name = textOf(properties.find(key)); !name.empty()) {
+        if (std::string name = textOf(properties->find(key)); !name.empty()) {
             return name;
         }
     }
     const auto key = levelKey();
-    return key ? textOf(properties.find(*key)) : std::string();
+    return key ? textOf(properties->find(*key)) : std::string();
 }
 
 bool FeatureNames::uses(std::string_view key) const {

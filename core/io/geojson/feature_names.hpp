@@ -12,6 +12,7 @@
 namespace forefront {
 
 /// Finds the names of a map's features in their properties: in a given property, or else in "name", "Name" or "NAME".
+/// Where a feature has no property "id", its member "id" counts as one, but only if it is asked for.
 /// If no feature has one, the names are "NAME_n" of administrative areas (as in files of gadm.org), with the highest
 /// level n that all features with such names have: one level for all, so that no area is named after a larger one.
 class FeatureNames {
@@ -19,11 +20,11 @@ class FeatureNames {
     /// `key`: the property to take names from; absent: by the rule above.
     explicit FeatureNames(std::optional<std::string> key) : key_(std::move(key)) {}
 
-    /// Collects what the properties of a feature offer. Call this for all features before naming any.
-    void survey(const JsonValue &properties);
+    /// Collects what a feature offers. Call this for all features before naming any.
+    void survey(const JsonValue &feature);
 
     /// Returns the name of a feature; empty if it has none.
-    std::string nameOf(const JsonValue &properties) const;
+    std::string nameOf(const JsonValue &feature) const;
     /// Returns true if names can come from this property.
     bool uses(std::string_view key) const;
     /// Returns the property to name in messages.
@@ -37,6 +38,7 @@ class FeatureNames {
     bool offersText() const;
 
   private:
+    void surveyProperties(const JsonValue &properties);
     /// Returns "NAME_n" of the rule above.
     std::optional<std::string> levelKey() const;
 

@@ -102,12 +102,9 @@ void MapReader::setLayers(std::vector<std::string> names, std::string read) {
 }
 
 void MapReader::survey(const JsonValue &feature) {
+    names_.survey(feature);
     const auto properties = feature.find("properties");
-    if (!properties) {
-        return;
-    }
-    names_.survey(*properties);
-    if (const auto tag = tagIn(*properties)) {
+    if (const auto tag = properties ? tagIn(*properties) : std::nullopt) {
         boundaries_.reserve(*tag);
         regions_.reserve(*tag);
     }
@@ -115,12 +112,12 @@ void MapReader::survey(const JsonValue &feature) {
 
 MapLabel MapReader::label(const JsonValue &feature) {
     MapLabel label;
+    label.name = names_.nameOf(feature);
+    named_ = named_ || !label.name.empty();
     const auto properties = feature.find("properties");
     if (!properties) {
         return label;
     }
-    label.name = names_.nameOf(*properties);
-    named_ = named_ || !label.name.empty();
     label.tag = tagIn(*properties);
     const auto tag = properties->find("tag");
     if (tag && !label.tag) {
@@ -138,7 +135,8 @@ MapLabel MapReader::label(const JsonValue &feature) {
 void MapReader::noteMembers(const JsonValue &object, std::initializer_list<std::string_view> known) {
     for (auto member = object.begin(); member != object.end(); ++member) {
         const std::string key = member.key();
-        if (!oneOf(key, known) && !oneOf(key, {"type", "bbox", "crs"})) {
+        const bool isName = key == "id" && names_.uses(key);
+        if (!isName && !oneOf(key, known) && !oneOf(key, {"type", "bbox", "crs"})) {
             members_.add(key, member.keyValue().offset());
         }
     }

@@ -120,7 +120,7 @@ class TopoJsonReader {
         }
     }
 
-    /// Reads a geometry, which has properties like a feature. The JSON reader limits the nesting.
+    /// Reads a geometry, which has properties and an id like a feature. The JSON reader limits the nesting.
     void geometry(const JsonValue &value, const MapLabel &around) {
         const auto type = check_.member(value, "type", "the geometry");
         if (!type || check_.full()) {
@@ -130,11 +130,11 @@ class TopoJsonReader {
             map_.noteWithoutGeometry(value);
             return;
         }
-        const bool labelled = value.find("properties").has_value();
-        MapLabel label = labelled ? map_.label(value) : around;
         const std::string word = type->string();
         const bool collection = word == "GeometryCollection";
-        if (labelled || (!collection && label.feature == 0)) {
+        MapLabel label = around;
+        if (value.find("properties") || (!collection && around.feature == 0)) {
+            label = map_.label(value);
             label.feature = map_.nextFeature();
         }
         map_.noteMembers(value, {"properties", "arcs", "coordinates", "geometries"});
