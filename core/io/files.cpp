@@ -5,6 +5,7 @@
 #include "core/edit/hole_markers.hpp"
 #include "core/io/foreign_files.hpp"
 #include "core/io/format.hpp"
+#include "core/io/json/json_outline.hpp"
 #include "core/io/source/reorder_origin.hpp"
 #include "core/io/text/atomic_file.hpp"
 #include "core/io/triangle/triangle.hpp"
@@ -193,6 +194,11 @@ const FileFormat *fileFormatOf(const std::filesystem::path &path) {
     std::ifstream stream(path, std::ios::binary);
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+    if (stream.good() && beginsAsObject(head) && recognisedFormat(path, head) == nullptr) {
+        if (const Result<std::string> all = readFileBytes(path, ImportOptions().maxBytes)) {
+            return fileFormatOf(path, *all);
+        }
+    }
     return fileFormatOf(path, head);
 }
 

@@ -5,6 +5,7 @@
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/geojson/topojson.hpp"
 #include "core/io/gmsh/gmsh.hpp"
+#include "core/io/json/json_outline.hpp"
 #include "core/io/medit/medit.hpp"
 #include "core/io/netgen/netgen.hpp"
 #include "core/io/obj/obj.hpp"
@@ -144,21 +145,27 @@ std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &pa
     return named;
 }
 
-const Format *formatOf(const std::filesystem::path &path, std::string_view content) {
+const Format *recognisedFormat(const std::filesystem::path &path, std::string_view content) {
     const std::string extension = lowerExtension(path);
-    const std::string_view head = content.substr(0, kHeadBytes);
-    const Format *recognised = nullptr;
-    const Format *named = nullptr;
+    const Format *found = nullptr;
     for (const Format &format : kFormats) {
-        const bool byName = hasExtension(format, extension);
-        const bool byContent = format.recognise != nullptr && format.recognise(head);
-        if (byName && byContent) {
-            return &format;
+        if (format.recognise != nullptr && format.recognise(content)) {
+            if (hasExtension(format, extension)) {
+                return &format;
+            }
+            found = found == nullptr ? &format : found;
         }
-        recognised = recognised == nullptr && byContent ? &format : recognised;
-        named = named == nullptr && byName ? &format : named;
     }
-    return recognised != nullptr ? recognised : named;
+    return found;
+}
+
+const Format *formatOf(const std::filesystem::path &path, std::string_view content) {
+    const std::string_view head = content.substr(0, kHeadBytes);
+    const Format *found = recognisedFormat(path, head);
+    if (found == nullptr && content.size() > head.size() && beginsAsObject(head)) {
+        found = recognisedFormat(path, content);
+    }
+    return found != nullptr ? found : formatOfExtension(path, [](const Format &) { return true; });
 }
 
 const Format *formatOfExtension(const std::filesystem::path &path, bool (*accepts)(const Format &)) {

@@ -1,4 +1,5 @@
 #include "core/io/files.hpp"
+#include "core/io/format.hpp"
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/geojson/topojson.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace forefront;
@@ -140,6 +142,37 @@ TEST_CASE("TopoJSON: an option selects the layer; an unknown one is refused with
     }
 }
 
+TEST_CASE("Maps: are recognised even if their type follows long lists, by content alone") {
+    const TemporaryFolder folder;
+    const std::string padding(2 * kHeadBytes, 'x'), name = R"(, "properties": {"name": ")" + padding + "\"}}]",
+                      square = R"("geometry": {"coordinates": [[[0, 0], [4, 0], [4, 3], [0, 0]]], "type": "Polygon"})";
+    const std::string sorted = R"({"features": [{)" + square + name + R"(, "type": "FeatureCollection"})",
+                      late = R"({"note": "\"features\" )" + padding + R"(", "features": [{"type": "Feature", )" + square +
+                             R"(}], "type": "FeatureCollection"})",
+                      topology = R"({"objects": {"a": {"geometries": [{"type": "Polygon", "arcs": [[0]])" + name +
+                                 R"(, "type": "GeometryCollection"}}, "arcs": [[[0, 0], [4, 0], [4, 3], [0, 0]]],
+ "type": "Topology"})";
+    for (const auto &[text, id] : {std::pair{sorted, "geojson"}, {late, "geojson"}, {topology, "topojson"}}) {
+        for (const char *file : {"a.json", "a.geojson", "a.topojson", "a.txt", "a"}) {
+            std::ofstream(folder / file, std::ios::binary) << text;
+            CAPTURE(file);
+            REQUIRE(fileFormatOf(folder / file) != nullptr);
+            CHECK(fileFormatOf(folder / file)->id == std::string(id));
+            CHECK(fileFormatOf(file, text)->id == std::string(id));
+            const auto domain = readDomain(folder / file);
+            REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+            CHECK(domain->segments.size() == 3);
+        }
+    }
+    std::ofstream(folder / "other.json", std::ios::binary) << R"({"note": ")" + padding + "\"}";
+    CHECK(fileFormatOf(folder / "other.json")->id == std::string("project"));
+    for (const char *broken : {"{", R"({"a)", R"({"a": "\)", R"({"a": {"b": [1, "}", 2)", R"({"type")", R"({"type": "Topol)",
+                               R"({"type": 1, "features")", "[{}]", ""}) {
+        CHECK_FALSE(looksLikeTopoJson(broken));
+        CHECK_FALSE(looksLikeGeoJson(broken));
+    }
+}
+
 TEST_CASE("TopoJSON: names can come from the ids of geometries, with or without properties") {
     const std::string text = topology(kTransform + ", " + kArcs + R"(, "objects": {"counties": {
  "type": "GeometryCollection", "geometries": [
@@ -202,6 +235,9 @@ TEST_CASE("TopoJSON: is recognised by its content under any name; GeoJSON with s
         }
     }
     CHECK(looksLikeTopoJson("{\"objects\": {\"a\": {\"type\": \"Polygon\"}}, \"type\" :\n\"Topology\""));
+    CHECK(looksLikeTopoJson(R"({"objects": {"a": {"geometries": [{"arcs": [[0]], "properties": {"FeatureID": 1)"));
+    CHECK(looksLikeTopoJson("\xef\xbb\xbf{\"type\":\"Topology\",\"objects\":{\"Features\":{"));
+    CHECK_FALSE(looksLikeTopoJson(R"({"features": [{"properties": {"objects": 3, "arcs": 4}}], "objects": [)"));
     CHECK_FALSE(looksLikeTopoJson(R"({"type": "Feature", "properties": {"type": "Topology"}})"));
     CHECK_FALSE(looksLikeTopoJson(R"({"name": "Topology", "shapes": []})"));
     CHECK_FALSE(looksLikeTopoJson(""));

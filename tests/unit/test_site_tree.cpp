@@ -1,12 +1,16 @@
+#include "core/spacing/sites/site_set.hpp"
 #include "core/spacing/sites/site_tree.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
+#include <vector>
 
 using namespace forefront;
 
@@ -56,6 +60,47 @@ Accuracy accuracyOf(const std::vector<SizeSite> &sites, unsigned seed) {
 }
 
 } // namespace
+
+TEST_CASE("SiteSet: keeps the sites that a pass in the order of their sizes keeps") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (const std::size_t count : {std::size_t{1}, std::size_t{300}, kManySites, kManySites + 1}) {
+        const double slack = count > kManySites ? 1.5 : 1.0;
+        SiteSet set;
+        for (std::uint32_t i = 0; i < count; ++i) { // in clusters, some along a line, many of equal size
+            const Vec2 at{std::floor(8.0 * unit(random)) + 0.2 * unit(random), i % 3 == 0 ? 0.01 * i : unit(random)};
+            const double size = i % 5 == 0 ? 0.05 : 0.01 * std::exp2(6.0 * unit(random));
+            set.add(SizeSite::segment(at, at + size * Vec2{unit(random), i % 2 == 0 ? 0.0 : 1.0}, size, 0.2),
+                    {{}, {}, i});
+        }
+        std::vector<std::uint32_t> order(count), expected, kept;
+        std::iota(order.begin(), order.end(), 0U);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](auto i, auto j) { return set.sites[i].size < set.sites[j].size; });
+        std::vector<std::uint32_t> before; // those that count
+        for (const std::uint32_t i : order) {
+            const SizeSite &weak = set.sites[i];
+            const bool dominated = std::any_of(before.begin(), before.end(), [&](std::uint32_t j) {
+                const SizeSite &strong = set.sites[j];
+                return strong.at(weak.a) <= slack * weak.size && strong.at(weak.a + weak.ab) <= slack * weak.size;
+            });
+            if (!dominated) {
+                expected.push_back(i);
+            }
+            if (!dominated || slack == 1.0) {
+                before.push_back(i);
+            }
+        }
+        std::sort(expected.begin(), expected.end());
+        set.dropDominated();
+        for (const SiteLabel &label : set.labels) {
+            kept.push_back(label.index);
+        }
+        CAPTURE(count);
+        CHECK(kept == expected);
+        CHECK((count == 1 || kept.size() < count));
+    }
+}
 
 TEST_CASE("Site tree: many sites along wavy coasts of very different sizes give nearly their minimum everywhere") {
     std::mt19937 random(7);

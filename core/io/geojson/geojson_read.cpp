@@ -2,7 +2,10 @@
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/geojson/map_reader.hpp"
 #include "core/io/geojson/topojson.hpp"
+#include "core/io/json/json_outline.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace forefront {
@@ -163,11 +166,16 @@ class GeoJsonReader {
 } // namespace
 
 bool looksLikeGeoJson(std::string_view head) {
-    const std::size_t start = head.find_first_not_of(" \t\r\n\x1e");
-    return start != std::string_view::npos && head[start] == '{' && !looksLikeTopoJson(head) &&
-           (head.find("\"FeatureCollection\"") != std::string_view::npos ||
-            head.find("\"Feature\"") != std::string_view::npos ||
-            head.find("\"coordinates\"") != std::string_view::npos);
+    const JsonOutline outline = outlineOf(head);
+    constexpr std::string_view kTypes[] = {"FeatureCollection", "Feature", "GeometryCollection", "Polygon",
+                                           "MultiPolygon", "LineString", "MultiLineString", "Point", "MultiPoint"};
+    if (std::find(std::begin(kTypes), std::end(kTypes), outline.type) != std::end(kTypes)) {
+        return true;
+    }
+    // Its type may follow long lists.
+    return outline.type.empty() && !looksLikeTopoJson(head) &&
+           (outline.has("features") || outline.has("geometry") || outline.has("geometries") ||
+            outline.has("coordinates"));
 }
 
 Result<Domain> readGeoJson(const SourceText &source) {

@@ -2,6 +2,7 @@
 #include "core/io/geojson/map_reader.hpp"
 #include "core/io/geojson/topojson.hpp"
 #include "core/io/geojson/topojson_layers.hpp"
+#include "core/io/json/json_outline.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -263,25 +264,13 @@ class TopoJsonReader {
 
 } // namespace
 
-// Its type may follow long lists.
 bool looksLikeTopoJson(std::string_view head) {
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const auto skipBlanks = [&](std::size_t at) { return std::min(head.find_first_not_of(kBlanks, at), head.size()); };
-    const std::size_t start = skipBlanks(0);
-    if (start == head.size() || head[start] != '{' || head.find("\"Feature") != std::string_view::npos) {
-        return false;
+    const JsonOutline outline = outlineOf(head);
+    if (!outline.type.empty()) {
+        return outline.type == "Topology";
     }
-    const std::size_t first = skipBlanks(start + 1), topology = head.find("\"Topology\"");
-    if (head.substr(first).starts_with("\"arcs\"")) {
-        return true;
-    }
-    for (std::size_t key = head.find("\"type\""); key < topology; key = head.find("\"type\"", key + 1)) {
-        const std::size_t colon = skipBlanks(key + 6);
-        if (colon < head.size() && head[colon] == ':' && skipBlanks(colon + 1) == topology) {
-            return true;
-        }
-    }
-    return false;
+    // Its type may follow long lists.
+    return outline.has("arcs") || (outline.has("objects") && head.find("\"arcs\"") != std::string_view::npos);
 }
 
 Result<Domain> readTopoJson(const SourceText &source) {

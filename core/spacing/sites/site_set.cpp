@@ -1,10 +1,11 @@
 #include "core/spacing/sites/site_set.hpp"
 
-#include "core/base/key_order.hpp"
+#include "core/base/ids.hpp"
 #include "core/geometry/box_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -21,42 +22,96 @@ bool dominates(const SizeSite &strong, const SizeSite &weak, double slack) {
     return strong.growth <= weak.growth && strong.at(weak.a) <= allowance && strong.at(weak.a + weak.ab) <= allowance;
 }
 
-} // namespace
+/// Decides which sites stay: in order of their sizes (of equal ones, the first), each that no site which stays
+/// dominates. Looks at them along the tree instead, so that neighbours find each other in the caches, and decides on
+/// those that matter to a site before the site itself.
+class DominanceFilter {
+  public:
+    DominanceFilter(const std::vector<SizeSite> &sites, double slack)
+        : sites_(sites), slack_(slack), tree_(boxesOf(sites)), state_(sites.size(), Open) {}
 
-void SiteSet::dropDominated() {
-    const double slack = sites.size() > kManySites ? kSlackOfMany : 1.0;
-    std::vector<Box2> boxes;
-    std::vector<std::uint64_t> sizes;
-    boxes.reserve(sites.size());
-    sizes.reserve(sites.size());
-    for (const SizeSite &site : sites) {
-        boxes.push_back(boxOf(site.a, site.a + site.ab));
-        sizes.push_back(sortKey(site.size));
+    /// Returns for each site whether it stays.
+    std::vector<std::uint8_t> kept() {
+        std::vector<std::uint32_t> open; // each waits for the next
+        for (std::uint32_t first = 0; first < sites_.size(); ++first) {
+            open.assign(state_[first] == Open ? 1 : 0, first);
+            while (!open.empty()) {
+                const std::uint32_t unknown = decide(open.back());
+                if (unknown == kNoIndex) {
+                    open.pop_back();
+                } else {
+                    open.push_back(unknown);
+                }
+            }
+        }
+        return std::move(state_);
     }
-    const BoxTree tree(boxes);
-    enum : std::uint8_t { Later, Kept, Dropped };
-    std::vector<std::uint8_t> state(sites.size(), Later);
-    for (const std::uint32_t i : orderByKeys(sizes)) {
+
+  private:
+    enum : std::uint8_t { Dropped, Kept, Open };
+
+    static std::vector<Box2> boxesOf(const std::vector<SizeSite> &sites) {
+        std::vector<Box2> boxes;
+        boxes.reserve(sites.size());
+        for (const SizeSite &site : sites) {
+            boxes.push_back(boxOf(site.a, site.a + site.ab));
+        }
+        return boxes;
+    }
+
+    bool precedes(std::uint32_t j, std::uint32_t i) const {
+        return sites_[j].size != sites_[i].size ? sites_[j].size < sites_[i].size : j < i;
+    }
+
+    /// Decides on site i and returns kNoIndex, or returns a site that has to be decided first.
+    std::uint32_t decide(std::uint32_t i) {
+        std::uint32_t unknown = kNoIndex;
         const auto dominated = [&](std::uint32_t j) {
-            const bool counts = state[j] == Kept || (state[j] == Dropped && slack == 1.0);
-            return j != i && counts && dominates(sites[j], sites[i], slack);
+            if (state_[j] == Dropped && slack_ > 1.0) {
+                return false; // what it demands is not demanded any more, not even nearly
+            }
+            if (!precedes(j, i) || !dominates(sites_[j], sites_[i], slack_)) {
+                return false;
+            }
+            const bool counts = state_[j] == Kept || slack_ == 1.0; // what dominates j then dominates i, too
+            if (!counts && (unknown == kNoIndex || precedes(j, unknown))) {
+                unknown = j; // the smallest is the likeliest to stay
+            }
+            return counts;
         };
         // Those before and after it in the order of the boundary dominate it more often than not.
         bool found = false;
         for (std::uint32_t step = 1; step <= kBeside && !found; ++step) {
-            found = (i >= step && dominated(i - step)) || (i + step < sites.size() && dominated(i + step));
+            found = (i >= step && dominated(i - step)) || (i + step < sites_.size() && dominated(i + step));
+        }
+        if (!found && unknown != kNoIndex) {
+            return unknown;
         }
         // Only sites nearby can demand less: growth·distance must stay below the size.
-        const double reach = sites[i].growth > 0.0 ? slack * sites[i].size / sites[i].growth : 0.0;
-        state[i] = Kept;
-        if (!found) {
-            found = !tree.search(boxAround(sites[i].a, reach), [&](std::uint32_t j) { return !dominated(j); });
+        const SizeSite &site = sites_[i];
+        const double reach = site.growth > 0.0 ? slack_ * site.size / site.growth : 0.0;
+        found = found || !tree_.search(boxAround(site.a, reach), [&](std::uint32_t j) { return !dominated(j); });
+        if (!found && unknown != kNoIndex) {
+            return unknown;
         }
-        state[i] = found ? Dropped : Kept;
+        state_[i] = found ? Dropped : Kept;
+        return kNoIndex;
     }
+
+    const std::vector<SizeSite> &sites_;
+    double slack_;
+    BoxTree tree_;
+    std::vector<std::uint8_t> state_;
+};
+
+} // namespace
+
+void SiteSet::dropDominated() {
+    const double slack = sites.size() > kManySites ? kSlackOfMany : 1.0;
+    const std::vector<std::uint8_t> stays = DominanceFilter(sites, slack).kept();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < sites.size(); ++i) {
-        if (state[i] == Kept) {
+        if (stays[i] != 0) {
             sites[kept] = sites[i];
             labels[kept++] = labels[i];
         }
