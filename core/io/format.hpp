@@ -37,8 +37,8 @@ inline constexpr std::size_t kHeadBytes = 4096;
 /// Returns all formats, in the order of menus and, among those of one extension, of preference.
 std::span<const Format> formats();
 
-/// Returns the format that some or all of a file's content shows, preferably one with the extension of the path; null if
-/// it shows none.
+/// Returns the format that some or all of a file's content shows, preferably one with the extension of the path; null
+/// if it shows none.
 const Format *recognisedFormat(const std::filesystem::path &path, std::string_view content);
 /// Returns the format of a file by its content, else by its extension; null if neither identifies it.
 const Format *formatOf(const std::filesystem::path &path, std::string_view content);

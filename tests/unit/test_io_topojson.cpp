@@ -144,13 +144,15 @@ TEST_CASE("TopoJSON: an option selects the layer; an unknown one is refused with
 
 TEST_CASE("Maps: are recognised even if their type follows long lists, by content alone") {
     const TemporaryFolder folder;
-    const std::string padding(2 * kHeadBytes, 'x'), name = R"(, "properties": {"name": ")" + padding + "\"}}]",
-                      square = R"("geometry": {"coordinates": [[[0, 0], [4, 0], [4, 3], [0, 0]]], "type": "Polygon"})";
-    const std::string sorted = R"({"features": [{)" + square + name + R"(, "type": "FeatureCollection"})",
-                      late = R"({"note": "\"features\" )" + padding + R"(", "features": [{"type": "Feature", )" + square +
-                             R"(}], "type": "FeatureCollection"})",
+    const std::string padding(2 * kHeadBytes, 'x'),
+        name = R"(, "properties": {"name": ")" + padding + "\"}",
+        square = R"("geometry": {"coordinates": [[[0, 0], [4, 0], [4, 3], [0, 0]]], "type": "Polygon"})";
+    const std::string sorted = R"({"features": [{)" + square + name +
+                               R"(, "type": "Feature"}], "type": "FeatureCollection"})",
+                      late = R"({"note": "\"features\" )" + padding + R"(", "features": [{"type": "Feature", )" +
+                             square + R"(}], "type": "FeatureCollection"})",
                       topology = R"({"objects": {"a": {"geometries": [{"type": "Polygon", "arcs": [[0]])" + name +
-                                 R"(, "type": "GeometryCollection"}}, "arcs": [[[0, 0], [4, 0], [4, 3], [0, 0]]],
+                                 R"(}], "type": "GeometryCollection"}}, "arcs": [[[0, 0], [4, 0], [4, 3], [0, 0]]],
  "type": "Topology"})";
     for (const auto &[text, id] : {std::pair{sorted, "geojson"}, {late, "geojson"}, {topology, "topojson"}}) {
         for (const char *file : {"a.json", "a.geojson", "a.topojson", "a.txt", "a"}) {
@@ -166,8 +168,8 @@ TEST_CASE("Maps: are recognised even if their type follows long lists, by conten
     }
     std::ofstream(folder / "other.json", std::ios::binary) << R"({"note": ")" + padding + "\"}";
     CHECK(fileFormatOf(folder / "other.json")->id == std::string("project"));
-    for (const char *broken : {"{", R"({"a)", R"({"a": "\)", R"({"a": {"b": [1, "}", 2)", R"({"type")", R"({"type": "Topol)",
-                               R"({"type": 1, "features")", "[{}]", ""}) {
+    for (const char *broken : {"{", R"({"a)", R"({"a": "\)", R"({"a": {"b": [1, "}", 2)", R"({"type")",
+                               R"({"type": "Topol)", R"({"type": 1, "features")", "[{}]", ""}) {
         CHECK_FALSE(looksLikeTopoJson(broken));
         CHECK_FALSE(looksLikeGeoJson(broken));
     }

@@ -167,8 +167,9 @@ class GeoJsonReader {
 
 bool looksLikeGeoJson(std::string_view head) {
     const JsonOutline outline = outlineOf(head);
-    constexpr std::string_view kTypes[] = {"FeatureCollection", "Feature", "GeometryCollection", "Polygon",
-                                           "MultiPolygon", "LineString", "MultiLineString", "Point", "MultiPoint"};
+    constexpr std::string_view kTypes[] = {"FeatureCollection", "Feature",      "GeometryCollection",
+                                           "Polygon",           "MultiPolygon", "LineString",
+                                           "MultiLineString",   "Point",        "MultiPoint"};
     if (std::find(std::begin(kTypes), std::end(kTypes), outline.type) != std::end(kTypes)) {
         return true;
     }

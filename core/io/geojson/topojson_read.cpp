@@ -270,7 +270,8 @@ bool looksLikeTopoJson(std::string_view head) {
         return outline.type == "Topology";
     }
     // Its type may follow long lists.
-    return outline.has("arcs") || (outline.has("objects") && head.find("\"arcs\"") != std::string_view::npos);
+    return !outline.has("features") &&
+           (outline.has("arcs") || (outline.has("objects") && head.find("\"arcs\"") != std::string_view::npos));
 }
 
 Result<Domain> readTopoJson(const SourceText &source) {

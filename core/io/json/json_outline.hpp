@@ -13,8 +13,8 @@ struct JsonOutline {
     bool has(std::string_view key) const;
 };
 
-/// Reads the outline of an object without parsing what its members hold. The text may be cut off anywhere, or be no JSON
-/// at all: then the outline is empty. Views point into the text.
+/// Reads the outline of an object without parsing what its members hold. The text may be cut off anywhere, or be no
+/// JSON at all: then the outline is empty. Views point into the text.
 JsonOutline outlineOf(std::string_view text);
 
 /// Returns true if a text begins as a JSON object does, after blanks, a record separator or a byte order mark.
