@@ -49,6 +49,26 @@ TEST_CASE("SVG paint: a polyline without a stroke is filled by default; with one
     CHECK(paint(kRect + "<polyline stroke=\"red\" fill=\"none\" " + points + "/>").notes.count("svg-polyline") == 0);
 }
 
+TEST_CASE("SVG paint: what is no paint is ignored, so that an element inherits") {
+    const auto square = [](const std::string &fill) {
+        return "<rect x=\"50\" width=\"30\" height=\"30\" fill=\"" + fill + "\"/>";
+    };
+    for (const char *valid : {"red", "RED", "RebeccaPurple", "yellowgreen", "#1a2", "#1A2f", "#11aa22", "#11AA22ff",
+                              "initial", "rgb(1, 2, 3)", "hsl(1 2% 3%)", "color(srgb 1 0 0)", "#CD853F icc-color(a, 1)",
+                              "currentColor", "URL(#g)", "url( '#g' ) none"}) {
+        CAPTURE(std::string(valid));
+        CHECK(paint("<linearGradient id=\"g\"><stop/></linearGradient>" + kRect + "<g fill=\"none\">" + square(valid) +
+                    "</g>")
+                  .area == doctest::Approx(1000));
+    }
+    for (const char *invalid :
+         {"undefined", "null", "#12", "#ggg", "#12345", "red;", "rouge", "0", "inherit", "none"}) {
+        CAPTURE(std::string(invalid));
+        CHECK(paint(kRect + "<g fill=\"none\">" + square(invalid) + "</g>").area == doctest::Approx(100));
+    }
+    CHECK(paint(kRect + square("undefined")).area == doctest::Approx(1000)); // black from the start
+}
+
 TEST_CASE("SVG paint: a mask that shows in part is reported, however much it shows") {
     const auto masked = [](const std::string &shade) {
         return paint("<mask id=\"m\"><rect width=\"100\" height=\"100\" " + shade + "/></mask>" +

@@ -15,6 +15,10 @@ struct SvgColour {
 /// which only dark ones matter. Anything unknown counts as white. `current`: the property `color`.
 SvgColour parseColour(std::string_view text, const SvgColour &current);
 
+/// Returns true if a value in lower case is what `fill` and `stroke` can be: "none", a colour or a reference. CSS
+/// ignores any other, so that the element inherits.
+bool isPaint(std::string_view text);
+
 /// Reads an opacity: a number or a percentage, limited to 0 to 1; 1 if malformed.
 double parseOpacity(std::string_view text);
 

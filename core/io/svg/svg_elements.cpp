@@ -1,5 +1,7 @@
 #include "core/io/svg/svg_elements.hpp"
 
+#include "core/base/lower_case.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -47,8 +49,8 @@ std::size_t offsetOf(const pugi::xml_node &node) {
 }
 
 std::string_view idOfUrl(std::string_view value) {
-    const std::size_t begin = value.find("url("), end = value.find(')', begin);
-    if (begin != 0 || end == value.npos) {
+    const std::size_t end = value.find(')');
+    if (lowerCase(value.substr(0, 4)) != "url(" || end == value.npos) {
         return {};
     }
     constexpr std::string_view kAround = " \t\r\n\"'";

@@ -127,7 +127,14 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
         }
     };
     take("color", [&](const std::string &value) { paint.current = parseColour(value, inherited.current); });
-    take("fill", [&](const std::string &given) {
+    const auto takePaint = [&](const char *property, const auto &use) {
+        take(property, [&](const std::string &given) {
+            if (isPaint(given)) {
+                use(given);
+            }
+        });
+    };
+    takePaint("fill", [&](const std::string &given) {
         const std::string value = servers.paintedBy(node, "fill", given);
         paint.filled = value != "none";
         paint.fillGiven = true;
@@ -135,7 +142,7 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
         paint.faded = servers.fades(node, "fill");
         paint.fill = parseColour(value, paint.current);
     });
-    take("stroke", [&](const std::string &given) {
+    takePaint("stroke", [&](const std::string &given) {
         const std::string value = servers.paintedBy(node, "stroke", given);
         paint.stroked = value != "none";
         paint.stroke = parseColour(value, paint.current);
