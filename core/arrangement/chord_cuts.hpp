@@ -17,8 +17,7 @@ struct Chord {
     Vec2 a;         ///< node at part.t0, near the curve
     Vec2 b;         ///< node at part.t1
     std::uint32_t curve = kNoCurve;
-    bool fresh = true;   ///< to be compared with all others; the rest are known to fit each other
-    double fitsAt = 0.0; ///< joining distance at which it was last compared with all others; 0: never
+    bool fresh = true; ///< to be compared with all others; the rest are known to fit each other
 
     bool follows() const { return curve != kNoCurve; }
 };

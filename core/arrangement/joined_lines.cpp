@@ -209,19 +209,25 @@ Chord LineDivision::joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const {
     return straightChord(from, to);
 }
 
+LineDivision::Compared LineDivision::comparedOf(const Chord &chord) {
+    return {chord.curve, {chord.part.t0, chord.part.t1, chord.a.x, chord.a.y, chord.b.x, chord.b.y}, {}};
+}
+
 /// Returns the chords along the paths of all parts and marks those as fresh that joining has changed, or that have not
 /// been compared at its distance; `part` gives the part of each.
 std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) {
     std::vector<Chord> joined;
     const bool shrunk = snapped.radius < tolerance_; // what was near enough to join may no longer be
+    const auto add = [&](std::uint32_t k, Chord chord, bool changed) {
+        chord.fresh = changed || shrunk;
+        joined.push_back(std::move(chord));
+        part.push_back(k);
+    };
     for (std::uint32_t k = 0; k < chords_.size(); ++k) {
         const SnapLine line = partLine(k);
-        const double fitted = std::exchange(chords_[k].fitsAt, 0.0);
         std::uint32_t node = snapped.first[k];
         if (line.a == line.b) {
-            joined.push_back(straightChord(snapped.nodes[node], snapped.nodes[node]));
-            joined.back().fresh = shrunk || snapped.nodes[node] != line.a;
-            part.push_back(k);
+            add(k, straightChord(snapped.nodes[node], snapped.nodes[node]), snapped.nodes[node] != line.a);
         }
         const std::uint32_t count = snapped.starts[k + 1] - snapped.starts[k];
         for (std::uint32_t w = snapped.starts[k]; w < snapped.starts[k + 1]; ++w) {
@@ -229,33 +235,55 @@ std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::
             const std::uint32_t next = edge.a == node ? edge.b : edge.a;
             const Vec2 from = snapped.nodes[node], to = snapped.nodes[next];
             const bool kept = count == 1 && from == line.a && to == line.b;
-            joined.push_back(kept ? chords_[k] : joinedChord(k, from, to));
-            joined.back().fresh = !kept || (shrunk && fitted != snapped.radius);
-            chords_[k].fitsAt = kept ? snapped.radius : 0.0; // unless it is divided now
-            part.push_back(k);
+            add(k, kept ? chords_[k] : joinedChord(k, from, to), !kept);
             node = next;
         }
     }
     return joined;
 }
 
+/// Chords that were compared with each other the last time, at the same distance, are not fresh. Records the cuts that
+/// were found on them then, which joining has undone.
+void LineDivision::takeCompared(std::vector<Chord> &joined, double radius, std::span<const std::uint32_t> part) {
+    undone_.clear();
+    std::vector<Compared> compared;
+    compared.reserve(joined.size());
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+        compared.push_back(comparedOf(joined[i]));
+        const auto known = std::lower_bound(compared_.begin(), compared_.end(), compared.back());
+        if (radius == comparedAt_ && known != compared_.end() && *known == compared.back()) {
+            joined[i].fresh = false;
+            if (known->cut) {
+                compared.back().cut = known->cut;
+                undone_.push_back({source_[part[i]], known->cut->t, known->cut->at});
+            }
+        }
+    }
+    compared_ = std::move(compared);
+    comparedAt_ = radius;
+}
+
 bool LineDivision::divideAfter(const SnappedLines &snapped, const std::stop_token &stop) {
     std::vector<std::uint32_t> part;
-    const std::vector<Chord> joined = joinedChords(snapped, part);
+    std::vector<Chord> joined = joinedChords(snapped, part);
+    takeCompared(joined, snapped.radius, part);
     ChordCuts found = findChordCuts(joined, snapped.radius, stop);
     std::erase_if(found.cuts, [&](const ChordCut &cut) { return !joined[cut.chord].follows(); });
     for (ChordCut &cut : found.cuts) {
+        compared_[cut.chord].cut = cut;
         cut.chord = part[cut.chord];
     }
+    std::sort(compared_.begin(), compared_.end());
     for (ChordMeeting &meeting : found.meetings) {
         meeting.chord = part[meeting.chord];
         meeting.other = part[meeting.other];
     }
-    if (!found.finished || found.cuts.empty()) {
+    if (!found.finished) {
         return false;
     }
-    if (repeats_ >= limits_.repeats || atLimit()) {
+    if (found.cuts.empty() || repeats_ >= limits_.repeats || atLimit()) {
         leave(found.cuts);
+        left_.insert(left_.end(), undone_.begin(), undone_.end());
         return false;
     }
     ++repeats_;

@@ -3,9 +3,12 @@
 #include "core/arrangement/chord_cuts.hpp"
 #include "core/arrangement/snap.hpp"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stop_token>
+#include <tuple>
 #include <vector>
 
 namespace forefront {
@@ -48,6 +51,20 @@ class LineDivision {
     const std::vector<ChordCut> &left() const { return left_; }
 
   private:
+    /// What identifies a chord that has been compared with all others after joining, and the last cut found on it.
+    struct Compared {
+        std::uint32_t curve = kNoCurve;
+        std::array<double, 6> numbers{}; ///< parameters and ends
+        std::optional<ChordCut> cut;
+
+        bool operator<(const Compared &other) const {
+            return std::tie(curve, numbers) < std::tie(other.curve, other.numbers);
+        }
+        bool operator==(const Compared &other) const { return curve == other.curve && numbers == other.numbers; }
+    };
+
+    static Compared comparedOf(const Chord &chord);
+    void takeCompared(std::vector<Chord> &joined, double radius, std::span<const std::uint32_t> part);
     bool atLimit() const;
     void leave(std::span<const ChordCut> cuts);
     Chord chordOf(std::uint32_t line) const;
@@ -73,6 +90,9 @@ class LineDivision {
     std::vector<std::uint8_t> nextBackward_;
     std::vector<ChordMeeting> meetings_;
     std::vector<ChordCut> left_;
+    std::vector<Compared> compared_; ///< the last time after joining; in order
+    double comparedAt_ = 0.0;        ///< the joining distance then
+    std::vector<ChordCut> undone_;   ///< of chords compared before: cuts that joining undid
 };
 
 /// Lines divided where their curves meet, and joined.
