@@ -222,7 +222,20 @@ TEST_CASE("GeoJSON: holes outside the outline of their polygon are parts of it, 
     }
 }
 
-TEST_CASE("GeoJSON: holes that touch the outline or reach beyond it are cut from their polygon") {
+TEST_CASE("GeoJSON: holes that touch the outline from outside are parts, too") {
+    const auto area = [](const std::string &outline, const std::string &hole) {
+        const auto domain = readGeoJson(sourceOf(feature("Polygon", "[" + outline + "," + hole + "]")));
+        REQUIRE(domain.ok());
+        return curvedAreas(*domain).at(1);
+    };
+    const std::string notched = "[[0,0],[1,0],[2,2],[3,0],[4,0],[4,4],[0,4],[0,0]]";
+    CHECK(area(notched, "[[1,0],[3,0],[2,2],[1,0]]") == doctest::Approx(16)); // fills the notch
+    CHECK(area(notched, "[[4,0],[6,0],[6,4],[4,4],[4,0]]") == doctest::Approx(22));
+    CHECK(area(notched, "[[4,4],[5,4],[5,5],[4,4]]") == doctest::Approx(14.5));
+    CHECK(area("[[0,0],[4,0],[4,4],[0,4],[0,0]]", "[[4,1],[4,3],[-1,2],[4,1]]") == doctest::Approx(11.2)); // crosses it
+}
+
+TEST_CASE("GeoJSON: holes that touch the outline from inside or cross it are cut from their polygon") {
     for (const char *hole :
          {"[[0,1],[1,0],[1,1],[0,1]]", "[[3,1],[5,1],[5,2],[3,2],[3,1]]", "[[1,1],[2,1],[2,2],[1,1]]"}) {
         ImportNotes notes;

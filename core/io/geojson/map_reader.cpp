@@ -45,16 +45,29 @@ class OutlineIndex {
         }
     }
 
-    /// Returns true if none of some nodes of the ring is inside the outline or on it.
+    /// Returns true if the ring lies outside, touching the outline at most, as far as some of its nodes and the middles
+    /// of its sides show. Sides between nodes on the outline only count if all are: rounding may move their middles off
+    /// it.
     bool isOutside(std::span<const Vec2> ring) const {
-        constexpr std::size_t kNodesTried = 8;
-        const std::size_t step = (ring.size() + kNodesTried - 1) / kNodesTried;
-        for (std::size_t k = 0; k < ring.size(); k += step) {
-            if (place(ring[k]) != PointPlace::Outside) {
-                return false;
+        constexpr std::size_t kTried = 8;
+        const std::size_t step = (ring.size() + kTried - 1) / kTried;
+        for (const bool allSides : {false, true}) {
+            bool outside = false;
+            for (std::size_t k = 0; k < ring.size(); k += step) {
+                const Vec2 a = ring[k], b = ring[(k + 1) % ring.size()];
+                const PointPlace first = place(a);
+                const bool along = first == PointPlace::OnBoundary && place(b) == PointPlace::OnBoundary;
+                const PointPlace middle = along && !allSides ? PointPlace::OnBoundary : place(midpoint(a, b));
+                if (first == PointPlace::Inside || middle == PointPlace::Inside) {
+                    return false;
+                }
+                outside = outside || first == PointPlace::Outside || middle == PointPlace::Outside;
+            }
+            if (outside) {
+                return true;
             }
         }
-        return true;
+        return false;
     }
 
   private:
