@@ -252,8 +252,9 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
                    "layer of a TopoJSON file to read, such as counties; default: the first one with polygons")
         ->type_name("NAME");
     app.add_option("--name-property", arguments.nameProperty,
-                   "property of the features of a map that names regions and boundaries, text or numbers; id is also "
-                   "the id of a feature; default: name, Name or NAME, else NAME_n of the finest administrative level n")
+                   "property of the features of a map that names regions and boundaries, text or numbers; id also "
+                   "uses the own ids of the features; default: name, Name or NAME, else NAME_n of the finest "
+                   "administrative level n")
         ->type_name("KEY");
     app.add_flag("--beyond-page", arguments.beyondPage,
                  "keep the parts of filled SVG shapes that lie outside the page (the view box)");

@@ -242,21 +242,19 @@ std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::
     return joined;
 }
 
-/// Chords that were compared with each other the last time, at the same distance, are not fresh. Records the cuts that
-/// were found on them then, which joining has undone.
-void LineDivision::takeCompared(std::vector<Chord> &joined, double radius, std::span<const std::uint32_t> part) {
-    undone_.clear();
+/// Marks chords that were compared with each other the last time, at the same distance, as not fresh, and all others as
+/// fresh: they may have been compared with parts that joining has bent since. Keeps the cuts found on the former.
+void LineDivision::takeCompared(std::vector<Chord> &joined, double radius) {
+    const bool again = radius == comparedAt_ && !compared_.empty();
     std::vector<Compared> compared;
     compared.reserve(joined.size());
-    for (std::size_t i = 0; i < joined.size(); ++i) {
-        compared.push_back(comparedOf(joined[i]));
-        const auto known = std::lower_bound(compared_.begin(), compared_.end(), compared.back());
-        if (radius == comparedAt_ && known != compared_.end() && *known == compared.back()) {
-            joined[i].fresh = false;
-            if (known->cut) {
-                compared.back().cut = known->cut;
-                undone_.push_back({source_[part[i]], known->cut->t, known->cut->at});
-            }
+    for (Chord &chord : joined) {
+        compared.push_back(comparedOf(chord));
+        if (again) {
+            const auto last = std::lower_bound(compared_.begin(), compared_.end(), compared.back());
+            const bool known = last != compared_.end() && *last == compared.back();
+            chord.fresh = !known;
+            compared.back().cut = known ? last->cut : std::nullopt;
         }
     }
     compared_ = std::move(compared);
@@ -266,28 +264,33 @@ void LineDivision::takeCompared(std::vector<Chord> &joined, double radius, std::
 bool LineDivision::divideAfter(const SnappedLines &snapped, const std::stop_token &stop) {
     std::vector<std::uint32_t> part;
     std::vector<Chord> joined = joinedChords(snapped, part);
-    takeCompared(joined, snapped.radius, part);
+    takeCompared(joined, snapped.radius);
     ChordCuts found = findChordCuts(joined, snapped.radius, stop);
+    if (!found.finished) {
+        return false;
+    }
     std::erase_if(found.cuts, [&](const ChordCut &cut) { return !joined[cut.chord].follows(); });
-    for (ChordCut &cut : found.cuts) {
+    for (const ChordCut &cut : found.cuts) {
         compared_[cut.chord].cut = cut;
-        cut.chord = part[cut.chord];
+    }
+    left_.clear();
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+        if (const auto &cut = compared_[i].cut) {
+            left_.push_back({source_[part[i]], cut->t, cut->at}); // unless it is made now, and joining keeps it
+        }
     }
     std::sort(compared_.begin(), compared_.end());
+    if (found.cuts.empty() || repeats_ >= limits_.repeats || atLimit()) {
+        return false;
+    }
+    ++repeats_;
+    for (ChordCut &cut : found.cuts) {
+        cut.chord = part[cut.chord];
+    }
     for (ChordMeeting &meeting : found.meetings) {
         meeting.chord = part[meeting.chord];
         meeting.other = part[meeting.other];
     }
-    if (!found.finished) {
-        return false;
-    }
-    if (found.cuts.empty() || repeats_ >= limits_.repeats || atLimit()) {
-        leave(found.cuts);
-        left_.insert(left_.end(), undone_.begin(), undone_.end());
-        return false;
-    }
-    ++repeats_;
-    left_.clear(); // the chords left are divided again
     const std::size_t before = chords_.size();
     apply(std::move(found));
     return chords_.size() > before;

@@ -47,7 +47,7 @@ class LineDivision {
     const std::vector<std::uint32_t> &sources() const { return source_; }
     /// Returns where curves meet; `chord` is the index of a line.
     const std::vector<ChordMeeting> &meetings() const { return meetings_; }
-    /// Returns the cuts that were not made because of a limit; `chord` is the index of a line.
+    /// Returns the cuts that a limit prevented or joining undid; `chord` is the index of a line.
     const std::vector<ChordCut> &left() const { return left_; }
 
   private:
@@ -64,7 +64,7 @@ class LineDivision {
     };
 
     static Compared comparedOf(const Chord &chord);
-    void takeCompared(std::vector<Chord> &joined, double radius, std::span<const std::uint32_t> part);
+    void takeCompared(std::vector<Chord> &joined, double radius);
     bool atLimit() const;
     void leave(std::span<const ChordCut> cuts);
     Chord chordOf(std::uint32_t line) const;
@@ -90,9 +90,8 @@ class LineDivision {
     std::vector<std::uint8_t> nextBackward_;
     std::vector<ChordMeeting> meetings_;
     std::vector<ChordCut> left_;
-    std::vector<Compared> compared_; ///< the last time after joining; in order
-    double comparedAt_ = 0.0;        ///< the joining distance then
-    std::vector<ChordCut> undone_;   ///< of chords compared before: cuts that joining undid
+    std::vector<Compared> compared_; ///< the chords of the last comparison after joining, in order
+    double comparedAt_ = 0.0;        ///< the joining distance of that comparison
 };
 
 /// Lines divided where their curves meet, and joined.
@@ -101,7 +100,7 @@ struct JoinedLines {
     std::vector<CurveStretch> stretches; ///< per line
     std::vector<std::uint32_t> source;   ///< per line: the given line that it is part of; ascending
     std::vector<ChordMeeting> meetings;  ///< `chord` is the index of a given line
-    std::vector<ChordCut> left;          ///< cuts that were not made because of a limit, with the same indices
+    std::vector<ChordCut> left;          ///< cuts that a limit prevented or joining undid, with the same indices
     SnappedLines snapped;
 };
 

@@ -36,8 +36,8 @@ struct FileFormat {
 std::span<const FileFormat> fileFormats();
 /// Returns the formats with the extension of a path, in the order of preference.
 std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &path);
-/// Returns the format of a file by its first bytes (JSON that these do not tell, by all), else by its extension; null
-/// if neither identifies it.
+/// Returns the format of a file by its first bytes, else by its extension; null if neither identifies it. Reads all of
+/// a JSON file if its first bytes do not show what it is.
 const FileFormat *fileFormatOf(const std::filesystem::path &path);
 /// Returns the format of a file with this content, or else by its extension; null if neither identifies it.
 const FileFormat *fileFormatOf(const std::filesystem::path &path, std::string_view content);

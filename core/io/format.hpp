@@ -17,9 +17,9 @@ struct Format {
     FileFormat about;
     /// Further extensions, separated by blanks, such as ".node .ele".
     const char *otherExtensions = "";
-    /// Returns true if the first bytes of a file show that it is of this format: kHeadBytes of them, or if these do not
-    /// suffice for JSON, all.
+    /// Returns true if the first bytes of a file (at most kHeadBytes) show that it is of this format.
     bool (*recognise)(std::string_view head) = nullptr;
+    bool mayShowLate = false; ///< recognise() takes all of a JSON text where its first bytes show no format
     Result<Document> (*readDocument)(const SourceText &) = nullptr; ///< where a format holds more than a domain
     Result<Domain> (*readDomain)(const SourceText &) = nullptr;     ///< null: the domain of its mesh, if it has one
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
@@ -37,9 +37,9 @@ inline constexpr std::size_t kHeadBytes = 4096;
 /// Returns all formats, in the order of menus and, among those of one extension, of preference.
 std::span<const Format> formats();
 
-/// Returns the format that some or all of a file's content shows, preferably one with the extension of the path; null
-/// if it shows none.
-const Format *recognisedFormat(const std::filesystem::path &path, std::string_view content);
+/// Returns the format that the first bytes of a file show, preferably one with the extension of the path; null if they
+/// show none.
+const Format *recognisedFormat(const std::filesystem::path &path, std::string_view head);
 /// Returns the format of a file by its content, else by its extension; null if neither identifies it.
 const Format *formatOf(const std::filesystem::path &path, std::string_view content);
 /// Returns the first format with the extension of a path for which `accepts` returns true; null if there is none.

@@ -34,10 +34,12 @@ constexpr std::array kFormats = {
     Format{.about = {"geojson", "GeoJSON", ".geojson", true, false, false, true},
            .otherExtensions = ".json",
            .recognise = looksLikeGeoJson,
+           .mayShowLate = true,
            .readDomain = readGeoJson},
     Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, true},
            .otherExtensions = ".json",
            .recognise = looksLikeTopoJson,
+           .mayShowLate = true,
            .readDomain = readTopoJson},
     Format{.about = {"poly", "Triangle domain", ".poly", true, false, false}, .readDomain = readPoly},
     Format{.about = {"svg", "SVG drawing", ".svg", true, false, true, true},
@@ -145,11 +147,11 @@ std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &pa
     return named;
 }
 
-const Format *recognisedFormat(const std::filesystem::path &path, std::string_view content) {
+const Format *recognisedFormat(const std::filesystem::path &path, std::string_view head) {
     const std::string extension = lowerExtension(path);
     const Format *found = nullptr;
     for (const Format &format : kFormats) {
-        if (format.recognise != nullptr && format.recognise(content)) {
+        if (format.recognise != nullptr && format.recognise(head)) {
             if (hasExtension(format, extension)) {
                 return &format;
             }
@@ -161,11 +163,17 @@ const Format *recognisedFormat(const std::filesystem::path &path, std::string_vi
 
 const Format *formatOf(const std::filesystem::path &path, std::string_view content) {
     const std::string_view head = content.substr(0, kHeadBytes);
-    const Format *found = recognisedFormat(path, head);
-    if (found == nullptr && content.size() > head.size() && beginsAsObject(head)) {
-        found = recognisedFormat(path, content);
+    if (const Format *const found = recognisedFormat(path, head)) {
+        return found;
     }
-    return found != nullptr ? found : formatOfExtension(path, [](const Format &) { return true; });
+    if (content.size() > head.size() && beginsAsObject(head)) {
+        for (const Format &format : kFormats) {
+            if (format.mayShowLate && format.recognise(content)) {
+                return &format;
+            }
+        }
+    }
+    return formatOfExtension(path, [](const Format &) { return true; });
 }
 
 const Format *formatOfExtension(const std::filesystem::path &path, bool (*accepts)(const Format &)) {

@@ -230,6 +230,10 @@ TEST_CASE("GeoJSON: holes that touch the outline from outside are parts, too") {
     };
     const std::string notched = "[[0,0],[1,0],[2,2],[3,0],[4,0],[4,4],[0,4],[0,0]]";
     CHECK(area(notched, "[[1,0],[3,0],[2,2],[1,0]]") == doctest::Approx(16)); // fills the notch
+    const std::string uneven = "[[0.137,0.211],[1.013,0.219],[2.071,2.317],[3.119,0.233],[4.357,0.241],[4.361,4.173],"
+                               "[0.149,4.191],[0.137,0.211]]";
+    CHECK(area(uneven, "[[1.013,0.219],[3.119,0.233],[2.071,2.317],[1.013,0.219]]") ==
+          doctest::Approx(16.7).epsilon(0.01));
     CHECK(area(notched, "[[4,0],[6,0],[6,4],[4,4],[4,0]]") == doctest::Approx(22));
     CHECK(area(notched, "[[4,4],[5,4],[5,5],[4,4]]") == doctest::Approx(14.5));
     CHECK(area("[[0,0],[4,0],[4,4],[0,4],[0,0]]", "[[4,1],[4,3],[-1,2],[4,1]]") == doctest::Approx(11.2)); // crosses it

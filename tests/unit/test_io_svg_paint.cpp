@@ -66,6 +66,10 @@ TEST_CASE("SVG paint: what is no paint is ignored, so that an element inherits")
         CAPTURE(std::string(invalid));
         CHECK(paint(kRect + "<g fill=\"none\">" + square(invalid) + "</g>").area == doctest::Approx(100));
     }
+    for (const char *both : {R"(fill="red" style="fill: rouge")", R"(style="fill: red; fill: rouge")"}) {
+        CHECK(paint(kRect + "<g fill=\"none\"><rect x=\"50\" width=\"30\" height=\"30\" " + both + "/></g>").area ==
+              doctest::Approx(1000));
+    }
     CHECK(paint(kRect + square("undefined")).area == doctest::Approx(1000)); // black from the start
 }
 

@@ -149,8 +149,8 @@ void ImportDialog::read(const Progress &progress) {
 void ImportDialog::readLayer(const std::string &name) {
     options_.layer = name;
     options_.nameProperty.reset(); // the features of another layer have other properties,
-    options_.dropLines = false;    // and perhaps no lines; which, is not known if it cannot be read
-    contents_.properties.clear();
+    options_.dropLines = false;    // and perhaps no lines
+    contents_.properties.clear();  // in case this one cannot be read
     contents_.lines = false;
     read();
     hasLines_ = contents_.lines && mixesLines(drawing_);
@@ -227,10 +227,9 @@ void ImportDialog::drawMap(Shell &context) {
             options_.nameProperty = choice > 0 ? std::optional(labels[static_cast<std::size_t>(choice)]) : std::nullopt;
             read();
         }
-        ui::rowTooltip(
-            context,
-            "The property of the features that names regions and boundaries; id may also be "
-            "the id of the feature. Automatic: name, Name or NAME, else NAME_n of the finest administrative level n.");
+        ui::rowTooltip(context, "The property of the features that names regions and boundaries; id also uses the "
+                                "own ids of the features. Automatic: name, Name or NAME, else NAME_n of the finest "
+                                "administrative level n.");
     }
 }
 

@@ -33,11 +33,11 @@ std::string textOrNumberOf(const std::optional<JsonValue> &value) {
     return value && value->is(JsonKind::Number) ? cleanName(value->numeral()) : textOf(value);
 }
 
-/// Returns the value of a property; the member "id" of a feature stands in for a property of that name.
-std::optional<JsonValue> propertyOf(const JsonValue &feature, const std::string &key) {
+/// Returns the text or number of a property; the member "id" of a feature stands in for a property of that name.
+std::string nameIn(const JsonValue &feature, const std::string &key) {
     const auto properties = feature.find("properties");
-    auto value = properties ? properties->find(key) : std::nullopt;
-    return value || key != kId ? value : feature.find(kId);
+    std::string name = properties ? textOrNumberOf(properties->find(key)) : std::string();
+    return name.empty() && key == kId ? textOrNumberOf(feature.find(kId)) : name;
 }
 
 } // namespace
@@ -73,7 +73,7 @@ void FeatureNames::surveyProperties(const JsonValue &properties) {
 
 std::string FeatureNames::nameOf(const JsonValue &feature) const {
     if (key_) {
-        return textOrNumberOf(propertyOf(feature, *key_));
+        return nameIn(feature, *key_);
     }
     const auto properties = feature.find("properties");
     if (!properties) {

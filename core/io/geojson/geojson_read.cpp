@@ -69,7 +69,7 @@ class GeoJsonReader {
             map_.noteMembers(value, {"geometries"});
             each(value, "geometries", label);
         } else if (word == "Feature") {
-            map_.noteMembers(value, {"geometry", "properties"});
+            map_.noteMembers(value, {"geometry", "properties", map_.idMember()});
             const auto geometry = check_.member(value, "geometry", "the feature");
             if (geometry && geometry->is(JsonKind::Null)) {
                 map_.noteWithoutGeometry(value);

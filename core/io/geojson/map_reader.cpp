@@ -46,28 +46,21 @@ class OutlineIndex {
     }
 
     /// Returns true if the ring lies outside, touching the outline at most, as far as some of its nodes and the middles
-    /// of its sides show. Sides between nodes on the outline only count if all are: rounding may move their middles off
-    /// it.
+    /// of its sides show: none is inside, and not all are on the outline.
     bool isOutside(std::span<const Vec2> ring) const {
         constexpr std::size_t kTried = 8;
         const std::size_t step = (ring.size() + kTried - 1) / kTried;
-        for (const bool allSides : {false, true}) {
-            bool outside = false;
-            for (std::size_t k = 0; k < ring.size(); k += step) {
-                const Vec2 a = ring[k], b = ring[(k + 1) % ring.size()];
-                const PointPlace first = place(a);
-                const bool along = first == PointPlace::OnBoundary && place(b) == PointPlace::OnBoundary;
-                const PointPlace middle = along && !allSides ? PointPlace::OnBoundary : place(midpoint(a, b));
-                if (first == PointPlace::Inside || middle == PointPlace::Inside) {
+        bool outside = false;
+        for (std::size_t k = 0; k < ring.size(); k += step) {
+            for (const Vec2 p : {ring[k], midpoint(ring[k], ring[(k + 1) % ring.size()])}) {
+                const PointPlace found = place(p);
+                if (found == PointPlace::Inside) {
                     return false;
                 }
-                outside = outside || first == PointPlace::Outside || middle == PointPlace::Outside;
-            }
-            if (outside) {
-                return true;
+                outside = outside || found == PointPlace::Outside;
             }
         }
-        return false;
+        return outside;
     }
 
   private:
@@ -80,16 +73,19 @@ class OutlineIndex {
         return boxes;
     }
 
+    /// The middle of a side that lies on the outline may be off it by rounding.
     PointPlace place(Vec2 p) const {
-        if (!box_.contains(p)) {
+        constexpr double kRounding = 1e-13; // relative to coordinates
+        const double slack = kRounding * std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x),
+                                                   std::fabs(box_.max.y)});
+        if (!box_.grown(slack).contains(p)) {
             return PointPlace::Outside;
         }
         bool odd = false, on = false;
-        tree_.query({p, {box_.max.x, p.y}}, [&](std::uint32_t k) {
+        tree_.query(Box2{p, {std::max(p.x, box_.max.x), p.y}}.grown(slack), [&](std::uint32_t k) {
             const Vec2 a = outline_[k], b = outline_[(k + 1) % outline_.size()];
-            const int turn = orientation(a, b, p);
-            on = on || (turn == 0 && boxOf(a, b).contains(p));
-            odd ^= (a.y > p.y) != (b.y > p.y) && (b.y > a.y ? turn > 0 : turn < 0);
+            on = on || distanceToSegment(a, b, p) <= slack;
+            odd ^= (a.y > p.y) != (b.y > p.y) && (b.y > a.y ? orientation(a, b, p) > 0 : orientation(a, b, p) < 0);
         });
         return on ? PointPlace::OnBoundary : odd ? PointPlace::Inside : PointPlace::Outside;
     }
@@ -148,8 +144,7 @@ MapLabel MapReader::label(const JsonValue &feature) {
 void MapReader::noteMembers(const JsonValue &object, std::initializer_list<std::string_view> known) {
     for (auto member = object.begin(); member != object.end(); ++member) {
         const std::string key = member.key();
-        const bool isName = key == "id" && names_.uses(key);
-        if (!isName && !oneOf(key, known) && !oneOf(key, {"type", "bbox", "crs"})) {
+        if (!oneOf(key, known) && !oneOf(key, {"type", "bbox", "crs"})) {
             members_.add(key, member.keyValue().offset());
         }
     }

@@ -45,6 +45,8 @@ class MapReader {
     MapLabel label(const JsonValue &feature);
     /// Returns the number of the next feature.
     std::size_t nextFeature() { return ++features_; }
+    /// Returns "id" if ids of features are names, else nothing.
+    std::string_view idMember() const { return names_.uses("id") ? "id" : ""; }
     /// Reports the members of an object that are not known and hence not used.
     void noteMembers(const JsonValue &object, std::initializer_list<std::string_view> known);
     void noteWithoutGeometry(const JsonValue &feature);

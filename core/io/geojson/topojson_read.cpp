@@ -138,7 +138,7 @@ class TopoJsonReader {
             label = map_.label(value);
             label.feature = map_.nextFeature();
         }
-        map_.noteMembers(value, {"properties", "arcs", "coordinates", "geometries"});
+        map_.noteMembers(value, {"properties", "arcs", "coordinates", "geometries", map_.idMember()});
         if (collection) {
             const auto list = check_.member(value, "geometries", "the collection");
             if (list && check_.expect(*list, JsonKind::Array, "\"geometries\"")) {
@@ -270,7 +270,7 @@ bool looksLikeTopoJson(std::string_view head) {
         return outline.type == "Topology";
     }
     // Its type may follow long lists.
-    return !outline.has("features") &&
+    return !outline.ends && !outline.has("features") &&
            (outline.has("arcs") || (outline.has("objects") && head.find("\"arcs\"") != std::string_view::npos));
 }
 

@@ -75,20 +75,22 @@ bool JsonOutline::has(std::string_view key) const {
 JsonOutline outlineOf(std::string_view text) {
     JsonOutline outline;
     OutlineScanner scanner(text);
-    for (bool more = scanner.take('{'); more && scanner.atString(); more = scanner.take(',')) {
+    bool more = scanner.take('{');
+    for (; more && scanner.atString(); more = scanner.take(',')) {
         const std::string_view key = scanner.string();
         if (!scanner.take(':')) {
-            break;
+            return outline;
         }
         if (key == "type" && scanner.atString()) {
             outline.type = scanner.string();
-            break;
+            return outline;
         }
         if (outline.keys.size() < kMaxKeys) {
             outline.keys.push_back(key);
         }
         scanner.skipValue();
     }
+    outline.ends = scanner.take('}');
     return outline;
 }
 

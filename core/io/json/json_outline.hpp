@@ -9,6 +9,7 @@ namespace forefront {
 struct JsonOutline {
     std::string_view type;              ///< value of the member "type" if that is a string; else empty
     std::vector<std::string_view> keys; ///< the members before that, the first few; as written, without quotes
+    bool ends = false;                  ///< the object ends within the text, without such a member
 
     bool has(std::string_view key) const;
 };

@@ -1,6 +1,7 @@
 #include "core/edit/domain_sources.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/io/json/json_check.hpp"
+#include "core/io/json/json_outline.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/project/project_curves.hpp"
 #include "core/io/project/project_element_counts.hpp"
@@ -374,7 +375,7 @@ Result<Document> parseProject(std::string_view text, const std::string &fileName
 }
 
 bool looksLikeProject(std::string_view head) {
-    return head.find("\"format\"") != std::string_view::npos && head.find("\"forefront\"") != std::string_view::npos;
+    return outlineOf(head).has("format") && head.find("\"forefront\"") != std::string_view::npos;
 }
 
 Result<SpacingSpec> readProjectSpacing(const SourceText &source) {

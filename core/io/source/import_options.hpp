@@ -29,9 +29,9 @@ struct ImportOptions {
     OverlapRule overlap = OverlapRule::Later; ///< between features of a map
     /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one.
     std::optional<std::string> layer = {};
-    /// The property of a map's features to take names of boundaries and regions from, text or numbers; "id" is also the
-    /// id of a feature. Absent: "name", "Name" or "NAME", or if no feature has one, "NAME_n" with the highest n that
-    /// all features with such names have.
+    /// The property of a map's features to take names of boundaries and regions from, text or numbers; "id" also uses
+    /// the own ids of the features. Absent: "name", "Name" or "NAME", or if no feature has one, "NAME_n" with the
+    /// highest n that all features with such names have.
     std::optional<std::string> nameProperty = {};
     bool strict = false;     ///< refuse a drawing or map that would have to be changed
     bool beyondPage = false; ///< keep what filled shapes of an SVG drawing have outside its page (its view box)

@@ -273,9 +273,15 @@ SvgColour parseColour(std::string_view text, const SvgColour &current) {
 }
 
 bool isPaint(std::string_view text) {
-    constexpr std::string_view kFunctions[] = {"url(", "rgb",    "hsl",    "hwb(",   "lab(",
-                                               "lch(", "oklab(", "oklch(", "color(", "color-mix("};
-    constexpr std::string_view kOthers[] = {"none", "currentcolor", "transparent", "initial"};
+    constexpr std::string_view kFunctions[] = {"url(",   "rgb(",       "rgba(",       "hsl(",        "hsla(",
+                                               "hwb(",   "lab(",       "lch(",        "oklab(",      "oklch(",
+                                               "color(", "color-mix(", "light-dark(", "device-cmyk("};
+    constexpr std::string_view kOthers[] = {
+        "none",        "currentcolor",    "transparent",    "inherit",    "initial",      "unset",
+        "revert",      "context-fill",    "context-stroke", "canvas",     "canvastext",   "linktext",
+        "visitedtext", "activetext",      "buttonface",     "buttontext", "buttonborder", "field",
+        "fieldtext",   "highlight",       "highlighttext",  "mark",       "marktext",     "graytext",
+        "accentcolor", "accentcolortext", "window",         "windowtext"};
     if (std::ranges::any_of(kFunctions, [&](std::string_view name) { return text.starts_with(name); })) {
         return true;
     }

@@ -15,8 +15,8 @@ struct SvgColour {
 /// which only dark ones matter. Anything unknown counts as white. `current`: the property `color`.
 SvgColour parseColour(std::string_view text, const SvgColour &current);
 
-/// Returns true if a value in lower case is what `fill` and `stroke` can be: "none", a colour or a reference. CSS
-/// ignores any other, so that the element inherits.
+/// Returns true if a value in lower case is valid for `fill` and `stroke`: "none", a colour, a reference or a word such
+/// as "inherit". CSS ignores declarations with others. Of functions, only the name is checked.
 bool isPaint(std::string_view text);
 
 /// Reads an opacity: a number or a percentage, limited to 0 to 1; 1 if malformed.

@@ -1,6 +1,7 @@
 #include "core/io/svg/svg_css.hpp"
 
 #include "core/base/lower_case.hpp"
+#include "core/io/svg/svg_colour.hpp"
 #include "core/io/svg/svg_elements.hpp"
 
 #include <algorithm>
@@ -305,12 +306,19 @@ std::string SvgStyles::variable(const pugi::xml_node &node, std::string_view nam
 }
 
 /// Returns the value of a property by the order of precedence: the attribute of that name, then the rules, then the
-/// attribute `style`.
+/// attribute `style`. Paints that are invalid do not count.
 std::string SvgStyles::declared(const pugi::xml_node &node, std::string_view property) const {
+    const bool paint = property == "fill" || property == "stroke";
+    const auto counts = [&](std::string_view value) {
+        return !paint || value.find("var(") != value.npos || isPaint(lowerCase(value));
+    };
     std::string result(trimmed(node.attribute(std::string(property).c_str()).value()));
+    if (!counts(result)) {
+        result.clear();
+    }
     std::int64_t best = -1;
     for (const Weighted &offered : declarationsFor(node)) {
-        if (offered.declaration.property == property && offered.weight >= best) {
+        if (offered.declaration.property == property && offered.weight >= best && counts(offered.declaration.value)) {
             best = offered.weight;
             result = offered.declaration.value;
         }

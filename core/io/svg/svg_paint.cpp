@@ -122,19 +122,13 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
     const SvgStyles &styles = servers.styles();
     SvgPaint paint = inherited;
     const auto take = [&](const char *property, const auto &use) {
-        if (const std::string value = styles.value(node, property); !value.empty() && value != "inherit") {
+        if (const std::string value = styles.value(node, property);
+            !value.empty() && value != "inherit" && value != "unset") {
             use(value);
         }
     };
     take("color", [&](const std::string &value) { paint.current = parseColour(value, inherited.current); });
-    const auto takePaint = [&](const char *property, const auto &use) {
-        take(property, [&](const std::string &given) {
-            if (isPaint(given)) {
-                use(given);
-            }
-        });
-    };
-    takePaint("fill", [&](const std::string &given) {
+    take("fill", [&](const std::string &given) {
         const std::string value = servers.paintedBy(node, "fill", given);
         paint.filled = value != "none";
         paint.fillGiven = true;
@@ -142,7 +136,7 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
         paint.faded = servers.fades(node, "fill");
         paint.fill = parseColour(value, paint.current);
     });
-    takePaint("stroke", [&](const std::string &given) {
+    take("stroke", [&](const std::string &given) {
         const std::string value = servers.paintedBy(node, "stroke", given);
         paint.stroked = value != "none";
         paint.stroke = parseColour(value, paint.current);

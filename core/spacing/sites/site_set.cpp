@@ -23,8 +23,8 @@ bool dominates(const SizeSite &strong, const SizeSite &weak, double slack) {
 }
 
 /// Decides which sites stay: in order of their sizes (of equal ones, the first), each that no site which stays
-/// dominates. Looks at them along the tree instead, so that neighbours find each other in the caches, and decides on
-/// those that matter to a site before the site itself.
+/// dominates. Visits them in the order of the boundary instead, so that neighbours are in the caches, and decides on
+/// smaller sites that dominate one before that site itself. Each site is decided on ahead of others once at most.
 class DominanceFilter {
   public:
     DominanceFilter(const std::vector<SizeSite> &sites, double slack)
@@ -68,7 +68,7 @@ class DominanceFilter {
         std::uint32_t unknown = kNoIndex;
         const auto dominated = [&](std::uint32_t j) {
             if (state_[j] == Dropped && slack_ > 1.0) {
-                return false; // what it demands is not demanded any more, not even nearly
+                return false; // i need not be near to what remains
             }
             if (!precedes(j, i) || !dominates(sites_[j], sites_[i], slack_)) {
                 return false;
