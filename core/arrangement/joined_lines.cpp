@@ -220,7 +220,7 @@ std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::
     const bool shrunk = snapped.radius < tolerance_; // what was near enough to join may no longer be
     const auto add = [&](std::uint32_t k, Chord chord, bool changed) {
         chord.fresh = changed || shrunk;
-        joined.push_back(std::move(chord));
+        joined.push_back(chord);
         part.push_back(k);
     };
     for (std::uint32_t k = 0; k < chords_.size(); ++k) {
