@@ -4,9 +4,10 @@
     python3 tests/corpora/corpora.py fetch --corpus DIR [--repositories DIR] [NAME]...
     python3 tests/corpora/corpora.py run   --corpus DIR --program build/release/app/forefront [NAME]... [--jobs N]
 
-`fetch` writes the files below DIR; the sources are in sources.py: whole corpora, and samples of others. `run` meshes each file with the default options on one
-thread, checks the mesh against the file, and compares its area with what librsvg paints (SVG) or GEOS unites (maps).
-Details of every file go to DIR/NAME.csv, so that two runs can be compared.
+`fetch` writes the files below DIR; the sources are in sources.py: whole corpora, and samples of others. `run` meshes
+each file with the default options on one thread, checks the mesh against the file, and compares its area with what
+librsvg paints (SVG) or GEOS unites (maps). Details of every file go to DIR/NAME.csv, so that two runs can be compared.
+True areas are kept in DIR/NAME-areas.json; remove it when areas.py has changed.
 
 Needs the Debian packages git, python3-shapely, python3-pil, librsvg2-bin and 7zip.
 """
