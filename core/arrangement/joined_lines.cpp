@@ -273,14 +273,15 @@ bool LineDivision::divideAfter(const SnappedLines &snapped, const std::stop_toke
     for (const ChordCut &cut : found.cuts) {
         compared_[cut.chord].cut = cut;
     }
-    left_.clear();
+    std::vector<ChordCut> open; // those found now, and those that joining undid
     for (std::size_t i = 0; i < joined.size(); ++i) {
         if (const auto &cut = compared_[i].cut) {
-            left_.push_back({source_[part[i]], cut->t, cut->at}); // unless it is made now, and joining keeps it
+            open.push_back({source_[part[i]], cut->t, cut->at});
         }
     }
     std::sort(compared_.begin(), compared_.end());
     if (found.cuts.empty() || repeats_ >= limits_.repeats || atLimit()) {
+        left_.insert(left_.end(), open.begin(), open.end());
         return false;
     }
     ++repeats_;
@@ -293,7 +294,9 @@ bool LineDivision::divideAfter(const SnappedLines &snapped, const std::stop_toke
     }
     const std::size_t before = chords_.size();
     apply(std::move(found));
-    return chords_.size() > before;
+    const bool divided = chords_.size() > before;
+    left_ = divided ? std::vector<ChordCut>() : std::move(open); // those left before are looked for again
+    return divided;
 }
 
 JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
