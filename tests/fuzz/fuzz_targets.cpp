@@ -106,7 +106,7 @@ void checkDocument(const Document &document) {
     demand(again.ok() && projectText(*again) == text, "a project survives being written and read");
 }
 
-/// Drawings and maps are arranged while they are read, so that whatever they hold, the domain is one to mesh.
+/// Drawings and maps are arranged while they are read, so that nothing is left to repair, even in hostile ones.
 void checkArranged(const Domain &domain) {
     for (const Diagnostic &fault : validate(domain)) {
         demand(!repairable(fault), "a drawing or map arrives without faults to repair");

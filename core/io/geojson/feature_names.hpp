@@ -12,9 +12,10 @@
 namespace forefront {
 
 /// Finds the names of a map's features in their properties: in a given property, or else in "name", "Name" or "NAME".
-/// Where a feature has no property "id", its member "id" counts as one, but only if it is asked for.
-/// If no feature has one, the names are "NAME_n" of administrative areas (as in files of gadm.org), with the highest
-/// level n that all features with such names have: one level for all, so that no area is named after a larger one.
+/// If no feature has one of the latter, the names are "NAME_n" of administrative areas (as in files of gadm.org), with
+/// the highest level n that all features with such names have: one level for all, so that no area is named after a
+/// larger one. If the given property is "id", the member "id" of a feature stands in for it where the property is
+/// missing or empty.
 class FeatureNames {
   public:
     /// `key`: the property to take names from; absent: by the rule above.

@@ -1,7 +1,6 @@
 #include "core/io/common/names.hpp"
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/geojson/map_reader.hpp"
-#include "core/io/geojson/topojson.hpp"
 #include "core/io/json/json_outline.hpp"
 
 #include <algorithm>
@@ -174,9 +173,8 @@ bool looksLikeGeoJson(std::string_view head) {
         return true;
     }
     // Its type may follow long lists.
-    return outline.type.empty() && !looksLikeTopoJson(head) &&
-           (outline.has("features") || outline.has("geometry") || outline.has("geometries") ||
-            outline.has("coordinates"));
+    return outline.type.empty() && (outline.has("features") || outline.has("geometry") || outline.has("geometries") ||
+                                    outline.has("coordinates"));
 }
 
 Result<Domain> readGeoJson(const SourceText &source) {

@@ -40,13 +40,15 @@ std::int32_t tagOf(TagAllocator &tags, const MapLabel &label) {
 class OutlineIndex {
   public:
     explicit OutlineIndex(std::span<const Vec2> outline) : outline_(outline), tree_(boxesOf(outline)) {
+        constexpr double kRounding = 1e-13; // relative to coordinates
         for (const Vec2 p : outline) {
             box_.add(p);
+            slack_ = std::max({slack_, kRounding * std::fabs(p.x), kRounding * std::fabs(p.y)});
         }
     }
 
-    /// Returns true if the ring lies outside, touching the outline at most, as far as some of its nodes and the middles
-    /// of its sides show: none is inside, and not all are on the outline.
+    /// Returns true if of some nodes of a ring and the middles of some sides, none lies inside the outline and at least
+    /// one lies outside.
     bool isOutside(std::span<const Vec2> ring) const {
         constexpr std::size_t kTried = 8;
         const std::size_t step = (ring.size() + kTried - 1) / kTried;
@@ -73,18 +75,15 @@ class OutlineIndex {
         return boxes;
     }
 
-    /// The middle of a side that lies on the outline may be off it by rounding.
+    /// Returns where a point lies; a point that is off the outline by rounding alone counts as on it.
     PointPlace place(Vec2 p) const {
-        constexpr double kRounding = 1e-13; // relative to coordinates
-        const double slack = kRounding * std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x),
-                                                   std::fabs(box_.max.y)});
-        if (!box_.grown(slack).contains(p)) {
+        if (!box_.grown(slack_).contains(p)) {
             return PointPlace::Outside;
         }
         bool odd = false, on = false;
-        tree_.query(Box2{p, {std::max(p.x, box_.max.x), p.y}}.grown(slack), [&](std::uint32_t k) {
+        tree_.query(Box2{p, {std::max(p.x, box_.max.x), p.y}}.grown(slack_), [&](std::uint32_t k) {
             const Vec2 a = outline_[k], b = outline_[(k + 1) % outline_.size()];
-            on = on || distanceToSegment(a, b, p) <= slack;
+            on = on || distanceToSegment(a, b, p) <= slack_;
             odd ^= (a.y > p.y) != (b.y > p.y) && (b.y > a.y ? orientation(a, b, p) > 0 : orientation(a, b, p) < 0);
         });
         return on ? PointPlace::OnBoundary : odd ? PointPlace::Inside : PointPlace::Outside;
@@ -93,6 +92,7 @@ class OutlineIndex {
     std::span<const Vec2> outline_;
     BoxTree tree_;
     Box2 box_;
+    double slack_ = 0.0; ///< distance that rounding may make
 };
 
 } // namespace

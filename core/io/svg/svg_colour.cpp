@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace forefront {
@@ -21,16 +22,20 @@ double luminanceOf(double red, double green, double blue) {
     return 0.2125 * red + 0.7154 * green + 0.0721 * blue;
 }
 
+bool isHexColour(std::string_view digits) {
+    const bool known = digits.size() == 3 || digits.size() == 4 || digits.size() == 6 || digits.size() == 8;
+    return known && digits.find_first_not_of("0123456789abcdef") == digits.npos;
+}
+
 int hexDigit(char c) {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+    return c <= '9' ? c - '0' : c - 'a' + 10;
 }
 
 SvgColour hexColour(std::string_view digits) {
-    const bool shortForm = digits.size() == 3 || digits.size() == 4;
-    if ((!shortForm && digits.size() != 6 && digits.size() != 8) ||
-        std::any_of(digits.begin(), digits.end(), [](char c) { return hexDigit(c) < 0; })) {
+    if (!isHexColour(digits)) {
         return kWhite;
     }
+    const bool shortForm = digits.size() <= 4;
     std::array<double, 4> part{0.0, 0.0, 0.0, 1.0};
     for (std::size_t k = 0; k < digits.size() / (shortForm ? 1 : 2); ++k) {
         const int high = hexDigit(digits[shortForm ? k : 2 * k]), low = hexDigit(digits[shortForm ? k : 2 * k + 1]);
@@ -82,159 +87,27 @@ SvgColour fromHsl(const Components &c) {
     return {luminanceOf(component(0.0), component(8.0), component(4.0)), c[3].of(1.0), true};
 }
 
-/// The names of CSS Color 4, in order.
-constexpr std::string_view kColourNames[] = {"aliceblue",
-                                             "antiquewhite",
-                                             "aqua",
-                                             "aquamarine",
-                                             "azure",
-                                             "beige",
-                                             "bisque",
-                                             "black",
-                                             "blanchedalmond",
-                                             "blue",
-                                             "blueviolet",
-                                             "brown",
-                                             "burlywood",
-                                             "cadetblue",
-                                             "chartreuse",
-                                             "chocolate",
-                                             "coral",
-                                             "cornflowerblue",
-                                             "cornsilk",
-                                             "crimson",
-                                             "cyan",
-                                             "darkblue",
-                                             "darkcyan",
-                                             "darkgoldenrod",
-                                             "darkgray",
-                                             "darkgreen",
-                                             "darkgrey",
-                                             "darkkhaki",
-                                             "darkmagenta",
-                                             "darkolivegreen",
-                                             "darkorange",
-                                             "darkorchid",
-                                             "darkred",
-                                             "darksalmon",
-                                             "darkseagreen",
-                                             "darkslateblue",
-                                             "darkslategray",
-                                             "darkslategrey",
-                                             "darkturquoise",
-                                             "darkviolet",
-                                             "deeppink",
-                                             "deepskyblue",
-                                             "dimgray",
-                                             "dimgrey",
-                                             "dodgerblue",
-                                             "firebrick",
-                                             "floralwhite",
-                                             "forestgreen",
-                                             "fuchsia",
-                                             "gainsboro",
-                                             "ghostwhite",
-                                             "gold",
-                                             "goldenrod",
-                                             "gray",
-                                             "green",
-                                             "greenyellow",
-                                             "grey",
-                                             "honeydew",
-                                             "hotpink",
-                                             "indianred",
-                                             "indigo",
-                                             "ivory",
-                                             "khaki",
-                                             "lavender",
-                                             "lavenderblush",
-                                             "lawngreen",
-                                             "lemonchiffon",
-                                             "lightblue",
-                                             "lightcoral",
-                                             "lightcyan",
-                                             "lightgoldenrodyellow",
-                                             "lightgray",
-                                             "lightgreen",
-                                             "lightgrey",
-                                             "lightpink",
-                                             "lightsalmon",
-                                             "lightseagreen",
-                                             "lightskyblue",
-                                             "lightslategray",
-                                             "lightslategrey",
-                                             "lightsteelblue",
-                                             "lightyellow",
-                                             "lime",
-                                             "limegreen",
-                                             "linen",
-                                             "magenta",
-                                             "maroon",
-                                             "mediumaquamarine",
-                                             "mediumblue",
-                                             "mediumorchid",
-                                             "mediumpurple",
-                                             "mediumseagreen",
-                                             "mediumslateblue",
-                                             "mediumspringgreen",
-                                             "mediumturquoise",
-                                             "mediumvioletred",
-                                             "midnightblue",
-                                             "mintcream",
-                                             "mistyrose",
-                                             "moccasin",
-                                             "navajowhite",
-                                             "navy",
-                                             "oldlace",
-                                             "olive",
-                                             "olivedrab",
-                                             "orange",
-                                             "orangered",
-                                             "orchid",
-                                             "palegoldenrod",
-                                             "palegreen",
-                                             "paleturquoise",
-                                             "palevioletred",
-                                             "papayawhip",
-                                             "peachpuff",
-                                             "peru",
-                                             "pink",
-                                             "plum",
-                                             "powderblue",
-                                             "purple",
-                                             "rebeccapurple",
-                                             "red",
-                                             "rosybrown",
-                                             "royalblue",
-                                             "saddlebrown",
-                                             "salmon",
-                                             "sandybrown",
-                                             "seagreen",
-                                             "seashell",
-                                             "sienna",
-                                             "silver",
-                                             "skyblue",
-                                             "slateblue",
-                                             "slategray",
-                                             "slategrey",
-                                             "snow",
-                                             "springgreen",
-                                             "steelblue",
-                                             "tan",
-                                             "teal",
-                                             "thistle",
-                                             "tomato",
-                                             "turquoise",
-                                             "violet",
-                                             "wheat",
-                                             "white",
-                                             "whitesmoke",
-                                             "yellow",
-                                             "yellowgreen"};
+/// The names of CSS Color 4, each between blanks.
+constexpr std::string_view kColourNames =
+    " aliceblue antiquewhite aqua aquamarine azure beige bisque black blanchedalmond blue blueviolet brown "
+    "burlywood cadetblue chartreuse chocolate coral cornflowerblue cornsilk crimson cyan darkblue darkcyan "
+    "darkgoldenrod darkgray darkgreen darkgrey darkkhaki darkmagenta darkolivegreen darkorange darkorchid "
+    "darkred darksalmon darkseagreen darkslateblue darkslategray darkslategrey darkturquoise darkviolet "
+    "deeppink deepskyblue dimgray dimgrey dodgerblue firebrick floralwhite forestgreen fuchsia gainsboro "
+    "ghostwhite gold goldenrod gray green greenyellow grey honeydew hotpink indianred indigo ivory khaki "
+    "lavender lavenderblush lawngreen lemonchiffon lightblue lightcoral lightcyan lightgoldenrodyellow "
+    "lightgray lightgreen lightgrey lightpink lightsalmon lightseagreen lightskyblue lightslategray "
+    "lightslategrey lightsteelblue lightyellow lime limegreen linen magenta maroon mediumaquamarine "
+    "mediumblue mediumorchid mediumpurple mediumseagreen mediumslateblue mediumspringgreen mediumturquoise "
+    "mediumvioletred midnightblue mintcream mistyrose moccasin navajowhite navy oldlace olive olivedrab "
+    "orange orangered orchid palegoldenrod palegreen paleturquoise palevioletred papayawhip peachpuff peru "
+    "pink plum powderblue purple rebeccapurple red rosybrown royalblue saddlebrown salmon sandybrown "
+    "seagreen seashell sienna silver skyblue slateblue slategray slategrey snow springgreen steelblue tan "
+    "teal thistle tomato turquoise violet wheat white whitesmoke yellow yellowgreen ";
 
-bool isHexColour(std::string_view digits) {
-    const bool known = digits.size() == 3 || digits.size() == 4 || digits.size() == 6 || digits.size() == 8;
-    return known && digits.find_first_not_of("0123456789abcdef") == digits.npos;
+/// Returns true for a name of CSS Color 4 in lower case.
+bool isColourName(std::string_view word) {
+    return kColourNames.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
 
 } // namespace
@@ -287,8 +160,7 @@ bool isPaint(std::string_view text) {
     }
     text = text.substr(0, text.find_first_of(" \t\r\n")); // SVG 1.1 allows icc-color() after a colour
     return text.starts_with('#') ? isHexColour(text.substr(1))
-                                 : std::ranges::find(kOthers, text) != std::end(kOthers) ||
-                                       std::ranges::binary_search(kColourNames, text);
+                                 : std::ranges::find(kOthers, text) != std::end(kOthers) || isColourName(text);
 }
 
 double parseOpacity(std::string_view text) {
