@@ -14,7 +14,10 @@ namespace {
 
 // Cosines of angles of the front. These and the lengths below were measured together on discs, a ring of small spacing
 // and a coast, for the highest α and δ after improvement.
-constexpr double kSharp = 0.05;     ///< 87 degrees: sharper corners are closed
+constexpr double kSharp = 0.05; ///< 87 degrees: sharper corners are closed
+/// Corners are closed by a segment of at most this many node spacings. A longer one makes the next corner as sharp:
+/// from the mouth of a bay on, the corners would be closed one after the other, across all of it.
+constexpr double kMaxClosing = 2.0;
 constexpr double kWide = -0.94;     ///< 160 degrees: segments at wider corners do not share a node
 constexpr double kRoomy = -0.5;     ///< 120 degrees: wider corners have room for two nodes
 constexpr double kThreeFrom = -0.8; ///< 143 degrees: three segments share a node where both corners are sharper
@@ -39,6 +42,12 @@ void offerSorted(WalkOrder &order, const GenerationFront &front, std::span<const
     for (const std::uint32_t i : orderByKeys(nodes)) {
         order.offer(front, slots[i]);
     }
+}
+
+/// Returns true if the segment that would close a corner suits the node spacing at its ends.
+bool suitsSpacing(const GenerationFront &front, const Fan &corner) {
+    const double rho = 0.5 * (front[corner.slots[0]].rho + front[corner.last()].rho);
+    return distanceSquared(corner.at[0], corner.at[2]) <= kMaxClosing * kMaxClosing * rho * rho;
 }
 
 /// Returns the segments of Γ inside the strips of a phase, by strip.
@@ -231,7 +240,7 @@ template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::tryCorner(const Base &base, SlotId first, AdvanceDelta &delta, Vec2 &apex) {
     const Fan corner(state_.front, first, 2);
     const Box2 *limit = limits();
-    if (limit != nullptr && !holds(*limit, corner.box())) {
+    if ((limit != nullptr && !holds(*limit, corner.box())) || !suitsSpacing(state_.front, corner)) {
         return false;
     }
     const unsigned from = first == base.slotA ? 0 : 1; // the base is the first or the second of the two segments

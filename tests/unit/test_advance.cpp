@@ -51,6 +51,27 @@ TEST_CASE("Advance: fills a disc with nearly equilateral elements") {
     }
 }
 
+TEST_CASE("Advance: corners are closed unless that takes a segment far longer than the node spacing") {
+    // A triangle with corners of 60 degrees and sides of two segments of length 1.
+    const Vec2 corners[] = {{0, 0}, {2, 0}, {1, std::numbers::sqrt3}};
+    std::vector<Vec2> nodes;
+    for (int k = 0; k < 3; ++k) {
+        for (int part = 0; part < 2; ++part) {
+            nodes.push_back(lerp(corners[k], corners[(k + 1) % 3], part / 2.0));
+        }
+    }
+    const auto domain = DiscreteBuilder().loop(nodes).region(1, std::numbers::sqrt3).build();
+    for (const double rho : {0.6, 0.4}) {
+        CAPTURE(rho);
+        auto mesher = mesherOn(domain, rho, GridKind::Hierarchical, Method::Fast);
+        mesher->advance(~std::uint64_t{0});
+        const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+        CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
+        // Closing all corners leaves four elements; with some of them closed, there were six.
+        CHECK((rho > 0.5 ? mesh.elements.size() == 4 : mesh.elements.size() > 8));
+    }
+}
+
 TEST_CASE("Advance: a slit, a hole and an isolated point are all in the mesh") {
     for (const Method method : kMethods) {
         for (const double h : {0.05, 0.1, 0.3}) {
