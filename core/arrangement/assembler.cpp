@@ -284,6 +284,7 @@ void Assembler::addSegments(std::uint32_t line) {
         result_.domain.segments.push_back(
             {a, b, tag_[edge], fate_[edge] == Fate::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint});
         result_.stretches.push_back(stretchOf(line, from, to));
+        result_.isLine.push_back(separates(edge) ? 0 : 1);
     }
 }
 

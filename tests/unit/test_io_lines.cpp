@@ -120,6 +120,23 @@ TEST_CASE("GeoJSON: borders that polygons share are not reported as lines near t
     CHECK_FALSE(hasNote(notes, "near-lines"));
 }
 
+TEST_CASE("SVG: lines that decide most of the mesh are reported") {
+    for (const int count : {400, 600}) {
+        CAPTURE(count);
+        std::string path = "<svg viewBox='0 0 100 100'><rect width='100' height='100'/>"
+                           "<path fill='none' stroke='black' d='M10 50";
+        for (int k = 1; k <= count; ++k) {
+            path += 'L' + std::to_string(10.0 + 0.1 * k) + ' ' + std::to_string(50 + k % 2);
+        }
+        path += "'/></svg>";
+        SourceText source = sourceOf(path, "lines.svg");
+        ImportNotes notes;
+        source.notes = &notes;
+        REQUIRE(readSvg(source).ok());
+        CHECK(hasNote(notes, "many-lines") == (count == 600));
+    }
+}
+
 TEST_CASE("SVG: a set of lines that meet within rounding is an outline") {
     const auto domain = readSvg(sourceOf("<svg viewBox=\"0 0 10 10\"><line x1=\"0\" y1=\"0\" x2=\"4\" y2=\"0\"/>"
                                          "<line x1=\"4.0000000001\" y1=\"0\" x2=\"4\" y2=\"3\"/>"

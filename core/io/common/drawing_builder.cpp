@@ -153,7 +153,7 @@ Result<Domain> DrawingBuilder::finish() {
     }
     noteSmallDomain(arranged->domain, lines);
     noteFeatureGaps(*arranged);
-    noteNearLines(*arranged);
+    noteLines(*arranged);
     recordOrigin(*arranged);
     return std::move(arranged->domain);
 }
@@ -360,21 +360,34 @@ void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
     }
 }
 
-/// Reports lines that nearly follow the boundary but stay, such as those with a name: they spoil the mesh.
+/// Reports lines inside the domain that decide most of the mesh, or that spoil it.
+void DrawingBuilder::noteLines(const Arrangement &arrangement) const {
+    const auto lines = static_cast<std::size_t>(std::count(arrangement.isLine.begin(), arrangement.isLine.end(), 1));
+    if (hasOutlines() && source_.notes != nullptr && lines > 0) {
+        noteManyLines(arrangement, lines);
+        noteNearLines(arrangement);
+    }
+}
+
+/// Reports lines with far more segments than everything else: the mesh may have a hundred times the elements that the
+/// outlines need.
+void DrawingBuilder::noteManyLines(const Arrangement &arrangement, std::size_t lines) const {
+    constexpr std::size_t kMany = 500; // segments
+    constexpr double kMostly = 0.6;
+    const std::vector<std::uint8_t> &isLine = arrangement.isLine;
+    if (lines >= kMany && static_cast<double>(lines) >= kMostly * static_cast<double>(isLine.size())) {
+        const auto first = std::find(isLine.begin(), isLine.end(), 1) - isLine.begin();
+        source_.note("many-lines",
+                     std::to_string(lines) + " of the " + std::to_string(isLine.size()) +
+                         " segments belong to lines inside the domain, which decide how fine most of the mesh is; "
+                         "--drop-lines leaves lines out",
+                     offsetOf(arrangement.stretches[static_cast<std::size_t>(first)].piece));
+    }
+}
+
+/// Reports lines that nearly follow the boundary but stay, such as those with a name.
 void DrawingBuilder::noteNearLines(const Arrangement &arrangement) const {
-    if (!hasOutlines() || source_.notes == nullptr) {
-        return;
-    }
-    std::vector<std::uint8_t> isLine; // not borders that features share, which are constraints, too
-    for (std::size_t s = 0; s < arrangement.stretches.size(); ++s) {
-        const bool line = arrangement.domain.segments[s].role == SegmentRole::Constraint &&
-                          input_.pieces[arrangement.stretches[s].piece].role == PieceRole::Constraint;
-        isLine.push_back(line ? 1 : 0);
-    }
-    if (std::find(isLine.begin(), isLine.end(), 1) == isLine.end()) {
-        return;
-    }
-    const NearLines near = findNearLines(arrangement.domain, isLine);
+    const NearLines near = findNearLines(arrangement.domain, arrangement.isLine);
     if (near.count > 0) {
         source_.note("near-lines",
                      std::to_string(near.count) +
