@@ -109,6 +109,7 @@ void LineDivision::apply(ChordCuts found) {
     nextChords_.clear();
     nextSource_.clear();
     nextBackward_.clear();
+    nextChords_.reserve(chords_.size() + found.cuts.size()); // Chords are large; to grow step by step takes twice that.
     std::size_t next = 0;
     for (std::uint32_t chord = 0; chord < chords_.size(); ++chord) {
         const std::size_t first = next;
@@ -217,6 +218,8 @@ LineDivision::Compared LineDivision::comparedOf(const Chord &chord) {
 /// been compared at its distance; `part` gives the part of each.
 std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) {
     std::vector<Chord> joined;
+    joined.reserve(snapped.ways.size());
+    part.reserve(snapped.ways.size());
     const bool shrunk = snapped.radius < tolerance_; // what was near enough to join may no longer be
     const auto add = [&](std::uint32_t k, Chord chord, bool changed) {
         chord.fresh = changed || shrunk;
