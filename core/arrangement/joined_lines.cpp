@@ -18,6 +18,10 @@ constexpr double kReach = 4.0;
 /// Minimum tolerance of curves in terms of that of straight lines: places on them are computed in more steps.
 constexpr double kResolutions = 8.0;
 
+bool comesFirst(const ChordCut &s, const ChordCut &t) {
+    return std::tie(s.chord, s.t, s.at.x, s.at.y) < std::tie(t.chord, t.t, t.at.x, t.at.y);
+}
+
 Chord straightChord(Vec2 p, Vec2 q) {
     const bool forward = !comesBefore(q, p);
     const Vec2 a = forward ? p : q, b = forward ? q : p;
@@ -103,9 +107,7 @@ void LineDivision::apply(ChordCuts found) {
         meeting.other = source_[meeting.other];
         meetings_.push_back(meeting);
     }
-    std::sort(found.cuts.begin(), found.cuts.end(), [](const ChordCut &s, const ChordCut &t) {
-        return std::tie(s.chord, s.t, s.at.x, s.at.y) < std::tie(t.chord, t.t, t.at.x, t.at.y);
-    });
+    std::sort(found.cuts.begin(), found.cuts.end(), comesFirst);
     nextChords_.clear();
     nextSource_.clear();
     nextBackward_.clear();
@@ -194,6 +196,14 @@ std::vector<CurveStretch> LineDivision::partStretches() const {
         stretches.push_back(partStretch(part));
     }
     return stretches;
+}
+
+std::vector<ChordCut> LineDivision::left() const {
+    std::vector<ChordCut> left = left_;
+    std::sort(left.begin(), left.end(), comesFirst);
+    const auto sameLine = [](const ChordCut &s, const ChordCut &t) { return s.chord == t.chord; };
+    left.erase(std::unique(left.begin(), left.end(), sameLine), left.end());
+    return left;
 }
 
 /// Returns the chord between two nodes on the path that a part has become.

@@ -47,8 +47,9 @@ class LineDivision {
     const std::vector<std::uint32_t> &sources() const { return source_; }
     /// Returns where curves meet; `chord` is the index of a line.
     const std::vector<ChordMeeting> &meetings() const { return meetings_; }
-    /// Returns the cuts that a limit prevented or joining undid; `chord` is the index of a line.
-    const std::vector<ChordCut> &left() const { return left_; }
+    /// Returns the cuts that a limit prevented or joining undid, the first of each line; `chord` is the index of a
+    /// line.
+    std::vector<ChordCut> left() const;
 
   private:
     /// What identifies a chord that has been compared with all others after joining, and the last cut found on it.
@@ -100,7 +101,7 @@ struct JoinedLines {
     std::vector<CurveStretch> stretches; ///< per line
     std::vector<std::uint32_t> source;   ///< per line: the given line that it is part of; ascending
     std::vector<ChordMeeting> meetings;  ///< `chord` is the index of a given line
-    std::vector<ChordCut> left;          ///< cuts that a limit prevented or joining undid, with the same indices
+    std::vector<ChordCut> left;          ///< the same for cuts that a limit prevented or joining undid; one per line
     SnappedLines snapped;
 };
 

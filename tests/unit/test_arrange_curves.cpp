@@ -224,7 +224,7 @@ TEST_CASE("arrange: a curve that runs along part of another one becomes one with
     CHECK(both.domain.segments.size() < 200);
 }
 
-TEST_CASE("joinLines: chords left undivided because of a limit are reported, each with its place") {
+TEST_CASE("joinLines: chords left undivided because of a limit are reported, each once and with its place") {
     // Two circles of four chords each, the second a third of a radius to the right.
     const std::vector<Curve> curves{circle({0, 0}, 1.0), circle({0.3, 0}, 1.0)};
     std::vector<SnapLine> lines;
@@ -248,6 +248,9 @@ TEST_CASE("joinLines: chords left undivided because of a limit are reported, eac
         }
         const JoinedLines joined = joinLines(lines, stretches, curves, tolerance, {}, limits);
         REQUIRE_FALSE(joined.left.empty());
+        for (std::size_t k = 1; k < joined.left.size(); ++k) {
+            CHECK(joined.left[k - 1].chord < joined.left[k].chord);
+        }
         ChangeList changes;
         noteJoining(joined, changes);
         const ArrangementChange *change = changes.find(ChangeKind::UndividedCurves);
