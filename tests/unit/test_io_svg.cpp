@@ -138,9 +138,10 @@ TEST_CASE("SVG: transform lists are parsed") {
     }
     CHECK(distance(at("rotate(90deg, 1px 0)", {2, 0}), {1, 1}) < 1e-15);
     CHECK(parseTransform("matrix(3 0 0 0.5 9 9)", {})->stretch() == doctest::Approx(3.0));
-    for (const char *wrong : {"rotate", "rotate(", "spin(3)", "scale(1,2,3)", "matrix(1,2,3,4,5,x)", "translate()",
-                              "translate(1deg)", "rotate(1px)", "scale(1px)", "matrix(1,0,0,1,2px,3)",
-                              "translateX(1 2)", "matrix(1 0 0 1 0 0 0)", "rotate(1 2)", "rotate(1 2deg 3)"}) {
+    for (const char *wrong :
+         {"rotate", "rotate(", "spin(3)", "scale(1,2,3)", "matrix(1,2,3,4,5,x)", "translate()", "translate(1deg)",
+          "rotate(1px)", "scale(1px)", "matrix(1,0,0,1,2px,3)", "translateX(1 2)", "matrix(1 0 0 1 0 0 0)",
+          "rotate(1 2)", "rotate(1 2deg 3)", "scale(2, )"}) {
         CAPTURE(wrong);
         CHECK(!parseTransform(wrong, {10, 20}));
     }

@@ -167,6 +167,22 @@ TEST_CASE("SVG: draws the first supported child of a <switch>") {
     CHECK(sizeOf(domain) == Vec2{2, 3});
 }
 
+TEST_CASE("SVG: elements for other languages or extensions are not drawn") {
+    ImportNotes notes;
+    const std::string others = "<rect requiredExtensions=\"http://example.org\" width=\"9\" height=\"9\"/>"
+                               "<g systemLanguage=\"de, den\"><rect width=\"8\" height=\"8\"/></g>"
+                               "<rect systemLanguage=\"\" width=\"7\" height=\"7\"/>";
+    const std::string text = svgDrawing(others + "<rect systemLanguage=\"fr, EN-gb\" width=\"2\" height=\"3\"/>");
+    SourceText source = sourceOf(text);
+    source.notes = &notes;
+    const auto domain = readSvg(source);
+    REQUIRE(domain.ok());
+    CHECK(sizeOf(*domain) == Vec2{2, 3});
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries()[0].code == "svg-hidden");
+    CHECK(notes.entries()[0].count == 3);
+}
+
 TEST_CASE("SVG: a document in millimetres gives millimetres, for any view box") {
     const std::string rect = "<rect width=\"200\" height=\"100\"/>";
     const auto size = [&](const std::string &attributes) { return sizeOf(svgDomain(svgDrawing(rect, attributes))); };

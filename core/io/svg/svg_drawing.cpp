@@ -258,6 +258,13 @@ SvgDrawer::Visit SvgDrawer::inside(const Visit &outer, const pugi::xml_node &chi
 
 /// Inherits the visibility. Returns true if the element and its children are not displayed.
 bool SvgDrawer::hidden(Visit &visit) {
+    if (isForOthers(visit.node)) {
+        if (reports_) {
+            note(visit.node, "svg-hidden",
+                 "elements for other languages or programs are ignored (systemLanguage, requiredExtensions)");
+        }
+        return true;
+    }
     if (styles_.value(visit.node, "display") == "none") {
         if (reports_) {
             note(visit.node, "svg-hidden", "hidden elements are ignored (display: none)");
@@ -312,10 +319,7 @@ bool SvgDrawer::enterViewport(Visit &visit, std::string_view name) {
 /// Returns the first child of a <switch> that a program without extensions draws.
 void SvgDrawer::chosen(const Visit &visit, std::vector<Visit> &open) const {
     for (const pugi::xml_node child : visit.node.children()) {
-        const std::string_view language = child.attribute("systemLanguage").value();
-        const bool understood = child.attribute("systemLanguage").empty() || language.find("en") != language.npos;
-        if (child.type() == pugi::node_element && localName(child) != "foreignObject" && understood &&
-            std::string_view(child.attribute("requiredExtensions").value()).empty()) {
+        if (child.type() == pugi::node_element && localName(child) != "foreignObject" && !isForOthers(child)) {
             open.push_back(inside(visit, child));
             return;
         }

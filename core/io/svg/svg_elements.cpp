@@ -73,6 +73,20 @@ bool isDefinition(std::string_view name) {
     return std::find(kDefinitions.begin(), kDefinitions.end(), name) != kDefinitions.end();
 }
 
+bool isForOthers(const pugi::xml_node &node) {
+    const pugi::xml_attribute languages = node.attribute("systemLanguage");
+    bool english = languages.empty();
+    std::string_view rest = languages.value();
+    while (!english && !rest.empty()) {
+        std::string_view word = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+        word.remove_prefix(std::min(word.find_first_not_of(kBlanks), word.size()));
+        const std::string language = lowerCase(word.substr(0, word.find_first_of("- \t\r\n\f")));
+        english = language == "en";
+    }
+    return !english || !node.attribute("requiredExtensions").empty();
+}
+
 bool isAround(const pugi::xml_node &outer, const pugi::xml_node &node) {
     constexpr int kDepth = 1000; // bounds the time for hostile files
     pugi::xml_node at = node.parent();

@@ -49,6 +49,10 @@ using Arguments = std::vector<Argument>;
 /// Returns the arguments between the brackets of a function; std::nullopt if they are malformed or too many.
 std::optional<Arguments> argumentsOf(std::string_view text) {
     Arguments arguments;
+    const std::size_t last = text.find_last_not_of(kBlanks);
+    if (last != std::string_view::npos && text[last] == ',') {
+        return std::nullopt;
+    }
     SvgNumbers numbers(text);
     while (!numbers.atEnd()) {
         Argument argument;
