@@ -239,6 +239,23 @@ TEST_CASE("GeoJSON: holes that touch the outline from outside are parts, too") {
     CHECK(area("[[0,0],[4,0],[4,4],[0,4],[0,0]]", "[[4,1],[4,3],[-1,2],[4,1]]") == doctest::Approx(11.2)); // crosses it
 }
 
+TEST_CASE("GeoJSON: rings that cross the antimeridian without being cut there are reported") {
+    const auto isReported = [](const std::string &ring) {
+        ImportNotes notes;
+        const std::string text = feature("Polygon", "[" + ring + "]");
+        SourceText source = sourceOf(text);
+        source.notes = &notes;
+        REQUIRE(readGeoJson(source).ok());
+        return std::any_of(notes.entries().begin(), notes.entries().end(),
+                           [](const ImportNote &note) { return note.code == "antimeridian"; });
+    };
+    CHECK(isReported("[[177,-18],[-179,-18],[-179,-16],[177,-16],[177,-18]]"));
+    CHECK_FALSE(isReported("[[177,-18],[181,-18],[181,-16],[177,-16],[177,-18]]"));
+    CHECK_FALSE(isReported("[[-180,-90],[180,-90],[180,-70],[-180,-65],[-180,-90]]")); // along the edge of the map
+    CHECK_FALSE(isReported("[[-100,0],[100,0],[100,50],[-100,50],[-100,0]]"));
+    CHECK_FALSE(isReported("[[-175,0],[175,0],[175,500],[-175,500],[-175,0]]")); // no degrees
+}
+
 TEST_CASE("GeoJSON: holes that touch the outline from inside or cross it are cut from their polygon") {
     for (const char *hole :
          {"[[0,1],[1,0],[1,1],[0,1]]", "[[3,1],[5,1],[5,2],[3,2],[3,1]]", "[[1,1],[2,1],[2,2],[1,1]]"}) {

@@ -6,6 +6,7 @@
 #include "core/io/common/names.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <span>
@@ -224,6 +225,35 @@ void MapReader::addPoint(Vec2 place, std::size_t offset, const MapLabel &label) 
     points_.push_back({place, offset, tagOf(boundaries_, label)});
 }
 
+/// Reports rings that jump from one side of the map to the other: they cross the antimeridian without being cut there,
+/// so they would run around the globe the other way.
+void MapReader::noteJumps() const {
+    constexpr double kNearly = 340.0, kWhole = 359.9; // degrees; a whole turn runs along the edge of the map
+    Box2 box;
+    for (const Polygon &polygon : polygons_) {
+        for (const MapPath &ring : polygon.rings) {
+            std::for_each(ring.nodes.begin(), ring.nodes.end(), [&](Vec2 node) { box.add(node); });
+        }
+    }
+    if (box.empty() || box.min.x < -180.0 || box.max.x > 180.0 || box.min.y < -90.0 || box.max.y > 90.0) {
+        return;
+    }
+    for (const Polygon &polygon : polygons_) {
+        for (const MapPath &ring : polygon.rings) {
+            for (std::size_t k = 0; k < ring.nodes.size(); ++k) {
+                const double width = std::fabs(ring.nodes[(k + 1) % ring.nodes.size()].x - ring.nodes[k].x);
+                if (width > kNearly && width < kWhole) {
+                    source_.note("antimeridian",
+                                 "rings that jump from one side of the map to the other are taken as they are; if they "
+                                 "cross the antimeridian, cut them there, or add 360 to negative longitudes",
+                                 ring.offset);
+                    break;
+                }
+            }
+        }
+    }
+}
+
 Result<Domain> MapReader::finish(const JsonValue &whole) {
     contents_.properties = names_.keys();
     if (check_.faults().empty() && !names_.found()) {
@@ -242,6 +272,7 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
     if (!check_.faults().empty()) {
         return check_.faults();
     }
+    noteJumps();
     buildPolygons();
     const bool mixed = !polygons_.empty() && !lines_.empty();
     const bool drops = source_.options.dropLines && mixed;

@@ -87,6 +87,7 @@ class MapReader {
     };
 
     void noteOuterHoles(Polygon &polygon);
+    void noteJumps() const;
     void noteUnused() const;
     void note(const Unused &unused, const char *code, const std::string &start, const std::string &end = {}) const;
     void buildPolygons();
