@@ -1,5 +1,6 @@
 #include "core/front/walk_order.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -14,12 +15,19 @@ std::uint32_t WalkOrder::level(double length) const {
     constexpr int kClassBits = std::countr_zero(kClasses);
     const auto bits = std::bit_cast<std::uint64_t>(length);
     const auto octave = static_cast<std::uint32_t>(bits >> kMantissaBits) + 64;
-    if (fine_) { // the first bits of the mantissa
+    if (rules_.fineClasses) { // the first bits of the mantissa
         return octave * kClasses + (static_cast<std::uint32_t>(bits >> (kMantissaBits - kClassBits)) % kClasses);
     }
     constexpr std::uint64_t kMantissa = (std::uint64_t{1} << kMantissaBits) - 1;
     constexpr std::uint64_t kRootOfTwo = 0x6A09E667F3BCD; // its mantissa
     return octave * kClasses + ((bits & kMantissa) >= kRootOfTwo ? kClasses / 2 : 0);
+}
+
+std::uint32_t WalkOrder::levelOf(const GenerationFront &front, SlotId id) const {
+    const FrontSlot &slot = front[id];
+    const std::uint32_t own = level(slot.length);
+    const bool ofBoundary = std::max(index(slot.node), index(front[slot.next].node)) < rules_.boundaryNodes;
+    return ofBoundary ? own - std::min(own, kClasses) : own;
 }
 
 WalkOrder::Bucket &WalkOrder::bucketAt(std::uint32_t bucket) {
@@ -57,7 +65,7 @@ std::uint32_t WalkOrder::lowest() const {
 
 void WalkOrder::offer(const GenerationFront &front, SlotId id) {
     const FrontSlot &slot = front[id];
-    const std::uint32_t bucket = level(slot.length) + (slot.mark.failureClass > 0 ? kOctaves * kClasses : 0);
+    const std::uint32_t bucket = levelOf(front, id) + (slot.mark.failureClass > 0 ? kOctaves * kClasses : 0);
     const Entry entry{id, slot.mark.serial};
     bucketAt(bucket).entries.push_back(entry);
     setFilled(bucket, true);
@@ -92,8 +100,8 @@ SlotId WalkOrder::take(const GenerationFront &front) {
     return kNoSlot;
 }
 
-void WalkOrder::clear(bool fineClasses) {
-    fine_ = fineClasses;
+void WalkOrder::clear(const WalkRules &rules) {
+    rules_ = rules;
     indices_.resize(2 * kOctaves, 0);
     for (std::uint32_t bucket = lowest(); bucket < kBuckets; bucket = lowest()) {
         Bucket &b = bucketAt(bucket);
@@ -131,7 +139,7 @@ WalkOrder WalkOrder::withoutHistory() const {
     copy.filled_ = filled_;
     copy.some_ = some_;
     copy.dropped_ = logSize();
-    copy.fine_ = fine_;
+    copy.rules_ = rules_;
     copy.logging_ = logging_;
     return copy;
 }

@@ -7,9 +7,16 @@
 
 namespace forefront {
 
-/// Orders bases by length class, 64 or two per octave, first in first out within a class. Deferred segments come after
-/// all others. This is cheaper than a strict order and sufficient where the advancer walks along the loop from each
-/// base. Entries of segments that are gone are skipped.
+/// What a WalkOrder goes by.
+struct WalkRules {
+    bool fineClasses = false;        ///< 64 classes per octave; else two, the second from √2 on
+    std::uint32_t boundaryNodes = 0; ///< segments between two of that many first nodes come before others; 0: none
+};
+
+/// Orders bases by length class, 64 or two per octave, first in first out within a class. Segments of the boundary may
+/// count as half as long, so that the front leaves all of it before it comes back to any of it. Deferred segments come
+/// after all others. This is cheaper than a strict order and sufficient where the advancer walks along the loop from
+/// each base. Entries of segments that are gone are skipped.
 ///
 /// Unlike BaseOrder, the result depends on the order of the offers, so a log of all changes can be kept and rolled back
 /// exactly.
@@ -17,15 +24,16 @@ class WalkOrder {
   public:
     /// Returns the class of a length, which never falls as the length grows; 0 for length 0.
     std::uint32_t level(double length) const;
+    /// Returns the class of a segment.
+    std::uint32_t levelOf(const GenerationFront &front, SlotId id) const;
 
     /// Adds a segment.
     void offer(const GenerationFront &front, SlotId id);
     /// Removes and returns the next base; kNoSlot if there is none.
     SlotId take(const GenerationFront &front);
     bool empty() const { return some_ == decltype(some_){}; }
-    /// Removes all entries; must be called once before the first offer. `fineClasses`: 64 classes per octave; else two,
-    /// the second from √2 on.
-    void clear(bool fineClasses);
+    /// Removes all entries; must be called once before the first offer.
+    void clear(const WalkRules &rules);
 
     /// Starts or stops logging every change.
     void keepLog(bool keep) { logging_ = keep; }
@@ -71,7 +79,7 @@ class WalkOrder {
     std::array<std::uint64_t, (2 * kOctaves + 63) / 64> some_{}; ///< bit per octave with any
     std::vector<Change> log_;
     std::size_t dropped_ = 0; ///< number of changes before the first one in log_
-    bool fine_ = false;
+    WalkRules rules_;
     bool logging_ = false;
 };
 

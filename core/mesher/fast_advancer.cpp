@@ -86,7 +86,7 @@ void FastAdvancer<Grid, Trace>::prepare(FrontState &state, const DiscreteDomain 
         front.setRho(SlotId{i}, spacing.at(front.start(SlotId{i})));
     }
     state.stripEnd = static_cast<std::uint32_t>(state.strips->boxes.size());
-    state.walkOrder.clear(state.care.fineClasses);
+    state.walkOrder.clear(state.walkRules);
     offerAll(state.walkOrder, front, state.strips->boxes.front());
 }
 
@@ -113,7 +113,7 @@ SlotId FastAdvancer<Grid, Trace>::nextBase() {
         base = state_.walkOrder.take(state_.front);
     }
     if (base != kNoSlot) {
-        state_.walk.level = state_.walkOrder.level(state_.front[base].length);
+        state_.walk.level = state_.walkOrder.levelOf(state_.front, base);
     }
     return base;
 }

@@ -8,6 +8,9 @@ namespace forefront {
 struct FrontCare {
     bool fineClasses = false; ///< take bases by 64 length classes per octave; else by two
     bool walks = true;        ///< continue from each base along its loop
+    /// Take the segments of the boundary first. Otherwise a side whose edges are a percent longer than the others waits
+    /// until the front has crossed the domain, and is met by it: a band of poor elements lies along it.
+    bool boundaryFirst = false;
     /// Minimum distance of an apex from the nodes of its chain, in element sizes. A closer apex squeezes the segments
     /// that follow it.
     double minDistance = 0.78;
@@ -22,11 +25,11 @@ constexpr FrontCare careFor(ImproveLevel level) {
     case ImproveLevel::None:
         return {};
     case ImproveLevel::Default:
-        return {true, true, 0.78};
+        return {true, true, true, 0.78};
     case ImproveLevel::Best:
         break;
     }
-    return {true, false, 0.83};
+    return {true, false, true, 0.83};
 }
 
 } // namespace forefront

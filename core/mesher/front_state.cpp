@@ -5,13 +5,15 @@
 namespace forefront {
 
 FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare)
-    : front(boundary), care(frontCare), strips(std::make_shared<const FrontStrips>()), nodes(boundary.nodes),
-      manyFaces(boundary.regions.size() > 1),
+    : front(boundary),
+      care(frontCare), walkRules{frontCare.fineClasses,
+                                 frontCare.boundaryFirst ? static_cast<std::uint32_t>(boundary.nodes.size()) : 0U},
+      strips(std::make_shared<const FrontStrips>()), nodes(boundary.nodes), manyFaces(boundary.regions.size() > 1),
       smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {}
 
 FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyStrip, std::uint32_t firstNew)
-    : front(std::move(part)), care(whole.care), strips(whole.strips), strip(onlyStrip), stripEnd(onlyStrip + 1),
-      firstNode(firstNew), manyFaces(whole.manyFaces), smallNodesLeft(whole.smallNodesLeft) {}
+    : front(std::move(part)), care(whole.care), walkRules(whole.walkRules), strips(whole.strips), strip(onlyStrip),
+      stripEnd(onlyStrip + 1), firstNode(firstNew), manyFaces(whole.manyFaces), smallNodesLeft(whole.smallNodesLeft) {}
 
 std::uint64_t FrontState::hash() const {
     Hash64 hash;

@@ -31,6 +31,7 @@ struct FrontState {
     GenerationFront front;
     BaseOrder order; ///< classic method
     FrontCare care;  ///< fast method, like the members below
+    WalkRules walkRules;
     WalkOrder walkOrder;
     Walk walk;
     std::shared_ptr<const FrontStrips> strips; ///< never null

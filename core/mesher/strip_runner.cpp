@@ -75,7 +75,7 @@ class StripRunner {
         }
         state_.strip = static_cast<std::uint32_t>(strips.boxes.size() - 1);
         state_.walk = {};
-        state_.walkOrder.clear(state_.care.fineClasses);
+        state_.walkOrder.clear(state_.walkRules);
         offerAll(state_.walkOrder, state_.front, strips.boxes.back());
         return true;
     }
@@ -113,7 +113,7 @@ class StripRunner {
                 grid.insert(state.front, SlotId{i});
             }
         }
-        state.walkOrder.clear(state.care.fineClasses);
+        state.walkOrder.clear(state.walkRules);
         offerAll(state.walkOrder, state.front, box);
         FastAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, spacing_, slack_, NoTrace{});
         AdvanceDelta delta;

@@ -45,7 +45,7 @@ TEST_CASE("WalkOrder: classes follow the lengths, from the smallest double to th
     for (const bool fine : {false, true}) {
         CAPTURE(fine);
         WalkOrder order;
-        order.clear(fine);
+        order.clear({fine, 0});
         CHECK(order.level(0.0) == 0);
         std::uint32_t last = 0;
         for (double length = std::numeric_limits<double>::denorm_min(); std::isfinite(length); length *= 1.003) {
@@ -74,7 +74,7 @@ TEST_CASE("WalkOrder: shorter classes first, first in first out within a class, 
         front.setFailureClass(offered[10], 1);
         front.setFailureClass(offered[20], 2);
         WalkOrder order;
-        order.clear(fine);
+        order.clear({fine, 0});
         CHECK(order.empty());
         std::vector<std::size_t> rank(front.capacity());
         for (std::size_t i = 0; i < offered.size(); ++i) {
@@ -103,7 +103,7 @@ TEST_CASE("WalkOrder: shorter classes first, first in first out within a class, 
 TEST_CASE("WalkOrder: skips segments that are gone or were deferred since") {
     GenerationFront front = saw(40, 9);
     WalkOrder order;
-    order.clear(true);
+    order.clear({true, 0});
     for (const SlotId id : all(front)) {
         order.offer(front, id);
     }
@@ -123,7 +123,7 @@ TEST_CASE("WalkOrder: rolls back its log exactly") {
     for (const bool fine : {false, true}) {
         const GenerationFront front = saw(200, 3);
         WalkOrder order;
-        order.clear(fine);
+        order.clear({fine, 0});
         const std::vector<SlotId> slots = all(front);
         for (std::size_t i = 0; i < slots.size(); i += 2) {
             order.offer(front, slots[i]);
