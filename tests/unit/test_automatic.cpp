@@ -100,6 +100,23 @@ TEST_CASE("Automatic spacing: sizes follow the width of a long wedge, so that it
     CHECK(outcome->mesh.elements.size() < 2000);
 }
 
+TEST_CASE("Automatic spacing: a corner is refined the more the sharper it is, from 60 degrees down") {
+    const auto sizeAtTip = [](double degrees) {
+        const double half = degrees / 360.0 * std::numbers::pi;
+        const Vec2 side{2.0 * std::cos(half), 2.0 * std::sin(half)};
+        return automatic(loopOf({{0, 0}, {side.x, -side.y}, side}))->at({0.02, 0.0});
+    };
+    double last = sizeAtTip(80.0);
+    CHECK(sizeAtTip(60.01) == doctest::Approx(last).epsilon(0.2));
+    for (double degrees = 59.99; degrees > 20.0; degrees -= 4.0) {
+        const double size = sizeAtTip(degrees);
+        CHECK(size < 1.1 * last);
+        CHECK(size > 0.7 * last);
+        last = size;
+    }
+    CHECK(last < 0.6 * sizeAtTip(80.0));
+}
+
 TEST_CASE("Automatic spacing: a narrow tip is one long element, unless a size is given or something is beyond it") {
     const auto shortestAtTip = [](MeshingJob job) {
         const auto outcome = meshDomain(job);

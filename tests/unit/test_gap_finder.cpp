@@ -56,6 +56,31 @@ TEST_CASE("GapFinder: the direction of segments does not matter at sharp corners
     CHECK(same >= kRuns - kRuns / 100);
 }
 
+TEST_CASE("GapFinder: sides that open like a corner do not face each other, however many segments lie between") {
+    // A square with nodes on its sides, and with corners cut off; a channel with the same segments.
+    const auto loop = [](const std::vector<Vec2> &corners, double part, double cut) {
+        std::vector<Vec2> nodes;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Vec2 a = corners[k], along = corners[(k + 1) % corners.size()] - a;
+            const double size = length(along);
+            for (double at = cut; at < size - 0.5 * part; at += part) {
+                nodes.push_back(a + (at / size) * along);
+            }
+            if (cut > 0.0) {
+                nodes.push_back(a + ((size - cut) / size) * along);
+            }
+        }
+        Domain domain;
+        addLoop(domain, nodes);
+        return domain;
+    };
+    for (const double cut : {0.0, 0.03, 0.07}) {
+        CAPTURE(cut);
+        CHECK(gapsOf(loop({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0.1, cut), 0.1).empty());
+        CHECK(lengthOf(gapsOf(loop({{0, 0}, {2, 0}, {2, 0.15}, {0, 0.15}}, 0.1, cut), 0.1)) > 3.0);
+    }
+}
+
 TEST_CASE("GapFinder: finds gaps only inside the domain, for any order and direction of its segments") {
     RandomSource random(5);
     // A plate with a slot along its lower side: 0.1 of the plate is left below, and a bay outside is as wide.

@@ -24,6 +24,8 @@ struct Bounds {
     double forced;        ///< elements made by the closing stage
 };
 
+// Before improvement the front leaves the whole boundary first, which costs more tests where its last gaps close, and
+// no measurable time: α rises from .9748 to .9774 on drawings and maps.
 constexpr Bounds kBounds[] = {
     {"square", 1e4, Method::Fast, ImproveLevel::None, 0.0016, 0.85, 0.62, 7.8, 0.0},
     {"disc", 1e4, Method::Fast, ImproveLevel::None, 0.0047, 0.95, 0.67, 10.1, 0.0},
@@ -31,14 +33,14 @@ constexpr Bounds kBounds[] = {
     {"ramp", 2e4, Method::Fast, ImproveLevel::None, 0.0027, 0.92, 0.61, 10.1, 0.0},
     {"islands", 3e4, Method::Fast, ImproveLevel::None, 0.0159, 1.59, 0.81, 11.2, 0.0},
     {"square", 1e4, Method::Fast, ImproveLevel::Default, 0.0105, 0.95, 0.70, 11.5, 0.0},
-    {"disc", 1e4, Method::Fast, ImproveLevel::Default, 0.0174, 1.15, 0.93, 27.5, 0.0},
-    {"graded", 0.1, Method::Fast, ImproveLevel::Default, 0.0076, 1.21, 0.69, 14.7, 0.0},
-    {"ramp", 2e4, Method::Fast, ImproveLevel::Default, 0.0116, 1.08, 0.75, 16.6, 0.0},
+    {"disc", 1e4, Method::Fast, ImproveLevel::Default, 0.0191, 1.15, 0.93, 27.5, 0.0},
+    {"graded", 0.1, Method::Fast, ImproveLevel::Default, 0.0100, 1.21, 0.69, 14.7, 0.0},
+    {"ramp", 2e4, Method::Fast, ImproveLevel::Default, 0.0142, 1.08, 0.75, 16.6, 0.0},
     {"islands", 3e4, Method::Fast, ImproveLevel::Default, 0.0153, 1.58, 0.78, 11.1, 0.0},
     {"square", 1e4, Method::Fast, ImproveLevel::Best, 0.0044, 0.87, 0.62, 8.4, 0.0},
-    {"disc", 1e4, Method::Fast, ImproveLevel::Best, 0.0129, 1.03, 0.80, 18.1, 0.0},
-    {"graded", 0.1, Method::Fast, ImproveLevel::Best, 0.0108, 1.24, 0.72, 15.3, 0.0},
-    {"ramp", 2e4, Method::Fast, ImproveLevel::Best, 0.0128, 1.06, 0.74, 15.8, 0.0},
+    {"disc", 1e4, Method::Fast, ImproveLevel::Best, 0.0247, 1.20, 1.05, 28.1, 0.0},
+    {"graded", 0.1, Method::Fast, ImproveLevel::Best, 0.0121, 1.24, 0.72, 15.3, 0.0},
+    {"ramp", 2e4, Method::Fast, ImproveLevel::Best, 0.0157, 1.06, 0.74, 15.8, 0.0},
     {"islands", 3e4, Method::Fast, ImproveLevel::Best, 0.0226, 1.71, 0.84, 11.8, 0.0},
     {"square", 1e4, Method::Classic, ImproveLevel::None, 0.0385, 2.63, 2.79, 21.7, 0.0},
     {"disc", 1e4, Method::Classic, ImproveLevel::None, 0.0107, 2.50, 2.80, 26.3, 0.0},

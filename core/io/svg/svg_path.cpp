@@ -7,6 +7,22 @@
 
 namespace forefront {
 
+namespace {
+
+/// Returns the number of digits after the point of a number, less its exponent.
+int decimalsOf(std::string_view number) {
+    const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+    const std::size_t point = std::min(number.find('.'), exponent);
+    int power = 0;
+    if (exponent < number.size()) {
+        const std::size_t sign = number[exponent + 1] == '+' ? 2 : 1;
+        std::from_chars(number.data() + exponent + sign, number.data() + number.size(), power);
+    }
+    return static_cast<int>(exponent - std::min(point + 1, exponent)) - power;
+}
+
+} // namespace
+
 void SvgNumbers::skipBlanks() {
     while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) <= ' ' || (text_[at_] == ',' && !comma_))) {
         comma_ = comma_ || text_[at_] == ',';
@@ -57,6 +73,7 @@ bool SvgNumbers::number(double &value) {
         }
         value = 0.0;
     }
+    decimals_ = decimalsOf({digit, static_cast<std::size_t>(stop - digit)});
     taken(static_cast<std::size_t>(stop - text_.data()));
     return std::isfinite(value);
 }
@@ -103,6 +120,7 @@ class PathDrawer {
             command_ = relative_ ? static_cast<char>(letter - 'a' + 'A') : letter;
             if (command_ == 'Z') {
                 pen_.close();
+                steps_ = 0;
                 previous_ = 'Z';
                 continue;
             }
@@ -110,6 +128,7 @@ class PathDrawer {
                 if (!segment()) {
                     return fault(std::string("expected a number for path command ") + letter);
                 }
+                noteRounding();
                 previous_ = command_;
                 command_ = command_ == 'M' ? 'L' : command_;
             } while (numbers_.more());
@@ -124,6 +143,7 @@ class PathDrawer {
         if (!numbers_.point(p)) {
             return false;
         }
+        decimals_ = std::max(decimals_, numbers_.decimals());
         p = relative_ ? pen_.at() + p : p;
         return true;
     }
@@ -149,6 +169,7 @@ class PathDrawer {
             if (!numbers_.number(along)) {
                 return false;
             }
+            decimals_ = std::max(decimals_, numbers_.decimals());
             p = pen_.at();
             (command_ == 'H' ? p.x : p.y) = along + (!relative_ ? 0.0 : command_ == 'H' ? p.x : p.y);
             pen_.lineTo(p);
@@ -166,6 +187,13 @@ class PathDrawer {
         default:
             return arc();
         }
+    }
+
+    /// Relative steps are rounded each, so that errors add up as in a random walk.
+    void noteRounding() {
+        constexpr double kUnits = 1.5; // of the last digit; three standard deviations are 1.2
+        steps_ = command_ == 'M' ? 0 : relative_ ? steps_ + 1 : steps_;
+        pen_.setRounding(kUnits * std::pow(10.0, -decimals_) * std::sqrt(std::max(1, steps_)));
     }
 
     Vec2 mirrored() const { return pen_.at() + (pen_.at() - control_); }
@@ -194,6 +222,8 @@ class PathDrawer {
     SvgPen &pen_;
     char command_ = 'M', previous_ = 'M';
     bool relative_ = false;
+    int decimals_ = 0; ///< most of any coordinate so far
+    int steps_ = 0;    ///< relative ones since the subpath began
     Vec2 control_;
 };
 

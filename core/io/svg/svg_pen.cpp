@@ -7,7 +7,7 @@ namespace forefront {
 
 SvgSubpath &SvgPen::subpath() {
     if (subpaths_.empty() || closedLast_) {
-        subpaths_.push_back({{at_}, {}, {}, false});
+        subpaths_.push_back({{at_}, {}, {}, false, 0.0});
         start_ = at_;
         closedLast_ = false;
     }
@@ -17,7 +17,7 @@ SvgSubpath &SvgPen::subpath() {
 void SvgPen::moveTo(Vec2 p) {
     at_ = start_ = p;
     closedLast_ = false;
-    subpaths_.push_back({{p}, {}, {}, false});
+    subpaths_.push_back({{p}, {}, {}, false, 0.0});
 }
 
 void SvgPen::straightTo(Vec2 p) {

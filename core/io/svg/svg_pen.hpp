@@ -16,6 +16,7 @@ struct SvgSubpath {
     std::vector<Curve> curves;
     std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
+    double rounding = 0.0; ///< of the difference between its ends, as the digits of path data allow
 };
 
 /// Turns path data and basic shapes into polylines along exact curves. In a first pass, which only measures the
@@ -33,6 +34,8 @@ class SvgPen {
     void cubicTo(Vec2 control1, Vec2 control2, Vec2 p);
     void arcTo(const EllipticalArc &arc, Vec2 p);
     void close();
+    /// Sets the rounding of the present subpath.
+    void setRounding(double rounding) { subpaths_.back().rounding = rounding; }
 
     void ellipse(Vec2 centre, double radiusX, double radiusY);
     void rectangle(Vec2 corner, Vec2 size, double radiusX, double radiusY);
@@ -73,6 +76,8 @@ class SvgNumbers {
         comma_ = false;
     }
     bool number(double &value);
+    /// Returns the number of digits after the point of the last number, less its exponent.
+    int decimals() const { return decimals_; }
     bool point(Vec2 &p) { return number(p.x) && number(p.y); }
     bool flag(bool &value);
     /// Returns the letters or percent sign that directly follow a number, in lower case.
@@ -86,6 +91,7 @@ class SvgNumbers {
 
     std::string_view text_;
     std::size_t at_ = 0;
+    int decimals_ = 0;
     bool comma_ = false; ///< one has been skipped since the last number
 };
 

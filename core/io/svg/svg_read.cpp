@@ -3,6 +3,7 @@
 #include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_background.hpp"
 #include "core/io/svg/svg_drawing.hpp"
+#include "core/io/svg/svg_ends.hpp"
 #include "core/io/svg/svg_names.hpp"
 #include "core/io/svg/svg_regions.hpp"
 #include "core/io/svg/svg_repeats.hpp"
@@ -24,25 +25,12 @@ namespace forefront {
 
 namespace {
 
-constexpr double kSameNode = 1e-6; ///< fraction of the drawing's size: the rounding error of relative path data
 constexpr std::size_t kMaxStrokeNodes = 2'000'000;
 constexpr double kStrokeTolerance = 1e-4; ///< of the width of a stroke: within that, sides of strokes are joined
 constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
 
 bool isLoop(const SvgPath &path) {
     return path.closed && path.nodes.size() > 2;
-}
-
-/// Closes a path that ends where it begins.
-void joinEnds(SvgPath &path, double tolerance) {
-    std::vector<Vec2> &nodes = path.nodes;
-    while (nodes.size() > 1 && distance(nodes.front(), nodes.back()) <= tolerance) {
-        path.joined = path.joined || (!path.closed && nodes.size() > 3);
-        path.closed = path.closed || path.joined;
-        nodes.pop_back();
-        // The segment that led to the removed node now leads to the first one.
-        path.stretches.resize(std::min(path.stretches.size(), nodes.size()));
-    }
 }
 
 /// The role of an SVG path in the domain.
@@ -57,12 +45,12 @@ class SvgBuilder {
         std::erase_if(paths_, [](const SvgPath &path) { return path.nodes.size() < 2 && !path.closed; });
         for (SvgPath &path : paths_) {
             if (path.painted() || !path.strokeArea) { // a stroke may turn back where two nodes are left
-                joinEnds(path, kSameNode * drawing.size);
+                joinEnds(path, drawing.size);
             }
         }
         for (SvgClip &clip : clips_) {
             for (SvgPath &part : clip.parts) {
-                joinEnds(part, kSameNode * drawing.size);
+                joinEnds(part, drawing.size);
             }
         }
         for (const SvgPath &path : paths_) {

@@ -130,6 +130,7 @@ std::string SvgDrawer::nameOf(const Visit &visit) {
 void SvgDrawer::keep(const Visit &visit, std::string_view element, SvgSubpath subpath, double dashScale) {
     SvgPath path;
     path.closed = subpath.closed;
+    path.rounding = subpath.rounding * visit.map.stretch();
     path.nodes = std::move(subpath.nodes);
     for (Vec2 &p : path.nodes) {
         p = visit.map(p);

@@ -98,6 +98,10 @@ struct SegmentPart {
     }
 };
 
+bool sharesEnd(const DomainSegment &s, const DomainSegment &t) {
+    return s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
+}
+
 BoxTree treeOf(const std::vector<PlacedSegment> &segments) {
     std::vector<Box2> boxes;
     boxes.reserve(segments.size());
@@ -113,7 +117,8 @@ SegmentIndex::SegmentIndex(std::vector<PlacedSegment> placed) : segments(std::mo
 
 GapFinder::GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
                      const Progress &progress, GapRules rules)
-    : domain_(domain), index_(index), longest_(longest), shortest_(shortest), box_(spacingBox(domain)),
+    : domain_(domain), index_(index), places_(chainPlaces(domain, index.segments)), longest_(longest),
+      shortest_(shortest), box_(spacingBox(domain)),
       rounding_(kRounding *
                 std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x), std::fabs(box_.max.y)})),
       progress_(progress), rules_(rules) {}
@@ -155,6 +160,18 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
     // A ray along +x leaves a downward segment on its left, a ray along +y one that runs to the right.
     const bool leavesLeft = vertical ? direction.y < 0.0 : direction.x > 0.0;
     return leavesLeft ? Sides{odd, !odd} : Sides{!odd, odd};
+}
+
+bool GapFinder::openLikeCorner(std::uint32_t position, std::uint32_t other, Vec2 p, Vec2 q) const {
+    const ChainPlace &own = places_[position], &far = places_[other];
+    const PlacedSegment &segment = index_.segments[position], &wall = index_.segments[other];
+    if (own.chain != far.chain || own.chain == kNoIndex) {
+        return false;
+    }
+    // The base of a triangle with an angle of 60 degrees or more is at least half of the other two sides together.
+    const double way = distanceAlong(own, own.at(segment, p), far.at(wall, q));
+    const Vec2 u = own.direction(segment), v = far.direction(wall);
+    return kSafely * distance(p, q) >= 0.5 * way && -dot(u, v) < kSafely * kFacing * length(u) * length(v);
 }
 
 GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides,
@@ -208,18 +225,23 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
         if (std::fabs(side) < kFacing * std::sqrt(pair.square) || !(side > 0.0 ? sides.left : sides.right)) {
             return;
         }
+        const bool neighbours = !isPoint(wall) && sharesEnd(ends, domain_.segments[wall.index]);
+        if (!neighbours && openLikeCorner(position, other, pair.p, pair.q)) {
+            return;
+        }
         square = pair.square;
         best.wall = other;
         best.width = within = std::sqrt(square);
         around = part.grown(within + rounding_);
-        best.corner = best.needle = false;
-        if (!isPoint(wall)) {
+        best.corner = neighbours;
+        best.needle = false;
+        if (neighbours) {
             const DomainSegment &far = domain_.segments[wall.index];
             const bool atA = far.a == ends.a || far.b == ends.a;
-            best.corner = atA || far.a == ends.b || far.b == ends.b;
             const Vec2 along = atA ? own.b - own.a : own.a - own.b;
             const Vec2 back = far.a == (atA ? ends.a : ends.b) ? wall.b - wall.a : wall.a - wall.b;
-            best.needle = best.corner && dot(along, back) > kNeedle * length(along) * length(back);
+            best.needle = dot(along, back) > kNeedle * length(along) * length(back);
+            best.opening = distance((1.0 / length(along)) * along, (1.0 / length(back)) * back);
         }
     };
     if (likely != kNoIndex) { // only narrows the search, in which it may be found again
@@ -284,8 +306,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
                               ? blunt || nearest.width < (nearest.needle ? kCornerFloor * reach : shortest_)
                               : negligible && (nearest.needle || (!blunt && length(b - a) > kLongGap * nearest.width));
     if (!wide && !hopeless) {
-        found.gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, blunt ? 2.0 * kCornerFloor * reach : 0.0),
-                              own.index, nearest.corner});
+        const double least = blunt ? std::max(2.0 * kCornerFloor, kSteepest * nearest.opening) * reach : 0.0;
+        found.gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, least), own.index, nearest.corner});
     }
 }
 

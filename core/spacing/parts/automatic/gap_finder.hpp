@@ -4,6 +4,7 @@
 #include "core/domain/domain.hpp"
 #include "core/geometry/box_tree.hpp"
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/spacing/parts/automatic/chain_places.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -43,10 +44,11 @@ struct GapRules {
 /// Finds where the domain is narrow.
 ///
 /// For each part of a boundary or constraint, looks for the part of the domain that faces it within GapRules::across
-/// times the longest useful element, at most 60 degrees off the normal. Divides parts until the width along each varies
-/// by at most 5 % (beside curves 20 %), or they are no longer than that width or `shortest`. Decides inside and outside
-/// by even-odd counting in floating point, once per chain, which is good enough for sizes under either inside rule.
-/// Leaves out long gaps, and tips of corners below 20 degrees, that are narrower than 1/32 of the longest useful
+/// times the longest useful element, at most 60 degrees off the normal. Sides that open like a corner of 60 degrees or
+/// more, however many segments there are between them, do not face each other. Divides parts until the width along each
+/// varies by at most 5 % (beside curves 20 %), or they are no longer than that width or `shortest`. Decides inside and
+/// outside by even-odd counting in floating point, once per chain, which is good enough for sizes under either inside
+/// rule. Leaves out long gaps, and tips of corners below 20 degrees, that are narrower than 1/32 of the longest useful
 /// element: finer elements would add to their number, not to their quality. With GapRules::everywhere, it leaves out
 /// only corners of 20 degrees or more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
 class GapFinder {
@@ -66,6 +68,7 @@ class GapFinder {
         double width = std::numeric_limits<double>::infinity(); ///< infinite: nothing faces the part
         std::uint32_t wall = kNoIndex;                          ///< position of the facing segment
         bool corner = false;                                    ///< the facing segment is a neighbour
+        double opening = 0.0;                                   ///< then the width at the distance 1 from the corner
         bool needle = false; ///< the facing segment is a neighbour at a corner of less than 20 degrees
         bool tip = false;    ///< the part starts at a corner of less than 60 degrees
     };
@@ -84,6 +87,8 @@ class GapFinder {
     std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;
+    /// Returns true for two walls with closest points `p` and `q` that a chain connects and that open like a corner.
+    bool openLikeCorner(std::uint32_t position, std::uint32_t other, Vec2 p, Vec2 q) const;
     /// Finds what faces the part of the segment from a to b at the smallest distance. `likely`: position of a segment
     /// that probably does, such as the one that faced the part before, or kNoIndex; it only speeds up the search.
     Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides, std::uint32_t likely) const;
@@ -96,6 +101,7 @@ class GapFinder {
 
     const Domain &domain_;
     const SegmentIndex &index_;
+    std::vector<ChainPlace> places_; ///< per segment of the index
     double longest_;
     double shortest_;
     Box2 box_;
