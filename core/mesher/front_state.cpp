@@ -2,14 +2,36 @@
 
 #include "core/base/hash.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace forefront {
 
+namespace {
+
+/// Returns true if some segments of Γ are longer than others by more than the width of a fine class.
+bool lengthsDiffer(const GenerationFront &front) {
+    constexpr double kClass = 1.01;
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const SlotId id{i};
+        if (front[id].alive && !front.isolated(id)) {
+            shortest = std::min(shortest, front[id].length);
+            longest = std::max(longest, front[id].length);
+        }
+    }
+    return longest > kClass * shortest;
+}
+
+} // namespace
+
 FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare)
-    : front(boundary),
-      care(frontCare), walkRules{frontCare.fineClasses,
-                                 frontCare.boundaryFirst ? static_cast<std::uint32_t>(boundary.nodes.size()) : 0U},
-      strips(std::make_shared<const FrontStrips>()), nodes(boundary.nodes), manyFaces(boundary.regions.size() > 1),
-      smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {}
+    : front(boundary), care(frontCare), strips(std::make_shared<const FrontStrips>()), nodes(boundary.nodes),
+      manyFaces(boundary.regions.size() > 1),
+      smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {
+    const bool first = frontCare.boundaryFirst && lengthsDiffer(front);
+    walkRules = {frontCare.fineClasses, first ? static_cast<std::uint32_t>(boundary.nodes.size()) : 0U};
+}
 
 FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyStrip, std::uint32_t firstNew)
     : front(std::move(part)), care(whole.care), walkRules(whole.walkRules), strips(whole.strips), strip(onlyStrip),

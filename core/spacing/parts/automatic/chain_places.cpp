@@ -50,7 +50,8 @@ class Chains {
     /// Places the segments of the chain through one of them.
     void place(std::uint32_t chain, std::uint32_t through) {
         std::uint32_t first = through, node = ends(through).a; // back to the beginning
-        for (std::uint32_t next = beyond(first, node); next != kNoIndex && next != through; next = beyond(first, node)) {
+        for (std::uint32_t next = beyond(first, node); next != kNoIndex && next != through;
+             next = beyond(first, node)) {
             first = next;
             node = otherEnd(first, node);
         }

@@ -20,9 +20,7 @@ struct ChainPlace {
     /// Returns the distance of a place on the segment from the beginning of the chain.
     double at(const PlacedSegment &segment, Vec2 p) const { return start + distance(along ? segment.a : segment.b, p); }
     /// Returns the direction of the chain along the segment, as long as the segment.
-    Vec2 direction(const PlacedSegment &segment) const {
-        return along ? segment.b - segment.a : segment.a - segment.b;
-    }
+    Vec2 direction(const PlacedSegment &segment) const { return along ? segment.b - segment.a : segment.a - segment.b; }
 };
 
 /// Returns the places of segments. Those whose index is not one of Domain::segments, lone points, belong to no chain.
