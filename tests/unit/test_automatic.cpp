@@ -254,6 +254,18 @@ TEST_CASE("Automatic spacing: at an isolated point the spacing is its distance t
     CHECK(field->at({1, 1}) == doctest::Approx(field->maximum()));
 }
 
+TEST_CASE("Automatic spacing: a point at a node of the boundary changes nothing") {
+    // At such coordinates the distance from a segment to its own end is 1e-17.
+    MeshingJob job;
+    job.domain = loopOf({{0, 0.3}, {0.01000000000002773, 0.3}, {0, 0.01000000000002488}});
+    const auto plain = meshDomain(job);
+    job.domain.points.push_back({0, 1});
+    const auto marked = meshDomain(job);
+    REQUIRE(plain);
+    REQUIRE(marked);
+    CHECK(marked->mesh.elements.size() == plain->mesh.elements.size());
+}
+
 TEST_CASE("Automatic spacing: keeps the gradation within 2 % and its own bounds") {
     std::mt19937 random(23);
     std::uniform_real_distribution<double> share(0.0, 1.0);

@@ -44,12 +44,16 @@ double affordableFloor(const std::vector<Gap> &gaps, double longest, double budg
     return high;
 }
 
-/// Returns the segments, then the lone points as segments of zero length.
+/// Returns the segments, then the lone points as segments of zero length. A point at the end of a segment is not alone.
 std::vector<PlacedSegment> thingsOf(const Domain &domain) {
     std::vector<PlacedSegment> things = placedSegments(domain);
+    std::vector<std::uint8_t> isEnd(domain.nodes.size(), 0);
+    for (const PlacedSegment &segment : things) {
+        isEnd[domain.segments[segment.index].a] = isEnd[domain.segments[segment.index].b] = 1;
+    }
     for (std::size_t i = 0; i < domain.points.size(); ++i) {
         const std::uint32_t node = domain.points[i].node;
-        if (node < domain.nodes.size() && isUsable(domain.nodes[node])) {
+        if (node < domain.nodes.size() && isUsable(domain.nodes[node]) && isEnd[node] == 0) {
             things.push_back(
                 {domain.nodes[node], domain.nodes[node], static_cast<std::uint32_t>(domain.segments.size() + i)});
         }
