@@ -134,6 +134,9 @@ class Gaps {
         for (const TaggedEdge &edge : mesh.edges) {
             onTagged_[index(edge.a)] = onTagged_[index(edge.b)] = 1;
         }
+        for (const TaggedNode &point : mesh.points) {
+            onTagged_[index(point.node)] = 1;
+        }
         sides_.reserve(mesh.edges.size());
         for (const TaggedEdge &edge : mesh.edges) {
             sides_.push_back(std::minmax(edge.a, edge.b));
@@ -179,7 +182,7 @@ class Gaps {
     }
 
     const Mesh &mesh_;
-    std::vector<std::uint8_t> onTagged_; ///< per node
+    std::vector<std::uint8_t> onTagged_; ///< per node: it must be where it is
     std::vector<std::pair<NodeId, NodeId>> sides_;
 };
 

@@ -172,3 +172,41 @@ TEST_CASE("Files: bytes read earlier stand in for the file, with a detected or g
     REQUIRE_FALSE(unknown.ok());
     CHECK(unknown.faults()[0].message == "unknown format 'dxf'");
 }
+
+TEST_CASE("SU2: what solvers alone use is skipped with its data, several zones are refused") {
+    const std::string mesh = "NELEM= 1\n5 0 1 2 0\nNPOIN= 3\n0 0\n1 0\n0 1\n";
+    const std::string solver = "FFD_NBOX= 1\nFFD_CORNER_POINTS= 2\n0 0\n1.5 -2\nFFD_TAG= BOX\n"
+                               "NPERIODIC= 1\nPERIODIC_INDEX= 0\n0 0 0\n";
+    ImportNotes notes;
+    const std::string text =
+        "NDIME= 2\nAOA_OFFSET= 0\n" + mesh + solver + "NMARK= 1\nMARKER_TAG= a\nMARKER_ELEMS= 1\n3 0 1\n";
+    SourceText source = sourceOf(text);
+    source.notes = &notes;
+    const auto read = readSu2(source);
+    REQUIRE(read.ok());
+    CHECK(read->elements.size() == 1);
+    CHECK(read->edges.size() == 1);
+    CHECK(notes.entries().size() == 4); // FFD boxes once
+    CHECK(refusalOf(readSu2(sourceOf("NDIME= 2\n" + mesh + "7 8 9\n"))).line == 8);
+    CHECK(refusalOf(readSu2(sourceOf("NZONE= 2\nNDIME= 2\n" + mesh))).code == "several-zones");
+    CHECK(readSu2(sourceOf("NZONE= 1\nIZONE= 1\nNDIME= 2\n" + mesh)).ok());
+}
+
+TEST_CASE("MSH: points without a group that no element uses are left out") {
+    const auto pointsOf = [](const std::string &points, ImportNotes &notes) {
+        const std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 9 9 0\n"
+                                 "$EndNodes\n$Elements\n2\n1 2 2 1 1 1 2 3\n" +
+                                 points + "$EndElements\n";
+        SourceText source = sourceOf(text);
+        source.notes = &notes;
+        const auto read = readMsh(source);
+        REQUIRE(read.ok());
+        return read->points.size();
+    };
+    ImportNotes centre, corner;
+    CHECK(pointsOf("2 15 2 0 4 4\n", centre) == 0);
+    REQUIRE_FALSE(centre.entries().empty());
+    CHECK(centre.entries()[0].code == "lone-point");
+    CHECK(pointsOf("2 15 2 0 1 1\n", corner) == 1);
+    CHECK(corner.empty());
+}

@@ -95,6 +95,19 @@ TEST_CASE("sharpCorners: reports the gap between two tips, but not a short edge 
     CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere < 6.0);
 }
 
+TEST_CASE("sharpCorners: the gap between a point and an edge is a narrow place") {
+    Mesh mesh;
+    mesh.nodes = {{-0.5, 0}, {0.5, 0}, {0, 0.05}};
+    mesh.elements = {{node(0), node(1), node(2)}};
+    mesh.edges = {{node(0), node(1), 1}};
+    CHECK(sharpCorners(mesh, 20.0).narrow.empty());
+    CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere < 6.0);
+    mesh.points = {{node(2), 1}};
+    REQUIRE(sharpCorners(mesh, 20.0).narrow.size() == 1);
+    CHECK(sharpCorners(mesh, 20.0).narrow[0].width == doctest::Approx(0.05));
+    CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere == 60.0);
+}
+
 TEST_CASE("sharpCorners: sharp elements that share nodes with those in a gap count with it, others do not") {
     // Two tips a gap apart, above them a free node, to its right a row of sharp elements that share single nodes.
     Mesh mesh;

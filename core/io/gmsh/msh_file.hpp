@@ -98,6 +98,7 @@ class MshFile {
     void resolveTags();
     void resolveRegions();
     void resolveEdgesAndPoints();
+    void dropConstructionPoints();
     void placePoints(class MshTags &tags, bool groupedEdges);
 
     /// Refuses a type of elements that cannot be read; returns false.

@@ -108,7 +108,31 @@ void MshFile::resolveEdgesAndPoints() {
     placePoints(tags, grouped > 0);
 }
 
+/// Leaves out points without a group that no element uses, such as the centres of arcs that Gmsh saves, too.
+void MshFile::dropConstructionPoints() {
+    Mesh &mesh = builder_.mesh;
+    if (mesh.elements.empty() || mesh.points.empty()) {
+        return;
+    }
+    std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
+    for (const Element &element : mesh.elements) {
+        for (const NodeId node : element) {
+            used[index(node)] = 1;
+        }
+    }
+    for (const TaggedEdge &edge : mesh.edges) {
+        used[index(edge.a)] = used[index(edge.b)] = 1;
+    }
+    const std::size_t dropped = std::erase_if(
+        mesh.points, [&](const TaggedNode &point) { return point.tag < 1 && used[index(point.node)] == 0; });
+    if (dropped > 0) {
+        scanner_.source().note("lone-point", "points outside every physical group and element are left out",
+                               elementsOffset_, dropped);
+    }
+}
+
 void MshFile::placePoints(MshTags &tags, bool groupedEdges) {
+    dropConstructionPoints();
     Mesh &mesh = builder_.mesh;
     std::map<std::int32_t, std::int32_t> moved; ///< new tag by group number; 0: points without a group
     for (TaggedNode &point : mesh.points) {

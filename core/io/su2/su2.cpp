@@ -4,7 +4,10 @@
 #include "core/io/common/planar_mesh.hpp"
 #include "core/io/common/tag_allocator.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <string_view>
 
 namespace forefront {
 
@@ -100,6 +103,17 @@ class Su2Reader {
         const std::string_view word = line.word();
         std::int64_t number = 0;
         std::size_t count = 0;
+        if (ignoring_ && word.find_first_of("+-.0123456789") == 0) {
+            return true; // data of a keyword that is ignored
+        }
+        ignoring_ = isIgnored(word);
+        if (ignoring_) {
+            scanner_.source().note("keyword",
+                                   word.starts_with("FFD_") ? std::string("boxes of deformation (FFD) are ignored")
+                                                            : "keyword " + std::string(word) + " is ignored",
+                                   place);
+            return true;
+        }
         if (word == "NDIME") {
             return line.integer(number, 2, 2, {"the dimension"});
         }
@@ -119,11 +133,19 @@ class Su2Reader {
         if (word == "MARKER_ELEMS") {
             return itemCount(line, count, 5, "the number of marker elements") && connections(count, markerTag_);
         }
-        if (word == "SEND_RECV" || word == "FFD_NBOX" || word == "NZONE" || word == "IZONE" || word == "NCHUNK") {
-            scanner_.source().note("keyword", "keyword " + std::string(word) + " is ignored", place);
-            return true;
+        if (word == "NZONE") {
+            return line.integer(number, 1, std::numeric_limits<std::int32_t>::max(), {"the number of zones"}) &&
+                   (number == 1 || line.fail(place, "several-zones", "files of several zones cannot be read",
+                                             "write each zone to a file of its own"));
         }
         return line.fail(place, "bad-syntax", "expected a keyword such as NELEM=, found " + inQuotes(word));
+    }
+
+    /// Returns true for keywords about how a solver uses the mesh. Lines of numbers may follow them.
+    static bool isIgnored(std::string_view word) {
+        constexpr std::array kIgnored = {"SEND_RECV", "IZONE", "NCHUNK", "NPERIODIC", "AOA_OFFSET", "AOS_OFFSET"};
+        return word.starts_with("FFD_") || word.starts_with("PERIODIC_") ||
+               std::find(kIgnored.begin(), kIgnored.end(), word) != kIgnored.end();
     }
 
     bool itemCount(TextScanner &line, std::size_t &count, std::size_t bytes, const char *what) {
@@ -258,6 +280,7 @@ class Su2Reader {
     PlanarMeshBuilder builder_;
     std::vector<Connection> connections_;
     std::int32_t markerTag_ = 1;
+    bool ignoring_ = false; ///< after a keyword that is ignored: until the next one
     TagAllocator tags_;
     TagNames names_;
 };
