@@ -141,7 +141,7 @@ struct Arrangement {
     Domain domain;
     std::vector<std::uint32_t> nodePiece;     ///< per node: the first piece through it
     std::vector<PieceStretch> stretches;      ///< per segment: the first piece that runs along it
-    std::vector<std::uint8_t> isLine;         ///< per segment: 1 if it separates nothing and is there for a line only
+    std::vector<std::uint8_t> isLine;         ///< per segment: 1 if it separates nothing and comes from a line
     std::vector<std::uint32_t> pointPiece;    ///< per constraint point
     std::vector<std::uint32_t> markerFeature; ///< per region marker: the feature that its face belongs to
     double radius = 0.0; ///< joining distance: the tolerance, or less if several things are crowded within it

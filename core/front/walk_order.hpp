@@ -7,16 +7,16 @@
 
 namespace forefront {
 
-/// What a WalkOrder goes by.
+/// The rules by which a WalkOrder sorts segments.
 struct WalkRules {
     bool fineClasses = false;        ///< 64 classes per octave; else two, the second from √2 on
-    std::uint32_t boundaryNodes = 0; ///< segments between two of that many first nodes come before others; 0: none
+    std::uint32_t boundaryNodes = 0; ///< number of boundary nodes, which are the first; 0: no preference
 };
 
-/// Orders bases by length class, 64 or two per octave, first in first out within a class. Segments of the boundary may
-/// count as half as long, so that the front leaves all of it before it comes back to any of it. Deferred segments come
-/// after all others. This is cheaper than a strict order and sufficient where the advancer walks along the loop from
-/// each base. Entries of segments that are gone are skipped.
+/// Orders bases by length class, 64 or two per octave, first in first out within a class. Segments
+/// between two boundary nodes count as half as long, so that the front usually leaves the whole boundary before it
+/// returns to it. Deferred segments come after all others. This is cheaper than a strict order and sufficient where the
+/// advancer walks along the loop from each base. Entries of segments that are gone are skipped.
 ///
 /// Unlike BaseOrder, the result depends on the order of the offers, so a log of all changes can be kept and rolled back
 /// exactly.

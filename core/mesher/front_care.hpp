@@ -8,9 +8,9 @@ namespace forefront {
 struct FrontCare {
     bool fineClasses = false; ///< take bases by 64 length classes per octave; else by two
     bool walks = true;        ///< continue from each base along its loop
-    /// Take the segments of the boundary first where their lengths differ. Otherwise a side whose edges are a percent
-    /// longer than the others waits until the front has crossed the domain, and is met by it: a band of poor elements
-    /// lies along it.
+    /// Take the segments of the boundary first where their lengths differ; a walk from one then ends at once. Otherwise
+    /// a side whose edges are a percent longer than the others waits until the front has crossed the domain, and is met
+    /// by it: a band of poor elements lies along it.
     bool boundaryFirst = false;
     /// Minimum distance of an apex from the nodes of its chain, in element sizes. A closer apex squeezes the segments
     /// that follow it.

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-/// Returns true if some segments of Γ are longer than others by more than the width of a fine class.
+/// Returns true if some segments of Γ are longer than others by more than about the width of a fine class.
 bool lengthsDiffer(const GenerationFront &front) {
     constexpr double kClass = 1.01;
     double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;

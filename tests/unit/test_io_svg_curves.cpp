@@ -2,6 +2,7 @@
 #include "core/io/svg/svg.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
+#include "tests/support/curved_area.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -89,6 +90,19 @@ TEST_CASE("SVG curves: a path ends where it begins within the rounding of its di
             CHECK(distance(curve.point(segment.stretch.t1), rounded.nodes[segment.b]) < 1e-9);
         }
     }
+    const auto sizeOfPath = [&](const char *path) { return domainOf(path).bounds().size(); };
+    // The last part may be a whole loop, or as short as the gap itself: then it stays as it is.
+    CHECK(sizeOfPath("M12 2v.001a10 10 0 1 0 .001 0z").x == doctest::Approx(20.0).epsilon(0.01));
+    CHECK(sizeOfPath("M12 2a10 10 0 1 1-.001 0z").y == doctest::Approx(20.0).epsilon(0.01));
+    CHECK(sizeOfPath("M12 2v.001C-6 2 30 34 12.001 2.001z").y > 9.0);
+    const auto areaOfPath = [](const std::string &path) {
+        const std::string text = "<svg viewBox='0 0 30000 30000'><path d='" + path + "'/></svg>";
+        const auto domain = readSvg(sourceOf(text));
+        REQUIRE(domain.ok());
+        return std::fabs(forefront::testing::curvedAreas(*domain).at(1));
+    };
+    CHECK(areaOfPath("M500 500h2v2h-2z") == doctest::Approx(4.0));
+    CHECK(areaOfPath("M500 500h1v1h-1z") == doctest::Approx(1.0));
     const auto shortest = [](const Domain &domain) {
         double length = 1e9;
         for (const DomainSegment &segment : domain.segments) {
@@ -98,7 +112,10 @@ TEST_CASE("SVG curves: a path ends where it begins within the rounding of its di
     };
     CHECK(shortest(domainOf("M2 2h20v20h-20.001v-19.999z")) > 19.0);
     CHECK(shortest(domainOf("M2 2h20v20h-20c0-9 0-10 .001-19.999z")) > 0.1);
-    CHECK(shortest(domainOf("M2 2h20v20h-20.1v-19.9z")) < 0.2);                 // as drawn with one digit
+    CHECK(shortest(domainOf("M2 2h20v20h-20.1v-19.9z")) < 0.2); // as drawn with one digit
+    CHECK(shortest(domainOf("M2.00000 2h20v20h-20.002v-19.999z")) < 0.003);
+    CHECK(shortest(domainOf("M2 2H22V22L2.002 22L2 2.002z")) < 0.003); // absolute places are not rounded again
+    CHECK(domainOf("M2 2h20v20h-20v-1.5e-2147483647z").nodes.size() == 4);
     CHECK(shortest(domainOf("M2.00000 2h20v20h-20.00200v-19.99900z")) < 0.003); // with five digits it is no rounding
 }
 

@@ -65,6 +65,33 @@ TEST_CASE("WalkOrder: classes follow the lengths, from the smallest double to th
     }
 }
 
+TEST_CASE("WalkOrder: segments between boundary nodes count as half as long, also in a copy without history") {
+    GenerationFront front = saw(300, 5);
+    const std::vector<SlotId> slots = all(front);
+    constexpr std::uint32_t kNodes = 100;
+    const auto ofBoundary = [&](SlotId id) {
+        return index(front[id].node) < kNodes && index(front[front.next(id)].node) < kNodes;
+    };
+    WalkOrder order;
+    order.clear({true, kNodes});
+    for (const SlotId id : slots) {
+        CHECK(order.levelOf(front, id) == order.level(ofBoundary(id) ? 0.5 * front[id].length : front[id].length));
+        order.offer(front, id);
+    }
+    for (std::size_t k = 0; k < slots.size() / 2; ++k) {
+        order.take(front);
+    }
+    WalkOrder copy = order.withoutHistory();
+    std::uint32_t last = 0;
+    for (SlotId id = order.take(front); id != kNoSlot; id = order.take(front)) {
+        CHECK(copy.take(front) == id);
+        CHECK(copy.levelOf(front, id) == order.levelOf(front, id));
+        CHECK(order.levelOf(front, id) >= last);
+        last = order.levelOf(front, id);
+    }
+    CHECK(copy.empty());
+}
+
 TEST_CASE("WalkOrder: shorter classes first, first in first out within a class, deferred segments last") {
     for (const bool fine : {false, true}) {
         CAPTURE(fine);

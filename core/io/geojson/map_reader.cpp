@@ -228,14 +228,16 @@ void MapReader::addPoint(Vec2 place, std::size_t offset, const MapLabel &label) 
 /// Reports rings that jump from one side of the map to the other: they cross the antimeridian without being cut there,
 /// so they would run around the globe the other way.
 void MapReader::noteJumps() const {
-    constexpr double kNearly = 340.0, kWhole = 359.9; // degrees; a whole turn runs along the edge of the map
+    constexpr double kNearly = 330.0, kWhole = 359.9; // degrees; a whole turn runs along the edge of the map
+    constexpr double kRounding = 1e-6;
     Box2 box;
     for (const Polygon &polygon : polygons_) {
         for (const MapPath &ring : polygon.rings) {
             std::for_each(ring.nodes.begin(), ring.nodes.end(), [&](Vec2 node) { box.add(node); });
         }
     }
-    if (box.empty() || box.min.x < -180.0 || box.max.x > 180.0 || box.min.y < -90.0 || box.max.y > 90.0) {
+    if (box.empty() || box.min.x < -180.0 - kRounding || box.max.x > 180.0 + kRounding ||
+        box.min.y < -90.0 - kRounding || box.max.y > 90.0 + kRounding) {
         return;
     }
     for (const Polygon &polygon : polygons_) {

@@ -258,7 +258,7 @@ SvgDrawer::Visit SvgDrawer::inside(const Visit &outer, const pugi::xml_node &chi
 
 /// Inherits the visibility. Returns true if the element and its children are not displayed.
 bool SvgDrawer::hidden(Visit &visit) {
-    if (isForOthers(visit.node)) {
+    if (isExcluded(visit.node)) {
         if (reports_) {
             note(visit.node, "svg-hidden",
                  "elements for other languages or programs are ignored (systemLanguage, requiredExtensions)");
@@ -319,7 +319,7 @@ bool SvgDrawer::enterViewport(Visit &visit, std::string_view name) {
 /// Returns the first child of a <switch> that a program without extensions draws.
 void SvgDrawer::chosen(const Visit &visit, std::vector<Visit> &open) const {
     for (const pugi::xml_node child : visit.node.children()) {
-        if (child.type() == pugi::node_element && localName(child) != "foreignObject" && !isForOthers(child)) {
+        if (child.type() == pugi::node_element && localName(child) != "foreignObject" && !isExcluded(child)) {
             open.push_back(inside(visit, child));
             return;
         }

@@ -22,7 +22,7 @@ struct SvgPath {
     std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
     bool joined = false;      ///< closed only because it ends where it begins
-    double rounding = 0.0;    ///< of the difference between its ends, as the digits of its data allow
+    double rounding = 0.0;    ///< how far apart the rounded digits of its data may leave its ends
     bool isLine = false;      ///< of a <line> or <polyline>
     SvgPaint paint;           ///< transparent paint counts as none
     double strokeWidth = 0.0; ///< in domain units; 0 without a stroke, or if it does not scale with the drawing

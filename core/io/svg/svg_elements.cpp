@@ -73,7 +73,7 @@ bool isDefinition(std::string_view name) {
     return std::find(kDefinitions.begin(), kDefinitions.end(), name) != kDefinitions.end();
 }
 
-bool isForOthers(const pugi::xml_node &node) {
+bool isExcluded(const pugi::xml_node &node) {
     const pugi::xml_attribute languages = node.attribute("systemLanguage");
     bool english = languages.empty();
     std::string_view rest = languages.value();

@@ -33,9 +33,8 @@ pugi::xml_node targetOf(std::string_view value, const SvgIds &ids);
 /// Returns true for elements that draw nothing themselves: definitions, which other elements refer to, and
 /// metadata.
 bool isDefinition(std::string_view name);
-/// Returns true for an element that a program without extensions does not draw for readers of English, by its
-/// attributes requiredExtensions and systemLanguage.
-bool isForOthers(const pugi::xml_node &node);
+/// Returns true if requiredExtensions or systemLanguage excludes an element for an English reader without extensions.
+bool isExcluded(const pugi::xml_node &node);
 /// Returns true if an element is among the innermost 1,000 around another one.
 bool isAround(const pugi::xml_node &outer, const pugi::xml_node &node);
 /// Returns true for the elements that have an outline.

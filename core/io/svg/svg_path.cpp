@@ -13,12 +13,18 @@ namespace {
 int decimalsOf(std::string_view number) {
     const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
     const std::size_t point = std::min(number.find('.'), exponent);
+    const int digits = static_cast<int>(exponent - std::min(point + 1, exponent));
+    constexpr int kMaxPower = 400; // beyond those of doubles
     int power = 0;
     if (exponent < number.size()) {
-        const std::size_t sign = number[exponent + 1] == '+' ? 2 : 1;
-        std::from_chars(number.data() + exponent + sign, number.data() + number.size(), power);
+        const bool negative = number[exponent + 1] == '-';
+        const std::size_t sign = negative || number[exponent + 1] == '+' ? 2 : 1;
+        const auto [end, problem] =
+            std::from_chars(number.data() + exponent + sign, number.data() + number.size(), power);
+        power = problem == std::errc() ? std::min(power, kMaxPower) : kMaxPower;
+        power = negative ? -power : power;
     }
-    return static_cast<int>(exponent - std::min(point + 1, exponent)) - power;
+    return digits - power;
 }
 
 } // namespace
@@ -73,7 +79,7 @@ bool SvgNumbers::number(double &value) {
         }
         value = 0.0;
     }
-    decimals_ = decimalsOf({digit, static_cast<std::size_t>(stop - digit)});
+    decimals_ = std::max(decimals_, decimalsOf({digit, static_cast<std::size_t>(stop - digit)}));
     taken(static_cast<std::size_t>(stop - text_.data()));
     return std::isfinite(value);
 }
@@ -143,7 +149,6 @@ class PathDrawer {
         if (!numbers_.point(p)) {
             return false;
         }
-        decimals_ = std::max(decimals_, numbers_.decimals());
         p = relative_ ? pen_.at() + p : p;
         return true;
     }
@@ -169,7 +174,6 @@ class PathDrawer {
             if (!numbers_.number(along)) {
                 return false;
             }
-            decimals_ = std::max(decimals_, numbers_.decimals());
             p = pen_.at();
             (command_ == 'H' ? p.x : p.y) = along + (!relative_ ? 0.0 : command_ == 'H' ? p.x : p.y);
             pen_.lineTo(p);
@@ -189,11 +193,13 @@ class PathDrawer {
         }
     }
 
-    /// Relative steps are rounded each, so that errors add up as in a random walk.
+    /// Relative steps are rounded each, so that errors add up as in a random walk. An absolute command ends that, but H
+    /// and V for one coordinate alone.
     void noteRounding() {
         constexpr double kUnits = 1.5; // of the last digit; three standard deviations are 1.2
-        steps_ = command_ == 'M' ? 0 : relative_ ? steps_ + 1 : steps_;
-        pen_.setRounding(kUnits * std::pow(10.0, -decimals_) * std::sqrt(std::max(1, steps_)));
+        const bool half = command_ == 'H' || command_ == 'V';
+        steps_ = command_ == 'M' ? 0 : relative_ ? steps_ + 1 : half ? steps_ : 0;
+        pen_.setRounding(kUnits * std::pow(10.0, -numbers_.decimals()) * std::sqrt(steps_));
     }
 
     Vec2 mirrored() const { return pen_.at() + (pen_.at() - control_); }
@@ -222,8 +228,7 @@ class PathDrawer {
     SvgPen &pen_;
     char command_ = 'M', previous_ = 'M';
     bool relative_ = false;
-    int decimals_ = 0; ///< most of any coordinate so far
-    int steps_ = 0;    ///< relative ones since the subpath began
+    int steps_ = 0; ///< relative commands since the pen was at a place that is given
     Vec2 control_;
 };
 

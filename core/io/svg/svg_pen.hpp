@@ -16,7 +16,7 @@ struct SvgSubpath {
     std::vector<Curve> curves;
     std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
-    double rounding = 0.0; ///< of the difference between its ends, as the digits of path data allow
+    double rounding = 0.0; ///< how far apart the rounded digits of path data may leave its ends
 };
 
 /// Turns path data and basic shapes into polylines along exact curves. In a first pass, which only measures the
@@ -76,7 +76,7 @@ class SvgNumbers {
         comma_ = false;
     }
     bool number(double &value);
-    /// Returns the number of digits after the point of the last number, less its exponent.
+    /// Returns the maximum number of digits after the point, less the exponent, of all numbers so far; at least 0.
     int decimals() const { return decimals_; }
     bool point(Vec2 &p) { return number(p.x) && number(p.y); }
     bool flag(bool &value);

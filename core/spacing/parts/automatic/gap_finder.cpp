@@ -13,6 +13,7 @@ constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr double kFacing = 0.5;                  ///< cosine of the widest angle to the normal
 constexpr double kSteepest = 1.7320508075688772; ///< √3, its tangent
 constexpr double kSafely = 1.0 + 1e-9;           ///< for rounding errors
+constexpr double kAlmost = 1.0 + 1e-6;           ///< likewise, of lengths along chains
 /// Beside a sharp corner the width falls to zero; parts there are at least this fraction of their reach.
 constexpr double kCornerFloor = 0.125;
 constexpr double kNeedle = 0.9396926207859084; ///< cosine of 20 degrees
@@ -171,7 +172,7 @@ bool GapFinder::openLikeCorner(std::uint32_t position, std::uint32_t other, Vec2
     // The base of a triangle with an angle of 60 degrees or more is at least half of the other two sides together.
     const double way = distanceAlong(own, own.at(segment, p), far.at(wall, q));
     const Vec2 u = own.direction(segment), v = far.direction(wall);
-    return kSafely * distance(p, q) >= 0.5 * way && -dot(u, v) < kSafely * kFacing * length(u) * length(v);
+    return kAlmost * distance(p, q) >= 0.5 * way && -dot(u, v) < kAlmost * kFacing * length(u) * length(v);
 }
 
 GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides,
@@ -306,8 +307,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
                               ? blunt || nearest.width < (nearest.needle ? kCornerFloor * reach : shortest_)
                               : negligible && (nearest.needle || (!blunt && length(b - a) > kLongGap * nearest.width));
     if (!wide && !hopeless) {
-        const double least = blunt ? std::max(2.0 * kCornerFloor, kSteepest * nearest.opening) * reach : 0.0;
-        found.gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, least), own.index, nearest.corner});
+        const double minimum = blunt ? kSteepest * nearest.opening * reach : 0.0;
+        found.gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, minimum), own.index, nearest.corner});
     }
 }
 
