@@ -13,10 +13,10 @@ struct WalkRules {
     std::uint32_t boundaryNodes = 0; ///< number of boundary nodes, which are the first; 0: no preference
 };
 
-/// Orders bases by length class, 64 or two per octave, first in first out within a class. Segments
-/// between two boundary nodes count as half as long, so that the front usually leaves the whole boundary before it
-/// returns to it. Deferred segments come after all others. This is cheaper than a strict order and sufficient where the
-/// advancer walks along the loop from each base. Entries of segments that are gone are skipped.
+/// Orders bases by length class, 64 or two per octave, first in first out within a class. Segments between
+/// two boundary nodes count as half as long, so that the front usually leaves the whole boundary before it returns to
+/// it. Deferred segments come after all others. This is cheaper than a strict order and sufficient where the advancer
+/// walks along the loop from each base. Entries of segments that are gone are skipped.
 ///
 /// Unlike BaseOrder, the result depends on the order of the offers, so a log of all changes can be kept and rolled back
 /// exactly.

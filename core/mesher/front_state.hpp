@@ -18,7 +18,7 @@ namespace forefront {
 /// The position of the fast method in its walk along the loops of Γ.
 struct Walk {
     SlotId base = kNoSlot;   ///< the segment to continue with, in no queue; kNoSlot: take one from the order
-    std::uint32_t level = 0; ///< length class of the first segment of the walk, which ends at longer ones
+    std::uint32_t level = 0; ///< class of the first segment of the walk (WalkOrder::levelOf); longer ones end it
 };
 
 /// The state of a run without its background grid: Γ, the order of bases, and the nodes and elements so far.
@@ -29,9 +29,9 @@ struct FrontState {
     FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyStrip, std::uint32_t firstNew);
 
     GenerationFront front;
-    BaseOrder order; ///< classic method
-    FrontCare care;  ///< fast method, like the members below
-    WalkRules walkRules;
+    BaseOrder order;     ///< classic method
+    FrontCare care;      ///< fast method, like the members below
+    WalkRules walkRules; ///< of the whole run; those of `walkOrder` follow when it is cleared
     WalkOrder walkOrder;
     Walk walk;
     std::shared_ptr<const FrontStrips> strips; ///< never null
