@@ -72,10 +72,13 @@ class MeanDensity {
 
     Vec2 toUnit(Vec2 p) const { return {(p.x - low_.x) / size_.x, (p.y - low_.y) / size_.y}; }
 
-    double density(Vec2 unit) const {
-        const double ratio = rhoUnit_ / spacing_.at({low_.x + unit.x * size_.x, low_.y + unit.y * size_.y});
+    Vec2 fromUnit(Vec2 p) const { return {low_.x + p.x * size_.x, low_.y + p.y * size_.y}; }
+
+    double densityOf(double rho) const {
+        const double ratio = rhoUnit_ / rho;
         return std::min(ratio * ratio, 1e100);
     }
+    double density(Vec2 unit) const { return densityOf(spacing_.at(fromUnit(unit))); }
 
     /// Lays out a lattice of cells as square as the box allows.
     void layOutCells() {
@@ -150,31 +153,37 @@ class MeanDensity {
         if (cell.covered <= 0.0) {
             return;
         }
-        double mean = 0.0, minimum = centreDensity, maximum = centreDensity;
+        places_.clear();
         for (unsigned k = 0; k < 4; ++k) {
             const Vec2 low = coverage.box.min;
-            cell.densities[k] =
-                density({low.x + (k % 2 != 0 ? 0.75 : 0.25) * size.x, low.y + (k / 2 != 0 ? 0.75 : 0.25) * size.y});
-            mean += 0.25 * cell.densities[k];
-            minimum = std::min(minimum, cell.densities[k]);
-            maximum = std::max(maximum, cell.densities[k]);
+            places_.push_back(
+                fromUnit({low.x + (k % 2 != 0 ? 0.75 : 0.25) * size.x, low.y + (k / 2 != 0 ? 0.75 : 0.25) * size.y}));
         }
-        cell.value = cell.covered * mean;
         // Where the boundary cuts the cell, the part inside may be anywhere in it. Sample along the boundary, where the
         // spacing tends to be smallest.
         BoundaryPiece last;
         for (std::size_t i = 0; i < std::min(coverage.pieces.size(), kPiecesProbed); ++i) {
             const BoundaryPiece part = partWithin(pieces_[coverage.pieces[i]], coverage.box);
             for (const Vec2 end : {part.a, part.b}) {
-                if (i > 0 && (end == last.a || end == last.b)) {
-                    continue; // neighbours share it
+                if (i == 0 || (end != last.a && end != last.b)) { // neighbours share it
+                    places_.push_back(fromUnit(end));
                 }
-                const double there = density(end);
-                minimum = std::min(minimum, there);
-                maximum = std::max(maximum, there);
             }
             last = part;
         }
+        rho_.resize(places_.size());
+        spacing_.atMany(places_, rho_);
+        double mean = 0.0, minimum = centreDensity, maximum = centreDensity;
+        for (std::size_t k = 0; k < rho_.size(); ++k) {
+            const double there = densityOf(rho_[k]);
+            if (k < 4) {
+                cell.densities[k] = there;
+                mean += 0.25 * there;
+            }
+            minimum = std::min(minimum, there);
+            maximum = std::max(maximum, there);
+        }
+        cell.value = cell.covered * mean;
         cell.error = cell.covered * std::max(std::fabs(mean - centreDensity), cut ? 0.3 * (maximum - minimum) : 0.0);
         cell.coverage = std::move(coverage);
         sum_ += cell.value;
@@ -191,7 +200,9 @@ class MeanDensity {
     Vec2 low_, size_;
     std::vector<BoundaryPiece> pieces_;
     std::size_t columns_ = 1, rows_ = 1;
-    std::vector<Cell> cells_; // cells that may be quartered
+    std::vector<Vec2> places_; // where a cell is sampled
+    std::vector<double> rho_;  // there
+    std::vector<Cell> cells_;  // cells that may be quartered
     std::priority_queue<Candidate> queue_;
     double sum_ = 0.0, error_ = 0.0, area_ = 0.0;
 };
