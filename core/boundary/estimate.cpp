@@ -145,17 +145,11 @@ class MeanDensity {
         }
     }
 
-    void add(CoverageCell coverage, double centreDensity) {
-        const bool cut = !coverage.pieces.empty();
-        const Vec2 size = coverage.box.size();
-        Cell cell;
-        cell.covered = cut ? coverage.coveredArea(pieces_) : coverage.centreInside ? size.x * size.y : 0.0;
-        if (cell.covered <= 0.0) {
-            return;
-        }
+    /// Evaluates the spacing in the middle of the quarters of a cell, then along the boundary in it.
+    void sample(const CoverageCell &coverage) {
+        const Vec2 low = coverage.box.min, size = coverage.box.size();
         places_.clear();
         for (unsigned k = 0; k < 4; ++k) {
-            const Vec2 low = coverage.box.min;
             places_.push_back(
                 fromUnit({low.x + (k % 2 != 0 ? 0.75 : 0.25) * size.x, low.y + (k / 2 != 0 ? 0.75 : 0.25) * size.y}));
         }
@@ -173,6 +167,17 @@ class MeanDensity {
         }
         rho_.resize(places_.size());
         spacing_.atMany(places_, rho_);
+    }
+
+    void add(CoverageCell coverage, double centreDensity) {
+        const bool cut = !coverage.pieces.empty();
+        const Vec2 size = coverage.box.size();
+        Cell cell;
+        cell.covered = cut ? coverage.coveredArea(pieces_) : coverage.centreInside ? size.x * size.y : 0.0;
+        if (cell.covered <= 0.0) {
+            return;
+        }
+        sample(coverage);
         double mean = 0.0, minimum = centreDensity, maximum = centreDensity;
         for (std::size_t k = 0; k < rho_.size(); ++k) {
             const double there = densityOf(rho_[k]);
@@ -200,8 +205,8 @@ class MeanDensity {
     Vec2 low_, size_;
     std::vector<BoundaryPiece> pieces_;
     std::size_t columns_ = 1, rows_ = 1;
-    std::vector<Vec2> places_; // where a cell is sampled
-    std::vector<double> rho_;  // there
+    std::vector<Vec2> places_; // of the samples of a cell
+    std::vector<double> rho_;  // spacing there
     std::vector<Cell> cells_;  // cells that may be quartered
     std::priority_queue<Candidate> queue_;
     double sum_ = 0.0, error_ = 0.0, area_ = 0.0;

@@ -124,7 +124,7 @@ TEST_CASE("SVG: lines that decide most of the mesh are reported") {
     for (const auto &[count, teeth] : {std::pair{400, 0}, {600, 0}, {600, 1000}}) {
         CAPTURE(count);
         std::string path = "<svg viewBox='0 0 100 100'><path d='M0 0H100V100H0V99";
-        for (int k = 1; k <= teeth; ++k) { // of the outline
+        for (int k = 1; k <= teeth; ++k) { // the outline is a comb
             path += 'L' + std::to_string(k % 2) + ' ' + std::to_string(99 - 0.09 * k);
         }
         path += "z'/><path fill='none' stroke='black' d='M10 50";

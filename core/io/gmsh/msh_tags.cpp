@@ -60,6 +60,7 @@ std::int32_t ungrouped(std::int64_t entity) {
 }
 
 void MshFile::resolveTags() {
+    dropConstructionPoints();
     resolveEdgesAndPoints();
     resolveRegions();
     builder_.mesh.regionNames = names_[2];
@@ -132,7 +133,6 @@ void MshFile::dropConstructionPoints() {
 }
 
 void MshFile::placePoints(MshTags &tags, bool groupedEdges) {
-    dropConstructionPoints();
     Mesh &mesh = builder_.mesh;
     std::map<std::int32_t, std::int32_t> moved; ///< new tag by group number; 0: points without a group
     for (TaggedNode &point : mesh.points) {

@@ -50,8 +50,8 @@ void moveEnd(SvgPath &path, std::size_t part) {
 } // namespace
 
 void joinEnds(SvgPath &path, double size) {
-    constexpr double kMaxRounding = 1e-4; // of the size
-    constexpr double kMaxShare = 0.05;    // of the distance that the last part of the path spans
+    constexpr double kMaxRounding = 1e-4; // fraction of the size
+    constexpr double kMaxShare = 0.05;    // fraction of the distance that the last part spans
     const auto gap = [&] { return distance(path.nodes.front(), path.nodes.back()); };
     while (path.nodes.size() > 1 && gap() <= kSameNode * size) {
         popLast(path);

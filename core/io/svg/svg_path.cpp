@@ -196,7 +196,7 @@ class PathDrawer {
     /// Relative steps are rounded each, so that errors add up as in a random walk. An absolute command ends that, but H
     /// and V for one coordinate alone.
     void noteRounding() {
-        constexpr double kUnits = 1.5; // of the last digit; three standard deviations are 1.2
+        constexpr double kUnits = 1.5; // in units of the last digit; three standard deviations are 1.2
         const bool half = command_ == 'H' || command_ == 'V';
         steps_ = command_ == 'M' ? 0 : relative_ ? steps_ + 1 : half ? steps_ : 0;
         pen_.setRounding(kUnits * std::pow(10.0, -numbers_.decimals()) * std::sqrt(steps_));
