@@ -210,3 +210,27 @@ TEST_CASE("MSH: points without a group that no element uses are left out") {
     CHECK(pointsOf("2 15 2 0 1 1\n", corner) == 1);
     CHECK(corner.empty());
 }
+
+TEST_CASE("Import notes: messages that differ only in what they quote are one note") {
+    ImportNotes notes;
+    const std::string text = "a\nb\nc\n";
+    const auto add = [&](const std::string &message, std::size_t offset) {
+        notes.add("svg-mask", message, "drawing.svg", text, offset);
+    };
+    add("mask 'a' is missing", 0);
+    add("mask 'b' is missing", 2);
+    add("mask 'a' is missing", 4);
+    add("masks are read as clips", 4);
+    REQUIRE(notes.entries().size() == 2);
+    CHECK(notes.diagnostics()[0].message == "mask 'a' is missing (3 times; also 'b')");
+    CHECK(notes.diagnostics()[0].line == 1);
+    CHECK(notes.diagnostics()[1].message == "masks are read as clips");
+    for (const char *id : {"'b'", "'c'", "'d'", "'e'", "'e'"}) {
+        add("mask " + std::string(id) + " is missing", 2);
+    }
+    CHECK(notes.entries().size() == 2);
+    CHECK(notes.diagnostics()[0].message == "mask 'a' is missing (8 times; also 'b', 'c', 'd' and others)");
+    add("the masks' names are missing", 0); // an apostrophe is no quotation mark
+    add("the marks' signs are missing", 0);
+    CHECK(notes.entries().size() == 4);
+}
