@@ -1,6 +1,6 @@
 #include "core/io/foreign_files.hpp"
 
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 
 #include <algorithm>
 #include <string>

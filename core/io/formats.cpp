@@ -1,4 +1,4 @@
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 #include "core/io/abaqus/abaqus.hpp"
 #include "core/io/esri/esri_grid.hpp"
 #include "core/io/format.hpp"

@@ -1,6 +1,6 @@
 #include "core/lesson/glossary.hpp"
 
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 #include "core/lesson/glossary_figures.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ui/dialogs/file_list.hpp"
 
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 #include "core/io/files.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ui/shell/help_dialogs.hpp"
 
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 #include "core/base/version.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"

@@ -1,3 +1,4 @@
+#include "core/base/letter_case.hpp"
 #include "core/io/abaqus/abaqus.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/common/planar_mesh.hpp"
@@ -14,13 +15,6 @@ namespace {
 
 constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
 
-std::string upper(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c; });
-    return result;
-}
-
 /// Reads Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Other
 /// keywords are skipped.
 class AbaqusReader {
@@ -36,11 +30,15 @@ class AbaqusReader {
         for (const auto &[tag, name] : names.region) {
             regions_.reserve(tag);
         }
-        while (scanner_.ok() && !scanner_.atEnd()) {
-            keyword(line());
-        }
-        if (scanner_.ok() && !nodesFinished_) {
+        const std::size_t begin = scanner_.offset();
+        sections(); // nodes alone: some programs write them behind the elements, or in several places
+        if (scanner_.ok() && !hasElements_) {
             scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no *NODE or *ELEMENT section");
+        }
+        if (scanner_.ok() && builder_.finishNodes(scanner_)) {
+            scanner_.seek(begin);
+            nodesFinished_ = true;
+            sections();
         }
         if (!scanner_.ok()) {
             return scanner_.faults();
@@ -70,6 +68,12 @@ class AbaqusReader {
         return text.substr(begin, end - begin);
     }
 
+    void sections() {
+        while (scanner_.ok() && !scanner_.atEnd()) {
+            keyword(line());
+        }
+    }
+
     void keyword(std::string_view text) {
         if (text.starts_with("**")) {
             comment(text);
@@ -85,7 +89,7 @@ class AbaqusReader {
             const std::size_t comma = std::min(text.find(','), text.size());
             const std::string_view part = text.substr(0, comma);
             const std::size_t equals = std::min(part.find('='), part.size());
-            const std::string key = upper(cleanName(part.substr(0, equals)));
+            const std::string key = upperCase(cleanName(part.substr(0, equals)));
             if (keyword.name.empty()) {
                 keyword.name = key;
             } else {
@@ -116,8 +120,11 @@ class AbaqusReader {
     bool more() { return scanner_.ok() && !scanner_.atEnd() && scanner_.source().text[scanner_.offset()] != '*'; }
 
     void data(const Keyword &keyword) {
-        if (keyword.name == "*NODE") {
-            nodes(keyword);
+        hasElements_ = hasElements_ || keyword.name == "*ELEMENT";
+        if (nodesFinished_ == (keyword.name == "*NODE")) { // of the other pass
+            skipData();
+        } else if (!nodesFinished_) {
+            nodes();
         } else if (keyword.name == "*ELEMENT") {
             elements(keyword);
         } else if (keyword.name == "*ELSET") {
@@ -132,16 +139,17 @@ class AbaqusReader {
             if (keyword.name != "*HEADING" && keyword.name != "*NSET") {
                 scanner_.source().note("keyword", "keyword " + inQuotes(keyword.name) + " is ignored", keyword.offset);
             }
-            while (more()) {
-                line();
-            }
+            skipData();
         }
     }
 
-    void nodes(const Keyword &keyword) {
-        if (nodesFinished_) {
-            scanner_.fail(keyword.offset, "bad-syntax", "all nodes must come before the elements");
+    void skipData() {
+        while (more()) {
+            line();
         }
+    }
+
+    void nodes() {
         while (more()) {
             TextScanner fields = scanner_;
             std::int64_t number = 0;
@@ -160,14 +168,6 @@ class AbaqusReader {
         return builder_.readNode(fields, number, probe.atEnd() ? 2 : 3);
     }
 
-    bool finishNodes() {
-        if (!nodesFinished_) {
-            nodesFinished_ = true;
-            return builder_.finishNodes(scanner_);
-        }
-        return scanner_.ok();
-    }
-
     static std::string parameter(const Keyword &keyword, const char *name) {
         const auto found = keyword.parameters.find(name);
         return found != keyword.parameters.end() ? found->second : std::string();
@@ -177,15 +177,12 @@ class AbaqusReader {
         constexpr std::array kTriangles = {"CPS3",  "CPE3", "CAX3",  "S3",     "S3R",
                                            "STRI3", "M3D3", "DC2D3", "SFM3D3", "R3D3"};
         constexpr std::array kLines = {"T3D2", "T2D2", "B21", "B31", "R2D2"};
-        const std::string type = upper(parameter(keyword, "TYPE"));
+        const std::string type = upperCase(parameter(keyword, "TYPE"));
         const std::string set = parameter(keyword, "ELSET");
         const bool triangle = std::find(kTriangles.begin(), kTriangles.end(), type) != kTriangles.end();
         if (!triangle && std::find(kLines.begin(), kLines.end(), type) == kLines.end()) {
             scanner_.fail(keyword.offset, "unknown-element",
                           "elements of type " + inQuotes(type) + " cannot be read; expected 3-node plane elements");
-            return;
-        }
-        if (!finishNodes()) {
             return;
         }
         const std::int32_t tag = tagComment_ > 0 ? tagComment_
@@ -206,7 +203,7 @@ class AbaqusReader {
             }
         }
         if (triangle && !set.empty()) {
-            std::vector<std::uint32_t> &members = sets_[upper(set)];
+            std::vector<std::uint32_t> &members = sets_[upperCase(set)];
             for (std::uint32_t e = first; e < builder_.mesh.elements.size(); ++e) {
                 members.push_back(e);
             }
@@ -235,7 +232,7 @@ class AbaqusReader {
             std::int64_t from = 0, to = 0, step = 1;
             const std::string_view word = scanner_.peek();
             if (word.front() < '0' || word.front() > '9') {
-                const auto other = sets_.find(upper(scanner_.word()));
+                const auto other = sets_.find(upperCase(scanner_.word()));
                 if (other != sets_.end()) {
                     members.insert(members.end(), other->second.begin(), other->second.end());
                 }
@@ -264,18 +261,17 @@ class AbaqusReader {
                 builder_.mesh.regions[e] = regions_.of(name);
             }
         }
-        sets_[upper(name)] = std::move(members);
+        sets_[upperCase(name)] = std::move(members);
     }
 
     void points() {
-        finishNodes();
         while (more()) {
             builder_.readPoint(scanner_, pointComment_, {"a point"});
         }
     }
 
     void surface(const Keyword &keyword) {
-        const std::string type = upper(parameter(keyword, "TYPE"));
+        const std::string type = upperCase(parameter(keyword, "TYPE"));
         const bool sides = type.empty() || type == "ELEMENT";
         if (!sides) {
             scanner_.source().note("node-surface", "surfaces of nodes are ignored", keyword.offset);
@@ -287,8 +283,8 @@ class AbaqusReader {
         const std::int32_t tag = tagComment_ > 0 ? tagComment_ : boundaries_.of(parameter(keyword, "NAME"));
         while (more()) {
             const std::size_t place = scanner_.offset();
-            const std::string member = upper(scanner_.word());
-            const std::string side = upper(scanner_.word());
+            const std::string member = upperCase(scanner_.word());
+            const std::string side = upperCase(scanner_.word());
             if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '3') {
                 scanner_.fail(place, "bad-side", "expected an element or element set and a side S1, S2 or S3");
                 return;
@@ -338,7 +334,8 @@ class AbaqusReader {
     TextScanner scanner_;
     PlanarMeshBuilder builder_;
     std::size_t lineOffset_ = 0;
-    bool nodesFinished_ = false;
+    bool nodesFinished_ = false; ///< the second pass reads everything else
+    bool hasElements_ = false;
     std::int32_t tagComment_ = 0, pointComment_ = 0;
     std::vector<std::int64_t> numbers_; ///< of the elements
     std::vector<bool> ownSet_;          ///< the element was given its set with *ELEMENT
@@ -350,7 +347,7 @@ class AbaqusReader {
 } // namespace
 
 bool looksLikeAbaqus(std::string_view head) {
-    const std::string text = upper(head);
+    const std::string text = upperCase(head);
     return text.starts_with("*HEADING") || text.starts_with("*NODE") || text.find("\n*NODE") != std::string::npos;
 }
 

@@ -1,6 +1,6 @@
 #include "core/io/common/names.hpp"
 
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 #include "core/domain/domain.hpp"
 
 #include <algorithm>

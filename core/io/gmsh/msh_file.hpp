@@ -96,6 +96,7 @@ class MshFile {
     std::int32_t tagOf(int dimension, std::int64_t entity) const;
     /// Gives separate tags to parts without a physical group, and to points whose number is that of a curve.
     void resolveTags();
+    void spreadBareNames();
     void resolveRegions();
     void resolveEdgesAndPoints();
     void dropConstructionPoints();
@@ -113,6 +114,7 @@ class MshFile {
     bool version4_ = false, binary_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
     std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
     std::array<std::map<std::int32_t, std::string>, 4> names_;      ///< of physical groups, by dimension
+    std::map<std::int32_t, std::string> bareNames_;                 ///< MSH 2.0: of groups of any dimension
     std::size_t elementsOffset_ = 0;                                ///< of $Elements
     std::vector<std::int64_t> edgeNumbers_;                         ///< MSH 4.1: as in the file
     std::vector<std::int64_t> elementNumbers_;                      ///< of the triangles of the mesh

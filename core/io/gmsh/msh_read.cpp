@@ -25,6 +25,10 @@ bool MshFile::read() {
         if (word.front() != '$') {
             return scanner_.fail(place, "bad-syntax", "expected a section such as $Nodes, found " + inQuotes(word));
         }
+        if (word == "$NOD" && !formatRead_) {
+            return scanner_.fail(place, "unknown-version", "MSH 1 cannot be read",
+                                 "save it as MSH 2.2 or 4.1 with Gmsh");
+        }
         if (!formatRead_ && word != "$MeshFormat" && word != "$Comments") {
             return scanner_.fail(place, "bad-syntax", "expected $MeshFormat as first section, found " + inQuotes(word));
         }
@@ -126,12 +130,15 @@ bool MshFile::readNames() {
         std::int64_t dimension = 0, tag = 0;
         std::string_view name;
         const Expect expect{"physical name", k + 1};
-        if (!scanner_.integer(dimension, 0, 3, expect) || !scanner_.integer(tag, -kGreatestTag, kGreatestTag, expect) ||
-            !scanner_.quotedWord(name, expect)) {
+        TextScanner ahead = scanner_;
+        ahead.word();
+        const bool bare = ahead.peek().starts_with('"'); // MSH 2.0: names have no dimension
+        if ((!bare && !scanner_.integer(dimension, 0, 3, expect)) ||
+            !scanner_.integer(tag, -kGreatestTag, kGreatestTag, expect) || !scanner_.quotedWord(name, expect)) {
             return false;
         }
-        addName(names_[static_cast<std::size_t>(dimension)], static_cast<std::int32_t>(std::abs(tag)),
-                std::string(name), dimension == 2);
+        auto &names = bare ? bareNames_ : names_[static_cast<std::size_t>(dimension)];
+        addName(names, static_cast<std::int32_t>(std::abs(tag)), std::string(name), dimension == 2);
     }
     return true;
 }
@@ -214,7 +221,7 @@ bool MshFile::failType(const std::string &what, std::int64_t type, std::size_t p
 }
 
 bool looksLikeMsh(std::string_view head) {
-    return head.find("$MeshFormat") != std::string_view::npos;
+    return head.find("$MeshFormat") != std::string_view::npos || head.starts_with("$NOD");
 }
 
 Result<Mesh> readMsh(const SourceText &source) {

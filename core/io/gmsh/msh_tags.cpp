@@ -60,10 +60,33 @@ std::int32_t ungrouped(std::int64_t entity) {
 }
 
 void MshFile::resolveTags() {
+    spreadBareNames();
     dropConstructionPoints();
     resolveEdgesAndPoints();
     resolveRegions();
     builder_.mesh.regionNames = names_[2];
+}
+
+/// Gives each name without a dimension to the groups with its number.
+void MshFile::spreadBareNames() {
+    if (bareNames_.empty()) {
+        return;
+    }
+    const auto give = [&](std::int32_t tag, std::size_t dimension) {
+        const auto found = bareNames_.find(tag);
+        if (found != bareNames_.end()) {
+            names_[dimension].insert(*found);
+        }
+    };
+    for (const TaggedNode &point : builder_.mesh.points) {
+        give(point.tag, 0);
+    }
+    for (const TaggedEdge &edge : builder_.mesh.edges) {
+        give(edge.tag, 1);
+    }
+    for (const std::int32_t region : builder_.mesh.regions) {
+        give(region, 2);
+    }
 }
 
 void MshFile::resolveRegions() {

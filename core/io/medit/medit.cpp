@@ -76,7 +76,7 @@ class MeditReader {
     bool section(std::string_view word, std::size_t place) {
         std::int64_t number = 0;
         if (word == "MeshVersionFormatted") {
-            return scanner_.integer(number, 1, 4, {"the version"});
+            return scanner_.integer(number, 0, 4, {"the version"}); // bamg writes 0
         }
         if (word == "Dimension") {
             const bool done = scanner_.integer(number, 2, 3, {"the dimension"});

@@ -115,7 +115,10 @@ class Su2Reader {
             return true;
         }
         if (word == "NDIME") {
-            return line.integer(number, 2, 2, {"the dimension"});
+            const std::size_t at = line.offset();
+            return line.integer(number, 2, 3, {"the dimension"}) &&
+                   (number == 2 ||
+                    line.fail(at, "not-planar", "the mesh has three dimensions; only plane ones can be read"));
         }
         if (word == "NELEM") {
             return itemCount(line, count, 7, "the number of elements") && connections(count, 0);

@@ -1,6 +1,6 @@
 #include "core/io/svg/svg_css.hpp"
 
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 #include "core/io/svg/svg_colour.hpp"
 #include "core/io/svg/svg_elements.hpp"
 

@@ -1,6 +1,6 @@
 #include "core/io/svg/svg_paint.hpp"
 
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "core/base/lower_case.hpp"
+#include "core/base/letter_case.hpp"
 #include "core/io/svg/svg_pen.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include "core/base/letter_case.hpp"
 #include "core/domain/domain.hpp"
 #include "core/io/common/mesh_field.hpp"
 #include "core/io/common/names.hpp"
@@ -108,7 +109,7 @@ class VtkReader {
         if (header()) {
             while (scanner_.ok() && !scanner_.atEnd()) {
                 const std::size_t place = scanner_.offset();
-                section(scanner_.word(), place);
+                section(keyword(), place);
             }
         }
         if (scanner_.ok() && !builder_.finishNodes(scanner_)) {
@@ -128,7 +129,7 @@ class VtkReader {
         scanner_.skipLine();
         scanner_.skipLine();
         const std::size_t place = scanner_.offset();
-        const std::string_view kind = scanner_.word();
+        const std::string kind = keyword();
         if (kind == "BINARY") {
             return scanner_.fail(place, "binary", "binary VTK legacy files cannot be read",
                                  "save it as ASCII or as VTU");
@@ -136,7 +137,18 @@ class VtkReader {
         if (kind != "ASCII") {
             return scanner_.fail(place, "bad-syntax", "expected ASCII on the third line, found " + inQuotes(kind));
         }
-        return scanner_.literal("DATASET") && scanner_.literal("UNSTRUCTURED_GRID");
+        return literal("DATASET") && literal("UNSTRUCTURED_GRID");
+    }
+
+    /// Returns the next word in capitals, as VTK compares keywords.
+    std::string keyword() { return upperCase(scanner_.word()); }
+    bool isNext(std::string_view expected) { return upperCase(scanner_.peek()) == expected; }
+    bool literal(std::string_view expected) {
+        if (isNext(expected)) {
+            scanner_.word();
+            return true;
+        }
+        return scanner_.literal(expected);
     }
 
     bool section(std::string_view word, std::size_t place) {
@@ -198,10 +210,10 @@ class VtkReader {
         if (!scanner_.count(count, 2, {"the number of cells"}) || !scanner_.count(size, 2, {"the size of the cells"})) {
             return false;
         }
-        if (scanner_.peek() == "OFFSETS") {
+        if (isNext("OFFSETS")) {
             scanner_.word();
             scanner_.word();
-            if (!integers(count, grid_.ends, "an offset") || !scanner_.literal("CONNECTIVITY")) {
+            if (!integers(count, grid_.ends, "an offset") || !literal("CONNECTIVITY")) {
                 return false;
             }
             if (!grid_.ends.empty()) {
@@ -285,10 +297,10 @@ class VtkReader {
         const std::string name = percentDecoded(scanner_.word());
         scanner_.word();
         std::size_t components = 1;
-        if (scanner_.peek() != "LOOKUP_TABLE" && !scanner_.count(components, 1, {"the number of components"})) {
+        if (!isNext("LOOKUP_TABLE") && !scanner_.count(components, 1, {"the number of components"})) {
             return false;
         }
-        if (scanner_.peek() == "LOOKUP_TABLE") {
+        if (isNext("LOOKUP_TABLE")) {
             scanner_.skipLine();
         }
         return arrayOf(name, components, items_);
@@ -339,8 +351,8 @@ class VtkReader {
             if (!arrayOf(name, components, tuples)) {
                 return false;
             }
-            if (scanner_.peek() == "METADATA") {
-                section(scanner_.word(), scanner_.offset());
+            if (isNext("METADATA")) {
+                section(keyword(), scanner_.offset());
             }
         }
         return scanner_.ok();

@@ -14,4 +14,12 @@ inline std::string lowerCase(std::string_view text) {
     return result;
 }
 
+/// Returns a text with its ASCII small letters in capitals, independent of the locale.
+inline std::string upperCase(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c; });
+    return result;
+}
+
 } // namespace forefront
