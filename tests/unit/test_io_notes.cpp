@@ -211,26 +211,31 @@ TEST_CASE("MSH: points without a group that no element uses are left out") {
     CHECK(corner.empty());
 }
 
-TEST_CASE("Import notes: messages that differ only in what they quote are one note") {
+TEST_CASE("Import notes: many messages that differ only in what they quote are one") {
     ImportNotes notes;
     const std::string text = "a\nb\nc\n";
-    const auto add = [&](const std::string &message, std::size_t offset) {
-        notes.add("svg-mask", message, "drawing.svg", text, offset);
+    const auto add = [&](const std::string &ids, std::size_t offset) {
+        for (const char id : ids) {
+            notes.add("svg-mask", "mask '" + std::string(1, id) + "' is missing", "drawing.svg", text, offset);
+        }
     };
-    add("mask 'a' is missing", 0);
-    add("mask 'b' is missing", 2);
-    add("mask 'a' is missing", 4);
-    add("masks are read as clips", 4);
-    REQUIRE(notes.entries().size() == 2);
-    CHECK(notes.diagnostics()[0].message == "mask 'a' is missing (3 times; also 'b')");
+    add("aba", 0);
+    add("cde", 2);
+    notes.add("svg-mask", "masks are read as clips", "drawing.svg", text, 4);
+    REQUIRE(notes.diagnostics().size() == 6); // few, so each keeps its place
+    CHECK(notes.diagnostics()[0].message == "mask 'a' is missing (2 times)");
+    CHECK(notes.diagnostics()[4].line == 2);
+    add("f", 4);
+    REQUIRE(notes.diagnostics().size() == 2);
+    CHECK(notes.diagnostics()[0].message == "mask 'a' is missing (7 times; also 'b', 'c', 'd', 'e', 'f')");
     CHECK(notes.diagnostics()[0].line == 1);
     CHECK(notes.diagnostics()[1].message == "masks are read as clips");
-    for (const char *id : {"'b'", "'c'", "'d'", "'e'", "'e'"}) {
-        add("mask " + std::string(id) + " is missing", 2);
+    add("ghijk", 4);
+    CHECK(notes.diagnostics()[0].message ==
+          "mask 'a' is missing (12 times; also 'b', 'c', 'd', 'e', 'f', 'g', 'h' and others)");
+    for (const char *word : {"marks", "parts", "names", "lines", "paths", "areas"}) { // an apostrophe quotes nothing
+        notes.add("svg-mask", "the " + std::string(word) + "' ends and the " + word + "' sides", "drawing.svg", text,
+                  0);
     }
-    CHECK(notes.entries().size() == 2);
-    CHECK(notes.diagnostics()[0].message == "mask 'a' is missing (8 times; also 'b', 'c', 'd' and others)");
-    add("the masks' names are missing", 0); // an apostrophe is no quotation mark
-    add("the marks' signs are missing", 0);
-    CHECK(notes.entries().size() == 4);
+    CHECK(notes.diagnostics().size() == 8);
 }

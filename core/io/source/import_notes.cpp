@@ -3,12 +3,15 @@
 #include "core/io/source/text_place.hpp"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace forefront {
 
 namespace {
 
-/// A message without what it quotes, and that: 'a', 'b'.
+/// A message without what it quotes, and that: "'a', 'b'".
 struct Quoting {
     std::string frame, quoted;
 };
@@ -28,25 +31,26 @@ Quoting quotingOf(const std::string &message) {
     return parts;
 }
 
-/// Keeps what a message quotes unless an earlier one of its kind did.
-void addQuoted(ImportNote &note, const std::string &quoted) {
-    constexpr std::size_t kMaxAlso = 3;
-    const bool known = std::find(note.also.begin(), note.also.end(), quoted) != note.also.end();
-    if (!known && note.also.size() < kMaxAlso) {
-        note.also.push_back(quoted);
-    } else if (!known) {
-        note.alsoMore = true;
-    }
-}
+/// Notes whose messages differ only in what they quote.
+struct NoteKind {
+    std::size_t count = 0; ///< of all together
+    std::vector<std::string> quoted;
 
-/// Returns "(3 times; also 'b', 'c')".
-std::string countOf(const ImportNote &note) {
-    std::string text = " (" + std::to_string(note.count) + " times";
-    for (std::size_t i = 0; i < note.also.size(); ++i) {
-        text += (i == 0 ? "; also " : ", ") + note.also[i];
+    bool joined() const {
+        constexpr std::size_t kMany = 5; // fewer keep their places
+        return quoted.size() > kMany;
     }
-    return text + (note.alsoMore ? " and others)" : ")");
-}
+
+    /// Returns "(9 times; also 'b', 'c')".
+    std::string text() const {
+        constexpr std::size_t kShown = 8;
+        std::string text = " (" + std::to_string(count) + " times";
+        for (std::size_t k = 1; k < std::min(quoted.size(), kShown); ++k) {
+            text += (k == 1 ? "; also " : ", ") + quoted[k];
+        }
+        return text + (quoted.size() > kShown ? " and others)" : ")");
+    }
+};
 
 } // namespace
 
@@ -54,34 +58,44 @@ void ImportNotes::add(std::string_view code, const std::string &message, const s
                       std::size_t offset, std::size_t count) {
     constexpr std::size_t kMaxEntries = 200; // then, notes that differ in their message alone are counted together
     const bool full = entries_.size() >= kMaxEntries;
-    const auto find = [&](const auto &matches) {
-        return std::find_if(entries_.begin(), entries_.end(), [&](const ImportNote &note) {
-            return note.code == code && note.file == file && matches(note.message);
-        });
-    };
-    auto known = find([&](const std::string &other) { return full || other == message; });
-    if (known == entries_.end()) {
-        const Quoting own = quotingOf(message);
-        known = find([&](const std::string &other) { return quotingOf(other).frame == own.frame; });
-        if (known != entries_.end()) {
-            addQuoted(*known, own.quoted);
-        }
-    }
+    const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const ImportNote &note) {
+        return note.code == code && (full || note.message == message) && note.file == file;
+    });
     if (known != entries_.end()) {
         known->count += count;
         return;
     }
     const TextPlace place = placeOf(text, offset);
-    entries_.push_back({std::string(code), message, {}, false, count, file, place.line, place.column});
+    entries_.push_back({std::string(code), message, count, file, place.line, place.column});
 }
 
 Diagnostics ImportNotes::diagnostics() const {
+    std::map<std::tuple<std::string, std::string, std::string>, NoteKind> kinds;
+    const auto kindOf = [&](const ImportNote &note, const Quoting &parts) -> NoteKind & {
+        return kinds[{note.code, note.file, parts.frame}];
+    };
+    for (const ImportNote &note : entries_) {
+        const Quoting parts = quotingOf(note.message);
+        NoteKind &kind = kindOf(note, parts);
+        kind.count += note.count;
+        kind.quoted.push_back(parts.quoted);
+    }
     Diagnostics list;
     for (const ImportNote &note : entries_) {
+        const Quoting parts = quotingOf(note.message);
+        const NoteKind &kind = kindOf(note, parts);
+        if (kind.joined() && kind.quoted.front() != parts.quoted) {
+            continue;
+        }
         Diagnostic entry;
         entry.severity = Severity::Note;
         entry.code = note.code;
-        entry.message = note.message + (note.count > 1 ? countOf(note) : "");
+        entry.message = note.message;
+        if (kind.joined()) {
+            entry.message += kind.text();
+        } else if (note.count > 1) {
+            entry.message += " (" + std::to_string(note.count) + " times)";
+        }
         entry.file = note.file;
         entry.line = note.line;
         entry.column = note.column;

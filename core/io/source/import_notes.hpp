@@ -12,10 +12,8 @@ namespace FOREFRONT_API forefront {
 
 /// Something in a file that a reader did not use, or a choice that it made for the user.
 struct ImportNote {
-    std::string code;                   ///< short stable identifier, such as "svg-text"
-    std::string message;                ///< "text is ignored: it has no outline"
-    std::vector<std::string> also = {}; ///< the first 3 other texts quoted in this place of the message, such as ids
-    bool alsoMore = false;              ///< further ones occur
+    std::string code;    ///< short stable identifier, such as "svg-text"
+    std::string message; ///< "text is ignored: it has no outline"
     std::size_t count = 0;
     std::string file; ///< where it occurs first
     int line = 0;
@@ -32,8 +30,7 @@ struct DrawingContents {
     std::vector<std::string> properties = {};
 };
 
-/// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence. Notes
-/// whose messages differ only in what they quote are of one kind.
+/// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.
 class ImportNotes {
   public:
     /// Counts `count` more of the note with this code and message; `text`, `offset` and `file` give the first place.
@@ -44,7 +41,8 @@ class ImportNotes {
     const std::vector<ImportNote> &entries() const { return entries_; }
     const DrawingContents &contents() const { return contents_; }
     bool empty() const { return entries_.empty(); }
-    /// Returns the notes for a log: "... (3 times; also 'b')" with file, line and column of the first.
+    /// Returns the notes for a log: "... (3 times)" with file, line and column of the first. Many whose messages differ
+    /// only in what they quote are one: "... 'a' ... (9 times; also 'b', 'c')".
     Diagnostics diagnostics() const;
 
   private:
