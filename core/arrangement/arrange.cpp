@@ -1,5 +1,6 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/arrangement/assembler.hpp"
+#include "core/arrangement/hidden_shapes.hpp"
 #include "core/arrangement/joined_lines.hpp"
 #include "core/base/ids.hpp"
 #include "core/domain/coordinate_range.hpp"
@@ -72,6 +73,38 @@ Diagnostics checkClosed(const ArrangementInput &input, const JoinedLines &joined
     return faults;
 }
 
+/// Joins the pieces, except those of shapes of which nothing is left.
+JoinedLines joinPieces(const ArrangementInput &input, double tolerance, const std::stop_token &stop) {
+    constexpr double kClear = 4.0; // tolerances between a shape and what hides it
+    const std::vector<std::uint8_t> hidden = findHiddenShapes(input, kClear * tolerance);
+    std::vector<SnapLine> lines;
+    std::vector<CurveStretch> stretches;
+    std::vector<std::uint32_t> joins; // the piece of each line
+    lines.reserve(input.pieces.size());
+    stretches.reserve(input.pieces.size());
+    joins.reserve(input.pieces.size());
+    for (std::uint32_t k = 0; k < input.pieces.size(); ++k) {
+        const ArrangementPiece &piece = input.pieces[k];
+        if (hidden.empty() || piece.role != PieceRole::Outline || hidden[input.contours[piece.contour].shape] == 0) {
+            lines.push_back({piece.a, piece.b});
+            stretches.push_back(piece.stretch);
+            joins.push_back(k);
+        }
+    }
+    JoinedLines joined = joinLines(lines, stretches, input.curves, tolerance, stop);
+    for (std::uint32_t &source : joined.source) {
+        source = joins[source];
+    }
+    for (ChordMeeting &meeting : joined.meetings) {
+        meeting.chord = joins[meeting.chord];
+        meeting.other = joins[meeting.other];
+    }
+    for (ChordCut &cut : joined.left) {
+        cut.chord = joins[cut.chord];
+    }
+    return joined;
+}
+
 /// Arranges the pieces. Sets `reduced` to what has to be arranged instead if lines repeat outlines.
 Result<Arrangement> arrangeOnce(const ArrangementInput &input, std::optional<ReducedDrawing> &reduced,
                                 const std::stop_token &stop) {
@@ -79,16 +112,7 @@ Result<Arrangement> arrangeOnce(const ArrangementInput &input, std::optional<Red
     if (Diagnostics faults = checkRange(input, box); !faults.empty()) {
         return faults;
     }
-    std::vector<SnapLine> lines;
-    std::vector<CurveStretch> stretches;
-    lines.reserve(input.pieces.size());
-    stretches.reserve(input.pieces.size());
-    for (const ArrangementPiece &piece : input.pieces) {
-        lines.push_back({piece.a, piece.b});
-        stretches.push_back(piece.stretch);
-    }
-    const JoinedLines joined =
-        joinLines(lines, stretches, input.curves, std::max(input.tolerance, resolutionOf(box)), stop);
+    const JoinedLines joined = joinPieces(input, std::max(input.tolerance, resolutionOf(box)), stop);
     const SnappedLines &snapped = joined.snapped;
     if (!snapped.finished) {
         return error("cancelled", "arranging the drawing was cancelled");

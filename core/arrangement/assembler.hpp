@@ -51,6 +51,7 @@ class Assembler {
     double areaChange() const;
     void report();
     std::vector<std::uint8_t> asidePieces() const;
+    void reportHidden(std::uint32_t piece);
     void reportLine(std::uint32_t line);
     void reportOverlaps();
     void reportVanished();

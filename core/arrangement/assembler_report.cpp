@@ -9,15 +9,19 @@ namespace forefront {
 
 void Assembler::report() {
     noteJoining(joined_, changes_, asidePieces());
-    for (std::uint32_t i = 0; i < lineCount(); ++i) {
-        reportLine(i);
+    changes_.renumberPieces(joined_.source);
+    std::uint32_t line = 0;
+    for (std::uint32_t piece = 0; piece < input_.pieces.size(); ++piece) {
+        if (line == lineCount() || joined_.source[line] != piece) {
+            reportHidden(piece);
+        }
+        for (; line < lineCount() && joined_.source[line] == piece; ++line) {
+            reportLine(line);
+        }
     }
     reportOverlaps();
     reportVanished();
     result_.changes = changes_.take();
-    for (ArrangementChange &change : result_.changes) {
-        change.piece = joined_.source[change.piece];
-    }
 }
 
 /// Returns, per piece, whether it is of the outline of a clip or of a made contour; empty if there are none.
@@ -31,9 +35,18 @@ std::vector<std::uint8_t> Assembler::asidePieces() const {
     return aside;
 }
 
+/// Records that a piece of a hidden shape, which has not been joined with others, is not in the domain.
+void Assembler::reportHidden(std::uint32_t piece) {
+    const ArrangementPiece &hidden = input_.pieces[piece];
+    if (!input_.isMade(hidden)) {
+        changes_.add(ChangeKind::InnerOutlines, midpoint(hidden.a, hidden.b), 0.0, piece);
+    }
+}
+
 /// Records the edges along a line that are not in the domain.
 void Assembler::reportLine(std::uint32_t line) {
-    if (input_.isMade(pieceOf(line))) {
+    const std::uint32_t piece = joined_.source[line];
+    if (input_.isMade(input_.pieces[piece])) {
         return;
     }
     for (std::uint32_t k = snapped_.starts[line]; k < snapped_.starts[line + 1]; ++k) {
@@ -46,19 +59,19 @@ void Assembler::reportLine(std::uint32_t line) {
         added_[edge] = 1; // each edge counts once
         switch (fate_[edge]) {
         case Fate::Folded:
-            changes_.add(ChangeKind::FoldedOutlines, middle, 0.0, line);
+            changes_.add(ChangeKind::FoldedOutlines, middle, 0.0, piece);
             break;
         case Fate::Inner:
-            changes_.add(ChangeKind::InnerOutlines, middle, 0.0, line);
+            changes_.add(ChangeKind::InnerOutlines, middle, 0.0, piece);
             break;
         case Fate::Outside:
-            changes_.add(ChangeKind::OutsideLines, middle, 0.0, line);
+            changes_.add(ChangeKind::OutsideLines, middle, 0.0, piece);
             break;
         case Fate::Clipped:
-            changes_.add(ChangeKind::ClippedSegments, middle, 0.0, line);
+            changes_.add(ChangeKind::ClippedSegments, middle, 0.0, piece);
             break;
         case Fate::Repeated:
-            changes_.add(ChangeKind::RepeatedOutlines, middle, repeated_.at(edge), line);
+            changes_.add(ChangeKind::RepeatedOutlines, middle, repeated_.at(edge), piece);
             break;
         case Fate::Boundary:
         case Fate::Constraint:
@@ -94,7 +107,7 @@ void Assembler::reportOverlaps() {
     for (std::size_t k = 0; k < found.size(); ++k) {
         const bool shown = k < ArrangementChange::kPlaces;
         changes_.add(ChangeKind::OverlapsDecided, shown ? placeInside(found[k]) : Vec2{}, cover_.area[found[k]],
-                     k == 0 ? firstLineAround(found[k]) : 0);
+                     k == 0 ? joined_.source[firstLineAround(found[k])] : 0);
     }
     if (!found.empty()) {
         const std::uint32_t first = cover_.rivalStarts[found.front()];
@@ -132,11 +145,12 @@ void Assembler::reportVanished() {
         }
     }
     std::vector<std::string> names;
-    for (std::uint32_t i = 0; i < lineCount(); ++i) {
-        if (ofShape(pieceOf(i)) && left[unit(pieceOf(i))] == 0) {
-            const std::uint32_t gone = unit(pieceOf(i));
+    for (std::uint32_t k = 0; k < input_.pieces.size(); ++k) { // hidden shapes have no lines
+        const ArrangementPiece &piece = input_.pieces[k];
+        if (ofShape(piece) && left[unit(piece)] == 0) {
+            const std::uint32_t gone = unit(piece);
             left[gone] = 1; // counts once
-            changes_.add(ChangeKind::VanishedShapes, pieceOf(i).a, 0.0, i);
+            changes_.add(ChangeKind::VanishedShapes, piece.a, 0.0, k);
             const std::string &name = single ? input_.shapes[gone].name : input_.features[gone].name;
             if (!name.empty() && names.size() < kNames) {
                 names.push_back(name);

@@ -100,6 +100,12 @@ void ChangeList::add(ChangeKind kind, Vec2 at, double displacement, std::uint32_
     }
 }
 
+void ChangeList::renumberPieces(std::span<const std::uint32_t> numbers) {
+    for (ArrangementChange &change : changes_) {
+        change.piece = numbers[change.piece];
+    }
+}
+
 std::vector<ArrangementChange> ChangeList::take() {
     std::sort(changes_.begin(), changes_.end(),
               [](const ArrangementChange &s, const ArrangementChange &t) { return s.kind < t.kind; });

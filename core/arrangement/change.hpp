@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ class ChangeList {
     /// Adds one change. `displacement`: distance moved, or the area for OverlapsDecided. `piece`: the index of the
     /// piece concerned.
     void add(ChangeKind kind, Vec2 at, double displacement, std::uint32_t piece);
+    /// Replaces each piece by the number that a list has for it.
+    void renumberPieces(std::span<const std::uint32_t> numbers);
     /// Returns the changes ordered by kind.
     std::vector<ArrangementChange> take();
     /// Returns the entry of a kind, or null.

@@ -1,3 +1,4 @@
+#include "core/base/number_text.hpp"
 #include "core/io/svg/svg.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
@@ -7,7 +8,9 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <random>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -234,4 +237,37 @@ TEST_CASE("SVG stroke areas: how the sides of strokes are joined is no change of
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     REQUIRE(notes.entries().size() == 1); // the outline of the rectangle lies inside its stroke
     CHECK(notes.entries()[0].code == "inner-outlines");
+}
+
+TEST_CASE("SVG stroke areas: a path that bends within its width everywhere covers what is near it") {
+    // A random walk in steps of about a tenth of the width, with round ends and corners: the points within 2 of it.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> across(-0.5, 0.5), along(0.2, 0.6);
+    std::vector<Vec2> nodes{{20.0, 50.0}};
+    std::string path = "M20 50";
+    for (int k = 0; k < 120; ++k) {
+        const Vec2 c1 = nodes.back() + Vec2{across(random), across(random)};
+        const Vec2 c2 = nodes.back() + Vec2{across(random), across(random)};
+        const Vec2 end = nodes.back() + Vec2{along(random), across(random)};
+        path += 'C';
+        for (const Vec2 p : {c1, c2, end}) {
+            path += exactText(p.x) + ' ' + exactText(p.y) + ' ';
+        }
+        const Curve curve = Curve::cubic(nodes.back(), c1, c2, end);
+        for (int part = 1; part <= 16; ++part) {
+            nodes.push_back(curve.point(part / 16.0));
+        }
+    }
+    const auto domain = readStrokes("<path d=\"" + path + "\" stroke-linecap='round' stroke-linejoin='round'/>");
+    REQUIRE(domain.ok());
+    std::size_t covered = 0;
+    constexpr double kStep = 0.05;
+    for (double x = 15.0; x < 85.0; x += kStep) {
+        for (double y = 40.0; y < 60.0; y += kStep) {
+            covered += std::any_of(nodes.begin(), nodes.end(), [&](Vec2 node) {
+                return distanceSquared(node, {x, y}) <= 4.0;
+            });
+        }
+    }
+    CHECK(areas(*domain).at(1) == doctest::Approx(static_cast<double>(covered) * kStep * kStep).epsilon(2e-3));
 }

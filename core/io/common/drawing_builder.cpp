@@ -82,10 +82,14 @@ std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, boo
     return input_.addContour(shape, rule, hole);
 }
 
-std::uint32_t DrawingBuilder::addMadeContour(std::uint32_t shape) {
-    const std::uint32_t contour = input_.addContour(shape);
+void DrawingBuilder::addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::int32_t tag) {
+    const std::uint32_t contour = input_.addContour(shape, area.rule);
     input_.contours[contour].made = true;
-    return contour;
+    const auto firstCurve = static_cast<std::uint32_t>(input_.curves.size());
+    input_.curves.insert(input_.curves.end(), area.curves.begin(), area.curves.end());
+    for (const OutlineRing &ring : area.rings) {
+        addRing(contour, ring.nodes, tag, ring.stretchesFrom(firstCurve));
+    }
 }
 
 void DrawingBuilder::addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/arrangement/arrangement.hpp"
+#include "core/arrangement/united.hpp"
 #include "core/io/common/line_outline.hpp"
 #include "core/io/source/source.hpp"
 
@@ -30,8 +31,8 @@ class DrawingBuilder {
         return input_.addClipPart(clip, limit, removes);
     }
     std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
-    /// Adds a contour that was made from what the file says, such as a part of a stroke.
-    std::uint32_t addMadeContour(std::uint32_t shape);
+    /// Adds an area that was made from what the file says, such as that of a stroke.
+    void addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::int32_t tag);
     /// Adds curves and renumbers the stretches that refer to them.
     void addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches);
     /// Adds a closed loop to a contour, its first node not repeated. The stretches, if given, are the parts of curves

@@ -90,11 +90,11 @@ bool isDrawnOver(const SvgPath &shape, const std::vector<SvgPath> &paths) {
 
 } // namespace
 
-void noteBackground(const SourceText &source, const std::vector<SvgPath> &paths, const std::vector<SvgClip> &clips) {
+Box2 noteBackground(const SourceText &source, const std::vector<SvgPath> &paths, const std::vector<SvgClip> &clips) {
     const BackgroundFinder finder(paths, clips);
     const SvgPath *const rectangle = finder.find();
     if (rectangle == nullptr) {
-        return;
+        return {};
     }
     const std::size_t others = finder.otherShapes();
     if (others > 0) {
@@ -112,6 +112,8 @@ void noteBackground(const SourceText &source, const std::vector<SvgPath> &paths,
                     "is a background",
                     rectangle->offset);
     }
+    const Box2 box = rectangle->bounds();
+    return box.grown(-2.0 * kUncovered * box.diagonal());
 }
 
 } // namespace forefront

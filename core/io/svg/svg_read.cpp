@@ -26,8 +26,10 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kMaxStrokeNodes = 2'000'000;
-constexpr double kStrokeTolerance = 1e-4; ///< of the width of a stroke: within that, sides of strokes are joined
-constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
+constexpr std::size_t kManyStrokeParts = 8; ///< more are united before they cross others
+constexpr double kUnionTolerance = 1e-9;    ///< of the drawing size, for that union
+constexpr double kStrokeTolerance = 1e-4;   ///< of the width of a stroke: within that, sides of strokes are joined
+constexpr double kMaxStroke = 1.0 / 16.0;   ///< of the drawing size: the widest stroke that may repeat an outline
 
 bool isLoop(const SvgPath &path) {
     return path.closed && path.nodes.size() > 2;
@@ -351,7 +353,7 @@ class SvgBuilder {
             builder_.markRegions();
         } else {
             noteMergedShapes();
-            noteBackground(source_, paths_, clips_);
+            background_ = noteBackground(source_, paths_, clips_);
         }
     }
 
@@ -432,35 +434,54 @@ class SvgBuilder {
 
     /// Adds the area that a stroke paints to a shape.
     void addStroke(std::uint32_t shape, const SvgPath &path, std::int32_t tag) {
-        const std::vector<BandPart> parts = strokeParts(path);
-        if (parts.empty()) {
+        std::vector<OutlinedArea> areas;
+        for (const BandPart &part : strokeParts(path)) {
+            areas.push_back(areaOf(part));
+            strokeNodes_ += areas.back().nodeCount();
+        }
+        if (areas.empty() || strokeNodes_ > kMaxStrokeNodes) {
             return;
         }
         thinnest_ = std::min(thinnest_, path.strokeWidth);
-        for (const BandPart &part : parts) {
-            std::vector<Vec2> nodes;
-            std::vector<Curve> curves;
-            std::vector<CurveStretch> stretches;
-            for (std::size_t k = 0; k < part.nodes.size(); ++k) {
-                nodes.push_back(part.nodes[k]);
-                if (part.curves[k].kind() == CurveKind::Line) {
-                    stretches.emplace_back();
-                    continue;
-                }
-                double from = 0.0;
-                for (const double to : part.curves[k].flatten(tolerance_)) {
-                    stretches.push_back({static_cast<std::uint32_t>(curves.size()), from, to});
-                    if (to < 1.0) {
-                        nodes.push_back(part.curves[k].point(to));
-                    }
-                    from = to;
-                }
-                curves.push_back(part.curves[k]);
-            }
-            strokeNodes_ += nodes.size();
-            builder_.addCurves(curves, stretches);
-            builder_.addRing(builder_.addMadeContour(shape), nodes, tag, stretches);
+        const bool remains = !inBackground(areas);        // else they are dropped before they cross anything
+        if (remains && areas.size() > kManyStrokeParts) { // where a path bends within its width, very many cross
+            areas = uniteAreas(std::move(areas), kUnionTolerance * size_);
         }
+        for (const OutlinedArea &area : areas) {
+            builder_.addMadeArea(shape, area, tag);
+        }
+    }
+
+    bool inBackground(const std::vector<OutlinedArea> &areas) const {
+        Box2 box;
+        for (const OutlinedArea &area : areas) {
+            for (const Vec2 node : area.rings.front().nodes) {
+                box.add(node);
+            }
+        }
+        return background_.contains(box.min) && background_.contains(box.max);
+    }
+
+    OutlinedArea areaOf(const BandPart &part) const {
+        OutlinedArea area;
+        OutlineRing &ring = area.rings.emplace_back();
+        for (std::size_t k = 0; k < part.nodes.size(); ++k) {
+            ring.nodes.push_back(part.nodes[k]);
+            if (part.curves[k].kind() == CurveKind::Line) {
+                ring.stretches.emplace_back();
+                continue;
+            }
+            double from = 0.0;
+            for (const double to : part.curves[k].flatten(tolerance_)) {
+                ring.stretches.push_back({static_cast<std::uint32_t>(area.curves.size()), from, to});
+                if (to < 1.0) {
+                    ring.nodes.push_back(part.curves[k].point(to));
+                }
+                from = to;
+            }
+            area.curves.push_back(part.curves[k]);
+        }
+        return area;
     }
 
     void addLine(const SvgPath &path, std::int32_t tag) {
@@ -485,6 +506,7 @@ class SvgBuilder {
     std::uint32_t shape_ = 0;
     std::size_t painted_ = kNone;                               ///< the element of the last contour
     std::size_t noted_ = kNone;                                 ///< the element of the last path
+    Box2 background_;                                           ///< a box that a filled rectangle covers
     std::size_t strokeNodes_ = 0;                               ///< of the outlines of strokes
     double thinnest_ = std::numeric_limits<double>::infinity(); ///< minimum width of the strokes that are areas
     std::uint32_t contour_ = 0;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/arrangement/arrangement.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+/// A closed loop; its first node is not repeated at the end.
+struct OutlineRing {
+    std::vector<Vec2> nodes;
+    std::vector<CurveStretch> stretches; ///< per node: the part of a curve that the piece from it on is a chord of
+
+    /// Returns the stretches for a list that has the curves of the area from `firstCurve` on.
+    std::vector<CurveStretch> stretchesFrom(std::uint32_t firstCurve) const;
+};
+
+/// An area between closed loops.
+struct OutlinedArea {
+    FillRule rule = FillRule::NonZero;
+    std::vector<Curve> curves; ///< that pieces are chords of
+    std::vector<OutlineRing> rings;
+
+    std::size_t nodeCount() const;
+};
+
+/// Unites areas in groups of neighbours in the given order, then those unions, and so on. What lies inside a union is
+/// dropped before it can cross the rest. Returns few areas, usually one, that cover the same; those that cannot be
+/// united are returned as they are. Nodes move by at most `tolerance`, in domain units, at each of about
+/// log(count) / log(8) steps.
+std::vector<OutlinedArea> uniteAreas(std::vector<OutlinedArea> areas, double tolerance);
+
+} // namespace forefront
