@@ -5,10 +5,10 @@
 #include "core/geometry/predicates.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
-#include <tuple>
+#include <span>
+#include <utility>
 
 namespace forefront {
 
@@ -42,22 +42,16 @@ class HiddenShapes {
     }
 
     std::vector<std::uint8_t> run() {
-        constexpr std::size_t kMaxCovers = 64; // limits the work; a background is larger than everything else
         std::vector<std::uint32_t> order;
         for (std::uint32_t shape = 0; shape < boxes_.size(); ++shape) {
             if (input_.shapes[shape].partOf == kNoClip && !boxes_[shape].empty()) {
                 order.push_back(shape);
             }
         }
-        std::stable_sort(order.begin(), order.end(), [&](std::uint32_t s, std::uint32_t t) {
-            return areaOf(boxes_[s]) > areaOf(boxes_[t]);
-        });
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            // Among shapes of equal size all or none are tried, so that the order of the shapes does not matter.
-            const bool tie = k > 0 && areaOf(boxes_[order[k]]) == areaOf(boxes_[order[k - 1]]);
-            if (k >= kMaxCovers && !tie) {
-                break;
-            }
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t s, std::uint32_t t) { return areaOf(boxes_[s]) > areaOf(boxes_[t]); });
+        const std::size_t covers = coverCount(order);
+        for (std::size_t k = 0; k < covers; ++k) {
             if (hidden_[order[k]] == 0) {
                 hideBelow(order[k], std::span(order).subspan(k + 1));
             }
@@ -66,6 +60,20 @@ class HiddenShapes {
     }
 
   private:
+    /// Returns how many of the shapes, the largest first, may hide others. Of several of the same size all may or none,
+    /// so that the order of the shapes does not matter.
+    std::size_t coverCount(const std::vector<std::uint32_t> &order) const {
+        constexpr std::size_t kMaxCovers = 64; // limits the work; a background is larger than everything else
+        if (order.size() <= kMaxCovers) {
+            return order.size();
+        }
+        std::size_t count = kMaxCovers;
+        while (count > 0 && areaOf(boxes_[order[count - 1]]) == areaOf(boxes_[order[count]])) {
+            --count;
+        }
+        return count;
+    }
+
     std::uint32_t shapeOf(const ArrangementPiece &piece) const { return input_.contours[piece.contour].shape; }
 
     /// Returns a box around the chord and what it stands for.
@@ -111,7 +119,8 @@ class HiddenShapes {
         }
     }
 
-    /// Returns true if a place away from the outlines of a shape lies in it, by their crossings with a ray to the right.
+    /// Returns true if a place away from the outlines of a shape lies in it, by their crossings with a ray to the
+    /// right.
     bool covers(std::uint32_t shape, const BoxTree &outlines, Vec2 place) const {
         std::map<std::uint32_t, int> winding; // by contour
         Box2 ray;

@@ -100,7 +100,8 @@ TEST_CASE("findHiddenShapes: curves count, not their chords; so do clips and fea
     clipped.addRing(clipped.addContour(clipped.addClipPart(clip)), rectangle(0, 0, 5, 5), 7);
     clipped.addRing(clipped.addContour(clipped.addShape(0, {}, clip)), rectangle(0, 0, 10, 10), 1);
     clipped.addRing(clipped.addContour(clipped.addShape(0, {}, clip)), rectangle(1, 1, 2, 2), 1);
-    clipped.addRing(clipped.addContour(clipped.addShape(0)), rectangle(6, 6, 2, 2), 1); // where the clip hides the other
+    clipped.addRing(clipped.addContour(clipped.addShape(0)), rectangle(6, 6, 2, 2),
+                    1); // where the clip hides the other
     CHECK(findHiddenShapes(clipped, 0.01) == std::vector<std::uint8_t>{0, 0, 1, 0});
 
     ArrangementInput regions;
@@ -152,7 +153,8 @@ TEST_CASE("uniteAreas: many areas become one that covers the same") {
         const std::vector<OutlinedArea> discs = randomDiscs(random, count, 256);
         const std::vector<OutlinedArea> united = uniteAreas(discs, 1e-9);
         REQUIRE(united.size() == 1);
-        const Domain expected = arranged(inputOfAreas(discs, true)).domain, found = arranged(inputOfAreas(united, true)).domain;
+        const Domain expected = arranged(inputOfAreas(discs, true)).domain,
+                     found = arranged(inputOfAreas(united, true)).domain;
         CHECK(insideArea(found) == doctest::Approx(insideArea(expected)).epsilon(1e-4)); // of chords
         CHECK(found.segments.size() <= expected.segments.size() + 4); // nodes where inner outlines ended stay away
     }
