@@ -73,34 +73,34 @@ Diagnostics checkClosed(const ArrangementInput &input, const JoinedLines &joined
     return faults;
 }
 
-/// Joins the pieces, except those of shapes of which nothing is left.
+/// Joins all pieces except those of hidden shapes.
 JoinedLines joinPieces(const ArrangementInput &input, double tolerance, const std::stop_token &stop) {
-    constexpr double kClear = 4.0; // tolerances between a shape and what hides it
+    constexpr double kClear = 4.0; // minimum clearance, in tolerances
     const std::vector<std::uint8_t> hidden = findHiddenShapes(input, kClear * tolerance);
     std::vector<SnapLine> lines;
     std::vector<CurveStretch> stretches;
-    std::vector<std::uint32_t> joins; // the piece of each line
+    std::vector<std::uint32_t> pieceOfLine;
     lines.reserve(input.pieces.size());
     stretches.reserve(input.pieces.size());
-    joins.reserve(input.pieces.size());
+    pieceOfLine.reserve(input.pieces.size());
     for (std::uint32_t k = 0; k < input.pieces.size(); ++k) {
         const ArrangementPiece &piece = input.pieces[k];
         if (hidden.empty() || piece.role != PieceRole::Outline || hidden[input.contours[piece.contour].shape] == 0) {
             lines.push_back({piece.a, piece.b});
             stretches.push_back(piece.stretch);
-            joins.push_back(k);
+            pieceOfLine.push_back(k);
         }
     }
     JoinedLines joined = joinLines(lines, stretches, input.curves, tolerance, stop);
     for (std::uint32_t &source : joined.source) {
-        source = joins[source];
+        source = pieceOfLine[source];
     }
     for (ChordMeeting &meeting : joined.meetings) {
-        meeting.chord = joins[meeting.chord];
-        meeting.other = joins[meeting.other];
+        meeting.chord = pieceOfLine[meeting.chord];
+        meeting.other = pieceOfLine[meeting.other];
     }
     for (ChordCut &cut : joined.left) {
-        cut.chord = joins[cut.chord];
+        cut.chord = pieceOfLine[cut.chord];
     }
     return joined;
 }

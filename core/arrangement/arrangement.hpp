@@ -153,6 +153,7 @@ struct Arrangement {
 /// Builds a domain from labelled pieces as their planar arrangement: crossings, contacts and overlaps are found
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
 /// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
+/// - In a drawing with a single feature, shapes that another one hides are dropped first, see findHiddenShapes().
 /// - Parts of lines that repeat an outline within their reach disappear, and the rest is then arranged again. Its ends
 ///   move to the outline, within that reach. Changes are those of the drawing as it was given.
 /// - Outlines of clips appear only where they bound what a shape covers. Where they and made contours cross or touch
@@ -165,7 +166,8 @@ struct Arrangement {
 /// - A valid domain is returned with its nodes and segments in the order of the pieces.
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses
 ///   between tags and decides between features.
-/// Errors: non-finite, out-of-range, open-contour (a contour whose pieces do not form closed loops), cancelled.
+/// Errors: non-finite, out-of-range, open-contour (a contour whose pieces do not form closed loops, unless another
+/// shape hides it), cancelled.
 Result<Arrangement> arrange(const ArrangementInput &input, const std::stop_token &stop = {});
 
 } // namespace forefront

@@ -57,7 +57,7 @@ class ChangeList {
     /// Adds one change. `displacement`: distance moved, or the area for OverlapsDecided. `piece`: the index of the
     /// piece concerned.
     void add(ChangeKind kind, Vec2 at, double displacement, std::uint32_t piece);
-    /// Replaces each piece by the number that a list has for it.
+    /// Replaces each index k of a piece by numbers[k].
     void renumberPieces(std::span<const std::uint32_t> numbers);
     /// Returns the changes ordered by kind.
     std::vector<ArrangementChange> take();

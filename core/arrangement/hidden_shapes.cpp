@@ -120,13 +120,15 @@ class HiddenShapes {
     }
 
     /// Returns true if a place away from the outlines of a shape lies in it, by their crossings with a ray to the
-    /// right.
+    /// right; false if there are very many.
     bool covers(std::uint32_t shape, const BoxTree &outlines, Vec2 place) const {
+        constexpr std::size_t kMaxCrossings = 1000;
         std::map<std::uint32_t, int> winding; // by contour
+        std::size_t crossings = 0;
         Box2 ray;
         ray.add(place);
         ray.add(Vec2{boxes_[shape].max.x, place.y});
-        outlines.query(ray, [&](std::uint32_t k) {
+        const bool all = outlines.search(ray, [&](std::uint32_t k) {
             const ArrangementPiece &piece = input_.pieces[piecesOf(shape)[k]];
             const bool up = piece.a.y <= place.y && piece.b.y > place.y;
             const bool down = piece.b.y <= place.y && piece.a.y > place.y;
@@ -134,7 +136,11 @@ class HiddenShapes {
                 (down && orientation(piece.a, piece.b, place) < 0)) {
                 winding[piece.contour] += up ? 1 : -1;
             }
+            return ++crossings <= kMaxCrossings;
         });
+        if (!all) {
+            return false;
+        }
         const auto inside = [&](const auto &turns) {
             return input_.contours[turns.first].rule == FillRule::EvenOdd ? turns.second % 2 != 0 : turns.second != 0;
         };

@@ -7,10 +7,10 @@
 
 namespace forefront {
 
-/// Returns, per shape, whether it certainly lies within another one, at least `reach` from its outlines, so that
-/// nothing of it is left: its box is in the area of one of the largest other shapes. Such shapes need not be arranged;
-/// under a background, they are most of a drawing. Empty if there is more than one feature, which could show between
-/// two shapes.
+/// Finds shapes that a larger shape covers completely; under a background, they are most of a drawing. A shape counts
+/// if its box, grown by `reach`, lies in the area of one of the 64 largest shapes and meets none of that shape's
+/// outlines. So a few covered shapes may be missed. Returns 1 per covered shape; an empty list with several features,
+/// because covered shapes may then remain as regions, and with fewer than two shapes.
 std::vector<std::uint8_t> findHiddenShapes(const ArrangementInput &input, double reach);
 
 } // namespace forefront

@@ -27,7 +27,7 @@ ArrangementInput inputOf(std::span<const OutlinedArea> areas, double tolerance) 
     return input;
 }
 
-/// Follows the boundary of a domain. Where loops touch, any way on is right: the rule is even-odd.
+/// Follows the boundary of a domain. Where loops touch, any continuation is right, because the rule is even-odd.
 class RingTracer {
   public:
     explicit RingTracer(const Domain &domain) : domain_(domain), newCurves_(domain.curves.size(), kNoIndex) {
@@ -123,7 +123,8 @@ std::vector<OutlinedArea> uniteAreas(std::vector<OutlinedArea> areas, double tol
         std::vector<OutlinedArea> unions;
         for (std::size_t first = 0; first < areas.size(); first += kGroup) {
             const auto group = std::span(areas).subspan(first, std::min(kGroup, areas.size() - first));
-            if (const Result<Arrangement> united = arrange(inputOf(group, tolerance))) {
+            const Result<Arrangement> united = arrange(inputOf(group, tolerance));
+            if (united && !united->domain.segments.empty()) {
                 unions.push_back(RingTracer(united->domain).run());
             } else {
                 std::move(group.begin(), group.end(), std::back_inserter(rest));

@@ -9,9 +9,9 @@ namespace forefront {
 /// A closed loop; its first node is not repeated at the end.
 struct OutlineRing {
     std::vector<Vec2> nodes;
-    std::vector<CurveStretch> stretches; ///< per node: the part of a curve that the piece from it on is a chord of
+    std::vector<CurveStretch> stretches; ///< per node: the part of a curve that the piece starting there follows
 
-    /// Returns the stretches for a list that has the curves of the area from `firstCurve` on.
+    /// Returns the stretches with `firstCurve` added to the indices of their curves.
     std::vector<CurveStretch> stretchesFrom(std::uint32_t firstCurve) const;
 };
 
@@ -25,9 +25,9 @@ struct OutlinedArea {
 };
 
 /// Unites areas in groups of neighbours in the given order, then those unions, and so on. What lies inside a union is
-/// dropped before it can cross the rest. Returns few areas, usually one, that cover the same; those that cannot be
-/// united are returned as they are. Nodes move by at most `tolerance`, in domain units, at each of about
-/// log(count) / log(8) steps.
+/// dropped before it can cross the rest. Returns one area; more if some cannot be united, or are so thin that nothing
+/// would be left of a group: these stay as they are. Nodes move by at most `tolerance`, in domain units, at each of
+/// about log(count) / log(8) steps.
 std::vector<OutlinedArea> uniteAreas(std::vector<OutlinedArea> areas, double tolerance);
 
 } // namespace forefront

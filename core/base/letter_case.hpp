@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Returns a text with its ASCII capitals in lower case, independent of the locale.
+/// Returns a text with its ASCII letters in lower case, independent of the locale.
 inline std::string lowerCase(std::string_view text) {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(),
@@ -14,7 +14,7 @@ inline std::string lowerCase(std::string_view text) {
     return result;
 }
 
-/// Returns a text with its ASCII small letters in capitals, independent of the locale.
+/// Returns a text with its ASCII letters in upper case, independent of the locale.
 inline std::string upperCase(std::string_view text) {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(),

@@ -28,7 +28,7 @@ bool hides(const Rings &path, FillRule rule, const std::vector<Vec2> &square) {
     return hidden[0] != 0;
 }
 
-/// Returns a disc with so many chords.
+/// Returns a disc made of `chords` chords.
 OutlinedArea disc(Vec2 centre, double radius, int chords = 8) {
     OutlinedArea area;
     area.curves = {Curve::arc(centre, {radius, 0.0}, {0.0, radius}, 0.0, 2.0 * std::numbers::pi)};
@@ -129,6 +129,28 @@ TEST_CASE("arrange: what is hidden crosses nothing, counts as vanished, and does
     CHECK(segmentSet(arranged(input).domain) == segmentSet(result.domain));
 }
 
+TEST_CASE("findHiddenShapes: a hole of a polygon hides nothing, and very many crossings are not counted") {
+    ArrangementInput holed;
+    const std::uint32_t shape = holed.addShape(holed.addFeature(1));
+    holed.addRing(holed.addContour(shape), rectangle(0, 0, 10, 10), 1);
+    holed.addRing(holed.addContour(shape, FillRule::NonZero, true), rectangle(1, 1, 5, 5), 1);
+    holed.addRing(holed.addContour(holed.addShape(0)), rectangle(2, 2, 1, 1), 1);
+    holed.addRing(holed.addContour(holed.addShape(0)), rectangle(7, 7, 1, 1), 1);
+    CHECK(findHiddenShapes(holed, 0.01) == std::vector<std::uint8_t>{0, 0, 1});
+
+    std::vector<Vec2> comb{{-10, 0}, {-10, -5}, {3000, -5}};
+    for (int tooth = 1499; tooth >= 0; --tooth) {
+        comb.insert(comb.end(), {{2.0 * tooth + 1.5, 0.0}, {2.0 * tooth + 1.0, 10.0}, {2.0 * tooth + 0.5, 0.0}});
+    }
+    comb.insert(comb.end(), {{-5.0, 0.0}, {-5.0, 10.0}});
+    comb.push_back({-10, 10});
+    ArrangementInput input;
+    addPath(input, FillRule::NonZero, {comb});
+    addPath(input, FillRule::NonZero, {rectangle(-8, 4.6, 1, 1)});  // before all teeth
+    addPath(input, FillRule::NonZero, {rectangle(2900, -4, 1, 1)}); // below them
+    CHECK(findHiddenShapes(input, 0.01) == std::vector<std::uint8_t>{0, 0, 1});
+}
+
 TEST_CASE("arrange: random discs, some hidden, cover what they cover as one shape") {
     std::mt19937 random(5);
     std::size_t hidden = 0;
@@ -164,4 +186,6 @@ TEST_CASE("uniteAreas: many areas become one that covers the same") {
     CHECK(apart[0].curves.size() == 3);
     CHECK(apart[0].nodeCount() == 24);
     CHECK(uniteAreas({}, 1e-9).empty());
+    const auto thin = uniteAreas({disc({0, 0}, 1e-12), disc({1e-12, 0}, 1e-12), disc({5, 0}, 1e-12)}, 1e-3);
+    CHECK(thin.size() == 3); // nothing would be left of them
 }

@@ -238,4 +238,10 @@ TEST_CASE("Import notes: many messages that differ only in what they quote are o
                   0);
     }
     CHECK(notes.diagnostics().size() == 8);
+    for (const char *word : {"Bob's", "a", "b", "c", "d", "e"}) {
+        notes.add("layer", "layer '" + std::string(word) + "' of 'map' is empty", "map.json", text, 0);
+    }
+    REQUIRE(notes.diagnostics().size() == 9);
+    CHECK(notes.diagnostics()[8].message ==
+          "layer 'Bob's' of 'map' is empty (6 times; also 'a', 'map'; 'b', 'map'; 'c', 'map'; 'd', 'map'; 'e', 'map')");
 }

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <random>
@@ -270,4 +271,23 @@ TEST_CASE("SVG stroke areas: a path that bends within its width everywhere cover
         }
     }
     CHECK(areas(*domain).at(1) == doctest::Approx(static_cast<double>(covered) * kStep * kStep).epsilon(2e-3));
+}
+
+TEST_CASE("SVG stroke areas: very thin strokes of many parts keep their area, and hidden ones need no change") {
+    std::string zigzag = "M10 10";
+    double length = 0.0;
+    for (int k = 0; k < 30; ++k) {
+        zigzag += k % 2 == 0 ? "l2 1" : "l-1 2";
+        length += std::sqrt(5.0);
+    }
+    for (const char *width : {"1e-6", "3e-7", "1e-8"}) {
+        CAPTURE(width);
+        const double found = areaOf(zigzag, "stroke-linejoin='bevel' stroke-width='" + std::string(width) + "'");
+        CHECK(found == doctest::Approx(length * std::stod(width)).epsilon(1e-3));
+    }
+    const std::string background = "<rect width='100' height='100' fill='black' stroke='none'/>";
+    ImportNotes notes;
+    const auto strict = readStrokes(background + "<path d='M10 10L50 50M10 50L50 10'/>", &notes, true);
+    REQUIRE(strict.ok());
+    CHECK(strict->segments.size() == 4);
 }

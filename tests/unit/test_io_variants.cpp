@@ -35,6 +35,14 @@ TEST_CASE("Abaqus: nodes may follow the elements, and be in several sections") {
     REQUIRE_FALSE(missing.ok());
     CHECK(missing.faults()[0].line == 2);
     CHECK_FALSE(readAbaqus(sourceOf(some + others)).ok());
+    const auto parts =
+        readAbaqus(sourceOf("*PART, NAME=a\n" + some + others + elements + "*PART, NAME=b\n" + elements));
+    REQUIRE_FALSE(parts.ok());
+    CHECK(parts.faults()[0].code == "several-parts");
+    const auto commented =
+        readAbaqus(sourceOf("*ELEMENT, TYPE=CPS3, ELSET=p\n1, 1, 2, 3\n" + some + others + "** tag 5\n"));
+    REQUIRE(commented.ok());
+    CHECK(commented->region(0) == 1); // the comment at the end says nothing about the beginning
     CHECK_FALSE(readAbaqus(sourceOf(elements)).ok());
 }
 
@@ -68,6 +76,7 @@ TEST_CASE("VTK: keywords count in any case") {
     const auto other = readVtk(sourceOf(head + "ascii\ndataset polydata\n"));
     REQUIRE_FALSE(other.ok());
     CHECK(other.faults()[0].line == 4);
+    CHECK(other.faults()[0].message.find("'polydata'") != std::string::npos);
 }
 
 TEST_CASE("MSH: names of version 2.0 have no dimension; version 1 is named") {
@@ -89,4 +98,5 @@ TEST_CASE("SU2: a mesh of three dimensions is refused for that reason") {
     REQUIRE_FALSE(read.ok());
     CHECK(read.faults()[0].code == "not-planar");
     CHECK(read.faults()[0].line == 1);
+    CHECK(read.faults()[0].column == 8);
 }

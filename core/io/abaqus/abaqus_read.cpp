@@ -31,13 +31,14 @@ class AbaqusReader {
             regions_.reserve(tag);
         }
         const std::size_t begin = scanner_.offset();
-        sections(); // nodes alone: some programs write them behind the elements, or in several places
+        sections(); // first pass: nodes only, because some programs write them after the elements, or in several places
         if (scanner_.ok() && !hasElements_) {
             scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no *NODE or *ELEMENT section");
         }
         if (scanner_.ok() && builder_.finishNodes(scanner_)) {
             scanner_.seek(begin);
             nodesFinished_ = true;
+            tagComment_ = pointComment_ = 0;
             sections();
         }
         if (!scanner_.ok()) {
@@ -121,7 +122,12 @@ class AbaqusReader {
 
     void data(const Keyword &keyword) {
         hasElements_ = hasElements_ || keyword.name == "*ELEMENT";
-        if (nodesFinished_ == (keyword.name == "*NODE")) { // of the other pass
+        parts_ += keyword.name == "*PART" && !nodesFinished_ ? 1 : 0;
+        const bool ofThisPass = nodesFinished_ != (keyword.name == "*NODE");
+        if (parts_ > 1) {
+            scanner_.fail(keyword.offset, "several-parts", "files of several parts cannot be read",
+                          "write one part, or a flat input file without parts and assemblies");
+        } else if (!ofThisPass) {
             skipData();
         } else if (!nodesFinished_) {
             nodes();
@@ -336,6 +342,7 @@ class AbaqusReader {
     std::size_t lineOffset_ = 0;
     bool nodesFinished_ = false; ///< the second pass reads everything else
     bool hasElements_ = false;
+    int parts_ = 0;
     std::int32_t tagComment_ = 0, pointComment_ = 0;
     std::vector<std::int64_t> numbers_; ///< of the elements
     std::vector<bool> ownSet_;          ///< the element was given its set with *ELEMENT

@@ -137,8 +137,12 @@ bool MshFile::readNames() {
             !scanner_.integer(tag, -kGreatestTag, kGreatestTag, expect) || !scanner_.quotedWord(name, expect)) {
             return false;
         }
-        auto &names = bare ? bareNames_ : names_[static_cast<std::size_t>(dimension)];
-        addName(names, static_cast<std::int32_t>(std::abs(tag)), std::string(name), dimension == 2);
+        const auto group = static_cast<std::int32_t>(std::abs(tag));
+        if (bare) {
+            bareNames_.emplace(group, name);
+        } else {
+            addName(names_[static_cast<std::size_t>(dimension)], group, std::string(name), dimension == 2);
+        }
     }
     return true;
 }

@@ -1,5 +1,6 @@
 #include "core/domain/domain.hpp"
 #include "core/domain/unused_tag.hpp"
+#include "core/io/common/names.hpp"
 #include "core/io/gmsh/msh_file.hpp"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ void MshFile::spreadBareNames() {
     const auto give = [&](std::int32_t tag, std::size_t dimension) {
         const auto found = bareNames_.find(tag);
         if (found != bareNames_.end()) {
-            names_[dimension].insert(*found);
+            addName(names_[dimension], tag, found->second, dimension == 2);
         }
     };
     for (const TaggedNode &point : builder_.mesh.points) {

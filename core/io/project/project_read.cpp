@@ -101,8 +101,9 @@ class ProjectReader {
     bool header(const JsonValue &root) {
         const auto format = root.find("format");
         if (!format || format->string() != "forefront") {
-            check_.fault(format.value_or(root), "not-a-project", "neither a Forefront project, nor GeoJSON or TopoJSON",
-                         "a project begins with {\"format\": \"forefront\", \"version\": 2; a map has a \"type\"");
+            check_.fault(format.value_or(root), "not-a-project", "not a Forefront project, GeoJSON or TopoJSON file",
+                         "a project begins with {\"format\": \"forefront\", \"version\": 2; a map has a \"type\" such "
+                         "as \"FeatureCollection\" or \"Topology\"");
             return false;
         }
         const auto version = check_.member(root, "version", "the project");

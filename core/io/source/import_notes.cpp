@@ -11,21 +11,37 @@ namespace forefront {
 
 namespace {
 
-/// A message without what it quotes, and that: "'a', 'b'".
+/// A message split into its fixed text and its quoted names: "'a', 'b'".
 struct Quoting {
     std::string frame, quoted;
+    std::size_t quotes = 0;
 };
+
+bool opensQuote(const std::string &text, std::size_t at) {
+    return text[at] == '\'' && (at == 0 || text[at - 1] == ' ' || text[at - 1] == '(');
+}
+
+/// Returns where a quote that opens at a place closes; npos if it does not. Names may have apostrophes.
+std::size_t closingQuote(const std::string &text, std::size_t open) {
+    for (std::size_t at = text.find('\'', open + 1); at != std::string::npos; at = text.find('\'', at + 1)) {
+        if (at + 1 == text.size() || std::string_view(" ,.;:)").find(text[at + 1]) != std::string_view::npos) {
+            return at;
+        }
+    }
+    return std::string::npos;
+}
 
 Quoting quotingOf(const std::string &message) {
     Quoting parts;
     for (std::size_t at = 0; at < message.size();) {
-        const bool opens = message[at] == '\'' && (at == 0 || message[at - 1] == ' ' || message[at - 1] == '(');
-        const std::size_t end = opens ? message.find('\'', at + 1) : std::string::npos;
+        const std::size_t end = opensQuote(message, at) ? closingQuote(message, at) : std::string::npos;
         if (end == std::string::npos) {
             parts.frame += message[at++];
             continue;
         }
         parts.quoted += (parts.quoted.empty() ? "" : ", ") + message.substr(at, end + 1 - at);
+        parts.frame += '\'';
+        ++parts.quotes;
         at = end + 1;
     }
     return parts;
@@ -34,21 +50,21 @@ Quoting quotingOf(const std::string &message) {
 /// Notes whose messages differ only in what they quote.
 struct NoteKind {
     std::size_t count = 0; ///< of all together
-    std::vector<std::string> quoted;
+    std::vector<const Quoting *> quotings;
 
     bool joined() const {
-        constexpr std::size_t kMany = 5; // fewer keep their places
-        return quoted.size() > kMany;
+        constexpr std::size_t kFew = 5; // up to so many keep their places
+        return quotings.size() > kFew;
     }
 
     /// Returns "(9 times; also 'b', 'c')".
     std::string text() const {
         constexpr std::size_t kShown = 8;
         std::string text = " (" + std::to_string(count) + " times";
-        for (std::size_t k = 1; k < std::min(quoted.size(), kShown); ++k) {
-            text += (k == 1 ? "; also " : ", ") + quoted[k];
+        for (std::size_t k = 1; k < std::min(quotings.size(), kShown); ++k) {
+            text += (k == 1 ? "; also " : quotings[k]->quotes > 1 ? "; " : ", ") + quotings[k]->quoted;
         }
-        return text + (quoted.size() > kShown ? " and others)" : ")");
+        return text + (quotings.size() > kShown ? " and others)" : ")");
     }
 };
 
@@ -70,21 +86,22 @@ void ImportNotes::add(std::string_view code, const std::string &message, const s
 }
 
 Diagnostics ImportNotes::diagnostics() const {
+    std::vector<Quoting> quotings;
+    quotings.reserve(entries_.size());
     std::map<std::tuple<std::string, std::string, std::string>, NoteKind> kinds;
-    const auto kindOf = [&](const ImportNote &note, const Quoting &parts) -> NoteKind & {
-        return kinds[{note.code, note.file, parts.frame}];
-    };
+    std::vector<const NoteKind *> kindOf;
     for (const ImportNote &note : entries_) {
-        const Quoting parts = quotingOf(note.message);
-        NoteKind &kind = kindOf(note, parts);
+        quotings.push_back(quotingOf(note.message));
+        NoteKind &kind = kinds[{note.code, note.file, quotings.back().frame}];
         kind.count += note.count;
-        kind.quoted.push_back(parts.quoted);
+        kind.quotings.push_back(&quotings.back());
+        kindOf.push_back(&kind);
     }
     Diagnostics list;
-    for (const ImportNote &note : entries_) {
-        const Quoting parts = quotingOf(note.message);
-        const NoteKind &kind = kindOf(note, parts);
-        if (kind.joined() && kind.quoted.front() != parts.quoted) {
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+        const ImportNote &note = entries_[k];
+        const NoteKind &kind = *kindOf[k];
+        if (kind.joined() && kind.quotings.front() != &quotings[k]) {
             continue;
         }
         Diagnostic entry;

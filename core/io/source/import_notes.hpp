@@ -41,8 +41,8 @@ class ImportNotes {
     const std::vector<ImportNote> &entries() const { return entries_; }
     const DrawingContents &contents() const { return contents_; }
     bool empty() const { return entries_.empty(); }
-    /// Returns the notes for a log: "... (3 times)" with file, line and column of the first. Many whose messages differ
-    /// only in what they quote are one: "... 'a' ... (9 times; also 'b', 'c')".
+    /// Returns the notes for a log: "... (3 times)" with file, line and column of the first. More than five
+    /// notes that differ only in quoted names are shown as one: "... 'a' ... (9 times; also 'b', 'c')".
     Diagnostics diagnostics() const;
 
   private:

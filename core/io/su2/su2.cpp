@@ -115,10 +115,13 @@ class Su2Reader {
             return true;
         }
         if (word == "NDIME") {
+            line.peek();
             const std::size_t at = line.offset();
-            return line.integer(number, 2, 3, {"the dimension"}) &&
+            return line.integer(number, 1, 3, {"the dimension"}) &&
                    (number == 2 ||
-                    line.fail(at, "not-planar", "the mesh has three dimensions; only plane ones can be read"));
+                    line.fail(at, "not-planar",
+                              "the mesh has " + std::to_string(number) + " dimension" + (number == 1 ? "" : "s"),
+                              "only planar meshes can be read"));
         }
         if (word == "NELEM") {
             return itemCount(line, count, 7, "the number of elements") && connections(count, 0);

@@ -113,7 +113,7 @@ Box2 noteBackground(const SourceText &source, const std::vector<SvgPath> &paths,
                     rectangle->offset);
     }
     const Box2 box = rectangle->bounds();
-    return box.grown(-2.0 * kUncovered * box.diagonal());
+    return rectangle->limit == kNoClip ? box.grown(-2.0 * kUncovered * box.diagonal()) : Box2();
 }
 
 } // namespace forefront

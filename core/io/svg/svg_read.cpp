@@ -26,10 +26,11 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kMaxStrokeNodes = 2'000'000;
-constexpr std::size_t kManyStrokeParts = 8; ///< more are united before they cross others
-constexpr double kUnionTolerance = 1e-9;    ///< of the drawing size, for that union
-constexpr double kStrokeTolerance = 1e-4;   ///< of the width of a stroke: within that, sides of strokes are joined
-constexpr double kMaxStroke = 1.0 / 16.0;   ///< of the drawing size: the widest stroke that may repeat an outline
+constexpr std::size_t kManyStrokeParts = 8; ///< strokes with more parts are united first
+/// Tolerance of that union, as a fraction of the drawing size and of the width of the stroke.
+constexpr double kUnionTolerance = 1e-9, kUnionOfWidth = 1e-6;
+constexpr double kStrokeTolerance = 1e-4; ///< of the width of a stroke: within that, sides of strokes are joined
+constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
 
 bool isLoop(const SvgPath &path) {
     return path.closed && path.nodes.size() > 2;
@@ -443,9 +444,10 @@ class SvgBuilder {
             return;
         }
         thinnest_ = std::min(thinnest_, path.strokeWidth);
-        const bool remains = !inBackground(areas);        // else they are dropped before they cross anything
-        if (remains && areas.size() > kManyStrokeParts) { // where a path bends within its width, very many cross
-            areas = uniteAreas(std::move(areas), kUnionTolerance * size_);
+        // Where a path bends within its width, nearly all parts cross each other. Those in a background are dropped
+        // before they are arranged.
+        if (areas.size() > kManyStrokeParts && !inBackground(areas)) {
+            areas = uniteAreas(std::move(areas), std::min(kUnionTolerance * size_, kUnionOfWidth * path.strokeWidth));
         }
         for (const OutlinedArea &area : areas) {
             builder_.addMadeArea(shape, area, tag);

@@ -109,7 +109,7 @@ class VtkReader {
         if (header()) {
             while (scanner_.ok() && !scanner_.atEnd()) {
                 const std::size_t place = scanner_.offset();
-                section(keyword(), place);
+                section(scanner_.word(), place);
             }
         }
         if (scanner_.ok() && !builder_.finishNodes(scanner_)) {
@@ -129,19 +129,18 @@ class VtkReader {
         scanner_.skipLine();
         scanner_.skipLine();
         const std::size_t place = scanner_.offset();
-        const std::string kind = keyword();
-        if (kind == "BINARY") {
+        const std::string_view kind = scanner_.word();
+        if (upperCase(kind) == "BINARY") {
             return scanner_.fail(place, "binary", "binary VTK legacy files cannot be read",
                                  "save it as ASCII or as VTU");
         }
-        if (kind != "ASCII") {
+        if (upperCase(kind) != "ASCII") {
             return scanner_.fail(place, "bad-syntax", "expected ASCII on the third line, found " + inQuotes(kind));
         }
         return literal("DATASET") && literal("UNSTRUCTURED_GRID");
     }
 
-    /// Returns the next word in capitals, as VTK compares keywords.
-    std::string keyword() { return upperCase(scanner_.word()); }
+    /// VTK reads its keywords in any case.
     bool isNext(std::string_view expected) { return upperCase(scanner_.peek()) == expected; }
     bool literal(std::string_view expected) {
         if (isNext(expected)) {
@@ -151,7 +150,8 @@ class VtkReader {
         return scanner_.literal(expected);
     }
 
-    bool section(std::string_view word, std::size_t place) {
+    bool section(std::string_view given, std::size_t place) {
+        const std::string word = upperCase(given);
         std::size_t count = 0;
         if (word == "POINTS" && builder_.mesh.nodes.empty()) {
             return points();
@@ -185,7 +185,7 @@ class VtkReader {
             scanner_.seek(blank == std::string_view::npos ? scanner_.source().text.size() : blank);
             return true;
         }
-        return scanner_.fail(place, "unknown-section", "the section " + inQuotes(word) + " cannot be read");
+        return scanner_.fail(place, "unknown-section", "the section " + inQuotes(given) + " cannot be read");
     }
 
     bool points() {
@@ -345,14 +345,15 @@ class VtkReader {
             }
             const std::size_t place = scanner_.offset();
             const std::string_view type = scanner_.word();
-            if (type == "string") {
+            if (lowerCase(type) == "string") {
                 return scanner_.fail(place, "unknown-section", "arrays of strings cannot be read");
             }
             if (!arrayOf(name, components, tuples)) {
                 return false;
             }
             if (isNext("METADATA")) {
-                section(keyword(), scanner_.offset());
+                const std::size_t metadata = scanner_.offset();
+                section(scanner_.word(), metadata);
             }
         }
         return scanner_.ok();
