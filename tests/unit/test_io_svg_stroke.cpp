@@ -291,3 +291,22 @@ TEST_CASE("SVG stroke areas: very thin strokes of many parts keep their area, an
     REQUIRE(strict.ok());
     CHECK(strict->segments.size() == 4);
 }
+
+TEST_CASE("SVG stroke areas: malformed limits and dashes count as in browsers, patterns are noted") {
+    const std::string corner = "M10 10H50V50", usual = "stroke-linejoin='miter'";
+    CHECK(areaOf(corner, "stroke-miterlimit='1.4'") == doctest::Approx(318));
+    CHECK(areaOf(corner, "stroke-miterlimit='1.4mm'") == areaOf(corner, usual)); // a limit has no unit
+    const double solid = areaOf("M10 10H50", "");
+    CHECK(areaOf("M10 10H50", "stroke-dasharray='4, 4'") == doctest::Approx(0.5 * solid));
+    CHECK(areaOf("M10 10H50", "stroke-dasharray=' 4 ,4 '") == doctest::Approx(0.5 * solid));
+    for (const char *list : {"4, 4,", ",4 4", "4,,4", "4 , , 4"}) {
+        CAPTURE(list);
+        CHECK(areaOf("M10 10H50", "stroke-dasharray='" + std::string(list) + "'") == doctest::Approx(solid));
+    }
+    ImportNotes notes;
+    const std::string pattern =
+        "<defs><pattern id='p' width='1' height='1'><rect width='1' height='1'/></pattern></defs>";
+    REQUIRE(readStrokes(pattern + "<path d='M10 10H50' stroke='url(#p)'/>", &notes).ok());
+    CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
+                      [](const ImportNote &note) { return note.code == "svg-pattern"; }));
+}

@@ -47,15 +47,13 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const Sv
     }
 }
 
-void noteFill(const SourceText &source, const SvgPaint &paint, const pugi::xml_node &node) {
-    if (!(paint.fillAlpha() > 0.0)) {
-        return;
-    }
-    if (paint.patterned) {
+void notePaint(const SourceText &source, const SvgPaint &paint, const pugi::xml_node &node) {
+    const bool fills = paint.fillAlpha() > 0.0, strokes = source.options.strokeAreas && paint.strokeAlpha() > 0.0;
+    if ((fills && paint.patterned) || (strokes && paint.strokePatterned)) {
         source.note("svg-pattern", "patterns count as a solid fill, without the gaps between their parts",
                     offsetOf(node));
     }
-    if (paint.faded) {
+    if ((fills && paint.faded) || (strokes && paint.strokeFaded)) {
         source.note("svg-gradient", "gradients that fade to transparent count as a solid fill", offsetOf(node));
     }
 }

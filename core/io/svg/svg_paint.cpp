@@ -127,18 +127,23 @@ SvgPaint paintOf(const pugi::xml_node &node, SvgPaintServers &servers, const Svg
             use(value);
         }
     };
+    const auto isPattern = [&](const char *property) {
+        return localName(targetOf(styles.valueAsWritten(node, property), servers.ids())) == "pattern";
+    };
     take("color", [&](const std::string &value) { paint.current = parseColour(value, inherited.current); });
     take("fill", [&](const std::string &given) {
         const std::string value = servers.paintedBy(node, "fill", given);
         paint.filled = value != "none";
         paint.fillGiven = true;
-        paint.patterned = localName(targetOf(styles.valueAsWritten(node, "fill"), servers.ids())) == "pattern";
+        paint.patterned = isPattern("fill");
         paint.faded = servers.fades(node, "fill");
         paint.fill = parseColour(value, paint.current);
     });
     take("stroke", [&](const std::string &given) {
         const std::string value = servers.paintedBy(node, "stroke", given);
         paint.stroked = value != "none";
+        paint.strokePatterned = isPattern("stroke");
+        paint.strokeFaded = servers.fades(node, "stroke");
         paint.stroke = parseColour(value, paint.current);
     });
     const auto ruleOf = [](const std::string &value) {

@@ -18,9 +18,11 @@ namespace forefront {
 /// Fill and stroke of a shape.
 struct SvgPaint {
     bool filled = true;
-    bool fillGiven = false; ///< the drawing states the fill
-    bool patterned = false; ///< the fill is a pattern
-    bool faded = false;     ///< the fill is a gradient that is transparent in parts
+    bool fillGiven = false;       ///< the drawing states the fill
+    bool patterned = false;       ///< the fill is a pattern
+    bool faded = false;           ///< the fill is a gradient that is transparent in parts
+    bool strokePatterned = false; ///< the same for the stroke
+    bool strokeFaded = false;
     bool stroked = false;
     FillRule rule = FillRule::NonZero;
     FillRule clipRule = FillRule::NonZero; ///< the rule that applies instead inside a clip path

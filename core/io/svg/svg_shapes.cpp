@@ -53,7 +53,7 @@ double dashScaleOf(const pugi::xml_node &node, std::span<const SvgSubpath> subpa
 void SvgDrawer::shape(const Visit &visit, std::string_view name) {
     const pugi::xml_node &node = visit.node;
     if (reports_ && visit.partOf == kNoClip) { // what masks and clip paths make of a paint has a note of its own
-        noteFill(source_, visit.paint, node);
+        notePaint(source_, visit.paint, node);
     }
     const double stretch = visit.map.stretch();
     SvgPen pen(tolerance_ && stretch > 0.0 ? std::optional(*tolerance_ / stretch) : std::nullopt);

@@ -1,8 +1,10 @@
 #include "core/io/svg/svg_drawer.hpp"
 #include "core/io/svg/svg_elements.hpp"
+#include "core/io/text/text_scanner.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,6 +18,18 @@ namespace {
 bool isGeometry(std::string_view attribute) {
     constexpr std::array kProperties = {"x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"};
     return std::find(kProperties.begin(), kProperties.end(), attribute) != kProperties.end();
+}
+
+/// Returns true if a list begins or ends with a comma, or has two between items.
+bool hasStrayComma(std::string_view list) {
+    bool comma = true;
+    for (const char c : list) {
+        if (c == ',' && comma) {
+            return true;
+        }
+        comma = c == ',' || (comma && kBlanks.find(c) != kBlanks.npos);
+    }
+    return comma && !list.empty();
 }
 
 } // namespace
@@ -42,7 +56,9 @@ SvgLineStyle SvgDrawer::lineStyleOf(const Visit &visit) const {
         value = own && *own >= minimum ? *own : value;
     };
     take("stroke-width", SvgLineStyle().width, 0.0, style.width);
-    take("stroke-miterlimit", SvgLineStyle().miterLimit, 1.0, style.miterLimit);
+    const std::string miter = styles_.value(visit.node, "stroke-miterlimit");
+    const auto limit = miter == "initial" ? std::optional(SvgLineStyle().miterLimit) : parseReal(miter); // has no unit
+    style.miterLimit = limit && std::isfinite(*limit) && *limit >= 1.0 ? *limit : style.miterLimit;
     take("stroke-dashoffset", 0.0, kNegative, style.dashOffset);
     const std::string dashes = styles_.value(visit.node, "stroke-dasharray");
     if (!dashes.empty() && dashes != "inherit" && dashes != "unset") {
@@ -59,6 +75,9 @@ std::optional<double> SvgDrawer::userStrokeLength(const Visit &visit, std::strin
 std::vector<double> SvgDrawer::dashesOf(const Visit &visit, std::string_view text) {
     constexpr std::string_view kSeparators = ", \t\r\n";
     std::vector<double> dashes;
+    if (hasStrayComma(text)) {
+        return dashes;
+    }
     for (std::size_t from = text.find_first_not_of(kSeparators); from != text.npos;) {
         const std::size_t end = std::min(text.find_first_of(kSeparators, from), text.size());
         const auto length = userStrokeLength(visit, text.substr(from, end - from));
