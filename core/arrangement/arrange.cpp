@@ -178,7 +178,7 @@ void ArrangementInput::addChain(std::span<const Vec2> nodes, std::int32_t tag, s
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (nodes[k - 1] != nodes[k]) {
             pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint,
-                              k - 1 < stretches.size() ? stretches[k - 1] : CurveStretch{}, limit, reach});
+                              k - 1 < stretches.size() ? stretches[k - 1] : CurveStretch{}, limit, kNoShape, reach});
         }
     }
 }

@@ -34,6 +34,9 @@ enum class PieceRole : std::uint8_t {
 /// Marks a shape or line that no clip limits.
 inline constexpr std::uint32_t kNoClip = 0xffffffffU;
 
+/// Marks a piece that stands for no shape but that of its contour.
+inline constexpr std::uint32_t kNoShape = 0xffffffffU;
+
 /// A straight piece of a drawing with its labels.
 struct ArrangementPiece {
     Vec2 a;
@@ -46,6 +49,8 @@ struct ArrangementPiece {
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
     std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
+    /// Of a made contour: a shape that has not vanished while this piece is left. kNoShape: only that of the contour.
+    std::uint32_t shows = kNoShape;
     /// The distance from outlines, in domain units, up to which parts of a Constraint that repeat them are dropped; 0:
     /// never. See findRepeatedOutlines().
     double reach = 0.0;

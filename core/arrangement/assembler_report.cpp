@@ -133,6 +133,9 @@ void Assembler::reportVanished() {
         for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1] && single; ++k) {
             if (ofShape(pieceOf(i)) && kept(snapped_.ways[k] / 2)) {
                 left[unit(pieceOf(i))] = 1;
+                if (pieceOf(i).shows != kNoShape) {
+                    left[pieceOf(i).shows] = 1;
+                }
             }
         }
     }

@@ -21,7 +21,14 @@ ArrangementInput inputOf(std::span<const OutlinedArea> areas, double tolerance) 
         const auto firstCurve = static_cast<std::uint32_t>(input.curves.size());
         input.curves.insert(input.curves.end(), area.curves.begin(), area.curves.end());
         for (const OutlineRing &ring : area.rings) {
-            input.addRing(contour, ring.nodes, 1, ring.stretchesFrom(firstCurve));
+            const std::vector<CurveStretch> stretches = ring.stretchesFrom(firstCurve);
+            for (std::size_t k = 0; k < ring.nodes.size(); ++k) {
+                const Vec2 a = ring.nodes[k], b = ring.nodes[(k + 1) % ring.nodes.size()];
+                if (a != b) { // a tag carries the label
+                    const auto tag = static_cast<std::int32_t>(ring.labelAt(k) + 1);
+                    input.pieces.push_back({a, b, contour, tag, PieceRole::Outline, stretches[k]});
+                }
+            }
         }
     }
     return input;
@@ -66,6 +73,7 @@ class RingTracer {
             const DomainSegment &way = domain_.segments[segment];
             used_[segment] = 1;
             ring.nodes.push_back(domain_.nodes[node]);
+            ring.labels.push_back(static_cast<std::uint32_t>(way.tag - 1));
             ring.stretches.push_back(ownStretch(node == way.a ? way.stretch : way.stretch.reversed()));
             node = node == way.a ? way.b : way.a;
             segment = unusedAt(node);

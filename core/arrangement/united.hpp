@@ -10,7 +10,10 @@ namespace forefront {
 struct OutlineRing {
     std::vector<Vec2> nodes;
     std::vector<CurveStretch> stretches; ///< per node: the part of a curve that the piece starting there follows
+    std::uint32_t label = 0;             ///< a number of the caller's for its pieces, unless `labels` gives them
+    std::vector<std::uint32_t> labels;   ///< per node: that of the piece starting there; empty: all have the same
 
+    std::uint32_t labelAt(std::size_t node) const { return labels.empty() ? label : labels[node]; }
     /// Returns the stretches with `firstCurve` added to the indices of their curves.
     std::vector<CurveStretch> stretchesFrom(std::uint32_t firstCurve) const;
 };
@@ -27,7 +30,7 @@ struct OutlinedArea {
 /// Unites areas in groups of neighbours in the given order, then those unions, and so on. What lies inside a union is
 /// dropped before it can cross the rest. Returns one area; more if some cannot be united, or are so thin that nothing
 /// would be left of a group: these stay as they are. Nodes move by at most `tolerance`, in domain units, at each of
-/// about log(count) / log(8) steps.
+/// about log(count) / log(8) steps. Labels survive; where outlines coincide, the first area gives them.
 std::vector<OutlinedArea> uniteAreas(std::vector<OutlinedArea> areas, double tolerance);
 
 } // namespace forefront

@@ -310,3 +310,25 @@ TEST_CASE("SVG stroke areas: malformed limits and dashes count as in browsers, p
     CHECK(std::any_of(notes.entries().begin(), notes.entries().end(),
                       [](const ImportNote &note) { return note.code == "svg-pattern"; }));
 }
+
+TEST_CASE("SVG stroke areas: many strokes that overlap are one area, with the names of their paths") {
+    std::string apart, together;
+    for (int k = 0; k < 12; ++k) {
+        const std::string y = std::to_string(10 + 7 * k), x = std::to_string(12 + 7 * k);
+        apart += "<path id='row" + y + "' d='M5 " + y + "H95'/>" + "<path id='column" + x + "' d='M" + x + " 5V95'/>";
+        together += "M5 " + y + "H95M" + x + " 5V95";
+    }
+    const double expected = 24 * 90 * 4 - 144 * 16;
+    CHECK(areaOf(together, "") == doctest::Approx(expected));
+    const auto domain = readStrokes(apart);
+    REQUIRE(domain.ok());
+    CHECK(areas(*domain).at(1) == doctest::Approx(expected));
+    CHECK(domain->boundaryNames.size() == 24);
+    for (const DomainSegment &segment : domain->segments) { // each side has the name of the line that it belongs to
+        const std::string &name = domain->boundaryNames.at(segment.tag);
+        const Vec2 a = domain->nodes[segment.a], b = domain->nodes[segment.b];
+        if (distance(a, b) < 3.5) { // between crossings; the ends are 4 wide
+            CHECK(name.starts_with("row") == (a.y == b.y));
+        }
+    }
+}

@@ -82,13 +82,22 @@ std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, boo
     return input_.addContour(shape, rule, hole);
 }
 
-void DrawingBuilder::addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::int32_t tag) {
+void DrawingBuilder::addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::span<const MadeFrom> parts) {
     const std::uint32_t contour = input_.addContour(shape, area.rule);
     input_.contours[contour].made = true;
     const auto firstCurve = static_cast<std::uint32_t>(input_.curves.size());
     input_.curves.insert(input_.curves.end(), area.curves.begin(), area.curves.end());
     for (const OutlineRing &ring : area.rings) {
-        addRing(contour, ring.nodes, tag, ring.stretchesFrom(firstCurve));
+        const std::vector<CurveStretch> stretches = ring.stretchesFrom(firstCurve);
+        for (std::size_t k = 0; k < ring.nodes.size(); ++k) {
+            const Vec2 a = ring.nodes[k], b = ring.nodes[(k + 1) % ring.nodes.size()];
+            const MadeFrom &part = parts[ring.labelAt(k)];
+            if (a != b) {
+                input_.pieces.push_back(
+                    {a, b, contour, part.tag, PieceRole::Outline, stretches[k], kNoClip, part.shape});
+                places_.insert(places_.end(), {part.offset, part.offset});
+            }
+        }
     }
 }
 

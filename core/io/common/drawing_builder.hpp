@@ -31,8 +31,15 @@ class DrawingBuilder {
         return input_.addClipPart(clip, limit, removes);
     }
     std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
-    /// Adds an area that was made from what the file says, such as that of a stroke.
-    void addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::int32_t tag);
+    /// What a piece of an area was made from.
+    struct MadeFrom {
+        std::int32_t tag = 1;
+        std::size_t offset = 0; ///< in the text
+        std::uint32_t shape = 0;
+    };
+    /// Adds an area that was made from what the file says, such as that of a stroke. The labels of its pieces are
+    /// indices into `parts`.
+    void addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::span<const MadeFrom> parts);
     /// Adds curves and renumbers the stretches that refer to them.
     void addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches);
     /// Adds a closed loop to a contour, its first node not repeated. The stretches, if given, are the parts of curves

@@ -1,3 +1,4 @@
+#include "core/base/ids.hpp"
 #include "core/io/common/drawing_builder.hpp"
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -107,6 +109,7 @@ class SvgBuilder {
                 break;
             }
         }
+        addStrokes(feature);
         if (std::isfinite(thinnest_)) { // where strokes nearly meet, their sides leave tiny pieces
             builder_.preferTolerance(kStrokeTolerance * thinnest_);
         }
@@ -433,24 +436,54 @@ class SvgBuilder {
         return shape_;
     }
 
-    /// Adds the area that a stroke paints to a shape.
+    /// Adds the area that a stroke paints to a shape, or keeps it until strokes are united.
     void addStroke(std::uint32_t shape, const SvgPath &path, std::int32_t tag) {
         std::vector<OutlinedArea> areas;
+        const auto label = static_cast<std::uint32_t>(strokes_.size());
         for (const BandPart &part : strokeParts(path)) {
             areas.push_back(areaOf(part));
+            areas.back().rings.front().label = label;
             strokeNodes_ += areas.back().nodeCount();
         }
         if (areas.empty() || strokeNodes_ > kMaxStrokeNodes) {
             return;
         }
+        strokes_.push_back({tag, path.offset, shape});
         thinnest_ = std::min(thinnest_, path.strokeWidth);
-        // Where a path bends within its width, nearly all parts cross each other. Those in a background are dropped
-        // before they are arranged.
-        if (areas.size() > kManyStrokeParts && !inBackground(areas)) {
-            areas = uniteAreas(std::move(areas), std::min(kUnionTolerance * size_, kUnionOfWidth * path.strokeWidth));
+        if (inBackground(areas)) { // dropped before anything is arranged
+            addAreas(areas);
+        } else if (source_.options.shapeRegions) {
+            addAreas(united(std::move(areas)));
+        } else {
+            std::vector<OutlinedArea> &others = limited_[path.limit];
+            std::move(areas.begin(), areas.end(), std::back_inserter(others));
         }
+    }
+
+    /// Adds the strokes that were kept: as one shape, unless they are few.
+    void addStrokes(std::uint32_t feature) {
+        for (auto &[limit, areas] : limited_) {
+            const bool many = areas.size() > kManyStrokeParts;
+            addAreas(united(std::move(areas)), many ? builder_.addShape(feature, {}, limit) : kNoIndex);
+        }
+    }
+
+    /// Unites areas of strokes if they are many. Where strokes overlap, or a path bends within its width, nearly all of
+    /// them cross each other.
+    std::vector<OutlinedArea> united(std::vector<OutlinedArea> areas) const {
+        if (areas.size() <= kManyStrokeParts) {
+            return areas;
+        }
+        return uniteAreas(std::move(areas), std::min(kUnionTolerance * size_, kUnionOfWidth * thinnest_));
+    }
+
+    /// Adds areas of strokes: what several make up to the shape `common`, unless that is kNoIndex, and all others to
+    /// the shapes of their strokes.
+    void addAreas(const std::vector<OutlinedArea> &areas, std::uint32_t common = kNoIndex) {
         for (const OutlinedArea &area : areas) {
-            builder_.addMadeArea(shape, area, tag);
+            const OutlineRing &first = area.rings.front();
+            const bool made = common != kNoIndex && !first.labels.empty();
+            builder_.addMadeArea(made ? common : strokes_[first.labelAt(0)].shape, area, strokes_);
         }
     }
 
@@ -506,11 +539,13 @@ class SvgBuilder {
     bool anyStroked_ = false;
     std::size_t shaped_ = kNone; ///< the element of the last shape
     std::uint32_t shape_ = 0;
-    std::size_t painted_ = kNone;                               ///< the element of the last contour
-    std::size_t noted_ = kNone;                                 ///< the element of the last path
-    Box2 background_;                                           ///< a box that a filled rectangle covers
-    std::size_t strokeNodes_ = 0;                               ///< of the outlines of strokes
-    double thinnest_ = std::numeric_limits<double>::infinity(); ///< minimum width of the strokes that are areas
+    std::size_t painted_ = kNone;                                ///< the element of the last contour
+    std::size_t noted_ = kNone;                                  ///< the element of the last path
+    std::vector<DrawingBuilder::MadeFrom> strokes_;              ///< those whose areas are added
+    std::map<std::uint32_t, std::vector<OutlinedArea>> limited_; ///< by clip: areas of strokes to be united
+    Box2 background_;                                            ///< a box that a filled rectangle covers
+    std::size_t strokeNodes_ = 0;                                ///< of the outlines of strokes
+    double thinnest_ = std::numeric_limits<double>::infinity();  ///< minimum width of the strokes that are areas
     std::uint32_t contour_ = 0;
     std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
     std::set<std::int32_t> clipTags_;
