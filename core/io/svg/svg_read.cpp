@@ -1,4 +1,3 @@
-#include "core/base/ids.hpp"
 #include "core/io/common/drawing_builder.hpp"
 #include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
@@ -8,14 +7,11 @@
 #include "core/io/svg/svg_names.hpp"
 #include "core/io/svg/svg_regions.hpp"
 #include "core/io/svg/svg_repeats.hpp"
-#include "core/io/svg/svg_stroke.hpp"
+#include "core/io/svg/svg_stroke_areas.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -27,11 +23,6 @@ namespace forefront {
 
 namespace {
 
-constexpr std::size_t kMaxStrokeNodes = 2'000'000;
-constexpr std::size_t kManyStrokeParts = 8; ///< strokes with more parts are united first
-/// Tolerance of that union, as a fraction of the drawing size and of the width of the stroke.
-constexpr double kUnionTolerance = 1e-9, kUnionOfWidth = 1e-6;
-constexpr double kStrokeTolerance = 1e-4; ///< of the width of a stroke: within that, sides of strokes are joined
 constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
 
 bool isLoop(const SvgPath &path) {
@@ -45,7 +36,8 @@ class SvgBuilder {
   public:
     SvgBuilder(SvgPaths drawing, const SourceText &source)
         : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source),
-          size_(drawing.size), tolerance_(drawing.tolerance), anyPainted_(drawing.cropsFill) {
+          strokes_(builder_, drawing.size, drawing.tolerance, source.options.shapeRegions), size_(drawing.size),
+          anyPainted_(drawing.cropsFill) {
         // A path of a single node that is not closed was never drawn; other paths may end up as dots.
         std::erase_if(paths_, [](const SvgPath &path) { return path.nodes.size() < 2 && !path.closed; });
         for (SvgPath &path : paths_) {
@@ -77,8 +69,7 @@ class SvgBuilder {
             builder_.from({path.offset});
             noteReading(path, part);
             if (path.strokeArea) {
-                addStroke(shapeOf(feature, path), path, tag);
-                if (strokeNodes_ > kMaxStrokeNodes) {
+                if (!strokes_.add(path, shapeOf(feature, path), tag)) {
                     return Diagnostics{faultAt(source_, path.offset, "too-large", "the strokes need too many nodes",
                                                "leave out strokes or dashes, or read strokes as lines")};
                 }
@@ -109,10 +100,7 @@ class SvgBuilder {
                 break;
             }
         }
-        addStrokes(feature);
-        if (std::isfinite(thinnest_)) { // where strokes nearly meet, their sides leave tiny pieces
-            builder_.preferTolerance(kStrokeTolerance * thinnest_);
-        }
+        strokes_.finish(feature);
         Result<Domain> domain = builder_.finish();
         if (domain) {
             domain->boundaryNames = usedNames(*domain);
@@ -357,7 +345,7 @@ class SvgBuilder {
             builder_.markRegions();
         } else {
             noteMergedShapes();
-            background_ = noteBackground(source_, paths_, clips_);
+            strokes_.setBackground(noteBackground(source_, paths_, clips_));
         }
     }
 
@@ -436,89 +424,6 @@ class SvgBuilder {
         return shape_;
     }
 
-    /// Adds the area that a stroke paints to a shape, or keeps it until strokes are united.
-    void addStroke(std::uint32_t shape, const SvgPath &path, std::int32_t tag) {
-        std::vector<OutlinedArea> areas;
-        const auto label = static_cast<std::uint32_t>(strokes_.size());
-        for (const BandPart &part : strokeParts(path)) {
-            areas.push_back(areaOf(part));
-            areas.back().rings.front().label = label;
-            strokeNodes_ += areas.back().nodeCount();
-        }
-        if (areas.empty() || strokeNodes_ > kMaxStrokeNodes) {
-            return;
-        }
-        strokes_.push_back({tag, path.offset, shape});
-        thinnest_ = std::min(thinnest_, path.strokeWidth);
-        if (inBackground(areas)) { // dropped before anything is arranged
-            addAreas(areas);
-        } else if (source_.options.shapeRegions) {
-            addAreas(united(std::move(areas)));
-        } else {
-            std::vector<OutlinedArea> &others = limited_[path.limit];
-            std::move(areas.begin(), areas.end(), std::back_inserter(others));
-        }
-    }
-
-    /// Adds the strokes that were kept: as one shape, unless they are few.
-    void addStrokes(std::uint32_t feature) {
-        for (auto &[limit, areas] : limited_) {
-            const bool many = areas.size() > kManyStrokeParts;
-            addAreas(united(std::move(areas)), many ? builder_.addShape(feature, {}, limit) : kNoIndex);
-        }
-    }
-
-    /// Unites areas of strokes if they are many. Where strokes overlap, or a path bends within its width, nearly all of
-    /// them cross each other.
-    std::vector<OutlinedArea> united(std::vector<OutlinedArea> areas) const {
-        if (areas.size() <= kManyStrokeParts) {
-            return areas;
-        }
-        return uniteAreas(std::move(areas), std::min(kUnionTolerance * size_, kUnionOfWidth * thinnest_));
-    }
-
-    /// Adds areas of strokes: what several make up to the shape `common`, unless that is kNoIndex, and all others to
-    /// the shapes of their strokes.
-    void addAreas(const std::vector<OutlinedArea> &areas, std::uint32_t common = kNoIndex) {
-        for (const OutlinedArea &area : areas) {
-            const OutlineRing &first = area.rings.front();
-            const bool made = common != kNoIndex && !first.labels.empty();
-            builder_.addMadeArea(made ? common : strokes_[first.labelAt(0)].shape, area, strokes_);
-        }
-    }
-
-    bool inBackground(const std::vector<OutlinedArea> &areas) const {
-        Box2 box;
-        for (const OutlinedArea &area : areas) {
-            for (const Vec2 node : area.rings.front().nodes) {
-                box.add(node);
-            }
-        }
-        return background_.contains(box.min) && background_.contains(box.max);
-    }
-
-    OutlinedArea areaOf(const BandPart &part) const {
-        OutlinedArea area;
-        OutlineRing &ring = area.rings.emplace_back();
-        for (std::size_t k = 0; k < part.nodes.size(); ++k) {
-            ring.nodes.push_back(part.nodes[k]);
-            if (part.curves[k].kind() == CurveKind::Line) {
-                ring.stretches.emplace_back();
-                continue;
-            }
-            double from = 0.0;
-            for (const double to : part.curves[k].flatten(tolerance_)) {
-                ring.stretches.push_back({static_cast<std::uint32_t>(area.curves.size()), from, to});
-                if (to < 1.0) {
-                    ring.nodes.push_back(part.curves[k].point(to));
-                }
-                from = to;
-            }
-            area.curves.push_back(part.curves[k]);
-        }
-        return area;
-    }
-
     void addLine(const SvgPath &path, std::int32_t tag) {
         std::vector<Vec2> nodes = path.nodes;
         if (path.closed && nodes.size() > 2) {
@@ -531,21 +436,16 @@ class SvgBuilder {
     std::vector<SvgPath> paths_;
     std::vector<SvgClip> clips_;
     DrawingBuilder builder_;
+    StrokeAreas strokes_;
     TagAllocator tags_;
     SvgRegions regions_; ///< used if every filled shape is a region
     double size_;        ///< diagonal of what is visible
-    double tolerance_;   ///< of polylines along curves
     bool anyPainted_;
     bool anyStroked_ = false;
     std::size_t shaped_ = kNone; ///< the element of the last shape
     std::uint32_t shape_ = 0;
-    std::size_t painted_ = kNone;                                ///< the element of the last contour
-    std::size_t noted_ = kNone;                                  ///< the element of the last path
-    std::vector<DrawingBuilder::MadeFrom> strokes_;              ///< those whose areas are added
-    std::map<std::uint32_t, std::vector<OutlinedArea>> limited_; ///< by clip: areas of strokes to be united
-    Box2 background_;                                            ///< a box that a filled rectangle covers
-    std::size_t strokeNodes_ = 0;                                ///< of the outlines of strokes
-    double thinnest_ = std::numeric_limits<double>::infinity();  ///< minimum width of the strokes that are areas
+    std::size_t painted_ = kNone; ///< the element of the last contour
+    std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;
     std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
     std::set<std::int32_t> clipTags_;
