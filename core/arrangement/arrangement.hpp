@@ -49,7 +49,8 @@ struct ArrangementPiece {
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
     std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
-    /// Of a made contour: a shape that has not vanished while this piece is left. kNoShape: only that of the contour.
+    /// For a piece of a made contour: a shape that counts as present while this piece is kept, beside that of its
+    /// contour.
     std::uint32_t shows = kNoShape;
     /// The distance from outlines, in domain units, up to which parts of a Constraint that repeat them are dropped; 0:
     /// never. See findRepeatedOutlines().

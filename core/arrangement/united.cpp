@@ -17,19 +17,7 @@ ArrangementInput inputOf(std::span<const OutlinedArea> areas, double tolerance) 
     input.tolerance = tolerance;
     const std::uint32_t shape = input.addShape(input.addFeature(1));
     for (const OutlinedArea &area : areas) {
-        const std::uint32_t contour = input.addContour(shape, area.rule);
-        const auto firstCurve = static_cast<std::uint32_t>(input.curves.size());
-        input.curves.insert(input.curves.end(), area.curves.begin(), area.curves.end());
-        for (const OutlineRing &ring : area.rings) {
-            const std::vector<CurveStretch> stretches = ring.stretchesFrom(firstCurve);
-            for (std::size_t k = 0; k < ring.nodes.size(); ++k) {
-                const Vec2 a = ring.nodes[k], b = ring.nodes[(k + 1) % ring.nodes.size()];
-                if (a != b) { // a tag carries the label
-                    const auto tag = static_cast<std::int32_t>(ring.labelAt(k) + 1);
-                    input.pieces.push_back({a, b, contour, tag, PieceRole::Outline, stretches[k]});
-                }
-            }
-        }
+        addArea(input, shape, area);
     }
     return input;
 }
@@ -111,17 +99,27 @@ class RingTracer {
 
 } // namespace
 
-std::vector<CurveStretch> OutlineRing::stretchesFrom(std::uint32_t firstCurve) const {
-    std::vector<CurveStretch> shifted = stretches;
-    for (CurveStretch &stretch : shifted) {
-        stretch.curve += stretch.follows() ? firstCurve : 0;
-    }
-    return shifted;
-}
-
 std::size_t OutlinedArea::nodeCount() const {
     return std::accumulate(rings.begin(), rings.end(), std::size_t{0},
                            [](std::size_t sum, const OutlineRing &ring) { return sum + ring.nodes.size(); });
+}
+
+std::uint32_t addArea(ArrangementInput &input, std::uint32_t shape, const OutlinedArea &area) {
+    const std::uint32_t contour = input.addContour(shape, area.rule);
+    const auto firstCurve = static_cast<std::uint32_t>(input.curves.size());
+    input.curves.insert(input.curves.end(), area.curves.begin(), area.curves.end());
+    for (const OutlineRing &ring : area.rings) {
+        for (std::size_t k = 0; k < ring.nodes.size(); ++k) {
+            const Vec2 a = ring.nodes[k], b = ring.nodes[(k + 1) % ring.nodes.size()];
+            CurveStretch stretch = ring.stretches[k];
+            stretch.curve += stretch.follows() ? firstCurve : 0;
+            if (a != b) {
+                const auto tag = static_cast<std::int32_t>(ring.labels[k] + 1);
+                input.pieces.push_back({a, b, contour, tag, PieceRole::Outline, stretch});
+            }
+        }
+    }
+    return contour;
 }
 
 std::vector<OutlinedArea> uniteAreas(std::vector<OutlinedArea> areas, double tolerance) {

@@ -10,12 +10,7 @@ namespace forefront {
 struct OutlineRing {
     std::vector<Vec2> nodes;
     std::vector<CurveStretch> stretches; ///< per node: the part of a curve that the piece starting there follows
-    std::uint32_t label = 0;             ///< a number of the caller's for its pieces, unless `labels` gives them
-    std::vector<std::uint32_t> labels;   ///< per node: that of the piece starting there; empty: all have the same
-
-    std::uint32_t labelAt(std::size_t node) const { return labels.empty() ? label : labels[node]; }
-    /// Returns the stretches with `firstCurve` added to the indices of their curves.
-    std::vector<CurveStretch> stretchesFrom(std::uint32_t firstCurve) const;
+    std::vector<std::uint32_t> labels;   ///< per node: a number that the caller gives the piece starting there
 };
 
 /// An area between closed loops.
@@ -26,6 +21,9 @@ struct OutlinedArea {
 
     std::size_t nodeCount() const;
 };
+
+/// Adds an area to a shape as a contour; the tags of its pieces are their labels + 1. Returns the index of the contour.
+std::uint32_t addArea(ArrangementInput &input, std::uint32_t shape, const OutlinedArea &area);
 
 /// Unites areas in groups of neighbours in the given order, then those unions, and so on. What lies inside a union is
 /// dropped before it can cross the rest. Returns one area; more if some cannot be united, or are so thin that nothing

@@ -205,7 +205,7 @@ class MeanDensity {
     Vec2 low_, size_;
     std::vector<BoundaryPiece> pieces_;
     std::size_t columns_ = 1, rows_ = 1;
-    std::vector<Vec2> places_; // of the samples of a cell
+    std::vector<Vec2> places_; // sample points of a cell
     std::vector<double> rho_;  // spacing there
     std::vector<Cell> cells_;  // cells that may be quartered
     std::priority_queue<Candidate> queue_;

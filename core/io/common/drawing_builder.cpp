@@ -83,21 +83,14 @@ std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, boo
 }
 
 void DrawingBuilder::addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::span<const MadeFrom> parts) {
-    const std::uint32_t contour = input_.addContour(shape, area.rule);
-    input_.contours[contour].made = true;
-    const auto firstCurve = static_cast<std::uint32_t>(input_.curves.size());
-    input_.curves.insert(input_.curves.end(), area.curves.begin(), area.curves.end());
-    for (const OutlineRing &ring : area.rings) {
-        const std::vector<CurveStretch> stretches = ring.stretchesFrom(firstCurve);
-        for (std::size_t k = 0; k < ring.nodes.size(); ++k) {
-            const Vec2 a = ring.nodes[k], b = ring.nodes[(k + 1) % ring.nodes.size()];
-            const MadeFrom &part = parts[ring.labelAt(k)];
-            if (a != b) {
-                input_.pieces.push_back(
-                    {a, b, contour, part.tag, PieceRole::Outline, stretches[k], kNoClip, part.shape});
-                places_.insert(places_.end(), {part.offset, part.offset});
-            }
-        }
+    const std::size_t first = input_.pieces.size();
+    input_.contours[addArea(input_, shape, area)].made = true;
+    for (std::size_t k = first; k < input_.pieces.size(); ++k) {
+        ArrangementPiece &piece = input_.pieces[k];
+        const MadeFrom &part = parts[static_cast<std::size_t>(piece.tag - 1)]; // of its label
+        piece.tag = part.tag;
+        piece.shows = part.shape;
+        places_.insert(places_.end(), {part.offset, part.offset});
     }
 }
 

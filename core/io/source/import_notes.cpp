@@ -53,7 +53,7 @@ struct NoteKind {
     std::vector<const Quoting *> quotings;
 
     bool joined() const {
-        constexpr std::size_t kFew = 5; // up to so many keep their places
+        constexpr std::size_t kFew = 5; // each is shown with its own place
         return quotings.size() > kFew;
     }
 

@@ -1,11 +1,11 @@
 #include "core/io/svg/svg_stroke_areas.hpp"
 
-#include "core/base/ids.hpp"
 #include "core/io/svg/svg_stroke.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -15,6 +15,15 @@ namespace {
 constexpr std::size_t kFewParts = 8; ///< more are united first
 /// Tolerance of that union, as a fraction of the drawing size and of the width of the stroke.
 constexpr double kUnionTolerance = 1e-9, kUnionOfWidth = 1e-6;
+
+/// Returns the label of all pieces; std::nullopt if they differ.
+std::optional<std::uint32_t> onlyLabel(const OutlinedArea &area) {
+    const std::uint32_t label = area.rings.front().labels.front();
+    const bool single = std::all_of(area.rings.begin(), area.rings.end(), [&](const OutlineRing &ring) {
+        return std::all_of(ring.labels.begin(), ring.labels.end(), [&](std::uint32_t other) { return other == label; });
+    });
+    return single ? std::optional(label) : std::nullopt;
+}
 
 } // namespace
 
@@ -33,21 +42,28 @@ bool StrokeAreas::add(const SvgPath &path, std::uint32_t shape, std::int32_t tag
     }
     strokes_.push_back({tag, path.offset, shape});
     thinnest_ = std::min(thinnest_, path.strokeWidth);
-    if (inBackground(areas)) {
-        addAreas(areas, kNoIndex);
-    } else if (shapeRegions_) {
-        addAreas(united(std::move(areas)), kNoIndex);
-    } else {
+    const bool hidden = inBackground(areas);
+    if (!hidden && !shapeRegions_) {
         std::move(areas.begin(), areas.end(), std::back_inserter(kept_[path.limit]));
+        return true;
+    }
+    for (const OutlinedArea &area : hidden ? areas : united(std::move(areas))) {
+        builder_.addMadeArea(shape, area, strokes_);
     }
     return true;
 }
 
 void StrokeAreas::finish(std::uint32_t feature) {
-    constexpr double kTolerance = 1e-4; // of the width: where strokes nearly meet, their sides leave tiny pieces
+    constexpr double kTolerance = 1e-4; // fraction of the width; strokes that nearly meet would leave tiny pieces
     for (auto &[limit, areas] : kept_) {
-        const bool many = areas.size() > kFewParts;
-        addAreas(united(std::move(areas)), many ? builder_.addShape(feature, {}, limit) : kNoIndex);
+        std::optional<std::uint32_t> common;
+        for (const OutlinedArea &area : united(std::move(areas))) {
+            const std::optional<std::uint32_t> stroke = onlyLabel(area);
+            if (!stroke && !common) {
+                common = builder_.addShape(feature, {}, limit);
+            }
+            builder_.addMadeArea(stroke ? strokes_[*stroke].shape : *common, area, strokes_);
+        }
     }
     kept_.clear();
     if (std::isfinite(thinnest_)) {
@@ -58,7 +74,6 @@ void StrokeAreas::finish(std::uint32_t feature) {
 OutlinedArea StrokeAreas::areaOf(const BandPart &part, std::uint32_t stroke) const {
     OutlinedArea area;
     OutlineRing &ring = area.rings.emplace_back();
-    ring.label = stroke;
     for (std::size_t k = 0; k < part.nodes.size(); ++k) {
         ring.nodes.push_back(part.nodes[k]);
         if (part.curves[k].kind() == CurveKind::Line) {
@@ -75,6 +90,7 @@ OutlinedArea StrokeAreas::areaOf(const BandPart &part, std::uint32_t stroke) con
         }
         area.curves.push_back(part.curves[k]);
     }
+    ring.labels.assign(ring.nodes.size(), stroke);
     return area;
 }
 
@@ -93,15 +109,6 @@ std::vector<OutlinedArea> StrokeAreas::united(std::vector<OutlinedArea> areas) c
         return areas;
     }
     return uniteAreas(std::move(areas), std::min(kUnionTolerance * size_, kUnionOfWidth * thinnest_));
-}
-
-/// Adds areas: unions to the shape `common`, unless that is kNoIndex, and all others to the shapes of their strokes.
-void StrokeAreas::addAreas(const std::vector<OutlinedArea> &areas, std::uint32_t common) {
-    for (const OutlinedArea &area : areas) {
-        const OutlineRing &first = area.rings.front();
-        const bool toCommon = common != kNoIndex && !first.labels.empty();
-        builder_.addMadeArea(toCommon ? common : strokes_[first.labelAt(0)].shape, area, strokes_);
-    }
 }
 
 } // namespace forefront

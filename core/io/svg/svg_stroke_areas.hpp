@@ -13,8 +13,8 @@
 namespace forefront {
 
 /// Adds the areas that strokes paint to a drawing. Where strokes overlap, or a path bends within its width, nearly all
-/// of their parts cross each other, so many parts are united first: those of all strokes, or of each if shapes are
-/// regions.
+/// of their parts cross each other. If there are more than a few, their union is added instead: that of all strokes, or
+/// a separate one for each stroke if shapes are regions.
 class StrokeAreas {
   public:
     /// `size`: diagonal of the drawing; `tolerance` of polylines along curves.
@@ -26,14 +26,14 @@ class StrokeAreas {
 
     /// Adds the stroke of a path to a shape, or keeps it until finish(). Returns false if there are too many nodes.
     bool add(const SvgPath &path, std::uint32_t shape, std::int32_t tag);
-    /// Adds the strokes that were kept, many as one shape of a feature, and prefers a tolerance that suits all strokes.
+    /// Adds the strokes that were kept, and prefers a tolerance that suits all strokes. What several strokes make up
+    /// together becomes a shape of its own.
     void finish(std::uint32_t feature);
 
   private:
     OutlinedArea areaOf(const BandPart &part, std::uint32_t stroke) const;
     bool inBackground(const std::vector<OutlinedArea> &areas) const;
     std::vector<OutlinedArea> united(std::vector<OutlinedArea> areas) const;
-    void addAreas(const std::vector<OutlinedArea> &areas, std::uint32_t common);
 
     DrawingBuilder &builder_;
     double size_;
