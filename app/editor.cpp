@@ -2,7 +2,7 @@
 
 #include "app/editor_entry.hpp"
 #include "app/icon.hpp"
-#include "core/edit/recovery_journal.hpp"
+#include "core/drawing/recovery/recovery_journal.hpp"
 #include "ui/platform/glfw_platform.hpp"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "app/icon.hpp"
 
-#include "core/base/vec2.hpp"
+#include "core/engine/base/vec2.hpp"
 
 #include <algorithm>
 #include <array>

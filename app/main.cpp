@@ -1,9 +1,9 @@
+#include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/options.hpp"
 #include "app/editor_entry.hpp"
-#include "core/base/free_memory.hpp"
-#include "core/base/version.hpp"
+#include "core/engine/base/free_memory.hpp"
+#include "core/engine/base/version.hpp"
 
 #include <algorithm>
 #include <cstdio>

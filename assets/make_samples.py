@@ -13,7 +13,7 @@ SPAN = 16  # nodes per side of a tile
 
 
 def encode_tile(values):
-    """Returns 256 floats with runs of equal words packed, as base64 (core/io/project/tile_code)."""
+    """Returns 256 floats with runs of equal words packed, as base64 (core/drawing_files/project/tile_code)."""
     words = [struct.pack("<f", v) for v in values]
     packed = bytearray()
     at = 0

@@ -22,7 +22,7 @@
 /// |---|---|
 /// | describe or read a domain | forefront::Domain, forefront::addLoop, forefront::readDomain |
 /// | give it exact curves | forefront::Curve, forefront::CurveStretch |
-/// | check and repair it | forefront::validate, forefront::repair |
+/// | check it | forefront::validate |
 /// | set the element size | forefront::SpacingSpec |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshingSession |
@@ -30,21 +30,21 @@
 /// | measure its quality | forefront::measure, forefront::measureValues, forefront::judge |
 /// | adapt a mesh to a field | forefront::adapt |
 /// | read and write meshes | forefront::readMesh, forefront::writeMesh |
+/// | read drawings, maps and projects; repair a domain | drawing.hpp, in Forefront::drawing |
 ///
 /// Nothing throws. A function that can fail returns a forefront::Result, which holds either the value or the
 /// diagnostics: what is wrong, where, and how to fix it. Functions that take a forefront::Progress report how far they
 /// are and can be cancelled from another thread.
 #pragma once
 
-#include "core/adapt/adaptive_meshing.hpp"
-#include "core/arrangement/repair.hpp"
-#include "core/base/version.hpp"
-#include "core/domain/add_loop.hpp"
-#include "core/domain/validate.hpp"
-#include "core/io/files.hpp"
-#include "core/mesh/limits.hpp"
-#include "core/mesh/measures.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesh/verify.hpp"
-#include "core/mesher/pipeline.hpp"
-#include "core/session/meshing_session.hpp"
+#include "core/engine/adapt/adaptive_meshing.hpp"
+#include "core/engine/base/version.hpp"
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/mesh/limits.hpp"
+#include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/session/meshing_session.hpp"
+#include "core/files/files.hpp"

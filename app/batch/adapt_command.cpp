@@ -1,16 +1,17 @@
+#include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
-#include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
-#include "core/adapt/adaptive_meshing.hpp"
-#include "core/adapt/mesh_outline.hpp"
-#include "core/io/files.hpp"
-#include "core/io/inner_edges.hpp"
-#include "core/mesh/verify.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/adapt/adaptive_meshing.hpp"
+#include "core/engine/adapt/mesh_outline.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/files/files.hpp"
+#include "core/files/inner_edges.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -69,13 +70,13 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
     MeshField input;
     ImportNotes notes;
     if (arguments.field) {
-        Result<MeshField> read = readField(file.path, *arguments.field, file.options, &notes);
+        Result<MeshField> read = allFormats().readField(file.path, *arguments.field, file.options, &notes);
         if (!read) {
             return read.faults();
         }
         input = std::move(*read);
     } else {
-        Result<Mesh> read = readMesh(file.path, file.options, &notes);
+        Result<Mesh> read = allFormats().readMesh(file.path, file.options, &notes);
         if (!read) {
             return read.faults();
         }
@@ -83,11 +84,11 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
     }
     printNotes(notes, arguments.quiet);
     if (input.mesh.elements.empty()) {
-        return locateFaults(file.path, error("empty-mesh", "the file has no triangles"), file.options);
+        return allFormats().locateFaults(file.path, error("empty-mesh", "the file has no triangles"), file.options);
     }
     Diagnostics faults = verify(input.mesh);
     if (hasErrors(faults)) {
-        return locateFaults(file.path, std::move(faults), file.options);
+        return allFormats().locateFaults(file.path, std::move(faults), file.options);
     }
     return input;
 }
@@ -157,8 +158,9 @@ int runAdapt(const AdaptArguments &arguments) {
         return refuse(input.faults(), interrupt);
     }
     ImportNotes notes;
-    const Result<Domain> domain =
-        arguments.domain ? readDomain(domainFile->path, domainFile->options, &notes) : outlineOf(input->mesh);
+    const Result<Domain> domain = arguments.domain
+                                      ? allFormats().readDomain(domainFile->path, domainFile->options, &notes)
+                                      : outlineOf(input->mesh);
     bar.clear();
     if (!domain) {
         return refuse(domain.faults(), interrupt);

@@ -1,17 +1,21 @@
 #include "app/batch/check_report.hpp"
+#include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
-#include "app/batch/options.hpp"
 #include "app/batch/report.hpp"
-#include "core/arrangement/repair.hpp"
-#include "core/base/hash.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/boundary_parts.hpp"
-#include "core/io/files.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesh/verify.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/formulas/element_counts.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/hash.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
+#include "core/files/boundary_parts.hpp"
+#include "core/files/files.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -86,7 +90,7 @@ void addLengths(const Domain &domain, double factor, std::map<std::int32_t, doub
 /// Returns the differences between a mesh and the domain it was made from.
 Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Input &input) {
     arguments.drawing.applyTo(input.options);
-    Result<Domain> domain = readDomain(input.path, input.options);
+    Result<Domain> domain = allFormats().readDomain(input.path, input.options);
     if (!domain) {
         return domain.faults();
     }
@@ -95,7 +99,7 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     if (arguments.repair) {
         Result<Repaired> result = repair(*domain, arguments.drawing.weldTolerance.value_or(0.0));
         if (!result) {
-            return locateFaults(input.path, result.faults(), input.options);
+            return allFormats().locateFaults(input.path, result.faults(), input.options);
         }
         repaired = std::move(*result);
         addLengths(*domain, -1.0, changes);
@@ -165,7 +169,7 @@ int check(CheckArguments &arguments) {
         return kRefused;
     }
     ImportNotes notes;
-    const Result<Mesh> mesh = readMesh(input->path, input->options, &notes);
+    const Result<Mesh> mesh = allFormats().readMesh(input->path, input->options, &notes);
     if (!mesh) {
         printFaults(mesh.faults());
         return kRefused;
@@ -193,7 +197,7 @@ int check(CheckArguments &arguments) {
     if (mesh->elements.empty()) {
         faults = error("empty-mesh", "the mesh has no elements");
     }
-    printFaults(locateFaults(input->path, faults, input->options));
+    printFaults(allFormats().locateFaults(input->path, faults, input->options));
     if (hasErrors(faults)) {
         return kRefused;
     }

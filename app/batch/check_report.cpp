@@ -1,8 +1,9 @@
 #include "app/batch/check_report.hpp"
 
+#include "app/batch/cli_options.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/options.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/files/files.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/diagnostic.hpp"
-#include "core/mesh/limits.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/mesh/limits.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,10 @@
 #include "app/batch/exit_code.hpp"
 
-#include "core/arrangement/repair.hpp"
-#include "core/base/ids.hpp"
-#include "core/domain/validate.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/ids.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/files/files.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -71,7 +72,7 @@ Diagnostics locateInDomain(Diagnostics faults, const Input &input, const Repaire
         }
     }
     if (!ofDomain.empty()) {
-        ofDomain = locateFaults(input.path, std::move(ofDomain), input.options);
+        ofDomain = allFormats().locateFaults(input.path, std::move(ofDomain), input.options);
     }
     for (std::size_t k = 0; k < position.size(); ++k) {
         faults[position[k]] = std::move(ofDomain[k]);
@@ -90,7 +91,7 @@ Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const
             restoreParts(fault.parts, *repaired);
         }
     }
-    return own.empty() ? faults : locateFaults(input.path, std::move(own), input.options);
+    return own.empty() ? faults : allFormats().locateFaults(input.path, std::move(own), input.options);
 }
 
 } // namespace forefront

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/batch/inputs.hpp"
-#include "core/base/diagnostic.hpp"
-#include "core/domain/domain.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/domain/domain.hpp"
 
 #include <string_view>
 

@@ -1,11 +1,13 @@
+#include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
-#include "app/batch/options.hpp"
-#include "core/edit/document.hpp"
-#include "core/io/files.hpp"
-#include "core/io/film/film_files.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/files/files.hpp"
+#include "core/teaching/film/film_files.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -62,7 +64,7 @@ Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
     }
     document->options.method = arguments.method.value_or(document->options.method);
     document->options.grid = arguments.grid.value_or(document->options.grid);
-    return MeshingJob{toDomain(*document), spacingOf(*document), document->options};
+    return jobOf(*document);
 }
 
 FilmLayers layersOf(const FilmArguments &arguments) {

@@ -1,7 +1,8 @@
 #include "app/batch/inputs.hpp"
 
 #include "app/batch/exit_code.hpp"
-#include "core/io/source/source.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/source/source.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -14,19 +15,16 @@ namespace forefront {
 
 const FileFormat *Input::format() const {
     if (!options.formatId.empty()) {
-        const auto formats = fileFormats();
-        const auto given = std::find_if(formats.begin(), formats.end(),
-                                        [&](const FileFormat &known) { return options.formatId == known.id; });
-        return given == formats.end() ? nullptr : &*given;
+        return allFormats().withId(options.formatId);
     }
     std::error_code none;
     if (options.content != nullptr) {
-        return fileFormatOf({}, *options.content);
+        return allFormats().detect({}, *options.content);
     }
     if (std::filesystem::is_regular_file(path, none)) {
-        return fileFormatOf(path);
+        return allFormats().detect(path);
     }
-    const std::vector<const FileFormat *> named = fileFormatsNamed(path); // a pipe can be read only once
+    const std::vector<const FileFormat *> named = allFormats().withExtensionOf(path); // a pipe can be read only once
     return named.empty() ? nullptr : named.front();
 }
 
@@ -82,7 +80,7 @@ Result<Input> openInput(const std::filesystem::path &path, const std::optional<s
 
 std::string inputFormatIds() {
     std::string list;
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (format.readsDomain || format.readsMesh) {
             list += (list.empty() ? "" : ", ") + std::string(format.id);
         }
@@ -97,10 +95,8 @@ std::string checkInputs(std::initializer_list<std::optional<std::filesystem::pat
     if (fromStream > 1) {
         return "more than one input is '-'; standard input can be read only once";
     }
-    const auto formats = fileFormats();
-    const bool known = formatId.empty() || std::any_of(formats.begin(), formats.end(), [&](const FileFormat &format) {
-                           return formatId == format.id && (format.readsDomain || format.readsMesh);
-                       });
+    const FileFormat *const format = allFormats().withId(formatId);
+    const bool known = formatId.empty() || (format != nullptr && (format->readsDomain || format->readsMesh));
     return known ? std::string()
                  : "--input-format: unknown format '" + formatId + "'; expected one of " + inputFormatIds();
 }

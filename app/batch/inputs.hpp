@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/batch/options.hpp"
-#include "core/base/diagnostic.hpp"
-#include "core/base/result.hpp"
-#include "core/io/files.hpp"
-#include "core/io/source/import_notes.hpp"
-#include "core/io/source/import_options.hpp"
+#include "app/batch/cli_options.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/files/files.hpp"
+#include "core/files/source/import_notes.hpp"
+#include "core/files/source/import_options.hpp"
 
 #include <filesystem>
 #include <initializer_list>
@@ -23,7 +23,7 @@ inline bool isStandardStream(const std::filesystem::path &path) {
     return path == kStandardStream;
 }
 
-/// An input of a command, ready for the functions of core/io/files.hpp.
+/// An input of a command, ready for the functions of core/files/files.hpp.
 struct Input {
     std::filesystem::path path; ///< as shown in messages
     ImportOptions options;      ///< with the content of standard input

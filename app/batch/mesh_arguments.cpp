@@ -1,7 +1,7 @@
 #include "app/batch/mesh_arguments.hpp"
 
+#include "app/batch/cli_options.hpp"
 #include "app/batch/inputs.hpp"
-#include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/batch/options.hpp"
-#include "core/io/inner_edges.hpp"
-#include "core/io/source/picture_sizes.hpp"
-#include "core/mesher/options.hpp"
+#include "app/batch/cli_options.hpp"
+#include "core/engine/mesher/options.hpp"
+#include "core/files/inner_edges.hpp"
+#include "core/files/source/picture_sizes.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,17 +1,20 @@
+#include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
-#include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
-#include "core/arrangement/repair.hpp"
-#include "core/edit/document.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/files.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/files/files.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,10 +40,9 @@ Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
             return document.faults();
         }
         printNotes(notes, arguments.quiet);
-        return ReadJob{
-            {toDomain(*document), spacingOf(*document), document->options}, boundsOf(*document), document->picture};
+        return ReadJob{jobOf(*document), boundsOf(*document), document->picture};
     }
-    Result<Domain> domain = readDomain(input.path, input.options, &notes);
+    Result<Domain> domain = allFormats().readDomain(input.path, input.options, &notes);
     if (!domain) {
         return domain.faults();
     }
@@ -97,7 +99,7 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
         ImportNotes notes;
         ImportOptions options = file->options;
         options.picture = placedPicture(arguments, *file, read);
-        Result<SpacingSpec> fromFile = readSpacing(file->path, options, &notes);
+        Result<SpacingSpec> fromFile = allFormats().readSpacing(file->path, options, &notes);
         if (!fromFile) {
             return fromFile.faults();
         }
@@ -138,10 +140,10 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
                          std::optional<Repaired> &sources) {
     Result<Repaired> repaired = repair(domain, arguments.drawing.weldTolerance.value_or(0.0), progress.stop);
     if (!repaired) {
-        return locateFaults(input.path, repaired.faults(), input.options);
+        return allFormats().locateFaults(input.path, repaired.faults(), input.options);
     }
     if (!arguments.quiet) {
-        printFaults(locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
+        printFaults(allFormats().locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
     }
     sources = std::move(*repaired);
     domain = std::move(sources->domain);

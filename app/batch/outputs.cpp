@@ -1,8 +1,9 @@
 #include "app/batch/outputs.hpp"
 
 #include "app/batch/inputs.hpp"
-#include "core/base/number_text.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "core/files/files.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -18,7 +19,7 @@ namespace {
 /// Returns one word per format that can be written, without repetition.
 std::string listOf(const char *FileFormat::*word) {
     std::string list;
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh && (", " + list + ',').find(std::string(" ") + format.*word + ',') == std::string::npos) {
             list += (list.empty() ? "" : ", ") + std::string(format.*word);
         }
@@ -66,7 +67,7 @@ std::string formatIds() {
 }
 
 std::string checkFormat(const std::filesystem::path &output, const std::string &id) {
-    const std::vector<const FileFormat *> named = fileFormatsNamed(output);
+    const std::vector<const FileFormat *> named = allFormats().withExtensionOf(output);
     if (id.empty()) {
         if (isStandardStream(output)) {
             return "-o -: standard output needs a format; add --format with one of " + formatIds();
@@ -76,16 +77,14 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
                      : "-o " + output.string() + ": unknown extension '" + output.extension().string() +
                            "'; expected one of " + listOf(&FileFormat::extension);
     }
-    const auto formats = fileFormats();
-    const auto chosen =
-        std::find_if(formats.begin(), formats.end(), [&](const FileFormat &f) { return f.writesMesh && id == f.id; });
-    if (chosen == formats.end()) {
+    const FileFormat *const chosen = allFormats().withId(id);
+    if (chosen == nullptr || !chosen->writesMesh) {
         return "--format: unknown format '" + id + "'; expected one of " + formatIds();
     }
     if (isStandardStream(output) && filesOfMesh("x", id).size() > 1) {
         return "-o -: format " + id + " needs several files; name a file, or choose another format";
     }
-    if (!named.empty() && std::find(named.begin(), named.end(), &*chosen) == named.end()) {
+    if (!named.empty() && std::find(named.begin(), named.end(), chosen) == named.end()) {
         return "-o " + output.string() + ": the extension belongs to " + named.front()->name + ", but --format " + id +
                " is " + chosen->name + " (" + chosen->extension + "); formats apply to outputs in order";
     }

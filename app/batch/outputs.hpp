@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/base/diagnostic.hpp"
-#include "core/base/progress.hpp"
-#include "core/base/result.hpp"
-#include "core/io/inner_edges.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/mesh/mesh.hpp"
+#include "core/files/inner_edges.hpp"
 
 #include <cstdio>
 #include <filesystem>

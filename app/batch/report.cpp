@@ -1,7 +1,7 @@
 #include "app/batch/report.hpp"
 
-#include "core/base/hash.hpp"
-#include "core/base/number_text.hpp"
+#include "core/engine/base/hash.hpp"
+#include "core/engine/base/number_text.hpp"
 
 #include <nlohmann/json.hpp>
 

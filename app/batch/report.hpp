@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/mesh/mesh_extent.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesh/sharp_corners.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/engine/mesh/mesh_extent.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/sharp_corners.hpp"
+#include "core/engine/mesher/pipeline.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,11 +1,11 @@
+#include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
-#include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
-#include "app/tables/table_report.hpp"
-#include "core/io/files.hpp"
+#include "core/files/files.hpp"
+#include "core/teaching/tables/table_report.hpp"
 
 #include <algorithm>
 #include <cstdio>

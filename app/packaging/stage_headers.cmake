@@ -1,32 +1,46 @@
-# Copies the public headers into OUTPUT/forefront: core/forefront.hpp and, recursively, every header it includes. Inside
-# the repository they include each other as "core/...", for users as "forefront/...". Only files that change are
-# written, and files that are no longer public are removed.
+# Copies public headers into OUTPUT/forefront: HEADER and, recursively, every header it includes, except WITHOUT and what
+# that includes. Inside the repository they include each other as "core/...", for users as "forefront/...". Only files
+# that change are written, and files that are no longer public are removed.
 #
-#   cmake -DSOURCE=REPOSITORY -DOUTPUT=FOLDER -P stage_headers.cmake
+#   cmake -DSOURCE=REPOSITORY -DHEADER=core/NAME.hpp [-DWITHOUT=core/NAME.hpp] -DOUTPUT=FOLDER -P stage_headers.cmake
 cmake_minimum_required(VERSION 3.25)
-set(pending core/forefront.hpp)
-set(public "")
-while(pending)
-  list(POP_FRONT pending header)
-  if(header IN_LIST public)
-    continue()
-  endif()
-  list(APPEND public ${header})
-  if(NOT EXISTS "${SOURCE}/${header}")
-    message(FATAL_ERROR "a public header includes \"${header}\", which does not exist")
-  endif()
-  file(READ "${SOURCE}/${header}" text)
-  string(REGEX MATCHALL "#include \"[^\"\n]+\"" includes "${text}")
-  foreach(include IN LISTS includes)
-    string(REGEX REPLACE "#include \"(.+)\"" "\\1" included "${include}")
-    if(NOT included MATCHES "^core/")
-      message(FATAL_ERROR "${header}: a public header must not include \"${included}\"; only \"core/...\" is installed")
+
+# included_by(HEADER RESULT): lists a header and everything it includes.
+function(included_by HEADER RESULT)
+  set(pending ${HEADER})
+  set(found "")
+  while(pending)
+    list(POP_FRONT pending header)
+    if(header IN_LIST found)
+      continue()
     endif()
-    list(APPEND pending ${included})
-  endforeach()
+    list(APPEND found ${header})
+    if(NOT EXISTS "${SOURCE}/${header}")
+      message(FATAL_ERROR "a public header includes \"${header}\", which does not exist")
+    endif()
+    file(READ "${SOURCE}/${header}" text)
+    string(REGEX MATCHALL "#include \"[^\"\n]+\"" includes "${text}")
+    foreach(include IN LISTS includes)
+      string(REGEX REPLACE "#include \"(.+)\"" "\\1" included "${include}")
+      if(NOT included MATCHES "^core/")
+        message(FATAL_ERROR "${header}: a public header must not include \"${included}\"; only \"core/...\" is installed")
+      endif()
+      list(APPEND pending ${included})
+    endforeach()
+  endwhile()
+  set(${RESULT} ${found} PARENT_SCOPE)
+endfunction()
+
+included_by(${HEADER} public)
+if(WITHOUT)
+  included_by(${WITHOUT} others)
+  list(REMOVE_ITEM public ${others})
+endif()
+foreach(header IN LISTS public)
+  file(READ "${SOURCE}/${header}" text)
   # The library hides everything that is not declared in a namespace marked like this.
   if(text MATCHES "\nnamespace forefront {")
-    message(FATAL_ERROR "${header}: this header is public, since core/forefront.hpp includes it; "
+    message(FATAL_ERROR "${header}: this header is public, since ${HEADER} includes it; "
                         "write `namespace FOREFRONT_API forefront {`")
   endif()
   string(REPLACE "#include \"core/" "#include \"forefront/" text "${text}")
@@ -38,7 +52,7 @@ while(pending)
   if(NOT text STREQUAL old)
     file(WRITE "${OUTPUT}/${staged}" "${text}")
   endif()
-endwhile()
+endforeach()
 list(TRANSFORM public REPLACE "^core/" "forefront/")
 file(GLOB_RECURSE present RELATIVE "${OUTPUT}" "${OUTPUT}/*.hpp")
 foreach(header IN LISTS present)

@@ -1,11 +1,11 @@
 // Benchmark of the standard cases. One process per case, so that each has its own memory peak; CSV on stdout.
 //   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]
 //                   [--repeat N] [SCENE SIZE]...
-#include "core/base/cpu_clock.hpp"
-#include "core/base/free_memory.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesher/mesher.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/engine/base/cpu_clock.hpp"
+#include "core/engine/base/free_memory.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesher/mesher.hpp"
+#include "core/engine/mesher/pipeline.hpp"
 #include "tests/bench/scenes.hpp"
 
 #include <algorithm>

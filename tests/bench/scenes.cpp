@@ -1,6 +1,6 @@
 #include "tests/bench/scenes.hpp"
 
-#include "core/domain/add_loop.hpp"
+#include "core/engine/domain/add_loop.hpp"
 
 #include <cmath>
 #include <cstdint>

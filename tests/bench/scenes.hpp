@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesher/options.hpp"
+#include "core/engine/mesher/options.hpp"
 
 #include <optional>
 #include <string>

@@ -102,7 +102,7 @@ def by_find_package(kind, prefix, folder):
 
 
 def check_other_versions_are_refused(prefix, folder):
-    for version in ("0.1", "0.9", "1.0"):
+    for version in ("0.1", "0.2", "0.9", "1.0"):
         made = source_folder(folder, f"version-{version}", EXAMPLE)
         (made / "CMakeLists.txt").write_text(PROJECT.format(find=f"find_package(Forefront {version} REQUIRED)"))
         done = subprocess.run([CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}"], cwd=made,
@@ -132,7 +132,7 @@ def by_add_subdirectory(folder):
             "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DFOREFRONT_PCH=ON", "-DCMAKE_UNITY_BUILD=ON", "-DFOREFRONT_WERROR=ON",
             f"-DBUILD_SHARED_LIBS={shared}", folder=made)
         targets = run("ninja", "-C", "build", "-t", "targets", "all", folder=made)
-        for part in ("forefront_ui", "forefront_unit_tests", "forefront_tables", "app/forefront"):
+        for part in ("forefront_ui", "forefront_unit_tests", "forefront_drawing", "forefront_teaching", "app/forefront"):
             check(part not in targets, f"{part} is built in another project without being asked for")
         printed = run(CMAKE, "--build", "build", "--target", "consumer", folder=made)
         check("warning:" not in printed, f"our warnings reach the project:\n{printed}")

@@ -1,6 +1,6 @@
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/project/project.hpp"
-#include "core/io/text/base64.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/gmsh/gmsh.hpp"
+#include "core/files/text/base64.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 #include "tests/support/png_sample.hpp"
 

@@ -1,17 +1,19 @@
 #include "tests/fuzz/fuzz_targets.hpp"
 
-#include "core/arrangement/repair.hpp"
-#include "core/domain/validate.hpp"
-#include "core/edit/document.hpp"
-#include "core/io/format.hpp"
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/geojson/topojson.hpp"
-#include "core/io/lesson/lesson_read.hpp"
-#include "core/io/png/png.hpp"
-#include "core/io/project/project.hpp"
-#include "core/io/svg/svg.hpp"
-#include "core/io/triangle/triangle.hpp"
-#include "core/mesh/mesh_domain.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/geojson/topojson.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/mesh/mesh_domain.hpp"
+#include "core/files/format.hpp"
+#include "core/files/png/png.hpp"
+#include "core/files/triangle/triangle.hpp"
+#include "core/teaching/lesson/lesson_read.hpp"
 #include "tests/support/png_sample.hpp"
 
 #include <algorithm>
@@ -286,7 +288,7 @@ void runLesson(std::string_view bytes) {
 /// looks for the others only beside the file that it reads.
 std::vector<Target> listTargets() {
     std::vector<Target> list;
-    for (const Format &format : formats()) {
+    for (const Format &format : allFormats().formats()) {
         const auto same = [&](const Target &target) { return sameReaders(*target.format, format); };
         if (std::none_of(list.begin(), list.end(), same)) {
             list.push_back({format.about.id, &format});

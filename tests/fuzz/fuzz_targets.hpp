@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/format.hpp"
+#include "core/files/format.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "core/io/files.hpp"
+#include "core/files/files.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 
 #include <cstdio>

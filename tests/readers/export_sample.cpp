@@ -2,9 +2,10 @@
 //   export_sample FOLDER
 // Reads a mesh with nodal values 1 + x + 2y and prints its figures.
 //   export_sample --read FILE NAME
-#include "core/io/files.hpp"
-#include "core/io/inner_edges.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/files/files.hpp"
+#include "core/files/inner_edges.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -94,7 +95,7 @@ int fail(const Diagnostics &faults) {
 
 int exportAll(const std::filesystem::path &folder, const std::string &name, const Mesh &mesh) {
     nlohmann::json truth = figures(mesh);
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh) {
             const std::filesystem::path path = folder / (name + '-' + format.id + format.extension);
             const Status status = writeMesh(path, mesh, format.id);
@@ -122,7 +123,7 @@ int exportDomain(const std::filesystem::path &folder, const std::string &name, c
 }
 
 int printFigures(const std::filesystem::path &path, const char *field) {
-    const Result<MeshField> read = readField(path, field);
+    const Result<MeshField> read = allFormats().readField(path, field);
     if (!read) {
         return fail(read.faults());
     }

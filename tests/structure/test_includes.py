@@ -7,10 +7,18 @@ from pathlib import Path
 # Rooms from the lowest up; "." is the folder itself. A file may include the rooms before its own; rooms in one string
 # are equals and must not include each other. "*" stands for all rooms that are not named.
 ORDERS = {
-    "core": ["base", "geometry", "domain", "arrangement", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
-             "adapt edit session", "lesson film", "io", "."],
-    "core/spacing": ["spec", "sites", "parts", "."],
-    "core/io": ["source", "text", "common", "json", "*", "."],
+    "core": ["engine", "files", "drawing", "drawing_files", "teaching", "."],
+    "core/engine": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
+                    "adapt session"],
+    "core/engine/spacing": ["spec", "sites", "parts", "."],
+    "core/files": ["source", "text", "common", "json", "*", "."],
+    "core/drawing": ["arrangement", "document", "shapes", "names", "formulas", "domain", "picking", "commands recovery"],
+    "core/drawing/arrangement": [".", "snapping", "curves", "repeated_lines", "cover", "assembly repair"],
+    "core/drawing_files": ["common", "*", "clipboard", "."],
+    "core/drawing_files/svg": ["xml", "values", "style", "drawing", "areas", "."],
+    "core/teaching": ["lesson film", "tables"],
+    "ui/tools": ["common", "draw select size look", "."],
+    "ui/workspace": ["background", "document", "messages", "view", "mesh", "run", "."],
     "ui": ["input style", "platform", "widgets", "canvas", "gl", "workspace", "parts", "layers tools panels dialogs", "lessons", "shell",
            "editor", "."],
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/arrangement/arrangement.hpp"
+#include "core/drawing/arrangement/arrangement.hpp"
 #include "tests/support/random_curves.hpp"
 
 #include <cstdint>

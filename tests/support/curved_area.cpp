@@ -1,6 +1,6 @@
 #include "tests/support/curved_area.hpp"
 
-#include "core/domain/domain_graph.hpp"
+#include "core/engine/domain/domain_graph.hpp"
 
 #include <array>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "tests/support/discrete_checks.hpp"
 
-#include "core/domain/domain_graph.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/geometry/polygon.hpp"
 
 #include <doctest/doctest.h>
 

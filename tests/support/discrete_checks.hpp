@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/boundary/discretise.hpp"
+#include "core/engine/boundary/discretise.hpp"
 
 namespace forefront::testing {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/boundary/discretise.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/engine/boundary/discretise.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 
 #include <functional>
 #include <memory>

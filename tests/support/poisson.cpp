@@ -1,7 +1,7 @@
 #include "tests/support/poisson.hpp"
 
-#include "core/adapt/gradient_recovery.hpp"
-#include "core/mesh/topology.hpp"
+#include "core/engine/adapt/gradient_recovery.hpp"
+#include "core/engine/mesh/topology.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/domain/domain.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/mesh.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "tests/support/random_curves.hpp"
 
-#include "core/arrangement/arrangement.hpp"
+#include "core/drawing/arrangement/arrangement.hpp"
 #include "tests/support/curve_drawing.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/random_domains.hpp"

@@ -1,6 +1,6 @@
 #include "tests/support/random_domains.hpp"
 
-#include "core/geometry/plane_sweep.hpp"
+#include "core/engine/geometry/plane_sweep.hpp"
 #include "tests/support/domain_builder.hpp"
 
 namespace forefront::testing {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/domain/domain.hpp"
+#include "core/engine/domain/domain.hpp"
 
 #include <cstdint>
 #include <random>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/domain/domain.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/progress.hpp"
+#include "core/engine/base/progress.hpp"
 
 #include <stop_token>
 #include <string_view>

@@ -1,5 +1,5 @@
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/action_cases.hpp"
 
 #include <filesystem>

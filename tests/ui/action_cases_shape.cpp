@@ -1,6 +1,6 @@
-#include "core/edit/dimensions.hpp"
-#include "core/edit/path_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/shapes/dimensions.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/ui/action_cases.hpp"
 
 #include <algorithm>

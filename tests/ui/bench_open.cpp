@@ -1,4 +1,4 @@
-#include "core/io/files.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/platform/steady_seconds.hpp"

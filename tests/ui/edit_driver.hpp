@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
 

@@ -1,5 +1,5 @@
-#include "core/edit/shape_commands.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/picture_spacing.hpp"

@@ -1,6 +1,6 @@
-#include "core/edit/formulas.hpp"
-#include "core/edit/path_curve.hpp"
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "core/base/vec2.hpp"
+#include "core/engine/base/vec2.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/style/colour_map.hpp"

@@ -1,5 +1,6 @@
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/dialogs/file_commands.hpp"

@@ -1,7 +1,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "ui/dialogs/file_list.hpp"
-#include "ui/tools/numeric_entry.hpp"
-#include "ui/widgets/number_text.hpp"
+#include "ui/tools/common/numeric_entry.hpp"
+#include "ui/widgets/parse_number.hpp"
 
 #include <doctest/doctest.h>
 

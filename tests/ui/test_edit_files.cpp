@@ -1,8 +1,12 @@
-#include "core/edit/equality.hpp"
-#include "core/edit/journal_record.hpp"
-#include "core/io/files.hpp"
-#include "core/io/inner_edges.hpp"
-#include "core/mesh/verify.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/recovery/journal_record.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/files/files.hpp"
+#include "core/files/inner_edges.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/file_list.hpp"
@@ -162,7 +166,7 @@ TEST_CASE("Export: a drawing is meshed and written as a valid MSH file") {
     driver.chooseFile("export", place.path / "bay");
     driver.settle();
     CHECK_FALSE(driver.has("dialog/export/ok"));
-    const Result<Mesh> mesh = readMesh(place.path / "bay.msh");
+    const Result<Mesh> mesh = allFormats().readMesh(place.path / "bay.msh");
     REQUIRE(mesh.ok());
     CHECK(mesh->elements.size() == driver.run().quality.elements);
     CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
@@ -215,7 +219,7 @@ TEST_CASE("Export: edges inside the domain can be left out") {
         }
         driver.chooseFile("export", place.path / (keeps ? "whole.msh" : "outline.msh"));
         driver.settle();
-        const Result<Mesh> mesh = readMesh(place.path / (keeps ? "whole.msh" : "outline.msh"));
+        const Result<Mesh> mesh = allFormats().readMesh(place.path / (keeps ? "whole.msh" : "outline.msh"));
         REQUIRE(mesh.ok());
         CHECK(mesh->elements.size() == driver.run().quality.elements);
         edges[keeps ? 0 : 1] = mesh->edges.size();
@@ -230,7 +234,7 @@ TEST_CASE("Export: edges inside the domain can be left out") {
     CHECK_FALSE(driver.has("dialog/export/inner-edges"));
     driver.chooseFile("export", place.path / "flow.su2");
     driver.settle();
-    const Result<Mesh> flow = readMesh(place.path / "flow.su2");
+    const Result<Mesh> flow = allFormats().readMesh(place.path / "flow.su2");
     REQUIRE(flow.ok());
     CHECK(flow->edges.size() == edges[1]);
 }
@@ -304,7 +308,7 @@ TEST_CASE("Export: a missing folder is reported in the dialog, which stays open"
     CHECK_FALSE(std::filesystem::exists(place.path / "no-such-folder"));
     driver.chooseFile("export", place.path / "bay.msh");
     CHECK_FALSE(driver.has("dialog/export/ok"));
-    CHECK(readMesh(place.path / "bay.msh").ok());
+    CHECK(allFormats().readMesh(place.path / "bay.msh").ok());
 }
 
 TEST_CASE("Open: an unreadable file is reported in the dialog, and the drawing stays") {
@@ -414,7 +418,7 @@ TEST_CASE("Files: dialogs that open files offer every format that can be read") 
     REQUIRE(filters.size() > 3);
     CHECK(filters.front().name == "All meshes");
     CHECK(filters.back().extensions.empty());
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         CAPTURE(format.id);
         const std::string name = std::string("x") + format.extension;
         if (format.readsMesh) {

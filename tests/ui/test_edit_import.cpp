@@ -1,6 +1,8 @@
-#include "core/io/files.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
-#include "ui/workspace/option_hints.hpp"
+#include "ui/workspace/messages/option_hints.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,7 @@
-#include "core/edit/path_commands.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

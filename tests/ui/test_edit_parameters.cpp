@@ -1,4 +1,4 @@
-#include "core/edit/formulas.hpp"
+#include "core/drawing/formulas/formulas.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

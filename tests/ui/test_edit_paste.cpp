@@ -1,4 +1,4 @@
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

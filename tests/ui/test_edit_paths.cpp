@@ -1,4 +1,4 @@
-#include "core/edit/path_commands.hpp"
+#include "core/drawing/commands/path_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

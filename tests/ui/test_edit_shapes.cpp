@@ -1,10 +1,11 @@
-#include "core/edit/plane_map.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/spacing_commands.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/shapes/plane_map.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/dialogs/question_dialog.hpp"
-#include "ui/tools/measure_tool.hpp"
+#include "ui/tools/look/measure_tool.hpp"
 
 #include <doctest/doctest.h>
 

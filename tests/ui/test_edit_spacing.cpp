@@ -1,5 +1,5 @@
-#include "core/edit/formulas.hpp"
-#include "core/spacing/spec/source_box.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/engine/spacing/spec/source_box.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
-#include "core/edit/element_counts.hpp"
-#include "core/edit/formulas.hpp"
-#include "core/io/project/project.hpp"
+#include "core/drawing/formulas/element_counts.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

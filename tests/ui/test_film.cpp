@@ -1,4 +1,4 @@
-#include "core/edit/document.hpp"
+#include "core/drawing/document/document.hpp"
 #include "tests/ui/meshed_square.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "core/boundary/discretise.hpp"
+#include "core/engine/boundary/discretise.hpp"
 #include "tests/ui/edit_driver.hpp"
-#include "ui/workspace/follow_camera.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/follow_camera.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 

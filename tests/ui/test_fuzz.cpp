@@ -1,6 +1,6 @@
-#include "core/edit/equality.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/io/project/project.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/edit_driver.hpp"
 

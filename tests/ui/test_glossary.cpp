@@ -1,4 +1,4 @@
-#include "core/lesson/glossary.hpp"
+#include "core/teaching/lesson/glossary.hpp"
 #include "tests/ui/meshed_square.hpp"
 
 #include <doctest/doctest.h>

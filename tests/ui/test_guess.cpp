@@ -1,5 +1,5 @@
 #include "tests/ui/meshed_square.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,8 @@
-#include "core/io/files.hpp"
-#include "core/mesh/limits.hpp"
-#include "core/mesh/quality.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/mesh/limits.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/thumbnails.hpp"
@@ -57,7 +59,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
     JudgedSquare maker;
     const Mesh made = maker.mesh();
     TemporaryFolder folder;
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (!format.readsMesh || !format.writesMesh) {
             continue;
         }
@@ -68,7 +70,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
         openMesh(driver.context(), file);
         driver.settle();
         REQUIRE(driver.context().run.showsFile());
-        const Mesh read = readMesh(file).value();
+        const Mesh read = allFormats().readMesh(file).value();
         const MeshQuality quality = measure(read, nullptr);
         CHECK(driver.run().quality.elements == made.elements.size());
         CHECK(driver.run().quality.alphaMin == quality.alphaMin);

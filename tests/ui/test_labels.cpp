@@ -1,4 +1,4 @@
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 

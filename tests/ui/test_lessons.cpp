@@ -2,8 +2,8 @@
 #include "ui/lessons/highlight_names.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/platform/assets.hpp"
-#include "ui/workspace/follow_camera.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/follow_camera.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "core/boundary/discretise.hpp"
+#include "core/engine/boundary/discretise.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
-#include "ui/tools/measure_tool.hpp"
+#include "ui/tools/look/measure_tool.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "core/mesh/quality.hpp"
+#include "core/engine/mesh/quality.hpp"
 #include "ui/gl/domain_mask.hpp"
 #include "ui/gl/draw_pace.hpp"
 #include "ui/gl/gl_kit.hpp"

@@ -1,4 +1,4 @@
-#include "core/edit/equality.hpp"
+#include "core/drawing/document/equality.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

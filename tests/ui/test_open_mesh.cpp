@@ -1,4 +1,4 @@
-#include "core/io/files.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/open_mesh.hpp"

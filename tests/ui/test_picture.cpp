@@ -1,6 +1,7 @@
-#include "core/edit/equality.hpp"
-#include "core/edit/formulas.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

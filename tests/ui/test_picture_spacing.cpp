@@ -1,5 +1,5 @@
-#include "core/edit/equality.hpp"
-#include "core/io/png/png.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/files/png/png.hpp"
 #include "tests/support/png_sample.hpp"
 #include "tests/ui/edit_driver.hpp"
 

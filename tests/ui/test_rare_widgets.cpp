@@ -1,8 +1,9 @@
-#include "core/edit/path_commands.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "core/io/project/project.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "core/edit/formulas.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/two_faces.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+#include "core/drawing/domain/document_domain.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
 #include "ui/canvas/legend.hpp"

@@ -1,5 +1,5 @@
-#include "core/edit/dragged_parts.hpp"
-#include "core/edit/snap.hpp"
+#include "core/drawing/picking/dragged_parts.hpp"
+#include "core/drawing/picking/pointer_snap.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/platform/steady_seconds.hpp"

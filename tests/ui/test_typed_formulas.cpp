@@ -1,7 +1,7 @@
-#include "core/edit/formulas.hpp"
-#include "core/edit/path_curve.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/project/project.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

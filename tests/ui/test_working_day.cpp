@@ -1,4 +1,5 @@
-#include "core/io/files.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/thumbnails.hpp"

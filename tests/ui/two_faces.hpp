@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 namespace forefront::test {

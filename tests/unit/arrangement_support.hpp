@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/arrangement/arrangement.hpp"
-#include "core/domain/domain_graph.hpp"
-#include "core/domain/validate.hpp"
+#include "core/drawing/arrangement/arrangement.hpp"
+#include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/domain/validate.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/edit/references.hpp"
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 #include "tests/unit/io_samples.hpp"
 
-#include "core/edit/formulas.hpp"
-#include "core/edit/path_curve.hpp"
-#include "core/io/common/names.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
+#include "core/files/common/names.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <algorithm>

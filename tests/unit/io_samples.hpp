@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/edit/document.hpp"
-#include "core/io/common/mesh_field.hpp"
-#include "core/io/source/source.hpp"
-#include "core/io/text/text_writer.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/engine/mesh/mesh.hpp"
+#include "core/files/common/mesh_field.hpp"
+#include "core/files/source/source.hpp"
+#include "core/files/text/text_writer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/diagnostic.hpp"
-#include "core/boundary/discretise.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/boundary/discretise.hpp"
+#include "core/engine/mesh/mesh.hpp"
 
 #include <algorithm>
 #include <cstdint>

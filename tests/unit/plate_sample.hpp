@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/edit/formulas.hpp"
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

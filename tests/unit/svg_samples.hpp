@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/domain/domain.hpp"
-#include "core/io/svg/svg.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/domain/domain.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

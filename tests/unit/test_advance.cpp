@@ -1,9 +1,9 @@
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesh/verify.hpp"
-#include "core/mesher/classic_advancer.hpp"
-#include "core/mesher/mesher.hpp"
-#include "core/mesher/timeline.hpp"
+#include "core/engine/grid/hierarchical_grid.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/mesher/classic_advancer.hpp"
+#include "core/engine/mesher/mesher.hpp"
+#include "core/engine/mesher/timeline.hpp"
 #include "tests/support/discrete_samples.hpp"
 
 #include <doctest/doctest.h>

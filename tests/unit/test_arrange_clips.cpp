@@ -1,5 +1,5 @@
-#include "core/arrangement/arrangement.hpp"
-#include "core/geometry/curve.hpp"
+#include "core/drawing/arrangement/arrangement.hpp"
+#include "core/engine/geometry/curve.hpp"
 #include "tests/unit/arrangement_support.hpp"
 
 #include <doctest/doctest.h>

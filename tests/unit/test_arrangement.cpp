@@ -1,7 +1,7 @@
-#include "core/arrangement/arrangement.hpp"
-#include "core/arrangement/change.hpp"
-#include "core/arrangement/face_points.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/drawing/arrangement/arrangement.hpp"
+#include "core/drawing/arrangement/assembly/face_points.hpp"
+#include "core/drawing/arrangement/change.hpp"
+#include "core/engine/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/unit/arrangement_support.hpp"
 

@@ -1,8 +1,8 @@
-#include "core/arrangement/arrangement.hpp"
-#include "core/arrangement/cluster.hpp"
-#include "core/domain/validate.hpp"
-#include "core/geometry/polygon.hpp"
-#include "core/geometry/predicates.hpp"
+#include "core/drawing/arrangement/arrangement.hpp"
+#include "core/drawing/arrangement/snapping/cluster.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/polygon.hpp"
+#include "core/engine/geometry/predicates.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/unit/arrangement_support.hpp"
 

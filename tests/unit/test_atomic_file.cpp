@@ -1,4 +1,4 @@
-#include "core/io/text/atomic_file.hpp"
+#include "core/files/text/atomic_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <doctest/doctest.h>

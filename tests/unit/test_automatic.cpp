@@ -1,11 +1,11 @@
-#include "core/domain/add_loop.hpp"
-#include "core/domain/domain.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesh/sharp_corners.hpp"
-#include "core/mesher/pipeline.hpp"
-#include "core/spacing/parts/automatic/automatic.hpp"
-#include "core/spacing/parts/automatic/boundary_spacing.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/sharp_corners.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/spacing/parts/automatic/automatic.hpp"
+#include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 
 #include <doctest/doctest.h>
 

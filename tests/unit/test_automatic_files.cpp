@@ -1,6 +1,7 @@
-#include "core/io/files.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/files/files.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,7 +23,7 @@ TEST_CASE("Automatic spacing: real domains mesh well with default options, in mo
         }
         ++files;
         const std::string name = entry.path().filename().string();
-        const auto read = readDomain(entry.path());
+        const auto read = allFormats().readDomain(entry.path());
         REQUIRE_MESSAGE(read.ok(), name);
         MeshingJob job;
         job.domain = *read;

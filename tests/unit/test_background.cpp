@@ -1,5 +1,5 @@
-#include "core/domain/domain.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/spacing_samples.hpp"
 

@@ -1,6 +1,6 @@
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/grid/no_grid.hpp"
-#include "core/grid/uniform_grid.hpp"
+#include "core/engine/grid/hierarchical_grid.hpp"
+#include "core/engine/grid/no_grid.hpp"
+#include "core/engine/grid/uniform_grid.hpp"
 #include "tests/support/discrete_samples.hpp"
 #include "tests/support/sanitizers.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/arrangement/arrangement.hpp"
+#include "core/drawing/arrangement/arrangement.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/svg_samples.hpp"
 

@@ -1,5 +1,5 @@
-#include "core/geometry/box_tree.hpp"
-#include "core/geometry/hilbert.hpp"
+#include "core/engine/geometry/box_tree.hpp"
+#include "core/engine/geometry/hilbert.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

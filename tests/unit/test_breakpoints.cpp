@@ -1,7 +1,7 @@
-#include "core/mesh/quality.hpp"
-#include "core/mesher/pipeline.hpp"
-#include "core/session/breakpoint_watch.hpp"
-#include "core/session/timeline_travel.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/session/breakpoint_watch.hpp"
+#include "core/engine/session/timeline_travel.hpp"
 
 #include <doctest/doctest.h>
 

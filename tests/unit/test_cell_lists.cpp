@@ -1,4 +1,4 @@
-#include "core/grid/cell_lists.hpp"
+#include "core/engine/grid/cell_lists.hpp"
 
 #include <doctest/doctest.h>
 

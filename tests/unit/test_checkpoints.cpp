@@ -1,5 +1,5 @@
-#include "core/mesher/pipeline.hpp"
-#include "core/mesher/timeline.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/mesher/timeline.hpp"
 #include "tests/support/discrete_samples.hpp"
 
 #include <doctest/doctest.h>

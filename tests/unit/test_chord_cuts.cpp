@@ -1,4 +1,4 @@
-#include "core/arrangement/chord_cuts.hpp"
+#include "core/drawing/arrangement/curves/chord_cuts.hpp"
 
 #include <doctest/doctest.h>
 

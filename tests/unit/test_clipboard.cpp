@@ -1,9 +1,9 @@
-#include "core/edit/insert_document.hpp"
-#include "core/edit/path_curve.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/clipboard.hpp"
-#include "core/io/project/project.hpp"
+#include "core/drawing/commands/insert_document.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/clipboard/clipboard.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/geometry/curve.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/engine/geometry/curve.hpp"
+#include "core/engine/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

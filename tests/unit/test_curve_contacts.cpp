@@ -1,5 +1,5 @@
-#include "core/edit/curve_crossings.hpp"
-#include "core/geometry/curve_contacts.hpp"
+#include "core/drawing/shapes/curve_crossings.hpp"
+#include "core/engine/geometry/curve_contacts.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/edit/dimensions.hpp"
-#include "core/edit/document.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/shapes/dimensions.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "core/boundary/discretise.hpp"
-#include "core/domain/validate.hpp"
-#include "core/geometry/plane_sweep.hpp"
+#include "core/engine/boundary/discretise.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/plane_sweep.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/spacing_samples.hpp"
 

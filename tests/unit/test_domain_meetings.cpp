@@ -1,4 +1,4 @@
-#include "core/domain/domain_meetings.hpp"
+#include "core/engine/domain/domain_meetings.hpp"
 #include "tests/support/domain_builder.hpp"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,10 @@
-#include "core/edit/equality.hpp"
-#include "core/edit/join_segments.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/commands/join_segments.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,6 @@
-#include "core/edit/mesh_constraints.hpp"
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/commands/mesh_constraints.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,17 +1,20 @@
-#include "core/domain/validate.hpp"
-#include "core/edit/chain_shape.hpp"
-#include "core/edit/combine_shapes.hpp"
-#include "core/edit/equality.hpp"
-#include "core/edit/join_segments.hpp"
-#include "core/edit/path_curve.hpp"
-#include "core/edit/pick_index.hpp"
-#include "core/edit/repair_drawing.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/files.hpp"
-#include "core/io/project/project.hpp"
-#include "core/io/text/atomic_file.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/drawing/commands/combine_shapes.hpp"
+#include "core/drawing/commands/join_segments.hpp"
+#include "core/drawing/commands/repair_drawing.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/domain/chain_shape.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/picking/pick_index.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/files/files.hpp"
+#include "core/files/text/atomic_file.hpp"
 #include "tests/unit/edit_support.hpp"
 #include "tests/unit/io_samples.hpp"
 
@@ -123,7 +126,7 @@ TEST_CASE("Curved drawings: a document meshes like its file, also after it was s
         CAPTURE(drawing.what);
         const TemporaryFolder folder;
         const auto path = fileOf(drawing, folder);
-        const Result<Domain> domain = readDomain(path);
+        const Result<Domain> domain = allFormats().readDomain(path);
         const Result<Document> document = readDocument(path);
         REQUIRE(domain.ok());
         REQUIRE(document.ok());
@@ -145,7 +148,7 @@ TEST_CASE("Maps: a document meshes like its file, also after it was saved and re
     for (const auto &[name, text] : files) {
         CAPTURE(name);
         REQUIRE(writeFileAtomically(folder / name, text).empty());
-        const Result<Domain> domain = readDomain(folder / name);
+        const Result<Domain> domain = allFormats().readDomain(folder / name);
         const Result<Document> document = readDocument(folder / name);
         REQUIRE(domain.ok());
         REQUIRE(document.ok());

@@ -1,5 +1,5 @@
-#include "core/edit/drawn_paths.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/drawing/commands/drawn_paths.hpp"
+#include "core/engine/geometry/polygon.hpp"
 
 #include <doctest/doctest.h>
 

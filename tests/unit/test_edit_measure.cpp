@@ -1,6 +1,7 @@
-#include "core/edit/measure.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/tag_runs.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/measure.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/tag_runs.hpp"
 
 #include <doctest/doctest.h>
 

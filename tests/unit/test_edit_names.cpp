@@ -1,8 +1,8 @@
-#include "core/edit/name_commands.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/name_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,10 @@
-#include "core/domain/validate.hpp"
-#include "core/edit/equality.hpp"
-#include "core/edit/path_commands.hpp"
-#include "core/edit/path_curve.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/domain/validate.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

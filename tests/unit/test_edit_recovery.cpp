@@ -1,5 +1,5 @@
-#include "core/edit/journal_record.hpp"
-#include "core/edit/recovery_journal.hpp"
+#include "core/drawing/recovery/journal_record.hpp"
+#include "core/drawing/recovery/recovery_journal.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/edit_support.hpp"
 

@@ -1,10 +1,10 @@
-#include "core/edit/equality.hpp"
-#include "core/edit/insert_document.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/region_fill.hpp"
-#include "core/edit/repair_drawing.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/commands/insert_document.hpp"
+#include "core/drawing/commands/region_fill.hpp"
+#include "core/drawing/commands/repair_drawing.hpp"
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "core/domain/validate.hpp"
-#include "core/edit/repair_drawing.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/commands/repair_drawing.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/domain/validate.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "core/edit/path_curve.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/edit/trim_commands.hpp"
+#include "core/drawing/commands/trim_commands.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/boundary/coverage_cell.hpp"
-#include "core/boundary/estimate.hpp"
+#include "core/engine/boundary/coverage_cell.hpp"
+#include "core/engine/boundary/estimate.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/support/spacing_samples.hpp"

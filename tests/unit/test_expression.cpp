@@ -1,4 +1,4 @@
-#include "core/spacing/parts/expression/expression.hpp"
+#include "core/engine/spacing/parts/expression/expression.hpp"
 
 #include <doctest/doctest.h>
 #include <muParser.h>

@@ -1,7 +1,8 @@
-#include "core/edit/document.hpp"
-#include "core/edit/face_map.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/picking/face_map.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "core/domain/domain_graph.hpp"
-#include "core/domain/faces.hpp"
-#include "core/geometry/polygon.hpp"
-#include "core/geometry/predicates.hpp"
+#include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/domain/faces.hpp"
+#include "core/engine/geometry/polygon.hpp"
+#include "core/engine/geometry/predicates.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

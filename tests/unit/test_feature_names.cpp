@@ -1,4 +1,4 @@
-#include "core/io/geojson/geojson.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "core/film/film_picture.hpp"
-#include "core/film/stroke_font.hpp"
-#include "core/io/film/gif_writer.hpp"
-#include "core/io/film/png_writer.hpp"
+#include "core/teaching/film/film_picture.hpp"
+#include "core/teaching/film/gif_writer.hpp"
+#include "core/teaching/film/png_writer.hpp"
+#include "core/teaching/film/stroke_font.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
-#include "core/io/files.hpp"
-#include "core/io/foreign_files.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/files.hpp"
+#include "core/files/foreign_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/io_samples.hpp"
 
@@ -38,7 +39,7 @@ TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to con
         CAPTURE(name);
         for (const char *file : {"a.svg", "a.json", "a.geojson", "a.other"}) {
             std::ofstream(folder / file, std::ios::binary) << bytes;
-            const auto domain = readDomain(folder / file);
+            const auto domain = allFormats().readDomain(folder / file);
             REQUIRE(hasCode(domain.faults(), "foreign-format"));
             CHECK(domain.faults()[0].message.find(name) != std::string::npos);
             CHECK(domain.faults()[0].advice.find(advice) != std::string::npos);
@@ -82,5 +83,5 @@ TEST_CASE("Foreign files: a format that is given explicitly is tried") {
     std::ofstream(folder / "a.html") << "<html><svg/></html>";
     ImportOptions options;
     options.formatId = "svg";
-    CHECK(hasCode(readDomain(folder / "a.html", options).faults(), "not-svg"));
+    CHECK(hasCode(allFormats().readDomain(folder / "a.html", options).faults(), "not-svg"));
 }

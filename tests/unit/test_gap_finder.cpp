@@ -1,5 +1,5 @@
-#include "core/domain/add_loop.hpp"
-#include "core/spacing/parts/automatic/gap_finder.hpp"
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/spacing/parts/automatic/gap_finder.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/front/base_order.hpp"
-#include "core/front/generation_front.hpp"
+#include "core/engine/front/base_order.hpp"
+#include "core/engine/front/generation_front.hpp"
 #include "tests/support/discrete_samples.hpp"
 
 #include <doctest/doctest.h>

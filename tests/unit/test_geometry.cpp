@@ -1,5 +1,5 @@
-#include "core/geometry/elliptical_arc.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/engine/geometry/elliptical_arc.hpp"
+#include "core/engine/geometry/polygon.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "core/lesson/glossary.hpp"
+#include "core/teaching/lesson/glossary.hpp"
 
 #include <doctest/doctest.h>
 

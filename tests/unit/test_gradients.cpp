@@ -1,7 +1,7 @@
-#include "core/domain/domain.hpp"
-#include "core/edit/spacing_commands.hpp"
-#include "core/io/project/project.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/spacing_samples.hpp"
 

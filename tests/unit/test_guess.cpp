@@ -1,4 +1,4 @@
-#include "core/lesson/guess.hpp"
+#include "core/teaching/lesson/guess.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-#include "core/arrangement/hidden_shapes.hpp"
-#include "core/arrangement/united.hpp"
+#include "core/drawing/arrangement/cover/hidden_shapes.hpp"
+#include "core/drawing/arrangement/cover/united.hpp"
 #include "tests/unit/arrangement_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
-#include "core/geometry/predicates.hpp"
-#include "core/improve/edge_swap.hpp"
-#include "core/improve/swap_pass.hpp"
-#include "core/improve/workspace.hpp"
-#include "core/mesh/edge_table.hpp"
-#include "core/mesh/topology.hpp"
+#include "core/engine/geometry/predicates.hpp"
+#include "core/engine/improve/edge_swap.hpp"
+#include "core/engine/improve/improve_workspace.hpp"
+#include "core/engine/improve/swap_pass.hpp"
+#include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/topology.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>

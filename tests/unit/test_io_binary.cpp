@@ -1,6 +1,6 @@
-#include "core/io/files.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/mesh/verify.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/files/files.hpp"
+#include "core/files/gmsh/gmsh.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
 

@@ -1,15 +1,16 @@
-#include "core/io/abaqus/abaqus.hpp"
-#include "core/io/format.hpp"
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/geojson/topojson.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/medit/medit.hpp"
-#include "core/io/obj/obj.hpp"
-#include "core/io/project/project.hpp"
-#include "core/io/su2/su2.hpp"
-#include "core/io/svg/svg.hpp"
-#include "core/io/triangle/triangle.hpp"
-#include "core/io/vtk/vtk.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/geojson/topojson.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/files/abaqus/abaqus.hpp"
+#include "core/files/format.hpp"
+#include "core/files/gmsh/gmsh.hpp"
+#include "core/files/medit/medit.hpp"
+#include "core/files/obj/obj.hpp"
+#include "core/files/su2/su2.hpp"
+#include "core/files/triangle/triangle.hpp"
+#include "core/files/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
@@ -64,7 +65,7 @@ std::vector<Seed> seeds() {
          "8 2 1 1\n0 0 0 7 1\n1 4 0 7 1\n2 4 4 7 1\n3 0 4 7 1\n4 1 1 0 0\n5 2 1 0 0\n6 2 2 0 0\n7 1 2 0 0\n8 1\n0 0 1 "
          "3\n1 1 2 0\n2 2 3 2\n3 3 0 3\n4 4 5 9\n5 5 6 9\n6 6 7 9\n7 7 4 9\n1\n0 1.5 1.5\n1\n0 0.5 0.5 4 0.1\n",
          faultsOf(readPoly)}};
-    for (const Format &format : formats()) {
+    for (const Format &format : allFormats().formats()) {
         if (format.readMesh != nullptr && format.writeMesh != nullptr) {
             list.push_back({format.about.id, written(format.writeMesh, mesh), faultsOf(format.readMesh)});
         }
@@ -156,7 +157,7 @@ TEST_CASE(
 
 TEST_CASE("Broken files: counts that exceed the file are refused in every format with counts") {
     const Mesh mesh = samples::square(3, 3);
-    for (const Format &format : formats()) {
+    for (const Format &format : allFormats().formats()) {
         if (format.readMesh == nullptr || format.writeMesh == nullptr || std::string_view(format.about.id) == "inp" ||
             std::string_view(format.about.id) == "obj" || std::string_view(format.about.id) == "vtu" ||
             std::string_view(format.about.id) == "msh41-binary") { // see test_io_binary.cpp

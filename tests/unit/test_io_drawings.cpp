@@ -1,8 +1,9 @@
-#include "core/domain/domain_graph.hpp"
-#include "core/domain/validate.hpp"
-#include "core/io/files.hpp"
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/svg/svg.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/files/files.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -263,7 +264,7 @@ TEST_CASE("Drawings kept beside the repository have their known areas") {
     };
     for (const auto &[name, regions] : expected) {
         CAPTURE(name);
-        const Result<Domain> domain = readDomain(folder / name);
+        const Result<Domain> domain = allFormats().readDomain(folder / name);
         REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
         checkAreas(areas(*domain), regions);
     }

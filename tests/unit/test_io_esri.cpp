@@ -1,10 +1,12 @@
-#include "core/edit/document.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/io/esri/esri_grid.hpp"
-#include "core/io/files.hpp"
-#include "core/io/project/project.hpp"
-#include "core/spacing/part_list.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/spacing/part_list.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
+#include "core/files/esri/esri_grid.hpp"
+#include "core/files/files.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/edit_support.hpp"
 #include "tests/unit/io_samples.hpp"
@@ -100,14 +102,14 @@ TEST_CASE("ESRI grid: read by its name or content, kept in the project") {
     const TemporaryFolder folder;
     const auto file = folder / "sizes.asc";
     std::ofstream(file) << kGrid;
-    const auto spacing = readSpacing(file);
+    const auto spacing = allFormats().readSpacing(file);
     REQUIRE_MESSAGE(spacing.ok(), messages(spacing.faults()));
     Document document;
     document.spacing = *spacing;
     const Result<Document> read = parseProject(projectText(document), "test");
     REQUIRE(read.ok());
     CHECK(sameContent(read->spacing, document.spacing));
-    const auto domain = readDomain(file);
+    const auto domain = allFormats().readDomain(file);
     REQUIRE_FALSE(domain.ok());
     CHECK(domain.faults().front().message == "ESRI ASCII grid cannot be read here");
 }

@@ -1,6 +1,7 @@
-#include "core/io/files.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/vtk/vtk.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/files.hpp"
+#include "core/files/gmsh/gmsh.hpp"
+#include "core/files/vtk/vtk.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/io_samples.hpp"
 
@@ -100,7 +101,7 @@ TEST_CASE("readFields: infinite values are absent") {
     std::ofstream(file) << head << "<DataArray type=\"Float64\" Name=\"heat\" format=\"binary\">"
                         << "GAAAAAAAAAAAAOA/AAAAAAAA8H8AAAAAAADw/w==</DataArray>"
                         << kVtuTail; // 24 bytes: 0.5, ∞ and -∞
-    const Result<MeshFields> read = readFields(file);
+    const Result<MeshFields> read = allFormats().readFields(file);
     REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
     const std::vector<double> &heat = read->fields.at("heat");
     CHECK(heat[0] == 0.5);

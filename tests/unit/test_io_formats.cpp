@@ -1,8 +1,11 @@
-#include "core/io/common/names.hpp"
-#include "core/io/common/node_table.hpp"
-#include "core/io/format.hpp"
-#include "core/io/text/text_scanner.hpp"
-#include "core/mesh/verify.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/files/common/names.hpp"
+#include "core/files/common/node_table.hpp"
+#include "core/files/format.hpp"
+#include "core/files/text/text_scanner.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
@@ -40,7 +43,7 @@ Mesh byRegion(Mesh mesh) {
 TEST_CASE("Formats: a mesh written in any format is read back the same, with tags, names and regions") {
     const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh();
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (!format.writesMesh || !format.readsMesh) {
             continue;
         }
@@ -48,7 +51,7 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
         const auto path = folder / (std::string("mesh_") + format.id + format.extension);
         const Status status = writeMesh(path, mesh, format.id);
         REQUIRE_MESSAGE(status.empty(), messages(status));
-        const auto back = readMesh(path);
+        const auto back = allFormats().readMesh(path);
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
         CHECK(difference(std::string(format.id) == "obj" ? byRegion(mesh) : mesh, *back) == "");
         CHECK(verify(*back).empty());
@@ -58,7 +61,7 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
 TEST_CASE("Formats: reading a mesh of any format reports its progress and can be cancelled") {
     const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh(200, 100);
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (!format.writesMesh || !format.readsMesh) {
             continue;
         }
@@ -77,17 +80,17 @@ TEST_CASE("Formats: reading a mesh of any format reports its progress and can be
                                 }
                             },
                             stop.get_token()};
-        CHECK(readFields(path, options).ok());
+        CHECK(allFormats().readFields(path, options).ok());
         REQUIRE(reports.size() > 3);
         CHECK(*std::max_element(reports.begin(), reports.end()) > 0.6);
         stopAt = 0.3;
         const std::size_t all = std::exchange(reports, {}).size();
-        const auto cancelled = readFields(path, options);
+        const auto cancelled = allFormats().readFields(path, options);
         REQUIRE_FALSE(cancelled.ok());
         CHECK(hasCode(cancelled.faults(), "cancelled"));
         CHECK(cancelled.faults().front().message == "reading was cancelled");
         CHECK(reports.size() < all);
-        CHECK(hasCode(readMesh(path, options).faults(), "cancelled")); // the request is still there
+        CHECK(hasCode(allFormats().readMesh(path, options).faults(), "cancelled")); // the request is still there
     }
 }
 
@@ -110,7 +113,7 @@ TEST_CASE("Formats: readers that go through the elements twice can be cancelled 
                                 }
                             },
                             stop.get_token()};
-        const auto cancelled = readMesh(path, options);
+        const auto cancelled = allFormats().readMesh(path, options);
         CHECK(again);
         REQUIRE_FALSE(cancelled.ok());
         CHECK(cancelled.faults().front().message == "reading was cancelled");
@@ -122,14 +125,14 @@ TEST_CASE("Formats: round trip of a mesh of one region without names, edges or p
     Mesh mesh = samples::square(2, 2);
     mesh.edges.clear();
     mesh.boundaryNames.clear();
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (!format.writesMesh || !format.readsMesh) {
             continue;
         }
         CAPTURE(format.id);
         const auto path = folder / (std::string("mesh_") + format.id + format.extension);
         REQUIRE(writeMesh(path, mesh, format.id).empty());
-        const auto back = readMesh(path);
+        const auto back = allFormats().readMesh(path);
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
         CHECK(difference(mesh, *back) == "");
         CHECK(back->regions.empty());
@@ -189,7 +192,7 @@ endmesh
 Result<Mesh> readNetgenText(const std::string &text) {
     const TemporaryFolder folder;
     std::ofstream(folder / "mesh.vol") << text;
-    return readMesh(folder / "mesh.vol");
+    return allFormats().readMesh(folder / "mesh.vol");
 }
 
 /// Returns the text with the first occurrence of a part replaced.
@@ -237,7 +240,7 @@ TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
     for (const char *id : {"msh2", "msh41", "msh41-binary"}) {
         const auto path = folder / "mesh.msh";
         REQUIRE(writeMesh(path, mesh, id).empty());
-        const auto domain = readDomain(path);
+        const auto domain = allFormats().readDomain(path);
         REQUIRE(domain.ok());
         std::size_t boundary = 0;
         for (const DomainSegment &segment : domain->segments) {
@@ -261,9 +264,9 @@ TEST_CASE("Formats: the default of an extension, unknown formats and cancelling"
     CHECK(version == "2.2");
     CHECK(hasCode(writeMesh(folder / "a.xyz", mesh), "unknown-format"));
     CHECK(hasCode(writeMesh(folder / "a.msh", mesh, "project"), "unknown-format"));
-    CHECK(hasCode(readMesh(folder / "none.msh").faults(), "cannot-read"));
+    CHECK(hasCode(allFormats().readMesh(folder / "none.msh").faults(), "cannot-read"));
     REQUIRE(writeFileAtomically(folder / "a.xyz", "what is this").empty());
-    CHECK(hasCode(readMesh(folder / "a.xyz").faults(), "unknown-format"));
+    CHECK(hasCode(allFormats().readMesh(folder / "a.xyz").faults(), "unknown-format"));
     std::stop_source stop;
     stop.request_stop();
     Progress progress;
@@ -276,12 +279,12 @@ TEST_CASE("Formats: content takes precedence over a wrong extension") {
     const TemporaryFolder folder;
     const Mesh mesh = samples::square(3, 3);
     REQUIRE(writeMesh(folder / "mesh.txt", mesh, "msh2").empty());
-    const auto back = readMesh(folder / "mesh.txt");
+    const auto back = allFormats().readMesh(folder / "mesh.txt");
     REQUIRE(back.ok());
     CHECK(difference(mesh, *back) == "");
     REQUIRE(writeProject(folder / "project.txt", fullDocument()).empty());
     CHECK(readDocument(folder / "project.txt").ok());
-    CHECK(hasCode(readMesh(folder / "project.txt").faults(), "unknown-format"));
+    CHECK(hasCode(allFormats().readMesh(folder / "project.txt").faults(), "unknown-format"));
 }
 
 TEST_CASE("TextScanner: numbers, comments and places") {

@@ -1,7 +1,7 @@
-#include "core/io/boundary_parts.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/gmsh/msh_parts.hpp"
-#include "core/mesh/mesh_domain.hpp"
+#include "core/engine/mesh/mesh_domain.hpp"
+#include "core/files/boundary_parts.hpp"
+#include "core/files/gmsh/gmsh.hpp"
+#include "core/files/gmsh/msh_parts.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

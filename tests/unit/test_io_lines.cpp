@@ -1,7 +1,7 @@
-#include "core/domain/validate.hpp"
-#include "core/io/common/line_outline.hpp"
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/svg/svg.hpp"
+#include "core/drawing_files/common/line_outline.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/domain/validate.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
 

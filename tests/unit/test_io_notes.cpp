@@ -1,13 +1,14 @@
-#include "core/domain/validate.hpp"
-#include "core/io/abaqus/abaqus.hpp"
-#include "core/io/files.hpp"
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/medit/medit.hpp"
-#include "core/io/obj/obj.hpp"
-#include "core/io/su2/su2.hpp"
-#include "core/io/triangle/triangle.hpp"
-#include "core/io/vtk/vtk.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/files/abaqus/abaqus.hpp"
+#include "core/files/files.hpp"
+#include "core/files/gmsh/gmsh.hpp"
+#include "core/files/medit/medit.hpp"
+#include "core/files/obj/obj.hpp"
+#include "core/files/su2/su2.hpp"
+#include "core/files/triangle/triangle.hpp"
+#include "core/files/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/svg_samples.hpp"
 
@@ -92,13 +93,13 @@ TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties a
 TEST_CASE("Import notes: mesh formats report what they skip; our own files cause no notes") {
     const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh();
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh && format.readsMesh) {
             CAPTURE(format.id);
             const auto file = folder / (std::string(format.id) + format.extension);
             REQUIRE_FALSE(hasErrors(writeMesh(file, mesh, format.id)));
             ImportNotes notes;
-            CHECK(readMesh(file, {}, &notes).ok());
+            CHECK(allFormats().readMesh(file, {}, &notes).ok());
             CHECK(codesOf(notes).empty());
         }
     }
@@ -144,9 +145,9 @@ TEST_CASE("Project: faults of its domain carry the line and column of the nodes"
     std::ofstream(folder / "bow.forefront") << R"({"format": "forefront", "version": 1, "shapes": [
   {"id": 1, "kind": "polygon", "nodes": [[0, 0],
     [4, 3], [4, 0], [0, 3]]}]})";
-    const auto domain = readDomain(folder / "bow.forefront");
+    const auto domain = allFormats().readDomain(folder / "bow.forefront");
     REQUIRE(domain.ok());
-    const Diagnostics faults = locateFaults(folder / "bow.forefront", validate(*domain));
+    const Diagnostics faults = allFormats().locateFaults(folder / "bow.forefront", validate(*domain));
     REQUIRE(!faults.empty());
     CHECK(faults[0].code == "crossing-segments");
     REQUIRE(faults[0].parts.size() == 2);
@@ -160,15 +161,15 @@ TEST_CASE("Files: bytes read earlier stand in for the file, with a detected or g
     ImportOptions options;
     options.content =
         std::make_shared<const std::string>("{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[0,1]]]}");
-    const auto domain = readDomain("standard input", options);
+    const auto domain = allFormats().readDomain("standard input", options);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     CHECK(domain->segments.size() == 3);
     options.formatId = "poly";
-    const auto wrong = readDomain("standard input", options);
+    const auto wrong = allFormats().readDomain("standard input", options);
     REQUIRE_FALSE(wrong.ok());
     CHECK(wrong.faults()[0].file == "standard input");
     options.formatId = "dxf";
-    const auto unknown = readDomain("standard input", options);
+    const auto unknown = allFormats().readDomain("standard input", options);
     REQUIRE_FALSE(unknown.ok());
     CHECK(unknown.faults()[0].message == "unknown format 'dxf'");
 }

@@ -1,6 +1,6 @@
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/svg/svg.hpp"
-#include "core/io/triangle/triangle.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/files/triangle/triangle.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

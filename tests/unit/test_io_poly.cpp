@@ -1,5 +1,6 @@
-#include "core/io/files.hpp"
-#include "core/io/triangle/triangle.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/files.hpp"
+#include "core/files/triangle/triangle.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -53,16 +54,16 @@ TEST_CASE("Triangle .poly: nodes may be in a .node file beside it, numbered from
     const TemporaryFolder folder;
     REQUIRE(writeFileAtomically(folder / "a.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n").empty());
     REQUIRE(writeFileAtomically(folder / "a.poly", "0 2 0 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n").empty());
-    const auto domain = readDomain(folder / "a.poly");
+    const auto domain = allFormats().readDomain(folder / "a.poly");
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     CHECK(domain->nodes.size() == 3);
     CHECK(domain->segments[2].b == 0);
     REQUIRE(std::filesystem::remove(folder / "a.node"));
-    const auto without = readDomain(folder / "a.poly");
+    const auto without = allFormats().readDomain(folder / "a.poly");
     REQUIRE(!without.ok());
     CHECK(without.faults()[0].file == (folder / "a.node").string());
     REQUIRE(writeFileAtomically(folder / "a.node", "3 2 0 0\n1 0 0\n2 1 x\n3 0 1\n").empty());
-    const auto damaged = readDomain(folder / "a.poly");
+    const auto damaged = allFormats().readDomain(folder / "a.poly");
     REQUIRE(!damaged.ok());
     CHECK(damaged.faults()[0].file == (folder / "a.node").string());
     CHECK(damaged.faults()[0].line == 3);
@@ -115,7 +116,7 @@ TEST_CASE("Triangle .poly: the collection of real domains is read") {
     for (const auto &entry : std::filesystem::directory_iterator(data)) {
         if (entry.path().extension() == ".poly") {
             CAPTURE(entry.path());
-            const auto domain = readDomain(entry.path());
+            const auto domain = allFormats().readDomain(entry.path());
             REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
             CHECK(domain->segments.size() == domain->nodes.size());
             CHECK(domain->points.empty());

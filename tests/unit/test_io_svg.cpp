@@ -1,8 +1,8 @@
-#include "core/geometry/polygon.hpp"
-#include "core/io/files.hpp"
-#include "core/io/svg/svg.hpp"
-#include "core/io/svg/svg_pen.hpp"
-#include "core/io/svg/svg_transform.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/drawing_files/svg/values/svg_pen.hpp"
+#include "core/drawing_files/svg/values/svg_transform.hpp"
+#include "core/engine/geometry/polygon.hpp"
+#include "core/files/files.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/svg_samples.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/io/svg/svg.hpp"
+#include "core/drawing_files/svg/svg.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/svg_samples.hpp"

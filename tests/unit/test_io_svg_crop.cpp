@@ -1,5 +1,5 @@
-#include "core/geometry/polygon.hpp"
-#include "core/io/svg/svg_crop.hpp"
+#include "core/drawing_files/svg/drawing/svg_crop.hpp"
+#include "core/engine/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,8 @@
 // Drawings with parts that cannot be read: those parts are left out with a note, as browsers do, or refused if the
 // input must not be changed.
-#include "core/io/files.hpp"
-#include "core/io/svg/svg.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/files/files.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/svg_samples.hpp"
@@ -229,9 +230,9 @@ TEST_CASE("files: empty and compressed files of any format are refused") {
     for (const char *name : {"a.svg", "a.svgz", "a.geojson", "a.poly", "a.unknown"}) {
         CAPTURE(name);
         std::ofstream(folder / name, std::ios::binary).flush();
-        CHECK(hasCode(readDomain(folder / name).faults(), "empty-file"));
+        CHECK(hasCode(allFormats().readDomain(folder / name).faults(), "empty-file"));
         std::ofstream(folder / name, std::ios::binary) << "\x1f\x8b\x08 packed";
-        const auto packed = readDomain(folder / name);
+        const auto packed = allFormats().readDomain(folder / name);
         CHECK(hasCode(packed.faults(), "compressed"));
         CHECK(packed.faults().front().advice.find("gunzip") != std::string::npos);
     }
@@ -242,7 +243,7 @@ TEST_CASE("SVG: what was left out follows the fault of an empty drawing") {
     const auto path = folder / "empty.svg";
     std::ofstream(path) << "<svg viewBox=\"0 0 10 10\"><rect width=\"x\" height=\"1\"/><text>a</text></svg>";
     ImportNotes notes;
-    const auto domain = readDomain(path, {}, &notes);
+    const auto domain = allFormats().readDomain(path, {}, &notes);
     REQUIRE_FALSE(domain.ok());
     REQUIRE(domain.faults().size() == 3);
     CHECK(domain.faults().front().code == "empty-domain");

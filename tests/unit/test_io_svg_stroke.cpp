@@ -1,5 +1,5 @@
-#include "core/base/number_text.hpp"
-#include "core/io/svg/svg.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
 

@@ -1,5 +1,5 @@
-#include "core/io/svg/svg.hpp"
-#include "core/io/svg/svg_css.hpp"
+#include "core/drawing_files/svg/style/svg_css.hpp"
+#include "core/drawing_files/svg/svg.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/svg_samples.hpp"
 

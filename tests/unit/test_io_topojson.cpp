@@ -1,7 +1,8 @@
-#include "core/io/files.hpp"
-#include "core/io/format.hpp"
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/geojson/topojson.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/geojson/topojson.hpp"
+#include "core/files/files.hpp"
+#include "core/files/format.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/io_samples.hpp"
 
@@ -158,16 +159,16 @@ TEST_CASE("Maps: are recognised even if their type follows long lists, by conten
         for (const char *file : {"a.json", "a.geojson", "a.topojson", "a.txt", "a"}) {
             std::ofstream(folder / file, std::ios::binary) << text;
             CAPTURE(file);
-            REQUIRE(fileFormatOf(folder / file) != nullptr);
-            CHECK(fileFormatOf(folder / file)->id == std::string(id));
-            CHECK(fileFormatOf(file, text)->id == std::string(id));
-            const auto domain = readDomain(folder / file);
+            REQUIRE(allFormats().detect(folder / file) != nullptr);
+            CHECK(allFormats().detect(folder / file)->id == std::string(id));
+            CHECK(allFormats().detect(file, text)->id == std::string(id));
+            const auto domain = allFormats().readDomain(folder / file);
             REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
             CHECK(domain->segments.size() == 3);
         }
     }
     std::ofstream(folder / "other.json", std::ios::binary) << R"({"note": ")" + padding + "\"}";
-    CHECK(fileFormatOf(folder / "other.json")->id == std::string("project"));
+    CHECK(allFormats().detect(folder / "other.json")->id == std::string("project"));
     for (const char *broken : {"{", R"({"a)", R"({"a": "\)", R"({"a": {"b": [1, "}", 2)", R"({"type")",
                                R"({"type": "Topol)", R"({"type": 1, "features")", "[{}]", ""}) {
         CHECK_FALSE(looksLikeTopoJson(broken));
@@ -233,7 +234,7 @@ TEST_CASE("TopoJSON: is recognised by its content under any name; GeoJSON with s
     for (const char *name : {"a.json", "a.topojson", "a.geojson", "a.other"}) {
         for (const std::string &content : {text, turned, "\n " + text}) {
             std::ofstream(folder / name, std::ios::binary) << content;
-            CHECK(readDomain(folder / name).ok());
+            CHECK(allFormats().readDomain(folder / name).ok());
         }
     }
     CHECK(looksLikeTopoJson("{\"objects\": {\"a\": {\"type\": \"Polygon\"}}, \"type\" :\n\"Topology\""));

@@ -1,8 +1,8 @@
-#include "core/io/abaqus/abaqus.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/medit/medit.hpp"
-#include "core/io/su2/su2.hpp"
-#include "core/io/vtk/vtk.hpp"
+#include "core/files/abaqus/abaqus.hpp"
+#include "core/files/gmsh/gmsh.hpp"
+#include "core/files/medit/medit.hpp"
+#include "core/files/su2/su2.hpp"
+#include "core/files/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

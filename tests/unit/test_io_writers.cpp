@@ -1,16 +1,17 @@
-#include "core/domain/domain.hpp"
-#include "core/io/abaqus/abaqus.hpp"
-#include "core/io/common/names.hpp"
-#include "core/io/files.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/gmsh/msh_groups.hpp"
-#include "core/io/inner_edges.hpp"
-#include "core/io/medit/medit.hpp"
-#include "core/io/obj/obj.hpp"
-#include "core/io/su2/su2.hpp"
-#include "core/io/svg/svg.hpp"
-#include "core/io/vtk/vtk.hpp"
-#include "core/mesh/edge_table.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/edge_table.hpp"
+#include "core/files/abaqus/abaqus.hpp"
+#include "core/files/common/names.hpp"
+#include "core/files/files.hpp"
+#include "core/files/gmsh/gmsh.hpp"
+#include "core/files/gmsh/msh_groups.hpp"
+#include "core/files/inner_edges.hpp"
+#include "core/files/medit/medit.hpp"
+#include "core/files/obj/obj.hpp"
+#include "core/files/su2/su2.hpp"
+#include "core/files/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
@@ -137,7 +138,7 @@ TEST_CASE("Formats: random meshes keep elements, tags and names in every format"
         samples::Random random(seed);
         const Mesh mesh = randomTaggedMesh(random);
         const auto expected = content(mesh);
-        for (const FileFormat &format : fileFormats()) {
+        for (const FileFormat &format : allFormats().list()) {
             if (!format.writesMesh || !format.readsMesh) {
                 continue;
             }
@@ -146,7 +147,7 @@ TEST_CASE("Formats: random meshes keep elements, tags and names in every format"
             const auto path = folder / (std::string("mesh") + format.extension);
             const Status status = writeMesh(path, mesh, format.id);
             REQUIRE_MESSAGE(status.empty(), messages(status));
-            const auto back = readMesh(path);
+            const auto back = allFormats().readMesh(path);
             REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
             CHECK(content(*back) == expected);
         }
@@ -305,7 +306,7 @@ TEST_CASE("withoutInnerEdges: only edges on the boundary of the triangles stay")
 }
 
 TEST_CASE("acceptsInnerEdges: only SU2 takes every tagged edge for a boundary") {
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh) {
             CAPTURE(format.id);
             CHECK(acceptsInnerEdges({}, format.id) == (std::string_view(format.id) != "su2"));
@@ -351,7 +352,7 @@ TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characte
     }
     CHECK(exportNotes("b.inp", samples::square(2, 2)).empty());
     CHECK(exportNotes("a.vtu", mesh).empty());
-    const auto back = readMesh(folder / "a.inp");
+    const auto back = allFormats().readMesh(folder / "a.inp");
     REQUIRE(back.ok());
     CHECK(content(*back) == content(mesh));
 }

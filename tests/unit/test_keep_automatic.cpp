@@ -1,8 +1,8 @@
-#include "core/edit/insert_document.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/spacing_commands.hpp"
-#include "core/io/project/project.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/drawing/commands/insert_document.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>

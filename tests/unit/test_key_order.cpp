@@ -1,4 +1,4 @@
-#include "core/base/key_order.hpp"
+#include "core/engine/base/key_order.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "core/io/lesson/lesson_read.hpp"
+#include "core/teaching/lesson/lesson_read.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

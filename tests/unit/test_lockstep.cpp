@@ -1,4 +1,4 @@
-#include "core/session/lockstep.hpp"
+#include "core/engine/session/lockstep.hpp"
 
 #include <doctest/doctest.h>
 

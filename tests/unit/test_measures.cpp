@@ -1,7 +1,7 @@
-#include "core/mesh/limits.hpp"
-#include "core/mesh/measures.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/engine/mesh/limits.hpp"
+#include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/mesh/mesh_extent.hpp"
-#include "core/mesh/quality.hpp"
+#include "core/engine/mesh/mesh_extent.hpp"
+#include "core/engine/mesh/quality.hpp"
 
 #include <doctest/doctest.h>
 

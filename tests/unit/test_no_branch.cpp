@@ -1,4 +1,4 @@
-#include "core/base/no_branch.hpp"
+#include "core/engine/base/no_branch.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "core/arrangement/node_grid.hpp"
+#include "core/drawing/arrangement/snapping/node_grid.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

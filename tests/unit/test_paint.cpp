@@ -1,7 +1,7 @@
-#include "core/domain/domain.hpp"
-#include "core/spacing/parts/paint/paint.hpp"
-#include "core/spacing/parts/paint/painted_part.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/parts/paint/paint.hpp"
+#include "core/engine/spacing/parts/paint/painted_part.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/spacing_samples.hpp"
 

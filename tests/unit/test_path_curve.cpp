@@ -1,4 +1,4 @@
-#include "core/edit/path_curve.hpp"
+#include "core/drawing/shapes/path_curve.hpp"
 
 #include <doctest/doctest.h>
 

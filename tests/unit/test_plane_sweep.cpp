@@ -1,5 +1,5 @@
-#include "core/geometry/edge_meetings.hpp"
-#include "core/geometry/plane_sweep.hpp"
+#include "core/engine/geometry/edge_meetings.hpp"
+#include "core/engine/geometry/plane_sweep.hpp"
 
 #include <doctest/doctest.h>
 

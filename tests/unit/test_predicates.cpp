@@ -1,4 +1,4 @@
-#include "core/geometry/predicates.hpp"
+#include "core/engine/geometry/predicates.hpp"
 
 #include <doctest/doctest.h>
 

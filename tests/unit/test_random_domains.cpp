@@ -1,4 +1,4 @@
-#include "core/domain/domain_graph.hpp"
+#include "core/engine/domain/domain_graph.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,8 @@
-#include "core/io/files.hpp"
-#include "core/mesher/pipeline.hpp"
-#include "core/spacing/parts/regions/region_part.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/spacing/parts/regions/region_part.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
+#include "core/files/files.hpp"
 #include "tests/support/domain_builder.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
-#include "core/arrangement/repair.hpp"
-#include "core/domain/validate.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

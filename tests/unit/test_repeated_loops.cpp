@@ -1,4 +1,4 @@
-#include "core/io/common/repeated_loops.hpp"
+#include "core/files/common/repeated_loops.hpp"
 
 #include <doctest/doctest.h>
 

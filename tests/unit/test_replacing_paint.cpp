@@ -1,8 +1,8 @@
-#include "core/domain/domain.hpp"
-#include "core/io/project/project.hpp"
-#include "core/spacing/part_list.hpp"
-#include "core/spacing/parts/paint/paint.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/part_list.hpp"
+#include "core/engine/spacing/parts/paint/paint.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -1,10 +1,10 @@
-#include "core/edit/formulas.hpp"
-#include "core/edit/lost_formulas.hpp"
-#include "core/edit/number_address.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/scale_document.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/commands/scale_document.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/lost_formulas.hpp"
+#include "core/drawing/formulas/number_address.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "core/mesh/verify.hpp"
-#include "core/mesher/pipeline.hpp"
-#include "core/session/meshing_session.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/session/meshing_session.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "core/mesher/pipeline.hpp"
-#include "core/session/snapshot_builder.hpp"
-#include "core/session/timeline_travel.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/session/snapshot_builder.hpp"
+#include "core/engine/session/timeline_travel.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
-#include "core/improve/improve.hpp"
-#include "core/improve/shape_polish.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesh/verify.hpp"
+#include "core/engine/improve/improve.hpp"
+#include "core/engine/improve/shape_polish.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/verify.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>

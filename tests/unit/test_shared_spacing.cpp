@@ -1,5 +1,5 @@
-#include "core/domain/add_loop.hpp"
-#include "core/spacing/shared_spacing.hpp"
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/spacing/shared_spacing.hpp"
 #include "tests/support/random_curves.hpp"
 
 #include <doctest/doctest.h>

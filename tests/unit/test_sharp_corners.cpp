@@ -1,4 +1,4 @@
-#include "core/mesh/sharp_corners.hpp"
+#include "core/engine/mesh/sharp_corners.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>

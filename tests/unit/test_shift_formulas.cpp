@@ -1,10 +1,10 @@
-#include "core/edit/formulas.hpp"
-#include "core/edit/insert_document.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/edit/slot.hpp"
-#include "core/edit/spacing_commands.hpp"
-#include "core/edit/transform.hpp"
+#include "core/drawing/commands/insert_document.hpp"
+#include "core/drawing/commands/transform.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing/shapes/slot.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-#include "core/spacing/sites/site_set.hpp"
-#include "core/spacing/sites/site_tree.hpp"
+#include "core/engine/spacing/sites/site_set.hpp"
+#include "core/engine/spacing/sites/site_tree.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
-#include "core/arrangement/cluster.hpp"
-#include "core/arrangement/snap.hpp"
-#include "core/geometry/edge_meetings.hpp"
-#include "core/geometry/polygon.hpp"
+#include "core/drawing/arrangement/snapping/cluster.hpp"
+#include "core/drawing/arrangement/snapping/snap_lines.hpp"
+#include "core/engine/geometry/edge_meetings.hpp"
+#include "core/engine/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
-#include "core/domain/domain.hpp"
-#include "core/spacing/scaled_field.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/scaled_field.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/support/spacing_samples.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/boundary/spacing_integral.hpp"
+#include "core/engine/boundary/spacing_integral.hpp"
 #include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>

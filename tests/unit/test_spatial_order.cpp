@@ -1,7 +1,7 @@
-#include "core/improve/improve.hpp"
-#include "core/improve/spatial_order.hpp"
-#include "core/mesh/quality.hpp"
-#include "core/mesh/verify.hpp"
+#include "core/engine/improve/improve.hpp"
+#include "core/engine/improve/spatial_order.hpp"
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/verify.hpp"
 #include "tests/support/stop_at.hpp"
 #include "tests/unit/mesh_samples.hpp"
 

@@ -1,5 +1,5 @@
-#include "core/base/thread_pool.hpp"
-#include "core/mesher/strip_results.hpp"
+#include "core/engine/base/thread_pool.hpp"
+#include "core/engine/mesher/strip_results.hpp"
 
 #include <doctest/doctest.h>
 

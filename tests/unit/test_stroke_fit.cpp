@@ -1,4 +1,4 @@
-#include "core/geometry/stroke_fit.hpp"
+#include "core/engine/geometry/stroke_fit.hpp"
 
 #include <doctest/doctest.h>
 

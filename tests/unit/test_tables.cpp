@@ -1,9 +1,9 @@
-#include "app/tables/adaptive_case.hpp"
-#include "app/tables/log_plot.hpp"
-#include "app/tables/power_law.hpp"
-#include "app/tables/published.hpp"
-#include "app/tables/table_report.hpp"
-#include "app/tables/table_run.hpp"
+#include "core/teaching/tables/adaptive_case.hpp"
+#include "core/teaching/tables/log_plot.hpp"
+#include "core/teaching/tables/power_law.hpp"
+#include "core/teaching/tables/published.hpp"
+#include "core/teaching/tables/table_report.hpp"
+#include "core/teaching/tables/table_run.hpp"
 #include "tests/support/sanitizers.hpp"
 
 #include <doctest/doctest.h>

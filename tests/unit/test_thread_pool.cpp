@@ -1,5 +1,5 @@
-#include "core/base/free_memory.hpp"
-#include "core/base/thread_pool.hpp"
+#include "core/engine/base/free_memory.hpp"
+#include "core/engine/base/thread_pool.hpp"
 
 #include <doctest/doctest.h>
 

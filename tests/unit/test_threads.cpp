@@ -1,6 +1,8 @@
 // One mesh for any number of threads, on random domains and on real ones.
-#include "core/io/files.hpp"
-#include "core/mesher/pipeline.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/files/files.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -90,7 +92,7 @@ TEST_CASE("Threads: real domains give the same mesh for any number of threads, b
     int files = 0, meshes = 0;
     for (const auto &entry : std::filesystem::recursive_directory_iterator(folder)) {
         CAPTURE(entry.path().string());
-        const Result<Domain> domain = readDomain(entry.path());
+        const Result<Domain> domain = allFormats().readDomain(entry.path());
         MeshingJob job;
         if (domain.ok()) {
             job.domain = *domain;

@@ -1,6 +1,6 @@
-#include "core/base/number_text.hpp"
-#include "core/domain/validate.hpp"
-#include "core/geometry/predicates.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/predicates.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/random_domains.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/mesh/verify.hpp"
+#include "core/engine/mesh/verify.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>

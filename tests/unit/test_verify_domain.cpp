@@ -1,5 +1,5 @@
-#include "core/domain/domain.hpp"
-#include "core/mesh/verify.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/verify.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>

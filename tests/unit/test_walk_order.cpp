@@ -1,4 +1,4 @@
-#include "core/front/walk_order.hpp"
+#include "core/engine/front/walk_order.hpp"
 #include "tests/support/discrete_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "ui/canvas/canvas_painter.hpp"
 
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <glm/common.hpp>
 #include <imgui.h>

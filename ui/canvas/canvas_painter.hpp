@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/curve.hpp"
+#include "core/engine/geometry/curve.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/canvas/label_space.hpp"
 #include "ui/style/colour.hpp"

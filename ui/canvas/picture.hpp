@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/result.hpp"
+#include "core/engine/base/result.hpp"
 #include "ui/input/pixels.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "ui/canvas/ruler_scale.hpp"
 
-#include "core/edit/snap.hpp"
+#include "core/drawing/picking/pointer_snap.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "ui/dialogs/clipboard_actions.hpp"
 
-#include "core/edit/insert_document.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/io/clipboard.hpp"
+#include "core/drawing/commands/insert_document.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/clipboard/clipboard.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
 

@@ -1,7 +1,8 @@
 #include "ui/dialogs/export_dialog.hpp"
 
-#include "core/io/files.hpp"
-#include "core/io/inner_edges.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/files.hpp"
+#include "core/files/inner_edges.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -181,7 +182,7 @@ void exportMesh(Shell &context, std::string_view proposed) {
     request.title = "Export mesh";
     request.action = "Export";
     request.saves = true;
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh) {
             request.filters.push_back({std::string(format.name) + " (" + format.extension + ")",
                                        {format.extension},

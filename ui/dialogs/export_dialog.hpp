@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/diagnostic.hpp"
+#include "core/engine/base/diagnostic.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 
 #include <atomic>

@@ -1,7 +1,10 @@
 #include "ui/dialogs/file_commands.hpp"
 
-#include "core/edit/spacing_commands.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/picture_spacing.hpp"
@@ -94,8 +97,8 @@ std::shared_ptr<const FileOutcome> importSpacingOf(Shell &context, const std::fi
                          const auto notes = std::make_shared<ImportNotes>();
                          ImportOptions options;
                          options.progress = progress;
-                         const auto read =
-                             std::make_shared<Result<SpacingSpec>>(readSpacing(file, options, notes.get()));
+                         const auto read = std::make_shared<Result<SpacingSpec>>(
+                             allFormats().readSpacing(file, options, notes.get()));
                          if (!*read) {
                              return read->faults();
                          }
@@ -119,7 +122,7 @@ std::shared_ptr<const FileOutcome> importSpacingOf(Shell &context, const std::fi
 /// Returns the format of a file, without reading it if it is a pipe, which could wait for ever.
 const FileFormat *formatWithoutWaiting(const std::filesystem::path &file) {
     std::error_code ignored;
-    return std::filesystem::is_regular_file(file, ignored) ? fileFormatOf(file) : fileFormatOf(file, {});
+    return std::filesystem::is_regular_file(file, ignored) ? allFormats().detect(file) : allFormats().detect(file, {});
 }
 
 /// Returns true for files that may be large: all but projects, and those whose format is unknown.
@@ -181,7 +184,7 @@ std::filesystem::path startFolder(const Shell &context) {
 }
 
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
-    const FileFormat *const format = fileFormatOf(file);
+    const FileFormat *const format = allFormats().detect(file);
     const bool project = isProject(format);
     const std::vector<Sample> gallery = samples();
     const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/document.hpp"
+#include "core/drawing/document/document.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,12 +1,12 @@
 #include "ui/dialogs/file_dialog.hpp"
 
-#include "core/io/files.hpp"
+#include "core/files/files.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/messages/option_hints.hpp"
 #include "ui/workspace/number_field.hpp"
-#include "ui/workspace/option_hints.hpp"
 
 #include <imgui.h>
 

@@ -1,7 +1,8 @@
 #include "ui/dialogs/file_list.hpp"
 
-#include "core/base/letter_case.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/letter_case.hpp"
+#include "core/files/files.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -37,7 +38,7 @@ std::vector<FileFilter> openFilters(std::string all, const std::vector<FileFilte
         return std::any_of(filters.begin() + 1, filters.end(),
                            [&](const FileFilter &filter) { return passes(filter, "x" + extension); });
     };
-    for (const FileFormat &format : fileFormats()) {
+    for (const FileFormat &format : allFormats().list()) {
         if (reads(format) && !known(format.extension)) {
             filters.push_back(
                 {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});

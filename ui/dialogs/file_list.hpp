@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/result.hpp"
+#include "core/engine/base/result.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,9 +1,9 @@
-#include "core/io/film/film_files.hpp"
+#include "core/teaching/film/film_files.hpp"
 #include "ui/dialogs/export_dialog.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/parts/shell.hpp"
-#include "ui/widgets/number_text.hpp"
+#include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 

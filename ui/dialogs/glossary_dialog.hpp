@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/lesson/glossary.hpp"
+#include "core/teaching/lesson/glossary.hpp"
 #include "ui/parts/dialog.hpp"
 
 #include <string>

@@ -1,16 +1,19 @@
 #include "ui/dialogs/import_dialog.hpp"
 
-#include "core/arrangement/repair.hpp"
-#include "core/edit/insert_document.hpp"
-#include "core/edit/repair_drawing.hpp"
-#include "core/edit/shape_geometry.hpp"
-#include "core/io/files.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
+#include "core/drawing/commands/insert_document.hpp"
+#include "core/drawing/commands/repair_drawing.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/files.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/messages/option_hints.hpp"
 #include "ui/workspace/number_field.hpp"
-#include "ui/workspace/option_hints.hpp"
 
 #include <imgui.h>
 
@@ -96,7 +99,7 @@ Diagnostics joined(Diagnostics notes, const std::vector<ArrangementChange> &chan
 /// Repairs a drawing while reading it; a project keeps the shapes that the repair does not change.
 Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOptions &options) {
     const double tolerance = options.weldTolerance.value_or(0.0);
-    const FileFormat *const format = fileFormatOf(file);
+    const FileFormat *const format = allFormats().detect(file);
     ImportNotes notes;
     if (format != nullptr && std::string_view(format->id) == "project") {
         const Result<Document> document = readDocument(file, options, &notes);
@@ -108,7 +111,7 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
         all.insert(all.end(), repaired->lostSizes.begin(), repaired->lostSizes.end());
         return Reading{std::move(repaired->document), std::move(all)};
     }
-    const Result<Domain> domain = readDomain(file, options, &notes);
+    const Result<Domain> domain = allFormats().readDomain(file, options, &notes);
     const Result<Repaired> repaired = domain ? repair(*domain, tolerance) : domain.faults();
     if (!repaired) {
         return repaired.faults();
@@ -124,7 +127,7 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     if (!dialog->faults_.empty()) {
         return std::move(dialog->faults_);
     }
-    const FileFormat *const format = fileFormatOf(file);
+    const FileFormat *const format = allFormats().detect(file);
     dialog->arranges_ = format != nullptr && format->arranges;
     dialog->hasFeatures_ = dialog->arranges_ && std::string_view(format->id) != "svg";
     dialog->hasLines_ = dialog->contents_.lines && mixesLines(dialog->drawing_); // lines along outlines are gone

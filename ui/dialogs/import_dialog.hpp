@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/base/diagnostic.hpp"
-#include "core/base/progress.hpp"
-#include "core/base/result.hpp"
-#include "core/edit/document.hpp"
-#include "core/io/source/import_notes.hpp"
-#include "core/io/source/import_options.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/files/source/import_notes.hpp"
+#include "core/files/source/import_options.hpp"
 #include "ui/parts/dialog.hpp"
 
 #include <filesystem>

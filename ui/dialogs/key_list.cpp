@@ -1,6 +1,6 @@
 #include "ui/dialogs/key_list.hpp"
 
-#include "core/base/letter_case.hpp"
+#include "core/engine/base/letter_case.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 

@@ -1,6 +1,6 @@
 #include "ui/dialogs/naming_actions.hpp"
 
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/dialogs/shape_actions.hpp"
 #include "ui/parts/shell.hpp"
 

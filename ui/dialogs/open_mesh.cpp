@@ -1,7 +1,9 @@
 #include "ui/dialogs/open_mesh.hpp"
 
-#include "core/io/files.hpp"
-#include "core/mesh/mesh_domain.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesh/mesh_domain.hpp"
+#include "core/files/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/read_in_background.hpp"
@@ -68,7 +70,7 @@ void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path 
 Result<MeshFields> readDrawable(const std::filesystem::path &file, ImportNotes &notes, const Progress &progress) {
     ImportOptions options;
     options.progress = progress;
-    Result<MeshFields> read = readFields(file, options, &notes);
+    Result<MeshFields> read = allFormats().readFields(file, options, &notes);
     if (!read) {
         return read;
     }

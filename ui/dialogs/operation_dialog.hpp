@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.hpp"
-#include "core/edit/references.hpp"
+#include "core/drawing/shapes/references.hpp"
+#include "core/engine/base/result.hpp"
 #include "ui/parts/preview_dialog.hpp"
 
 #include <cstdint>

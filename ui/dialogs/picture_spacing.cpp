@@ -1,8 +1,8 @@
 #include "ui/dialogs/picture_spacing.hpp"
 
-#include "core/edit/shape_geometry.hpp"
-#include "core/edit/spacing_commands.hpp"
-#include "core/io/common/size_grid.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/files/common/size_grid.hpp"
 #include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/fault_text.hpp"

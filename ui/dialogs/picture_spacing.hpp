@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/vec2.hpp"
-#include "core/io/png/png.hpp"
-#include "core/io/source/picture_sizes.hpp"
+#include "core/engine/base/vec2.hpp"
+#include "core/files/png/png.hpp"
+#include "core/files/source/picture_sizes.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/parts/dialog.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/base/progress.hpp"
-#include "core/base/result.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
 #include "ui/dialogs/file_dialog.hpp"
-#include "ui/workspace/background_task.hpp"
+#include "ui/workspace/background/background_task.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "ui/dialogs/recovery.hpp"
 
-#include "core/io/files.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "ui/dialogs/recovery_dialog.hpp"
 #include "ui/parts/shell.hpp"
 

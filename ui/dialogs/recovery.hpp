@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/recovery_journal.hpp"
+#include "core/drawing/recovery/recovery_journal.hpp"
 
 #include <cstdint>
 #include <filesystem>

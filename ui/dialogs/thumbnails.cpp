@@ -1,11 +1,13 @@
 #include "ui/dialogs/thumbnails.hpp"
 
-#include "core/edit/document.hpp"
-#include "core/improve/improve.hpp"
-#include "core/io/files.hpp"
-#include "core/mesher/mesher.hpp"
-#include "core/mesher/pipeline.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/engine/improve/improve.hpp"
+#include "core/engine/mesher/mesher.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
+#include "core/files/files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +51,7 @@ std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &proj
     if (!document) {
         return thumbnail;
     }
-    const MeshingJob job{toDomain(*document), spacingOf(*document), document->options};
+    const MeshingJob job = jobOf(*document);
     Progress progress;
     progress.stop = stop;
     const Result<PreparedJob> prepared = prepare(job, progress, kElements);

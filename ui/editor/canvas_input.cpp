@@ -1,7 +1,7 @@
 #include "ui/editor/canvas_input.hpp"
 
 #include "ui/parts/shell.hpp"
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>

@@ -1,6 +1,7 @@
 #include "ui/editor/editor.hpp"
 
-#include "core/io/files.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/files/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/recovery.hpp"
@@ -16,12 +17,12 @@
 #include "ui/platform/assets.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/canvas.hpp"
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/tools/make_tools.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/follow_camera.hpp"
 #include "ui/workspace/judging.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/follow_camera.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
 #include "ui/editor/state_file.hpp"
 
-#include "core/base/hash.hpp"
+#include "core/engine/base/hash.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/parts/shell.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/face_map.hpp"
+#include "core/drawing/picking/face_map.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/style/colour.hpp"
 

@@ -1,6 +1,6 @@
 #include "ui/gl/gl_kit.hpp"
 
-#include "core/base/assert.hpp"
+#include "core/engine/base/assert.hpp"
 #include "ui/gl/domain_mask.hpp"
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/gl/split.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/domain/domain.hpp"
+#include "core/engine/domain/domain.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/gl/shader.hpp"
 #include "ui/style/colour_map.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh/measures.hpp"
-#include "core/session/snapshot.hpp"
+#include "core/engine/mesh/measures.hpp"
+#include "core/engine/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/gl/mesh_order.hpp"
 #include "ui/style/colour.hpp"

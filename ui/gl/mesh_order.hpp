@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/snapshot.hpp"
+#include "core/engine/session/snapshot.hpp"
 
 #include <atomic>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <algorithm>
 #include <string>

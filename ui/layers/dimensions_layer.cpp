@@ -1,5 +1,5 @@
-#include "core/edit/dimensions.hpp"
-#include "core/edit/references.hpp"
+#include "core/drawing/shapes/dimensions.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"

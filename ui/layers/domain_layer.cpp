@@ -1,4 +1,5 @@
-#include "core/edit/document.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"

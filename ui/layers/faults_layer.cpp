@@ -1,4 +1,4 @@
-#include "core/edit/document.hpp"
+#include "core/drawing/document/document.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/style/icons.hpp"

@@ -3,7 +3,7 @@
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <string>
 

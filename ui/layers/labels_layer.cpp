@@ -1,7 +1,7 @@
-#include "core/edit/tag_runs.hpp"
+#include "core/drawing/shapes/tag_runs.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 

@@ -1,5 +1,5 @@
-#include "core/base/hash.hpp"
-#include "core/edit/snap.hpp"
+#include "core/drawing/picking/pointer_snap.hpp"
+#include "core/engine/base/hash.hpp"
 #include "ui/canvas/ruler_scale.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"

@@ -1,5 +1,5 @@
-#include "core/base/hash.hpp"
-#include "core/mesh/quality.hpp"
+#include "core/engine/base/hash.hpp"
+#include "core/engine/mesh/quality.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/gl/gl_kit.hpp"
@@ -7,7 +7,7 @@
 #include "ui/layers/layers.hpp"
 #include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/mesh_judge.hpp"
+#include "ui/workspace/mesh/mesh_judge.hpp"
 
 #include <algorithm>
 

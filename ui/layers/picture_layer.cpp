@@ -1,5 +1,5 @@
-#include "core/base/hash.hpp"
-#include "core/edit/document.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/engine/base/hash.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/gl/picture_texture.hpp"
 #include "ui/layers/layers.hpp"

@@ -1,5 +1,5 @@
-#include "core/edit/document.hpp"
-#include "core/edit/references.hpp"
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/gl/face_fill.hpp"
 #include "ui/layers/layers.hpp"

@@ -1,13 +1,14 @@
 #include "ui/lessons/lesson_player.hpp"
 
-#include "core/io/files.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/files/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/lessons/highlight_names.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
-#include "ui/widgets/number_text.hpp"
+#include "ui/widgets/parse_number.hpp"
 #include "ui/workspace/judging.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/io/lesson/lesson_read.hpp"
-#include "ui/workspace/lesson_room.hpp"
+#include "core/teaching/lesson/lesson_read.hpp"
+#include "ui/workspace/view/lesson_room.hpp"
 
 #include <cstddef>
 #include <filesystem>

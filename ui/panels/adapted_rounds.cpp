@@ -1,6 +1,6 @@
 #include "ui/panels/adapted_rounds.hpp"
 
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"

@@ -1,7 +1,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "core/arrangement/repair.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/limits_list.hpp"
 #include "ui/parts/shell.hpp"

@@ -1,8 +1,8 @@
 #include "ui/panels/element_count_row.hpp"
 
-#include "core/edit/element_counts.hpp"
-#include "core/edit/formulas.hpp"
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/formulas/element_counts.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/vec2.hpp"
+#include "core/engine/base/vec2.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/references.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "ui/panels/form.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "ui/panels/gradation_row.hpp"
 
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"

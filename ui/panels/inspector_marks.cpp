@@ -1,9 +1,9 @@
 #include "ui/panels/inspector_marks.hpp"
 
-#include "core/edit/name_commands.hpp"
-#include "core/edit/region_commands.hpp"
-#include "core/edit/spacing_commands.hpp"
-#include "core/spacing/spec/source_box.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/name_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/engine/spacing/spec/source_box.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/panels/source_growth.hpp"

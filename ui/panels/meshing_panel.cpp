@@ -1,4 +1,4 @@
-#include "core/edit/document.hpp"
+#include "core/drawing/document/document.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"

@@ -1,4 +1,4 @@
-#include "core/edit/region_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"

@@ -1,4 +1,4 @@
-#include "core/edit/formulas.hpp"
+#include "core/drawing/formulas/formulas.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/style/icons.hpp"

@@ -1,4 +1,4 @@
-#include "core/edit/mesh_constraints.hpp"
+#include "core/drawing/commands/mesh_constraints.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"

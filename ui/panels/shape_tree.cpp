@@ -1,6 +1,6 @@
 #include "ui/panels/shape_tree.hpp"
 
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ui/panels/source_growth.hpp"
 
-#include "core/spacing/spec/spacing_spec.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"

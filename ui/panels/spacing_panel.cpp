@@ -1,4 +1,4 @@
-#include "core/edit/spacing_commands.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/gradation_row.hpp"

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/session/snapshot.hpp"
+#include "core/engine/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/canvas/picture.hpp"
 #include "ui/platform/platform.hpp"
 #include "ui/style/colour_map.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
-#include "ui/workspace/document_examiner.hpp"
+#include "ui/workspace/document/document_examiner.hpp"
 
 #include <cstddef>
 #include <cstdint>

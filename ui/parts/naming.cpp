@@ -1,9 +1,9 @@
 #include "ui/parts/naming.hpp"
 
-#include "core/edit/region_commands.hpp"
-#include "core/edit/shape_commands.hpp"
-#include "core/edit/spacing_commands.hpp"
-#include "core/edit/tag_runs.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/tag_runs.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/edit/name_commands.hpp"
+#include "core/drawing/names/name_commands.hpp"
 #include "ui/input/pixels.hpp"
 
 #include <cstdint>

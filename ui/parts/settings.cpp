@@ -1,6 +1,6 @@
 #include "ui/parts/settings.hpp"
 
-#include "core/io/files.hpp"
+#include "core/files/files.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/base/diagnostic.hpp"
-#include "core/base/vec2.hpp"
-#include "core/mesher/options.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/vec2.hpp"
+#include "core/engine/mesher/options.hpp"
 #include "ui/platform/platform.hpp"
 #include "ui/style/theme.hpp"
-#include "ui/workspace/snapping.hpp"
+#include "ui/workspace/view/snapping.hpp"
 
 #include <cstddef>
 #include <filesystem>

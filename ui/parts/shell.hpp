@@ -8,10 +8,10 @@
 #include "ui/parts/panel.hpp"
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
-#include "ui/workspace/adaptation.hpp"
-#include "ui/workspace/background_task.hpp"
-#include "ui/workspace/lesson_room.hpp"
-#include "ui/workspace/side_by_side.hpp"
+#include "ui/workspace/background/background_task.hpp"
+#include "ui/workspace/run/adaptation.hpp"
+#include "ui/workspace/run/side_by_side.hpp"
+#include "ui/workspace/view/lesson_room.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <cstddef>

@@ -1,7 +1,8 @@
 #include "ui/shell/canvas.hpp"
 
-#include "core/base/hash.hpp"
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/hash.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/gl/draw_pace.hpp"
@@ -12,7 +13,7 @@
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <glad/gl.h>
 #include <imgui.h>

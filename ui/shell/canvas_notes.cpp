@@ -1,5 +1,5 @@
-#include "core/arrangement/repair.hpp"
-#include "ui/shell/shell.hpp"
+#include "core/drawing/arrangement/repair/repair.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"

@@ -1,4 +1,4 @@
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>

@@ -1,7 +1,7 @@
 #include "ui/shell/help_dialogs.hpp"
 
-#include "core/base/letter_case.hpp"
-#include "core/base/version.hpp"
+#include "core/engine/base/letter_case.hpp"
+#include "core/engine/base/version.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"

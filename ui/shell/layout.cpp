@@ -1,6 +1,6 @@
 #include "ui/canvas/legend.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/shell/run_plot.hpp"
-#include "ui/shell/shell.hpp"
 
 #include <imgui.h>
 

@@ -2,7 +2,7 @@
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/glossary_dialog.hpp"
 #include "ui/lessons/lesson_player.hpp"
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 
 #include <memory>
 #include <string>

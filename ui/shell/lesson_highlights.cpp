@@ -1,5 +1,5 @@
 #include "ui/parts/shell.hpp"
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>

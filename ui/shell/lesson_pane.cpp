@@ -1,6 +1,6 @@
-#include "core/lesson/glossary.hpp"
+#include "core/teaching/lesson/glossary.hpp"
 #include "ui/lessons/lesson_player.hpp"
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 

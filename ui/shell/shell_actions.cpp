@@ -1,9 +1,9 @@
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/shell/help_dialogs.hpp"
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/shell/tool_actions.hpp"
 
 #include <algorithm>

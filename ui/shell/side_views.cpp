@@ -1,11 +1,11 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/shell/figure_table.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/shell/mesh_beside.hpp"
-#include "ui/shell/shell.hpp"
 #include "ui/shell/small_mesh.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/moment.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 

@@ -1,5 +1,5 @@
-#include "core/base/hash.hpp"
-#include "ui/shell/shell.hpp"
+#include "core/engine/base/hash.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>

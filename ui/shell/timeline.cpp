@@ -1,5 +1,5 @@
+#include "ui/shell/main_window.hpp"
 #include "ui/shell/run_plot.hpp"
-#include "ui/shell/shell.hpp"
 #include "ui/shell/timeline_marks.hpp"
 #include "ui/widgets/widgets.hpp"
 

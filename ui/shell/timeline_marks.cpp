@@ -1,6 +1,6 @@
 #include "ui/shell/timeline_marks.hpp"
 
-#include "core/boundary/discretise.hpp"
+#include "core/engine/boundary/discretise.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 

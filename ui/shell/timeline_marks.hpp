@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/snapshot.hpp"
+#include "core/engine/session/snapshot.hpp"
 #include "ui/input/pixels.hpp"
 #include "ui/parts/shell.hpp"
 

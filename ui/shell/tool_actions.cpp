@@ -1,6 +1,6 @@
 #include "ui/shell/tool_actions.hpp"
 
-#include "core/spacing/parts/paint/paint.hpp"
+#include "core/engine/spacing/parts/paint/paint.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/make_tools.hpp"
 

@@ -1,5 +1,5 @@
 #include "ui/dialogs/preferences_dialog.hpp"
-#include "ui/shell/shell.hpp"
+#include "ui/shell/main_window.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/measures.hpp"
+#include "core/engine/mesh/measures.hpp"
 #include "ui/style/colour_map.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/enum_words.hpp"
+#include "core/engine/base/enum_words.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <array>

@@ -1,9 +1,9 @@
 #include "ui/workspace/edit_state.hpp"
 
-#include "core/edit/formulas.hpp"
-#include "core/edit/lost_formulas.hpp"
-#include "core/edit/name_commands.hpp"
-#include "core/edit/number_address.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/lost_formulas.hpp"
+#include "core/drawing/formulas/number_address.hpp"
+#include "core/drawing/names/name_commands.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/base/enum_words.hpp"
-#include "core/base/result.hpp"
-#include "core/edit/pick_index.hpp"
-#include "core/edit/snap.hpp"
-#include "core/spacing/parts/paint/paint.hpp"
+#include "core/drawing/picking/pick_index.hpp"
+#include "core/drawing/picking/pointer_snap.hpp"
+#include "core/engine/base/enum_words.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/spacing/parts/paint/paint.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "ui/workspace/judging.hpp"
 
-#include "core/geometry/polygon.hpp"
+#include "core/engine/geometry/polygon.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/workspace.hpp"

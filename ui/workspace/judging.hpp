@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/mesh/measures.hpp"
+#include "core/engine/mesh/measures.hpp"
 #include "ui/style/colour_map.hpp"
-#include "ui/workspace/mesh_judge.hpp"
-#include "ui/workspace/probe.hpp"
+#include "ui/workspace/mesh/mesh_judge.hpp"
+#include "ui/workspace/mesh/probe.hpp"
 
 #include <cstddef>
 #include <optional>

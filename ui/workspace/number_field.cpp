@@ -1,8 +1,8 @@
 #include "ui/workspace/number_field.hpp"
 
-#include "core/edit/formulas.hpp"
-#include "core/edit/place_formulas.hpp"
-#include "ui/widgets/number_text.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/place_formulas.hpp"
+#include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/workspace.hpp"
 

@@ -1,6 +1,6 @@
 #include "ui/workspace/picture_view.hpp"
 
-#include "core/edit/shape_geometry.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/workspace/workspace.hpp"
 
 namespace forefront {

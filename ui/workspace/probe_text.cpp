@@ -1,5 +1,5 @@
-#include "core/edit/region_commands.hpp"
-#include "core/mesh/quality.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/engine/mesh/quality.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/workspace.hpp"

@@ -1,6 +1,6 @@
 #include "ui/workspace/snap_mark.hpp"
 
-#include "core/edit/snap.hpp"
+#include "core/drawing/picking/pointer_snap.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/workspace/workspace.hpp"
 

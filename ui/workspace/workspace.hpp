@@ -1,16 +1,16 @@
 #pragma once
 
-#include "core/edit/references.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "ui/widgets/widget_context.hpp"
-#include "ui/workspace/document_examiner.hpp"
-#include "ui/workspace/document_store.hpp"
-#include "ui/workspace/mesh_judge.hpp"
-#include "ui/workspace/message_log.hpp"
-#include "ui/workspace/picture_store.hpp"
-#include "ui/workspace/probe.hpp"
-#include "ui/workspace/run_control.hpp"
-#include "ui/workspace/snapping.hpp"
-#include "ui/workspace/view.hpp"
+#include "ui/workspace/document/document_examiner.hpp"
+#include "ui/workspace/document/document_store.hpp"
+#include "ui/workspace/document/picture_store.hpp"
+#include "ui/workspace/mesh/mesh_judge.hpp"
+#include "ui/workspace/mesh/probe.hpp"
+#include "ui/workspace/messages/message_log.hpp"
+#include "ui/workspace/run/run_control.hpp"
+#include "ui/workspace/view/snapping.hpp"
+#include "ui/workspace/view/view.hpp"
 
 #include <cstdint>
 #include <map>
@@ -21,7 +21,7 @@ namespace forefront {
 
 /// Formulas typed into fields, kept until a command sets their numbers.
 struct EnteredFormulas {
-    std::map<std::string, std::string> texts; ///< by address: see core/edit/number_address.hpp
+    std::map<std::string, std::string> texts; ///< by address: see core/drawing/formulas/number_address.hpp
     int frame = -1;                           ///< in which they were entered
 };
 

@@ -1,0 +1,291 @@
+#include "app/batch/cli_options.hpp"
+
+#include "app/batch/exit_code.hpp"
+#include "app/batch/inputs.hpp"
+#include "app/batch/outputs.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+/// Parses the whole text as a number of that type, with or without a sign.
+template <class Number>
+std::optional<Number> parse(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) {
+        text.remove_prefix(1);
+    }
+    Number value{};
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::string shown(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+/// Refuses values that `accepts` rejects.
+template <class Accepts>
+CLI::Validator check(std::string expected, Accepts accepts) {
+    return {[expected = std::move(expected), accepts](const std::string &text) {
+                return accepts(text) ? std::string() : "expected " + expected + ", got '" + text + '\'';
+            },
+            ""};
+}
+
+/// Parses `count` finite numbers with `separator` between them; empty if the text is anything else.
+std::vector<double> numbersIn(std::string_view text, char separator, std::size_t count) {
+    std::vector<double> numbers;
+    while (numbers.size() < count) {
+        const std::size_t end = numbers.size() + 1 < count ? text.find(separator) : text.size();
+        const auto value = end == std::string_view::npos ? std::nullopt : parse<double>(text.substr(0, end));
+        if (!value || !std::isfinite(*value)) {
+            return {};
+        }
+        numbers.push_back(*value);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return numbers;
+}
+
+/// Lists the arguments that no option or input accepts, in order.
+std::string unexpectedArguments(const std::vector<std::string> &arguments) {
+    std::string options, others;
+    for (const std::string &argument : arguments) {
+        std::string &list = argument.size() > 1 && argument.front() == '-' ? options : others;
+        list += (list.empty() ? "'" : ", '") + argument + '\'';
+    }
+    return options.empty() ? "unexpected argument " + others : "unknown option " + options;
+}
+
+/// Returns the names of options as "--size, --spacing".
+std::string namesOf(const std::vector<const CLI::Option *> &options) {
+    std::string names;
+    for (const CLI::Option *option : options) {
+        names += (names.empty() ? "" : ", ") + option->get_name();
+    }
+    return names;
+}
+
+/// Describes the first group of options of which too few or too many are given; empty if there is none.
+std::string groupFault(const CLI::App &app) {
+    for (const CLI::App *const group : app.get_subcommands([](const CLI::App *) { return true; })) {
+        const std::vector<const CLI::Option *> all =
+            group->get_options([](const CLI::Option *option) { return option->get_name() != "--help"; });
+        std::vector<const CLI::Option *> given;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(given),
+                     [](const CLI::Option *option) { return option->count() > 0; });
+        if (given.size() < group->get_require_option_min()) {
+            return "missing option; add one of " + namesOf(all);
+        }
+        if (group->get_require_option_max() > 0 && given.size() > group->get_require_option_max()) {
+            return "only one of " + namesOf(all) + " can be given, got " + namesOf(given);
+        }
+    }
+    return {};
+}
+
+/// Describes what is wrong with the command line, in our own words where CLI11's are hard to understand.
+std::string parseFault(const CLI::App &app, const CLI::ParseError &error) {
+    const std::string text = error.what();
+    const std::size_t colon = text.find(": ");
+    if (error.get_name() == "ArgumentMismatch" && text.ends_with(" missing") && colon != std::string::npos) {
+        return text.substr(0, colon) + ": missing value";
+    }
+    const std::string fault = error.get_name() == "RequiredError" ? groupFault(app) : std::string();
+    return fault.empty() ? text : fault;
+}
+
+} // namespace
+
+CLI::Validator positiveNumber() {
+    return check("a positive number", [](const std::string &text) {
+        const auto value = parse<double>(text);
+        return value && std::isfinite(*value) && *value > 0.0;
+    });
+}
+
+CLI::Validator nonNegativeNumber() {
+    return check("a number of at least 0", [](const std::string &text) {
+        const auto value = parse<double>(text);
+        return value && std::isfinite(*value) && *value >= 0.0;
+    });
+}
+
+CLI::Validator numberWithin(double minimum, double maximum) {
+    return check("a number from " + shown(minimum) + " to " + shown(maximum),
+                 [minimum, maximum](const std::string &text) {
+                     const auto value = parse<double>(text);
+                     return value && *value >= minimum && *value <= maximum;
+                 });
+}
+
+CLI::Validator wholeNumberWithin(int minimum, int maximum) {
+    return check("a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum),
+                 [minimum, maximum](const std::string &text) {
+                     const auto value = parse<int>(text);
+                     const bool octal = value && text.ends_with('0' + std::to_string(*value)); // as CLI11 would read it
+                     return value && !octal && *value >= minimum && *value <= maximum;
+                 });
+}
+
+CLI::Validator oneOf(std::span<const std::string_view> words) {
+    std::string expected = "one of ";
+    for (const std::string_view word : words) {
+        expected += word;
+        expected += word == words.back() ? "" : ", ";
+    }
+    return check(std::move(expected), [words](const std::string &text) {
+        return std::find(words.begin(), words.end(), text) != words.end();
+    });
+}
+
+void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression) {
+    group.add_option("--size", size, "uniform edge length")->check(positiveNumber())->type_name("H");
+    group
+        .add_option("--spacing", expression,
+                    "edge length as an expression in x and y, with min, max, sqrt, exp, sin, ... "
+                    "and dist(a,b), the distance to (a, b)")
+        ->type_name("EXPR");
+}
+
+void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box) {
+    app.add_option_function<std::string>(
+           "--picture-sizes",
+           [&sizes](const std::string &text) {
+               const std::vector<double> numbers = numbersIn(text, ':', 2);
+               if (numbers.empty() || !(std::min(numbers[0], numbers[1]) > 0.0)) {
+                   throw CLI::ValidationError("--picture-sizes",
+                                              "expected two positive numbers such as 0.1:2, got '" + text + '\'');
+               }
+               sizes = PictureSizes{.black = numbers[0], .white = numbers[1]};
+           },
+           "edge lengths at black and at white in a picture given as --spacing-file, linear in between; transparent "
+           "pixels set none")
+        ->type_name("BLACK:WHITE");
+    app.add_option_function<std::string>(
+           "--picture-box",
+           [&box](const std::string &text) {
+               const std::vector<double> numbers = numbersIn(text, ',', 4);
+               if (numbers.empty() || !(numbers[0] < numbers[2] && numbers[1] < numbers[3])) {
+                   throw CLI::ValidationError("--picture-box", "expected the lower left and upper right corner such as "
+                                                               "0,0,20,10, got '" +
+                                                                   text + '\'');
+               }
+               box = Box2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+           },
+           "rectangle that the picture fills; default: where the project places it as its background picture, else "
+           "around the domain, keeping its proportions")
+        ->type_name("X0,Y0,X1,Y1");
+}
+
+void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId) {
+    app.add_option("--input-format", formatId,
+                   "format of " + input + ", if content and extension are ambiguous: " + inputFormatIds())
+        ->type_name("ID");
+}
+
+CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
+                              std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges) {
+    auto *output = app.add_option("-o,--output", outputs,
+                                  "mesh to write; its extension sets the format; -: standard output; can be repeated")
+                       ->allow_extra_args(false)
+                       ->type_name("OUT");
+    app.add_option("--format", formats, "formats of the outputs, in the order of -o: " + formatIds())
+        ->allow_extra_args(false)
+        ->type_name("ID");
+    addWordOption<InnerEdges>(app, "--inner-edges", innerEdges,
+                              "tagged edges inside the domain in the output meshes: keep (default, except for SU2) or "
+                              "drop, for programs such as deal.II that accept tags on the boundary only")
+        ->type_name("WORD");
+    return output;
+}
+
+void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters) {
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&parameters](const std::vector<std::string> &settings) {
+               for (const std::string &setting : settings) {
+                   const std::size_t cut = setting.find('=');
+                   if (cut == std::string::npos || cut == 0 || cut + 1 == setting.size()) {
+                       throw CLI::ValidationError("--set", "expected NAME=EXPRESSION, got '" + setting + "'");
+                   }
+                   parameters[setting.substr(0, cut)] = setting.substr(cut + 1);
+               }
+           },
+           "set a parameter of the project, such as r=0.5 or gap=2*r; can be repeated")
+        ->type_name("NAME=EXPR");
+}
+
+void DrawingArguments::applyTo(ImportOptions &options) const {
+    options.weldTolerance = weldTolerance;
+    options.overlap = overlap;
+    options.layer = layer;
+    options.nameProperty = nameProperty;
+    options.beyondPage = beyondPage;
+    options.dropLines = dropLines;
+    options.strokeAreas = strokeAreas;
+    options.shapeRegions = shapeRegions;
+}
+
+void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
+    app.add_option(
+           "--weld", arguments.weldTolerance,
+           "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps, less "
+           "if that changes their area by over 0.1 %; 0 for other files, which are joined only with --repair)")
+        ->check(nonNegativeNumber())
+        ->type_name("T");
+    addWordOption<OverlapRule>(app, "--overlap", arguments.overlap,
+                               "which polygon of a map wins where two overlap: later (default) or smaller; a polygon "
+                               "inside another always keeps its area")
+        ->type_name("RULE");
+    app.add_option("--layer", arguments.layer,
+                   "layer of a TopoJSON file to read, such as counties; default: the first one with polygons")
+        ->type_name("NAME");
+    app.add_option("--name-property", arguments.nameProperty,
+                   "property of the features of a map that names regions and boundaries, text or numbers; id also "
+                   "uses the own ids of the features; default: name, Name or NAME, else NAME_n of the finest "
+                   "administrative level n")
+        ->type_name("KEY");
+    app.add_flag("--beyond-page", arguments.beyondPage,
+                 "keep the parts of filled SVG shapes that lie outside the page (the view box)");
+    app.add_flag(
+        "--drop-lines", arguments.dropLines,
+        "leave out the lines of a drawing or map that has filled shapes or polygons: SVG paths without a fill, "
+        "line strings");
+    app.add_flag("--stroke-areas", arguments.strokeAreas,
+                 "also mesh the area that SVG strokes paint; by default, strokes are lines");
+    app.add_flag("--shape-regions", arguments.shapeRegions,
+                 "make every filled SVG shape a region named by its id or label, as far as no later shape covers it; "
+                 "by default, all shapes are one region");
+}
+
+std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {
+    try {
+        app.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::CallForHelp &help) {
+        return app.exit(help);
+    } catch (const CLI::ExtrasError &) {
+        return wrongUsage(app.get_name(), unexpectedArguments(app.remaining()));
+    } catch (const CLI::ParseError &error) {
+        return wrongUsage(app.get_name(), parseFault(app, error));
+    }
+}
+
+int wrongUsage(const std::string &command, std::string_view message) {
+    std::fprintf(stderr, "%s: %.*s\nRun with --help for more information.\n", command.c_str(),
+                 static_cast<int>(message.size()), message.data());
+    return kUsage;
+}
+
+} // namespace forefront

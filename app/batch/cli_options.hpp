@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/engine/base/enum_words.hpp"
+#include "core/files/inner_edges.hpp"
+#include "core/files/source/import_options.hpp"
+#include "core/files/source/overlap_rule.hpp"
+#include "core/files/source/picture_sizes.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// Validators for option values. Their messages read "--size: expected a positive number, got 'abc'".
+CLI::Validator positiveNumber();
+CLI::Validator nonNegativeNumber();
+CLI::Validator numberWithin(double minimum, double maximum);
+CLI::Validator wholeNumberWithin(int minimum, int maximum);
+CLI::Validator oneOf(std::span<const std::string_view> words);
+
+/// Adds an option whose value is a word of an enumeration. `Value` is the enumeration or a std::optional of it.
+template <class Enum, class Value>
+CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value, const std::string &help) {
+    return app
+        .add_option_function<std::string>(
+            name, [&value](const std::string &word) { value = *fromWord<Enum>(word); }, help)
+        ->check(oneOf(wordsOf<Enum>()));
+}
+
+/// Adds the options --size and --spacing, which several commands share.
+void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
+
+/// Adds the options --picture-sizes and --picture-box of a picture that is read as spacing.
+void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box);
+
+/// Adds the option --input-format; `input` is what the help text calls the input.
+void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId);
+
+/// Adds the options of the commands that write meshes: --output, which is returned, --format and --inner-edges.
+CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
+                              std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges);
+
+/// Adds --set, which may be repeated: expressions for parameters of a project, by name.
+void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters);
+
+/// How a drawing or map is read; see ImportOptions.
+struct DrawingArguments {
+    std::optional<double> weldTolerance; ///< absent: the default of the input's format
+    OverlapRule overlap = OverlapRule::Later;
+    std::optional<std::string> layer, nameProperty; ///< of a map
+    bool beyondPage = false;
+    bool dropLines = false;
+    bool strokeAreas = false;
+    bool shapeRegions = false;
+
+    void applyTo(ImportOptions &options) const;
+    friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
+};
+/// Adds the options --weld, --overlap, --layer, --name-property, --beyond-page, --drop-lines, --stroke-areas and
+/// --shape-regions.
+void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
+
+/// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after
+/// printing help, 2 after printing a usage error.
+std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv);
+
+/// Prints the usage error of `command` ("forefront mesh") to stderr and returns the exit code.
+int wrongUsage(const std::string &command, std::string_view message);
+
+} // namespace forefront

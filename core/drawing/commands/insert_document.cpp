@@ -1,0 +1,147 @@
+#include "core/drawing/commands/insert_document.hpp"
+
+#include "core/drawing/formulas/bring_formulas.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+/// The positions of all shapes, sources and markers of a document.
+class ItemPlaces {
+  public:
+    explicit ItemPlaces(const Document &document) {
+        for (const auto &shape : document.shapes) {
+            places_.push_back({static_cast<int>(shape->kind), shape->nodes});
+        }
+        for (const SizeSource &source : document.spacing.sources) {
+            places_.push_back({kFirstSource + static_cast<int>(source.shape), {source.a, source.b}});
+        }
+        for (const RegionMarker &marker : document.regionMarkers) {
+            places_.push_back({kMarker, {marker.at}});
+        }
+        std::sort(places_.begin(), places_.end(), before);
+    }
+
+    /// Returns true if an item coincides with one of the same kind in another document.
+    bool meet(const ItemPlaces &other) const {
+        return std::any_of(other.places_.begin(), other.places_.end(), [this](const Place &place) {
+            return std::binary_search(places_.begin(), places_.end(), place, before);
+        });
+    }
+
+  private:
+    static constexpr int kMarker = -1, kFirstSource = 100;
+    struct Place {
+        int kind = 0;
+        std::vector<Vec2> points;
+    };
+    static bool before(const Place &a, const Place &b) {
+        return a.kind != b.kind ? a.kind < b.kind
+                                : std::lexicographical_compare(a.points.begin(), a.points.end(), b.points.begin(),
+                                                               b.points.end(), comesBefore);
+    }
+
+    std::vector<Place> places_;
+};
+
+Diagnostics notesOf(std::size_t droppedFormulas) {
+    if (droppedFormulas == 0) {
+        return {};
+    }
+    Diagnostic note;
+    note.severity = Severity::Warning;
+    note.code = "dropped-formulas";
+    note.message = std::to_string(droppedFormulas) +
+                   (droppedFormulas == 1 ? " formula became a plain number" : " formulas became plain numbers") +
+                   "; the document would need more than " + std::to_string(kMaxParameters) + " parameters";
+    note.advice = "undo, remove parameters that are not used, and insert again";
+    return {note};
+}
+
+/// Returns a document with the drawing of another one and the given sources.
+Document inserted(const Document &document, const Document &other, double scale, const std::vector<SizeSource> &sources,
+                  Insertion *insertion) {
+    Document next = document;
+    Selection fresh;
+    ReceivedItems items;
+    for (const auto &shape : other.shapes) {
+        auto copy = std::make_shared<Shape>(*shape);
+        copy->id = next.nextId++;
+        scaleShape(*copy, scale);
+        fresh.shapes.insert(copy->id);
+        items.shapes[shape->id] = copy->id;
+        next.shapes.push_back(std::move(copy));
+    }
+    for (const RegionMarker &marker : other.regionMarkers) {
+        const auto index = static_cast<std::uint32_t>(next.regionMarkers.size());
+        fresh.markers.insert(index);
+        items.markers[static_cast<std::uint32_t>(items.markers.size())] = index;
+        next.regionMarkers.push_back(
+            {scale * marker.at, marker.tag, scale * scale * marker.maxArea, scale * marker.size, marker.growth});
+    }
+    next.spacing.keepAutomatic = sources.empty() ? next.spacing.keepAutomatic : keepAutomaticWith(document.spacing);
+    for (const SizeSource &source : sources) {
+        const auto index = static_cast<std::uint32_t>(next.spacing.sources.size());
+        fresh.sources.insert(index);
+        items.sources[static_cast<std::uint32_t>(items.sources.size())] = index;
+        next.spacing.sources.push_back(source);
+    }
+    const std::vector<std::int32_t> known = boundaryTags(document);
+    for (const auto &[tag, elements] : other.elementCounts) {
+        if (!std::binary_search(known.begin(), known.end(), tag)) {
+            next.elementCounts.emplace(tag, elements);
+        }
+    }
+    next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
+    next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
+    const std::size_t dropped = bringFormulas(next, other, items, scale);
+    if (insertion != nullptr) {
+        *insertion = {std::move(fresh), notesOf(dropped)};
+    }
+    return next;
+}
+
+} // namespace
+
+Document insertDrawing(const Document &document, const Document &other, double scale, Insertion *insertion) {
+    return inserted(document, other, scale, {}, insertion);
+}
+
+Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Insertion *insertion) {
+    Selection all = selectAll(other);
+    for (const auto &shape : other.shapes) { // hidden and locked ones must move, too
+        all.shapes.insert(shape->id);
+    }
+    const ItemPlaces taken(document);
+    Result<Document> moved = other;
+    constexpr int kMaxSteps = 1000; // guards against steps too small to move anything
+    for (int k = 1; k <= kMaxSteps && taken.meet(ItemPlaces(*moved)); ++k) {
+        moved = moveSelection(other, all, static_cast<double>(k) * step);
+        if (!moved) {
+            return moved;
+        }
+    }
+    Document next = inserted(document, *moved, 1.0, moved->spacing.sources, insertion);
+    const std::vector<std::int32_t> known = boundaryTags(document);
+    for (const auto &[tag, size] : moved->spacing.partSizes) {
+        if (!std::binary_search(known.begin(), known.end(), tag) && !next.elementCounts.contains(tag)) {
+            next.spacing.partSizes.insert_or_assign(tag, size);
+        }
+    }
+    return next;
+}
+
+} // namespace forefront

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/shapes/references.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/result.hpp"
+
+namespace forefront {
+
+/// What an insertion adds.
+struct Insertion {
+    Selection added{};
+    /// A warning (dropped-formulas) if formulas became plain numbers because there would be too many parameters.
+    Diagnostics notes{};
+};
+
+/// Returns `document` with the shapes, region markers and names of another one, scaled about the origin. Where both
+/// name a tag, the name in `document` wins. Formulas come along with the parameters that they use: see
+/// bringFormulas(). `insertion`, if not null, is set to what was added.
+Document insertDrawing(const Document &document, const Document &other, double scale, Insertion *insertion);
+
+/// Like insertDrawing() without scaling, and with the size sources, which leave automatic spacing on, and the sizes of
+/// boundary parts whose tags `document` does not use. If an added
+/// shape, source or marker would coincide with an existing one, everything added is moved by the smallest multiple of
+/// `step` that avoids this. Errors: those of moveSelection().
+Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Insertion *insertion);
+
+} // namespace forefront

@@ -1,0 +1,104 @@
+#include "core/drawing/commands/scale_document.hpp"
+
+#include "core/drawing/commands/transform.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/engine/base/number_text.hpp"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+void scaleSizes(std::optional<double> &size, double factor) {
+    size = size ? std::optional(factor * *size) : std::nullopt;
+}
+
+void scalePaint(PaintedSpacing &paint, const PlaneMap &map, double factor) {
+    paint.origin = map(paint.origin);
+    paint.pitch *= factor;
+    for (auto &[place, tile] : paint.tiles) {
+        auto scaled = std::make_shared<PaintedSpacing::Tile>(*tile);
+        for (float &value : *scaled) {
+            value = static_cast<float>(factor * static_cast<double>(value));
+        }
+        tile = std::move(scaled);
+    }
+}
+
+/// Scales what the spacing holds besides its sources, which are mapped with the drawing.
+void scaleSpacing(SpacingSpec &spacing, const PlaneMap &map, double factor) {
+    scaleSizes(spacing.size, factor);
+    scaleSizes(spacing.minimum, factor);
+    scaleSizes(spacing.maximum, factor);
+    for (SizeSource &source : spacing.sources) {
+        source.size *= factor;
+        scaleSizes(source.endSize, factor);
+    }
+    for (auto &[tag, part] : spacing.partSizes) {
+        part.size *= factor;
+    }
+    scalePaint(spacing.paint, map, factor);
+    if (spacing.background) {
+        BackgroundMesh mesh = *spacing.background;
+        for (Vec2 &node : mesh.nodes) {
+            node = map(node);
+        }
+        for (double &value : mesh.values) {
+            value *= factor;
+        }
+        spacing.background = std::make_shared<const BackgroundMesh>(std::move(mesh));
+    }
+}
+
+Selection everythingIn(const Document &document) {
+    Selection all;
+    for (const auto &shape : document.shapes) {
+        all.shapes.insert(shape->id);
+    }
+    for (std::uint32_t k = 0; k < document.spacing.sources.size(); ++k) {
+        all.sources.insert(k);
+    }
+    for (std::uint32_t k = 0; k < document.regionMarkers.size(); ++k) {
+        all.markers.insert(k);
+    }
+    return all;
+}
+
+} // namespace
+
+Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor) {
+    if (!(factor > 0.0) || !std::isfinite(factor)) {
+        return error("bad-number", "invalid factor " + numberText(factor, 6) + "; expected a positive number");
+    }
+    const PlaneMap map = PlaneMap::scaling({factor, factor}, fixed);
+    Result<Document> scaled = transformSelection(document, everythingIn(document), map);
+    if (!scaled) {
+        return scaled;
+    }
+    Document next = *std::move(scaled);
+    for (auto &pointer : next.shapes) {
+        if (!pointer->nodeSizes.empty()) {
+            Shape shape = *pointer;
+            for (auto &[handle, size] : shape.nodeSizes) {
+                size.size *= factor;
+            }
+            pointer = std::make_shared<const Shape>(std::move(shape));
+        }
+    }
+    for (RegionMarker &marker : next.regionMarkers) {
+        marker.maxArea *= factor * factor;
+        marker.size *= factor;
+    }
+    next.curveTolerance *= factor;
+    scaleSpacing(next.spacing, map, factor);
+    if (next.picture) {
+        next.picture = scaledAbout(*next.picture, fixed, factor);
+    }
+    pruneFormulas(next);
+    return next;
+}
+
+} // namespace forefront

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/engine/base/result.hpp"
+
+namespace forefront {
+
+/// Scales a whole document about a point, as if its unit of length were changed: the drawing, the background picture
+/// and all element sizes. An expression of the spacing stays as it is. Formulas that no longer fit their numbers are
+/// removed. Errors: bad-number for a factor that is not positive and finite, bad-shape.
+Result<Document> scaleDocument(const Document &document, Vec2 fixed, double factor);
+
+} // namespace forefront

@@ -1,0 +1,440 @@
+#include "core/drawing/commands/transform.hpp"
+
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/shift_formulas.hpp"
+#include "core/drawing/picking/selected_handles.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/drawing/shapes/slot.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/spacing/spec/source_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+/// Returns the address prefix of the numbers of a shape or source.
+std::string addressPrefix(const char *kind, std::uint32_t id) {
+    return std::string(kind) + '/' + std::to_string(id) + '/';
+}
+
+constexpr double kMaxCopies = 10000.0;
+constexpr std::size_t kMaxNewNodes = 1000000; ///< in all copies together
+
+/// Maps a rectangle whose image is one. A quarter turn exchanges its sides: the first one runs along x.
+void mapRectangle(Shape &shape, const PlaneMap &map) {
+    shape.nodes = {map(shape.nodes[0]), map(shape.nodes[1])};
+    shape.radius *= std::sqrt(std::fabs(map.determinant()));
+    shape.cuts.clear();
+    if (map.u.x == 0.0) {
+        std::reverse(shape.segmentTags.begin(), shape.segmentTags.end());
+        auto second = shape.nodeSizes.extract(1), fourth = shape.nodeSizes.extract(3);
+        for (auto *const corner : {&second, &fourth}) {
+            if (!corner->empty()) {
+                corner->key() = 4 - corner->key();
+                shape.nodeSizes.insert(std::move(*corner));
+            }
+        }
+    }
+}
+
+void mapCircle(Shape &shape, const PlaneMap &map) {
+    const Vec2 centre = shape.nodes[0], arm = shape.nodes[1] - centre;
+    if (!map.isSimilarity()) {
+        shape.kind = ShapeKind::Ellipse;
+        shape.nodes.push_back(centre + leftNormal(arm));
+    } else if (map.determinant() < 0.0) {
+        shape.cuts.clear(); // it still runs counter-clockwise
+    }
+    std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map);
+}
+
+constexpr std::uint32_t kWhole = 0xffffffffU;
+
+/// A shape or a node to align or distribute.
+struct Item {
+    NodeRef what; ///< node kWhole: the whole shape
+    Box2 box;
+    Vec2 by; ///< its movement
+};
+
+/// Returns the selected shapes, or the selected nodes if there are none, in the order of their ids.
+std::vector<Item> itemsOf(const Document &document, const Selection &selection) {
+    std::vector<Item> items;
+    for (const auto &shape : document.shapes) {
+        if (selection.shapes.contains(shape->id)) {
+            items.push_back({{shape->id, kWhole}, boundsOf(*shape), {}});
+        }
+        const std::vector<Vec2> handles = selection.shapes.empty() ? handlesOf(*shape) : std::vector<Vec2>();
+        for (auto node = selection.nodes.lower_bound({shape->id, 0});
+             node != selection.nodes.end() && node->shape == shape->id && node->node < handles.size(); ++node) {
+            items.push_back({*node, {handles[node->node], handles[node->node]}, {}});
+        }
+    }
+    std::sort(items.begin(), items.end(), [](const Item &a, const Item &b) { return a.what < b.what; });
+    return items;
+}
+
+/// Moves the items of one shape.
+void moveItems(Shape &shape, std::span<const Item> items) {
+    if (items.front().what.node == kWhole) {
+        moveShape(shape, items.front().by);
+        return;
+    }
+    std::vector<Vec2> places = handlesOf(shape);
+    for (const Item &item : items) {
+        places[item.what.node] += item.by;
+        if (!isPath(shape)) {
+            placeHandle(shape, item.what.node, places[item.what.node]);
+        }
+    }
+    if (isPath(shape)) {
+        moveNodes(shape, std::move(places));
+    }
+}
+
+/// Moves items, in one pass over the document.
+Result<Document> moveEach(const Document &document, std::vector<Item> items) {
+    std::sort(items.begin(), items.end(), [](const Item &a, const Item &b) { return a.what < b.what; });
+    const auto before = [](const Item &item, std::uint32_t id) { return item.what.shape < id; };
+    Document next = document;
+    for (auto &pointer : next.shapes) {
+        const auto first = std::lower_bound(items.begin(), items.end(), pointer->id, before);
+        const auto last = std::lower_bound(first, items.end(), pointer->id + 1, before);
+        if (first != last) {
+            Shape shape = *pointer;
+            moveItems(shape, {first, last});
+            if (Diagnostics faults = checkShape(shape); !faults.empty()) {
+                return faults;
+            }
+            pointer = std::make_shared<const Shape>(std::move(shape));
+            if (first->what.node == kWhole) {
+                shiftFormulas(next, addressPrefix("shape", pointer->id), first->by);
+            }
+        }
+    }
+    return next;
+}
+
+/// Returns the movement that aligns a box to another one.
+Vec2 aligning(const Box2 &box, const Box2 &all, Alignment alignment) {
+    switch (alignment) {
+    case Alignment::Left:
+        return {all.min.x - box.min.x, 0.0};
+    case Alignment::CentreX:
+        return {all.centre().x - box.centre().x, 0.0};
+    case Alignment::Right:
+        return {all.max.x - box.max.x, 0.0};
+    case Alignment::Bottom:
+        return {0.0, all.min.y - box.min.y};
+    case Alignment::CentreY:
+        return {0.0, all.centre().y - box.centre().y};
+    case Alignment::Top:
+        break;
+    }
+    return {0.0, all.max.y - box.max.y};
+}
+
+Diagnostics tooFew(const char *command, const char *count, std::size_t found) {
+    return error("not-possible",
+                 std::string(command) + " needs " + count + " shapes or nodes; selected: " + std::to_string(found),
+                 "select more of them, with Shift or a box");
+}
+
+Status checkMap(const PlaneMap &map) {
+    if (!map.finite() || map.determinant() == 0.0) {
+        return error("bad-number",
+                     "invalid transformation: areas would be multiplied by " + numberText(map.determinant(), 6) +
+                         "; expected a finite factor other than 0",
+                     "enter finite numbers, and scale factors other than 0");
+    }
+    return {};
+}
+
+/// Checks that there is something to copy, and that a number being typed does not exhaust memory with copies.
+Status checkCopies(const Document &document, const Selection &selection, std::size_t copies) {
+    std::size_t nodes = selection.sources.size() + selection.markers.size();
+    for (const auto &shape : document.shapes) {
+        nodes += selection.shapes.contains(shape->id) ? handleCount(*shape) : 0;
+    }
+    if (nodes == 0) {
+        return error("not-possible", "nothing that can be copied is selected",
+                     "select whole shapes, size sources or region markers");
+    }
+    if (nodes > kMaxNewNodes / std::max<std::size_t>(copies, 1)) {
+        return error("not-possible",
+                     "the copies would have " + std::to_string(nodes * copies) + " nodes; expected at most " +
+                         std::to_string(kMaxNewNodes),
+                     "enter a smaller number, or select fewer shapes");
+    }
+    return {};
+}
+
+Status checkCount(double count) {
+    if (!(count >= 2.0 && count <= kMaxCopies) || count != std::floor(count)) {
+        return error("bad-number",
+                     "invalid number of items " + numberText(count, 10) + "; expected a whole number from 2 to " +
+                         numberText(kMaxCopies, 10),
+                     "enter a whole number; it includes the original");
+    }
+    return {};
+}
+
+/// Lets the formulas of items that were moved as a whole move with them.
+void moveFormulas(Document &document, const Selection &selection, Vec2 by) {
+    if (document.formulas.empty()) {
+        return;
+    }
+    const auto shift = [&](const char *kind, const std::set<std::uint32_t> &items) {
+        for (const std::uint32_t item : items) {
+            shiftFormulas(document, addressPrefix(kind, item), by);
+        }
+    };
+    shift("shape", selection.shapes);
+    shift("source", selection.sources);
+    shift("region", selection.markers);
+}
+
+/// An item and its copy, by the prefixes of their addresses.
+struct CopiedItem {
+    std::string from, to;
+    Vec2 by; ///< movement of the copy; zero if it was mapped otherwise
+};
+
+Vec2 shiftOf(const PlaneMap &map) {
+    return map.isTranslation() ? map.shift : Vec2{};
+}
+
+/// Returns the angle of a box after a map, which is exact unless the map shears the box. An angle that describes the
+/// same directions as before keeps its value.
+double mappedAngle(double degrees, const PlaneMap &map) {
+    constexpr double kRounding = 1e-12;
+    const Vec2 side = unitVector(degrees), image = side.x * map.u + side.y * map.v;
+    const double turned = std::atan2(image.y, image.x) * 180.0 / std::numbers::pi;
+    return std::fabs(std::remainder(turned - degrees, 90.0)) <= kRounding ? degrees : boxAngle(turned);
+}
+
+/// Maps a source. A box stays one: its corners a and b are mapped, and its first side takes the direction of its image.
+SizeSource mapped(SizeSource source, const PlaneMap &map) {
+    source.a = map(source.a);
+    source.b = map(source.b);
+    if (source.shape == SourceShape::Box && !map.isTranslation()) {
+        source.angle = mappedAngle(source.angle, map);
+    }
+    source.radius *= map.isTranslation() ? 1.0 : std::sqrt(std::fabs(map.determinant()));
+    return source;
+}
+
+} // namespace
+
+void mapShape(Shape &shape, const PlaneMap &map) {
+    if (map.isTranslation()) {
+        moveShape(shape, map.shift); // without rounding axes of arcs
+        return;
+    }
+    if (shape.kind == ShapeKind::Rectangle) {
+        const bool sameCorners = shape.radius == 0.0 || map.isSimilarity();
+        if (map.keepsAxes() && sameCorners) {
+            mapRectangle(shape, map);
+            return;
+        }
+        becomePath(shape);
+    }
+    if (shape.kind == ShapeKind::Slot) {
+        if (map.isSimilarity()) {
+            mapSlot(shape, map);
+            return;
+        }
+        becomePath(shape);
+    }
+    if (shape.kind == ShapeKind::Circle) {
+        mapCircle(shape, map);
+        return;
+    }
+    std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map);
+    for (Curve &curve : shape.curves) {
+        curve = curve.kind() == CurveKind::Line ? Curve() : curve.mapped(map);
+    }
+}
+
+Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map) {
+    if (Status status = checkMap(map); !status.empty()) {
+        return status;
+    }
+    Document next = document;
+    const auto handles = handlesToMove(document, selection);
+    for (auto &pointer : next.shapes) {
+        const bool whole = selection.shapes.contains(pointer->id);
+        const auto part = handles.find(pointer->id);
+        if (!whole && part == handles.end()) {
+            continue;
+        }
+        Shape shape = *pointer;
+        if (whole) {
+            mapShape(shape, map);
+        } else if (Status status = mapHandles(shape, part->second, map); !status.empty()) {
+            return status;
+        }
+        if (Diagnostics faults = checkShape(shape); !faults.empty()) {
+            return faults;
+        }
+        pointer = std::make_shared<const Shape>(std::move(shape));
+    }
+    for (const std::uint32_t k : selection.sources) {
+        if (k < next.spacing.sources.size()) {
+            next.spacing.sources[k] = mapped(next.spacing.sources[k], map);
+        }
+    }
+    for (const std::uint32_t k : selection.markers) {
+        if (k < next.regionMarkers.size()) {
+            next.regionMarkers[k].at = map(next.regionMarkers[k].at);
+        }
+    }
+    if (map.isTranslation()) {
+        moveFormulas(next, selection, map.shift);
+    }
+    return next;
+}
+
+Result<Document> copySelection(const Document &document, const Selection &selection, std::span<const PlaneMap> maps,
+                               Selection *copies) {
+    if (Status status = checkCopies(document, selection, maps.size()); !status.empty()) {
+        return status;
+    }
+    std::vector<Shape> shapes;
+    std::vector<CopiedItem> copied;
+    Selection fresh;
+    for (const PlaneMap &map : maps) {
+        if (Status status = checkMap(map); !status.empty()) {
+            return status;
+        }
+        for (const auto &shape : document.shapes) {
+            if (selection.shapes.contains(shape->id)) {
+                const std::uint32_t id = document.nextId + static_cast<std::uint32_t>(shapes.size());
+                fresh.shapes.insert(id);
+                copied.push_back({addressPrefix("shape", shape->id), addressPrefix("shape", id), shiftOf(map)});
+                shapes.push_back(*shape);
+                mapShape(shapes.back(), map);
+            }
+        }
+    }
+    Result<Document> next = addShapes(document, std::move(shapes));
+    if (!next) {
+        return next;
+    }
+    for (const PlaneMap &map : maps) {
+        for (const std::uint32_t k : selection.sources) {
+            if (k < document.spacing.sources.size()) {
+                const auto index = static_cast<std::uint32_t>(next->spacing.sources.size());
+                fresh.sources.insert(index);
+                copied.push_back({addressPrefix("source", k), addressPrefix("source", index), shiftOf(map)});
+                next->spacing.sources.push_back(mapped(document.spacing.sources[k], map));
+            }
+        }
+        for (const std::uint32_t k : selection.markers) {
+            if (k < document.regionMarkers.size()) {
+                const auto index = static_cast<std::uint32_t>(next->regionMarkers.size());
+                fresh.markers.insert(index);
+                copied.push_back({addressPrefix("region", k), addressPrefix("region", index), shiftOf(map)});
+                next->regionMarkers.push_back(document.regionMarkers[k]);
+                next->regionMarkers.back().at = map(document.regionMarkers[k].at);
+            }
+        }
+    }
+    for (const CopiedItem &item : copied) {
+        copyFormulas(*next, item.from, item.to);
+        shiftFormulas(*next, item.to, item.by);
+    }
+    pruneFormulas(*next); // turned and scaled items have other positions
+    if (copies != nullptr) {
+        *copies = std::move(fresh);
+    }
+    return next;
+}
+
+std::size_t alignableItems(const Selection &selection) {
+    return selection.shapes.empty() ? selection.nodes.size() : selection.shapes.size();
+}
+
+Result<Document> alignSelection(const Document &document, const Selection &selection, Alignment alignment) {
+    std::vector<Item> items = itemsOf(document, selection);
+    if (items.size() < 2) {
+        return tooFew("align", "at least two", items.size());
+    }
+    Box2 all;
+    for (const Item &item : items) {
+        all.add(item.box);
+    }
+    for (Item &item : items) {
+        item.by = aligning(item.box, all, alignment);
+    }
+    return moveEach(document, std::move(items));
+}
+
+Result<Document> distributeSelection(const Document &document, const Selection &selection, bool alongX) {
+    std::vector<Item> items = itemsOf(document, selection);
+    if (items.size() < 3) {
+        return tooFew("distribute", "at least three", items.size());
+    }
+    const auto low = [&](const Item &item) { return alongX ? item.box.min.x : item.box.min.y; };
+    const auto size = [&](const Item &item) { return alongX ? item.box.size().x : item.box.size().y; };
+    std::stable_sort(items.begin(), items.end(),
+                     [&](const Item &a, const Item &b) { return low(a) + 0.5 * size(a) < low(b) + 0.5 * size(b); });
+    double room = low(items.back()) - low(items.front());
+    for (std::size_t k = 0; k + 1 < items.size(); ++k) {
+        room -= size(items[k]);
+    }
+    const double gap = room / static_cast<double>(items.size() - 1);
+    double place = low(items.front());
+    for (std::size_t k = 0; k + 1 < items.size(); ++k) {
+        const double by = place - low(items[k]);
+        items[k].by = alongX ? Vec2{by, 0.0} : Vec2{0.0, by};
+        place += size(items[k]) + gap;
+    }
+    return moveEach(document, std::move(items));
+}
+
+Result<Document> linearArray(const Document &document, const Selection &selection, double count, Vec2 step,
+                             Selection *copies) {
+    if (Status status = checkCount(count); !status.empty()) {
+        return status;
+    }
+    if (!isFinite(step) || step == Vec2{}) {
+        return error("bad-number", "invalid step " + placeText(step) + "; expected finite numbers that are not both 0",
+                     "enter the distance from one copy to the next");
+    }
+    std::vector<PlaneMap> maps;
+    for (int k = 1; k < count; ++k) {
+        maps.push_back(PlaneMap::translation(1.0 * k * step));
+    }
+    return copySelection(document, selection, maps, copies);
+}
+
+Result<Document> polarArray(const Document &document, const Selection &selection, double count, Vec2 centre,
+                            double degrees, bool turns, Selection *copies) {
+    if (Status status = checkCount(count); !status.empty()) {
+        return status;
+    }
+    if (!(std::fabs(degrees) <= 360.0) || degrees == 0.0) {
+        return error("bad-number", "invalid angle " + numberText(degrees, 6) + "; expected -360 to 360 degrees, not 0",
+                     "enter an angle such as 90");
+    }
+    const double step = degrees / (std::fabs(degrees) == 360.0 ? count : count - 1.0);
+    const Vec2 middle = boundsOf(document, selection).centre();
+    std::vector<PlaneMap> maps;
+    for (int k = 1; k < count; ++k) {
+        const PlaneMap turn = PlaneMap::rotation(k * step, centre);
+        maps.push_back(turns ? turn : PlaneMap::translation(turn(middle) - middle));
+    }
+    return copySelection(document, selection, maps, copies);
+}
+
+} // namespace forefront

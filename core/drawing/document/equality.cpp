@@ -1,0 +1,22 @@
+#include "core/drawing/document/equality.hpp"
+
+#include "core/engine/spacing/part_list.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+bool sameDomain(const Document &a, const Document &b) {
+    return a.circleTolerance == b.circleTolerance && a.curveTolerance == b.curveTolerance &&
+           a.boundaryNames == b.boundaryNames && a.regionNames == b.regionNames && a.regionMarkers == b.regionMarkers &&
+           std::equal(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(),
+                      [](const auto &s, const auto &t) { return s == t || *s == *t; });
+}
+
+bool sameContent(const Document &a, const Document &b) {
+    return a.options == b.options && a.limits == b.limits && a.parameters == b.parameters && a.formulas == b.formulas &&
+           a.picture == b.picture && a.elementCounts == b.elementCounts && sameDomain(a, b) &&
+           sameContent(a.spacing, b.spacing);
+}
+
+} // namespace forefront

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+
+namespace forefront {
+
+/// Returns true if two documents describe the same domain: they have the same shapes (ids included), markers and names.
+bool sameDomain(const Document &a, const Document &b);
+
+/// Returns true if two documents have the same shapes (ids included), markers, names, spacing, options, limits
+/// and background picture, regardless of where they are in memory; ignores `nextId`.
+bool sameContent(const Document &a, const Document &b);
+
+} // namespace forefront

@@ -1,0 +1,152 @@
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/domain/domain_sources.hpp"
+#include "core/drawing/domain/refine_chords.hpp"
+#include "core/drawing/formulas/element_counts.hpp"
+#include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/ids.hpp"
+
+#include <bit>
+#include <unordered_map>
+
+namespace forefront {
+namespace {
+
+/// Exact coordinates as a key; 0.0 and -0.0 are equal.
+struct PlaceHash {
+    std::size_t operator()(Vec2 p) const {
+        const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0), y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+        std::uint64_t h = x * 0x9e3779b97f4a7c15ULL ^ std::rotl(y * 0xc2b2ae3d27d4eb4fULL, 31);
+        h ^= h >> 29;
+        return static_cast<std::size_t>(h * 0x165667b19e3779f9ULL);
+    }
+};
+
+/// Gives coinciding nodes the same index. Coordinates that are not finite never coincide; validation reports each.
+class NodeMerger {
+  public:
+    explicit NodeMerger(std::vector<Vec2> &nodes) : nodes_(nodes) {}
+
+    std::uint32_t add(Vec2 p) {
+        const auto next = static_cast<std::uint32_t>(nodes_.size());
+        if (isFinite(p)) {
+            const auto [place, fresh] = places_.emplace(p, next);
+            if (!fresh) {
+                return place->second;
+            }
+        }
+        nodes_.push_back(p);
+        return next;
+    }
+
+  private:
+    std::vector<Vec2> &nodes_;
+    std::unordered_map<Vec2, std::uint32_t, PlaceHash> places_;
+};
+
+/// Adds the shapes of a document to a domain; `sources` may be null.
+class DomainBuilder {
+  public:
+    DomainBuilder(const Document &document, DomainSources *sources)
+        : document_(document), sources_(sources), counted_(countedParts(document)), merger_(domain_.nodes) {}
+
+    Domain build() {
+        for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
+            const Shape &shape = *document_.shapes[number];
+            shape.kind == ShapeKind::Point ? addPoint(shape, number) : addOutline(shape, number);
+            addNodeSizes(shape);
+        }
+        domain_.regionMarkers = document_.regionMarkers;
+        domain_.boundaryNames = document_.boundaryNames;
+        domain_.regionNames = document_.regionNames;
+        domain_.curveTolerance = document_.curveTolerance;
+        if (flattened_) {
+            refineMeetingChords(domain_, sources_);
+        }
+        return std::move(domain_);
+    }
+
+  private:
+    std::uint32_t addNode(Vec2 at, const ShapeNode &source) {
+        const std::uint32_t id = merger_.add(at);
+        if (sources_ != nullptr && sources_->nodes.size() < domain_.nodes.size()) {
+            sources_->nodes.push_back(source);
+        }
+        return id;
+    }
+
+    void addPoint(const Shape &shape, std::uint32_t number) {
+        for (std::uint32_t k = 0; k < shape.nodes.size(); ++k) {
+            const std::uint32_t node = addNode(shape.nodes[k], {number, k});
+            if (k == 0 && shape.use == ShapeUse::Constraint) {
+                domain_.points.push_back({node, shape.tag});
+                if (sources_ != nullptr) {
+                    sources_->points.push_back({number, 0});
+                }
+            }
+        }
+    }
+
+    void addNodeSizes(const Shape &shape) {
+        const std::vector<Vec2> handles = shape.nodeSizes.empty() ? std::vector<Vec2>() : handlesOf(shape);
+        for (const auto &[node, part] : shape.nodeSizes) {
+            if (node < handles.size()) {
+                domain_.nodeSizes.push_back({handles[node], part.size, part.growth, nodeName(shape, node)});
+            }
+        }
+    }
+
+    void addOutline(const Shape &shape, std::uint32_t number) {
+        const Outline outline = outlineOf(shape);
+        const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
+        const std::vector<std::uint32_t> elements = elementsOfParts(document_, shape, counted_);
+        std::vector<std::uint32_t> ids;
+        ids.reserve(chords.nodes.size());
+        for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
+            const auto end = static_cast<std::uint32_t>(outline.segmentCount());
+            ids.push_back(addNode(chords.nodes[k], {number, k < chords.size() ? chords.segments[k] : end}));
+        }
+        const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
+        for (std::size_t k = 0; k < chords.size(); ++k) {
+            const std::uint32_t segment = chords.segments[k];
+            const bool given = segment < shape.cuts.size() && !shape.cuts[segment].empty();
+            flattened_ = flattened_ || (chords.stretches[k].follows() && !given);
+            CurveStretch stretch = chords.stretches[k];
+            if (stretch.follows()) {
+                if (stretch.t0 == 0.0) {
+                    domain_.curves.push_back(outline.curves[segment]);
+                }
+                stretch.curve = static_cast<std::uint32_t>(domain_.curves.size() - 1);
+            }
+            const std::size_t part = outline.part(segment);
+            domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1], segmentTag(shape, part), role,
+                                        stretch, part < elements.size() ? elements[part] : 0});
+            if (sources_ != nullptr) {
+                sources_->segments.push_back({number, segment});
+            }
+        }
+    }
+
+    const Document &document_;
+    DomainSources *sources_;
+    std::map<std::int32_t, PartSegments> counted_;
+    Domain domain_;
+    NodeMerger merger_;
+    bool flattened_ = false; ///< some chords were chosen here, regardless of what is near
+};
+
+} // namespace
+
+Domain toDomain(const Document &document) {
+    return DomainBuilder(document, nullptr).build();
+}
+
+Domain toDomain(const Document &document, DomainSources &sources) {
+    return DomainBuilder(document, &sources).build();
+}
+
+MeshingJob jobOf(const Document &document) {
+    return {toDomain(document), spacingOf(document), document.options};
+}
+
+} // namespace forefront

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/drawing/picking/pick_index.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+/// Returns what a selection that is dragged can snap to: other shapes, and of its own paths the segments that do not
+/// change and the nodes that are neither dragged nor next to a dragged one. Shapes dragged as a whole, and shapes whose
+/// handles depend on each other, are left out.
+PickIndex::Filter targetsOfDrag(const Document &document, const Selection &dragged);
+
+/// Returns the other ends of the straight segments that follow a dragged node.
+std::vector<Vec2> linesToNode(const Document &document, const Selection &dragged, NodeRef node);
+
+} // namespace forefront

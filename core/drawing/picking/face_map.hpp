@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/engine/base/ids.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/geometry/box_tree.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace forefront {
+
+struct DomainFaces;
+
+/// A face inside a domain.
+struct MappedFace {
+    double area = 0.0; ///< to its curves, without the holes in it
+    Box2 box;
+    std::int32_t tag = 1;            ///< of its region
+    std::uint32_t marker = kNoIndex; ///< its first region marker
+};
+
+/// A segment between two faces, or between a face and the outside.
+struct MappedEdge {
+    Vec2 a, b;
+    CurveStretch stretch;          ///< into Domain::curves
+    std::uint32_t left = kNoIndex; ///< face left of a->b; kNoIndex: outside
+    std::uint32_t right = kNoIndex;
+    double deviation = 0.0; ///< maximum distance between the segment and its curve
+};
+
+/// The faces inside a domain, to be drawn and picked. Immutable, so that threads can share it.
+class FaceMap {
+  public:
+    FaceMap() = default;
+    /// `faces`: those of the domain, which must be valid.
+    FaceMap(std::shared_ptr<const Domain> domain, const DomainFaces &faces);
+
+    std::span<const MappedFace> faces() const { return faces_; }
+    std::span<const MappedEdge> edges() const { return edges_; }
+    /// Returns the curve of an edge, or null.
+    const Curve *curveOf(const MappedEdge &edge) const {
+        return edge.stretch.follows() ? &domain_->curves[edge.stretch.curve] : nullptr;
+    }
+    /// Returns the face that contains a point, or kNoIndex.
+    std::uint32_t faceAt(Vec2 p) const;
+    /// Returns the face of a region marker, or kNoIndex.
+    std::uint32_t faceOf(const RegionMarker &marker) const { return faceAt(marker.at); }
+
+  private:
+    void addEdges(const DomainFaces &found, std::span<const std::uint32_t> numbers);
+    void measure();
+
+    std::shared_ptr<const Domain> domain_;
+    std::vector<MappedFace> faces_;
+    std::vector<MappedEdge> edges_;
+    BoxTree tree_; ///< of the edges
+};
+
+/// Returns the faces of a faulty domain after a repair, as fillRegion() finds them; a map without faces if that fails
+/// or the domain has many segments.
+std::shared_ptr<const FaceMap> repairedFaceMap(const Domain &domain, std::stop_token stop = {});
+
+/// Returns the faces of a domain, if necessary after a repair.
+std::shared_ptr<const FaceMap> faceMapOf(std::shared_ptr<const Domain> domain);
+
+} // namespace forefront

@@ -1,0 +1,192 @@
+#include "core/drawing/picking/pointer_snap.hpp"
+
+#include "core/drawing/picking/snap_points.hpp"
+#include "core/drawing/shapes/plane_map.hpp"
+
+#include <array>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Vec2 alongAngle(Vec2 anchor, Vec2 p, double degrees) {
+    const Vec2 ray = unitVector(degrees);
+    return anchor + std::max(0.0, dot(p - anchor, ray)) * ray;
+}
+
+/// Applies the locks to a place that has already snapped.
+Vec2 applyLocks(const SnapQuery &query, Vec2 p) {
+    const SnapLocks &locks = query.locks;
+    if (query.anchor) {
+        const Vec2 anchor = *query.anchor;
+        if (locks.angle) {
+            p = locks.distance ? anchor + *locks.distance * unitVector(*locks.angle)
+                               : alongAngle(anchor, p, *locks.angle);
+        } else if (locks.distance) {
+            const Vec2 arm = p - anchor;
+            const double reach = length(arm);
+            p = anchor + *locks.distance * (reach > 0.0 ? (1.0 / reach) * arm : Vec2{1.0, 0.0});
+        }
+    }
+    if (locks.x) {
+        p.x = *locks.x;
+    }
+    if (locks.y) {
+        p.y = *locks.y;
+    }
+    return p;
+}
+
+std::optional<Vec2> gridPoint(const SnapQuery &query) {
+    if (!(query.gridPitch > 0.0)) {
+        return std::nullopt;
+    }
+    const Vec2 point{std::round(query.at.x / query.gridPitch) * query.gridPitch,
+                     std::round(query.at.y / query.gridPitch) * query.gridPitch};
+    const double reach = std::min(query.tolerance, 0.35 * query.gridPitch);
+    return distance(point, query.at) <= reach ? std::optional(point) : std::nullopt;
+}
+
+} // namespace
+
+namespace {
+
+const char *wordOf(SnapKind kind) {
+    switch (kind) {
+    case SnapKind::Node:
+        return "node";
+    case SnapKind::Midpoint:
+        return "midpoint";
+    case SnapKind::Centre:
+        return "centre";
+    case SnapKind::Intersection:
+        return "intersection";
+    case SnapKind::Perpendicular:
+        return "perpendicular";
+    case SnapKind::Tangent:
+        return "tangent";
+    case SnapKind::Segment:
+        return "on line";
+    case SnapKind::Grid:
+        return "grid";
+    case SnapKind::Angle:
+        return "angle";
+    case SnapKind::Locked:
+        return "locked";
+    case SnapKind::None:
+        break;
+    }
+    return "";
+}
+
+/// Returns the direction from a to b in degrees, a multiple of `step` in [0, 360).
+double steppedDirection(Vec2 a, Vec2 b, double step) {
+    const Vec2 arm = b - a;
+    const double degrees = std::round(std::atan2(arm.y, arm.x) / kDegree / step) * step;
+    return degrees < 0.0 ? degrees + 360.0 : degrees >= 360.0 ? degrees - 360.0 : degrees + 0.0; // not -0
+}
+
+Snapped snapLocked(const PickIndex &index, const SnapQuery &query) {
+    // Coordinates that are not locked still snap: a typed distance points exactly at the node under the pointer.
+    SnapQuery free = query;
+    free.locks = {};
+    const Snapped target = snap(index, free);
+    Snapped locked{applyLocks(query, target.at), SnapKind::Locked};
+    locked.locks = query.locks;
+    locked.within = query.locks.x && query.locks.y ? SnapKind::None : target.kind;
+    if (query.locks.distance || query.locks.angle) {
+        locked.from = query.anchor;
+    }
+    return locked;
+}
+
+} // namespace
+
+Snapped lockedAt(Vec2 place) {
+    Snapped locked{place, SnapKind::Locked};
+    locked.locks.x = place.x;
+    locked.locks.y = place.y;
+    return locked;
+}
+
+std::string wordsOf(const Snapped &snapped) {
+    if (snapped.kind == SnapKind::Angle) {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "angle %.4g\xc2\xb0", snapped.degrees);
+        return text.data();
+    }
+    if (snapped.kind != SnapKind::Locked) {
+        return wordOf(snapped.kind);
+    }
+    std::string words;
+    const SnapLocks &locks = snapped.locks;
+    for (const auto &[lock, name] : {std::pair(locks.x, "x"), std::pair(locks.y, "y"),
+                                     std::pair(locks.distance, "length"), std::pair(locks.angle, "angle")}) {
+        if (lock) {
+            words += (words.empty() ? "" : ", ") + std::string(name);
+        }
+    }
+    words += words.empty() ? "locked" : " locked";
+    return snapped.within == SnapKind::None ? words : words + ", " + wordOf(snapped.within);
+}
+
+Snapped snap(const PickIndex &index, const SnapQuery &query) {
+    if (query.locks.any()) {
+        return snapLocked(index, query);
+    }
+    if (query.off) {
+        return {query.at};
+    }
+    if (query.angle && query.anchor && query.at != *query.anchor) {
+        Snapped turned{{}, SnapKind::Angle};
+        turned.degrees = steppedDirection(*query.anchor, query.at, query.angleStep);
+        turned.at = alongAngle(*query.anchor, query.at, turned.degrees);
+        turned.from = query.anchor;
+        return turned;
+    }
+    if (const auto node = index.node(query.at, query.tolerance, query.filter)) {
+        const Shape *const shape = findShape(index.document(), node->ref.shape);
+        const bool centre = isCentre(*shape, node->ref.node);
+        const bool side = shape->kind == ShapeKind::Slot && !centre;
+        return {node->at, centre ? SnapKind::Centre : side ? SnapKind::Midpoint : SnapKind::Node};
+    }
+    if (const auto special = specialPoint(index, query)) {
+        return *special;
+    }
+    if (const auto segment = index.segment(query.at, query.tolerance, query.filter)) {
+        return {segment->at, SnapKind::Segment, segment};
+    }
+    if (const auto point = gridPoint(query)) {
+        return {*point, SnapKind::Grid};
+    }
+    return {query.at};
+}
+
+double gridPitch(double unitsPerPixel, double minPixels) {
+    const double minimum = unitsPerPixel * minPixels;
+    if (!(minimum > 0.0) || !std::isfinite(minimum)) {
+        return 0.0;
+    }
+    const double decade = std::pow(10.0, std::floor(std::log10(minimum)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= minimum) {
+            return step * decade;
+        }
+    }
+    return 10.0 * decade;
+}
+
+double steppedPitch(double step, double unitsPerPixel) {
+    constexpr double kLeastPixels = 6.0;
+    if (!(step > 0.0) || !std::isfinite(step)) {
+        return gridPitch(unitsPerPixel);
+    }
+    const double coarser = gridPitch(unitsPerPixel / step, kLeastPixels);
+    return coarser > 1.0 ? step * coarser : step;
+}
+
+} // namespace forefront

@@ -1,0 +1,45 @@
+#include "core/drawing_files/documents.hpp"
+
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/domain/hole_markers.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "core/files/format.hpp"
+#include "core/files/read_file.hpp"
+
+namespace forefront {
+namespace {
+
+/// Reports hole markers that a drawing cannot keep: holes in it are loops inside others.
+void noteHoleMarkers(const Domain &domain, const SourceText &source) {
+    const std::vector<Vec2> idle = idleHoleMarkers(domain);
+    if (!idle.empty()) {
+        source.note("hole-outside",
+                    (idle.size() == 1
+                         ? "left out 1 hole marker that lies in no hole, at "
+                         : "left out " + std::to_string(idle.size()) + " hole markers that lie in no hole, first at ") +
+                        placeText(idle.front()) + "; a loop inside another is a hole",
+                    0);
+    }
+}
+
+Result<Document> documentFrom(const Format &format, const SourceText &source) {
+    if (format.about.id == std::string_view("project")) {
+        return readProjectText(source);
+    }
+    const auto domain = domainFrom(format, source);
+    if (!domain) {
+        return domain.faults();
+    }
+    noteHoleMarkers(*domain, source);
+    return fromDomain(*domain);
+}
+
+} // namespace
+
+Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return readFile<Document>(
+        allFormats(), path, options, notes, [](const Format &format) { return format.canReadDomain(); }, documentFrom);
+}
+
+} // namespace forefront

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+
+#include <filesystem>
+
+namespace FOREFRONT_API forefront {
+
+/// Reads a project file, or the domain of any other format as a drawing: GeoJSON, TopoJSON, SVG, .poly, or the outline
+/// of a mesh. Parameters and faults as for FormatList.
+Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {},
+                              ImportNotes *notes = nullptr);
+
+} // namespace forefront

@@ -1,0 +1,79 @@
+#include "core/drawing_files/drawing_formats.hpp"
+
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/common/reorder_origin.hpp"
+#include "core/drawing_files/geojson/geojson.hpp"
+#include "core/drawing_files/geojson/topojson.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/files/format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+/// Reads a drawing or map, and orders its segments by chains as the editor does, so that it meshes the same in the
+/// editor and in batch.
+template <Result<Domain> (*Read)(const SourceText &)>
+Result<Domain> readAsDrawn(const SourceText &source) {
+    Result<Domain> domain = Read(source);
+    if (!domain) {
+        return domain;
+    }
+    Domain drawn = toDomain(fromDomain(*domain));
+    if (source.origin != nullptr) {
+        reorderOrigin(*domain, drawn, *source.origin);
+    }
+    return drawn;
+}
+
+Result<Domain> readProjectDomain(const SourceText &source) {
+    const auto document = readProjectText(source);
+    return document ? Result<Domain>(toDomain(*document)) : document.faults();
+}
+
+// The formats of drawings with their names, capabilities and functions, in the order of menus.
+constexpr std::array kDrawings = {
+    Format{.about = {"project", "Forefront project", ".json", true, false, false},
+           .otherExtensions = ".forefront",
+           .recognise = looksLikeProject,
+           .readDomain = readProjectDomain,
+           .readSpacing = readProjectSpacing},
+    Format{.about = {"geojson", "GeoJSON", ".geojson", true, false, false, true},
+           .otherExtensions = ".json",
+           .recognise = looksLikeGeoJson,
+           .mayShowLate = true,
+           .readDomain = readAsDrawn<readGeoJson>},
+    Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, true},
+           .otherExtensions = ".json",
+           .recognise = looksLikeTopoJson,
+           .mayShowLate = true,
+           .readDomain = readAsDrawn<readTopoJson>},
+};
+
+/// Returns the formats of drawings, then those of the engine. SVG is one of both: the drawing library reads it.
+std::vector<Format> everyFormat() {
+    std::vector<Format> list(kDrawings.begin(), kDrawings.end());
+    for (Format format : engineFormats().formats()) {
+        if (format.about.id == std::string_view("svg")) {
+            format.about.readsDomain = format.about.arranges = true;
+            format.recognise = looksLikeSvg;
+            format.readDomain = readAsDrawn<readSvg>;
+        }
+        list.push_back(format);
+    }
+    return list;
+}
+
+} // namespace
+
+const FormatList &allFormats() {
+    static const std::vector<Format> kFormats = everyFormat();
+    static const FormatList kList(kFormats);
+    return kList;
+}
+
+} // namespace forefront

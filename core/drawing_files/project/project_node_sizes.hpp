@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/files/json/json_check.hpp"
+#include "core/files/json/json_text.hpp"
+
+namespace forefront {
+
+/// Writes the member "nodeSizes" of a shape, if there are any.
+void writeNodeSizes(const Shape &shape, JsonText &out);
+/// Reads the member "nodeSizes" of a shape, which must have its nodes.
+void readNodeSizes(const JsonValue &item, Shape &shape, JsonCheck &check);
+
+} // namespace forefront

@@ -1,0 +1,486 @@
+#include "core/drawing_files/common/drawing_builder.hpp"
+#include "core/drawing_files/svg/areas/svg_background.hpp"
+#include "core/drawing_files/svg/areas/svg_ends.hpp"
+#include "core/drawing_files/svg/areas/svg_regions.hpp"
+#include "core/drawing_files/svg/areas/svg_repeats.hpp"
+#include "core/drawing_files/svg/areas/svg_stroke_areas.hpp"
+#include "core/drawing_files/svg/drawing/svg_drawing.hpp"
+#include "core/drawing_files/svg/svg.hpp"
+#include "core/drawing_files/svg/xml/svg_names.hpp"
+#include "core/files/common/tag_allocator.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kMaxStroke = 1.0 / 16.0; ///< of the drawing size: the widest stroke that may repeat an outline
+
+bool isLoop(const SvgPath &path) {
+    return path.closed && path.nodes.size() > 2;
+}
+
+/// The role of an SVG path in the domain.
+enum class Part : std::uint8_t { Painted, Stroke, Outline, Line, LeftOut, Nothing };
+
+class SvgBuilder {
+  public:
+    SvgBuilder(SvgPaths drawing, const SourceText &source)
+        : source_(source), paths_(std::move(drawing.paths)), clips_(std::move(drawing.clips)), builder_(source),
+          strokes_(builder_, drawing.size, drawing.tolerance, source.options.shapeRegions), size_(drawing.size),
+          anyPainted_(drawing.cropsFill) {
+        // A path of a single node that is not closed was never drawn; other paths may end up as dots.
+        std::erase_if(paths_, [](const SvgPath &path) { return path.nodes.size() < 2 && !path.closed; });
+        for (SvgPath &path : paths_) {
+            if (path.painted() || !path.strokeArea) { // a stroke may turn back where two nodes are left
+                joinEnds(path, drawing.size);
+            }
+        }
+        for (SvgClip &clip : clips_) {
+            for (SvgPath &part : clip.parts) {
+                joinEnds(part, drawing.size);
+            }
+        }
+        for (const SvgPath &path : paths_) {
+            regions_.reserve(path.name);
+            anyPainted_ = anyPainted_ || path.covers();
+            anyStroked_ = anyStroked_ || (path.paint.stroked && path.nodes.size() > 1);
+        }
+    }
+
+    Result<Domain> run() {
+        dropRepeatedOutlines();
+        const std::uint32_t feature = builder_.addFeature(1);
+        chooseRules();
+        source_.found(contents());
+        addClips();
+        for (SvgPath &path : paths_) {
+            const Part part = partOf(path);
+            const std::int32_t tag = part == Part::Nothing ? 0 : tags_.of(path.name);
+            builder_.from({path.offset});
+            noteReading(path, part);
+            if (path.strokeArea) {
+                if (!strokes_.add(path, shapeOf(feature, path), tag)) {
+                    return Diagnostics{faultAt(source_, path.offset, "too-large", "the strokes need too many nodes",
+                                               "leave out strokes or dashes, or read strokes as lines")};
+                }
+            }
+            if (part != Part::Stroke) {
+                builder_.addCurves(path.curves, path.stretches); // renumbers the stretches
+            }
+            switch (part) {
+            case Part::Painted:
+                if (painted_ != path.element) {
+                    painted_ = path.element;
+                    contour_ = builder_.addContour(shapeOf(feature, path), path.paint.rule);
+                }
+                builder_.addRing(contour_, path.nodes, tag, path.stretches);
+                if (path.paint.stroked && !path.strokeArea && !path.closed && !source_.options.dropLines) {
+                    builder_.addChain(path.nodes, tag, path.stretches, path.limit, widthOf(path));
+                }
+                break;
+            case Part::Outline:
+                builder_.addRing(outlineContour(feature, path.limit), path.nodes, tag, path.stretches);
+                break;
+            case Part::Line:
+                addLine(path, tag);
+                break;
+            case Part::Stroke:
+            case Part::LeftOut:
+            case Part::Nothing:
+                break;
+            }
+        }
+        strokes_.finish(feature);
+        Result<Domain> domain = builder_.finish();
+        if (domain) {
+            domain->boundaryNames = usedNames(*domain);
+            domain->regionNames = regions_.namesIn(*domain);
+            domain->curveTolerance = source_.options.curveTolerance;
+        }
+        return domain;
+    }
+
+    /// Returns the paths as shapes that share no nodes.
+    Result<Domain> runApart() {
+        dropRepeatedOutlines();
+        std::vector<Part> parts;
+        for (const SvgPath &path : paths_) {
+            parts.push_back(partOf(path));
+        }
+        const auto isArea = [](Part part) { return part == Part::Painted || part == Part::Outline; };
+        if (std::none_of(parts.begin(), parts.end(), isArea)) {
+            return run();
+        }
+        Domain domain;
+        std::set<const SvgPath *, SameNodes> added;
+        for (const bool areas : {true, false}) { // an outline rather than a line that is drawn along it
+            for (std::size_t k = 0; k < paths_.size(); ++k) {
+                const bool unused = parts[k] == Part::Nothing || parts[k] == Part::LeftOut;
+                if (unused ? areas : isArea(parts[k]) != areas) {
+                    continue;
+                }
+                noteReading(paths_[k], parts[k]);
+                noteClips(paths_[k]);
+                if (unused) {
+                    continue;
+                }
+                if (!added.insert(&paths_[k]).second) {
+                    noteRepeated(paths_[k]);
+                    continue;
+                }
+                if (parts[k] == Part::Painted && std::exchange(painted_, paths_[k].element) != paths_[k].element &&
+                    !domain.nodes.empty()) {
+                    source_.note("svg-shapes", "filled shapes are kept apart: one inside another is a hole",
+                                 paths_[k].offset);
+                }
+                addApart(paths_[k], areas, domain);
+            }
+        }
+        domain.boundaryNames = tags_.names();
+        domain.curveTolerance = source_.options.curveTolerance;
+        return domain;
+    }
+
+  private:
+    /// Orders paths; those with the same nodes are equal.
+    struct SameNodes {
+        bool operator()(const SvgPath *a, const SvgPath *b) const {
+            return std::lexicographical_compare(a->nodes.begin(), a->nodes.end(), b->nodes.begin(), b->nodes.end(),
+                                                comesBefore);
+        }
+    };
+
+    /// Removes outlines that lie on another one: by the even-odd rule, each pair would cancel out.
+    void dropRepeatedOutlines() {
+        if (source_.options.strict) { // what cancels out is refused
+            return;
+        }
+        const auto isOutline = [&](const SvgPath &path) { return partOf(path) == Part::Outline; };
+        const std::vector<std::uint8_t> repeated = findRepeatedPaths(paths_, isOutline, kSameNode * size_);
+        std::vector<SvgPath> kept;
+        for (std::size_t k = 0; k < paths_.size(); ++k) {
+            if (repeated[k] != 0) {
+                noteRepeated(paths_[k]);
+            } else {
+                kept.push_back(std::move(paths_[k]));
+            }
+        }
+        paths_ = std::move(kept);
+    }
+
+    void noteRepeated(const SvgPath &path) const {
+        source_.note("svg-duplicate", "shapes that lie exactly on another one are left out", path.offset);
+    }
+
+    /// Adds a path with nodes of its own.
+    void addApart(const SvgPath &path, bool area, Domain &domain) {
+        const bool closed = path.nodes.size() > 2 && (area || path.closed);
+        const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+        const auto firstCurve = static_cast<std::uint32_t>(domain.curves.size());
+        const std::int32_t tag = tags_.of(path.name);
+        domain.curves.insert(domain.curves.end(), path.curves.begin(), path.curves.end());
+        domain.nodes.push_back(path.nodes.front());
+        for (std::size_t k = 0; k + (closed ? 0 : 1) < path.nodes.size(); ++k) {
+            const bool back = k + 1 == path.nodes.size();
+            const Vec2 to = back ? path.nodes.front() : path.nodes[k + 1];
+            if (to == domain.nodes.back()) {
+                continue;
+            }
+            const auto from = static_cast<std::uint32_t>(domain.nodes.size() - 1);
+            CurveStretch stretch = k < path.stretches.size() ? path.stretches[k] : CurveStretch{};
+            stretch.curve += stretch.follows() ? firstCurve : 0;
+            if (!back) {
+                domain.nodes.push_back(to);
+            }
+            domain.segments.push_back(
+                {from, back ? first : from + 1, tag, area ? SegmentRole::Boundary : SegmentRole::Constraint, stretch});
+        }
+        if (domain.nodes.size() == first + 1) { // all of it in one place
+            domain.nodes.pop_back();
+        }
+    }
+
+    static constexpr auto kNone = static_cast<std::size_t>(-1);
+
+    /// Adds the clips that limit something, with the indices that the paths refer to.
+    void addClips() {
+        std::vector<std::uint8_t> used(clips_.size(), 0);
+        std::vector<std::uint32_t> open;
+        const auto use = [&](std::uint32_t clip) {
+            if (clip != kNoClip && std::exchange(used[clip], 1) == 0) {
+                open.push_back(clip);
+            }
+        };
+        std::for_each(paths_.begin(), paths_.end(), [&](const SvgPath &path) { use(path.limit); });
+        while (!open.empty()) {
+            const SvgClip &clip = clips_[open.back()];
+            open.pop_back();
+            use(clip.within);
+            std::for_each(clip.parts.begin(), clip.parts.end(), [&](const SvgPath &part) { use(part.limit); });
+        }
+        for (const SvgClip &clip : clips_) {
+            builder_.addClip(clip.within);
+        }
+        for (std::uint32_t clip = 0; clip < clips_.size(); ++clip) {
+            if (used[clip] != 0) {
+                addParts(clip);
+            }
+        }
+    }
+
+    void addParts(std::uint32_t clip) {
+        std::size_t element = kNone;
+        std::uint32_t contour = 0;
+        for (SvgPath &part : clips_[clip].parts) {
+            if (part.nodes.size() < 3) {
+                continue;
+            }
+            builder_.from({part.offset});
+            builder_.addCurves(part.curves, part.stretches);
+            if (std::exchange(element, part.element) != part.element) {
+                contour = builder_.addContour(builder_.addClipPart(clip, part.limit, part.removes), part.paint.rule);
+            }
+            const std::int32_t tag = tags_.of(part.name);
+            clipTags_.insert(tag);
+            builder_.addRing(contour, part.nodes, tag, part.stretches);
+        }
+    }
+
+    /// Returns the contour of all outlines that a clip limits; they are one shape.
+    std::uint32_t outlineContour(std::uint32_t feature, std::uint32_t limit) {
+        const auto [known, added] = outlineContours_.try_emplace(limit, 0);
+        if (added) {
+            known->second = builder_.addContour(builder_.addShape(feature, {}, limit), FillRule::EvenOdd);
+        }
+        return known->second;
+    }
+
+    /// Returns the names of boundary parts, without those of clips that bound nothing.
+    std::map<std::int32_t, std::string> usedNames(const Domain &domain) const {
+        std::set<std::int32_t> unused = clipTags_;
+        for (const SvgPath &path : paths_) {
+            if (const auto tag = tags_.find(path.name)) {
+                unused.erase(*tag);
+            }
+        }
+        for (const DomainSegment &segment : domain.segments) {
+            unused.erase(segment.tag);
+        }
+        std::map<std::int32_t, std::string> names = tags_.names();
+        for (const std::int32_t tag : unused) {
+            names.erase(tag);
+        }
+        return names;
+    }
+
+    /// Reports, for shapes that are kept apart, that clips do not limit them.
+    void noteClips(const SvgPath &path) {
+        for (std::uint32_t limit = path.limit; limit != kNoClip; limit = clips_[limit].within) {
+            if (clips_[limit].kind == SvgClipKind::ClipPath) {
+                source_.note("svg-clip-path", "clip paths are ignored: clipped shapes are imported in full",
+                             path.offset);
+            } else if (clips_[limit].kind != SvgClipKind::Viewport) {
+                source_.note("svg-mask", "masks are ignored: masked shapes are imported in full", path.offset);
+            }
+        }
+    }
+
+    /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
+    /// strokes are outlines. Closed paths with neither, such as the frames of icons, count only if there are no such
+    /// shapes or strokes.
+    Part partOf(const SvgPath &path) const {
+        if (path.painted()) {
+            return Part::Painted;
+        }
+        if (path.strokeArea) {
+            return Part::Stroke;
+        }
+        if (path.nodes.size() < 2) {
+            return Part::Nothing;
+        }
+        const bool loop = isLoop(path);
+        if (loop && !path.paint.stroked && (anyPainted_ || anyStroked_)) {
+            return Part::Nothing;
+        }
+        if (!anyPainted_) {
+            return loop ? Part::Outline : Part::Line;
+        }
+        return source_.options.dropLines ? Part::LeftOut : Part::Line;
+    }
+
+    /// Returns what options change, whether or not they are set.
+    DrawingContents contents() const {
+        DrawingContents contents;
+        std::size_t last = kNone;
+        for (const SvgPath &path : paths_) {
+            const Part part = partOf(path);
+            contents.lines = contents.lines || (anyPainted_ && (part == Part::Line || part == Part::LeftOut));
+            if (path.covers() && std::exchange(last, path.element) != path.element) {
+                ++contents.filledShapes;
+            }
+        }
+        return contents;
+    }
+
+    /// Tells the builder whether shapes are regions and whether lines may bound the domain.
+    void chooseRules() {
+        if (!anyPainted_) {
+            builder_.letLinesBound();
+            if (source_.options.shapeRegions && !paths_.empty()) {
+                source_.note("svg-regions", "nothing is filled: there are no shapes to make regions of",
+                             paths_.front().offset);
+            }
+        } else if (source_.options.shapeRegions) {
+            builder_.layer();
+            builder_.markRegions();
+        } else {
+            noteMergedShapes();
+            strokes_.setBackground(noteBackground(source_, paths_, clips_));
+        }
+    }
+
+    /// Reports that shapes with names of their own are merged.
+    void noteMergedShapes() {
+        std::string_view name;
+        for (const SvgPath &path : paths_) {
+            if (!path.painted() || isGeneratedName(path.name)) {
+                continue;
+            }
+            if (!name.empty() && path.name != name) {
+                source_.note("svg-regions",
+                             "filled shapes with different names are one region; --shape-regions makes each a region",
+                             path.offset);
+                return;
+            }
+            name = path.name;
+        }
+    }
+
+    /// Reports, once per element, how it is read if that differs from how it looks.
+    void noteReading(const SvgPath &path, Part part) {
+        const bool loop = isLoop(path);
+        const bool first = std::exchange(noted_, path.element) != path.element;
+        if (!first || path.nodes.size() < 2) {
+            return;
+        }
+        if (part == Part::Outline) {
+            source_.note("svg-outlines",
+                         "nothing is filled: closed lines are outlines, and a closed line inside another is a hole",
+                         path.offset);
+        } else if (part == Part::Nothing) {
+            source_.note(
+                "svg-unpainted",
+                "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke; an "
+                "outline needs one",
+                path.offset);
+        } else if (part == Part::Line && loop) {
+            source_.note("svg-unfilled",
+                         "shapes without fill are read as lines, because other shapes are filled; "
+                         "--drop-lines leaves them out",
+                         path.offset);
+        } else if (part == Part::LeftOut) {
+            source_.note("dropped-lines", "lines are left out", path.offset);
+            return;
+        }
+        if (path.drawnAsLine() && path.nodes.size() > 2) {
+            source_.note("svg-polyline",
+                         "polylines with a stroke and the default fill are read as lines, although renderers fill them",
+                         path.offset);
+        }
+        if (path.paint.stroked && part != Part::Nothing && !path.strokeArea) {
+            source_.note(kStrokeNote,
+                         source_.options.strokeAreas
+                             ? "strokes that do not scale with the drawing are read as lines"
+                             : "strokes are not meshed: shapes end at the middle of their stroke; --stroke-areas "
+                               "meshes what strokes paint",
+                         path.offset);
+        }
+    }
+
+    /// Returns the width of a stroke that may repeat an outline, which is limited for drawings in small units whose
+    /// strokes have the default width of 1. Lines with a name of their own are kept.
+    double widthOf(const SvgPath &path) const {
+        return isGeneratedName(path.name) ? std::min(path.strokeWidth, kMaxStroke * size_) : 0.0;
+    }
+
+    /// Returns the shape of a path's element: what it fills, and what its stroke paints. It belongs to the feature that
+    /// is given, or is one of its own.
+    std::uint32_t shapeOf(std::uint32_t feature, const SvgPath &path) {
+        if (std::exchange(shaped_, path.element) != path.element) {
+            const bool apart = source_.options.shapeRegions;
+            shape_ = builder_.addShape(apart ? builder_.addFeature(regions_.tagOf(path.name), path.name) : feature,
+                                       path.name, path.limit);
+        }
+        return shape_;
+    }
+
+    void addLine(const SvgPath &path, std::int32_t tag) {
+        std::vector<Vec2> nodes = path.nodes;
+        if (path.closed && nodes.size() > 2) {
+            nodes.push_back(nodes.front());
+        }
+        builder_.addChain(nodes, tag, path.stretches, path.limit, widthOf(path));
+    }
+
+    const SourceText &source_;
+    std::vector<SvgPath> paths_;
+    std::vector<SvgClip> clips_;
+    DrawingBuilder builder_;
+    StrokeAreas strokes_;
+    TagAllocator tags_;
+    SvgRegions regions_; ///< used if every filled shape is a region
+    double size_;        ///< diagonal of what is visible
+    bool anyPainted_;
+    bool anyStroked_ = false;
+    std::size_t shaped_ = kNone; ///< the element of the last shape
+    std::uint32_t shape_ = 0;
+    std::size_t painted_ = kNone; ///< the element of the last contour
+    std::size_t noted_ = kNone;   ///< the element of the last path
+    std::uint32_t contour_ = 0;
+    std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
+    std::set<std::int32_t> clipTags_;
+};
+
+} // namespace
+
+bool looksLikeSvg(std::string_view head) {
+    constexpr std::string_view kRoot = "svg";
+    for (std::size_t at = head.find(kRoot); at != std::string_view::npos; at = head.find(kRoot, at + 1)) {
+        const std::size_t begin = head.substr(0, at).find_last_of("<>\"' \t\r\n");
+        const bool opens = begin != std::string_view::npos && head[begin] == '<';
+        if (opens && (begin + 1 == at || head[at - 1] == ':')) {
+            return true; // <svg or <prefix:svg
+        }
+    }
+    return false;
+}
+
+Result<Domain> readSvg(const SourceText &source) {
+    Result<SvgPaths> drawing = drawnPaths(source);
+    if (!drawing) {
+        return drawing.faults();
+    }
+    return SvgBuilder(std::move(*drawing), source).run();
+}
+
+Result<Domain> readSvgShapes(const SourceText &source) {
+    SourceText whole = source;
+    whole.options.beyondPage = true;
+    Result<SvgPaths> drawing = drawnPaths(whole);
+    if (!drawing) {
+        return drawing.faults();
+    }
+    return SvgBuilder(std::move(*drawing), source).runApart();
+}
+
+} // namespace forefront

@@ -1,0 +1,160 @@
+#include "core/engine/adapt/adaptive_meshing.hpp"
+
+#include "core/engine/base/cancelled.hpp"
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/spacing/parts/expression/expression.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kNear = 1.3;    ///< the aim is corrected within this multiple of the target
+constexpr double kMargin = 0.98; ///< factor on the corrected aim
+
+/// Returns a progress that prefixes stages with the name of the round. `progress` must outlive it.
+Progress progressOfRound(const Progress &progress, int round) {
+    Progress named;
+    named.stop = progress.stop;
+    if (progress.report) {
+        named.report = [&progress, name = "mesh " + std::to_string(round) + ": "](std::string_view stage, double part) {
+            progress.report(name + std::string(stage), part);
+        };
+    }
+    return named;
+}
+
+/// Records the error of the mesh of the outcome, and reports it.
+void addRound(AdaptOutcome &outcome, const Mesh &mesh, const std::vector<double> &values, const ErrorEstimate &estimate,
+              const AdaptReport &report) {
+    outcome.rounds.push_back({mesh.nodes.size(), mesh.elements.size(), estimate.relative()});
+    if (report) {
+        report(outcome.rounds.size() - 1, outcome.rounds.back(), {mesh, values, estimate, outcome.spacing});
+    }
+}
+
+/// Makes the next mesh of the outcome: with the spacing that meets a target according to the estimate on `mesh`, which
+/// may be that of the outcome. Returns the faults.
+Diagnostics remesh(AdaptOutcome &outcome, const Domain &domain, const Mesh &mesh, const ErrorEstimate &estimate,
+                   const AdaptTarget &target, const MeshingOptions &options, const Progress &progress) {
+    Result<SpacingSpec> spacing = adaptedSpacing(mesh, estimate, target, progress);
+    if (!spacing) {
+        return spacing.faults();
+    }
+    MeshingJob job{domain, std::move(*spacing), options};
+    Result<MeshingOutcome> next = meshDomain(job, progress);
+    if (!next) {
+        return next.faults();
+    }
+    outcome.spacing = std::move(job.spacing);
+    outcome.mesh = std::move(next->mesh);
+    return {};
+}
+
+/// Returns true if each of the last two meshes is far finer than the previous one and no better. One such mesh is not
+/// enough: the first meshes may have missed features that a finer one shows.
+bool stalls(const std::vector<AdaptRound> &rounds) {
+    constexpr double kFiner = 1.5, kBetter = 0.97;
+    if (rounds.size() < 3) {
+        return false;
+    }
+    for (std::size_t i = rounds.size() - 2; i < rounds.size(); ++i) {
+        if (static_cast<double>(rounds[i].elements) < kFiner * static_cast<double>(rounds[i - 1].elements) ||
+            rounds[i].error < kBetter * rounds[i - 1].error) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+Result<NodalField> expressionField(const std::string &expression) {
+    Result<ExpressionProgram> program = compileExpression(expression);
+    if (!program) {
+        return program.faults();
+    }
+    const auto shared = std::make_shared<const ExpressionProgram>(std::move(*program));
+    return NodalField([shared](const Mesh &mesh, const Progress &progress) -> Result<std::vector<double>> {
+        constexpr std::size_t kBatch = 4096;
+        std::vector<double> values(mesh.nodes.size());
+        for (std::size_t first = 0; first < values.size(); first += kBatch) {
+            if (progress.cancelled()) {
+                return cancelled("evaluating the field");
+            }
+            progress("evaluating the field", static_cast<double>(first) / static_cast<double>(values.size()));
+            const std::size_t count = std::min(kBatch, values.size() - first);
+            shared->evaluateMany(std::span(mesh.nodes).subspan(first, count), std::span(values).subspan(first, count));
+        }
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            if (!std::isfinite(values[n])) {
+                Diagnostics faults = error("expression-value", "the field is not finite at a node",
+                                           "choose an expression that is finite everywhere in the domain");
+                faults.front().at = mesh.nodes[n];
+                return faults;
+            }
+        }
+        return values;
+    });
+}
+
+Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+                           int maxRounds, const MeshingOptions &options, const Progress &progress,
+                           const AdaptReport &report) {
+    AdaptOutcome outcome;
+    outcome.mesh = std::move(mesh);
+    AdaptTarget aim = target;
+    for (int round = 0;; ++round) {
+        const Progress inRound = progressOfRound(progress, round);
+        const Result<std::vector<double>> values = field(outcome.mesh, inRound);
+        if (!values) {
+            return values.faults();
+        }
+        if (values->size() != outcome.mesh.nodes.size() ||
+            !std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
+            return error("field-value", "the field is not finite at every node of the mesh",
+                         "check that the solver converges on this mesh");
+        }
+        const Result<ErrorEstimate> estimate = estimateError(outcome.mesh, *values, inRound);
+        if (!estimate) {
+            return estimate.faults();
+        }
+        const double reached = estimate->relative();
+        addRound(outcome, outcome.mesh, *values, *estimate, report);
+        outcome.met = reached <= target.error;
+        outcome.stalled = !outcome.met && stalls(outcome.rounds);
+        if (round >= 1 && (outcome.met || outcome.stalled || round >= maxRounds)) {
+            return outcome;
+        }
+        // Meshes near the target tend to miss the aim by the same small amount.
+        if (round >= 1 && reached < kNear * target.error) {
+            aim.error *= kMargin * target.error / reached;
+        }
+        const Diagnostics faults = remesh(outcome, domain, outcome.mesh, *estimate, aim, options, inRound);
+        if (!faults.empty()) {
+            return faults;
+        }
+    }
+}
+
+Result<AdaptOutcome> adaptOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
+                               const AdaptReport &report) {
+    AdaptOutcome outcome;
+    const Result<ErrorEstimate> estimate = estimateError(mesh, values, progress);
+    if (!estimate) {
+        return estimate.faults();
+    }
+    addRound(outcome, mesh, values, *estimate, report);
+    const Diagnostics faults = remesh(outcome, domain, mesh, *estimate, target, options, progress);
+    if (!faults.empty()) {
+        return faults;
+    }
+    return outcome;
+}
+
+} // namespace forefront

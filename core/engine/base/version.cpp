@@ -1,0 +1,9 @@
+#include "core/engine/base/version.hpp"
+
+namespace forefront {
+
+const char *version() {
+    return FOREFRONT_VERSION;
+}
+
+} // namespace forefront

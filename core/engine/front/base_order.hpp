@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/engine/front/generation_front.hpp"
+
+#include <array>
+#include <vector>
+
+namespace forefront {
+
+/// Selects the next base: the shortest segment of the lowest failure class, ties by serial.
+///
+/// On a large front the shortest segments are scattered, and their surroundings would not be in the caches. So segments
+/// that were never deferred are taken in batches by age: lengths count as equal if their first five binary digits are
+/// the same, hence within 1/16, and of equal ones the oldest batch comes first, with its shortest segment first. A
+/// batch is a number of consecutive segments that fit in a cache; up to about 10,000 elements there is only one. On
+/// Lo's rows this lowers the exponent of the cost in Ne from 1.05 to 1.035 at the same quality; α of a uniform disc of
+/// 1e6 elements falls from .997 to .995.
+///
+/// There is one binary heap for each length class, so that its depth does not grow with Γ. Entries of segments that are
+/// gone or were deferred since are skipped. The result depends on Γ alone, not on the history of the heaps, so stepping
+/// back only needs to offer the restored segments again.
+class BaseOrder {
+  public:
+    /// Offers every segment of the front.
+    void rebuild(const GenerationFront &front);
+    /// Adds a segment.
+    void offer(const GenerationFront &front, SlotId id);
+    /// Removes and returns the next base; kNoSlot when Γ = ∅.
+    SlotId take(const GenerationFront &front);
+    /// Returns the next base without removing it.
+    SlotId peek(const GenerationFront &front);
+
+  private:
+    struct Entry {
+        std::uint64_t length; ///< its bits: positive doubles compare as their bits do
+        std::uint32_t serial;
+        SlotId slot;
+    };
+    using Heap = std::vector<Entry>;
+    static constexpr unsigned kBatchBits = 14; ///< low bits of a serial: its position in the batch
+    static constexpr unsigned kDigits = 4;     ///< digits of the mantissa of a length, besides the leading one
+    /// Classes by exponent and first digits of a length, then by failure class from 1 on; the last is for all higher
+    /// ones.
+    static constexpr std::size_t kDeferred = std::size_t{1} << (11U + kDigits);
+    static constexpr std::size_t kFailureClasses = 64;
+    static constexpr std::size_t kClasses = kDeferred + kFailureClasses;
+
+    /// The order of the heap of a class.
+    struct ComesLater {
+        bool byBatches;
+        bool operator()(const Entry &a, const Entry &b) const;
+    };
+    static ComesLater orderOf(std::size_t c) { return {c < kDeferred}; }
+    static bool valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass);
+    static std::size_t classOf(const FrontSlot &slot);
+    std::size_t lowestClass() const;
+    void push(const GenerationFront &front, SlotId id);
+    /// Returns the heap whose top is the next base; null if there is none.
+    Heap *next(const GenerationFront &front);
+    void pop(Heap &heap);
+
+    std::vector<std::uint32_t> heapOf_; ///< per class: its heap, from 1; 0: none yet
+    std::vector<Heap> heaps_;
+    std::vector<std::uint32_t> classOf_;                          ///< per heap
+    std::vector<std::uint64_t> filled_;                           ///< bit per class that has entries
+    std::array<std::uint64_t, kClasses / 64 / 64 + 1> summary_{}; ///< bit per word of filled_ that is not 0
+    std::size_t entries_ = 0;
+};
+
+} // namespace forefront

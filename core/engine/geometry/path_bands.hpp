@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/engine/geometry/curve.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace forefront {
+
+/// How the bands of consecutive segments are joined on the outside of a corner.
+enum class BandCorner : std::uint8_t {
+    Round,
+    Bevel,
+    Miter ///< up to a limit; a bevel beyond it
+};
+
+struct BandStyle {
+    BandCorner corner = BandCorner::Round;
+    double miterLimit = 4.0; ///< maximum length of a miter, in widths of the band
+    double accuracy = 1e-7;  ///< of parallels that are not exact, as a fraction of the size of the result
+    /// True: the band is what a line across the path sweeps. False: on the inside of a bend it ends at the centres of
+    /// curvature, since other points of the path are nearer to what is beyond.
+    bool swept = false;
+};
+
+/// A part of a band: a closed outline.
+struct BandPart {
+    std::vector<Vec2> nodes;
+    std::vector<Curve> curves; ///< from each node to the next; a line means straight, and its ends are ignored
+    std::uint32_t segment = 0; ///< of the path: index
+};
+
+/// Returns shapes whose union is the band between a path and its parallels at one or two offsets, > 0 to the left and
+/// < 0 to the right; one on either side gives the whole band. Lines and arcs of
+/// circles have exact parallels, those of other curves are cubics. The ends of an open path are cut straight.
+std::vector<BandPart> bandsBeside(std::span<const Curve> path, bool closed, std::span<const double> offsets,
+                                  const BandStyle &style = {});
+
+/// Returns the half disc with the radius `arm` beyond the end of a path, where `arm` points to the left of the path and
+/// `forward` is false at its start.
+BandPart roundEnd(Vec2 end, Vec2 arm, bool forward);
+
+} // namespace forefront

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/engine/base/vec2.hpp"
+
+namespace forefront {
+
+/// Returns the unit vector at an angle in degrees, counter-clockwise from the x axis; exact for multiples of 90.
+Vec2 unitVector(double degrees);
+
+} // namespace forefront

@@ -1,0 +1,33 @@
+#include "core/engine/improve/cleanup_batches.hpp"
+
+#include "core/engine/improve/cleanup_region.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace forefront {
+
+CleanupBatches::CleanupBatches(const ImproveWorkspace &work, const std::vector<std::uint32_t> &elements)
+    : work_(work), elements_(elements), waiting_(elements.size()), claimed_(work.mesh.nodes.size(), 0) {
+    std::iota(waiting_.begin(), waiting_.end(), 0U);
+}
+
+std::vector<std::uint32_t> CleanupBatches::next() {
+    std::vector<std::uint32_t> batch, later;
+    ++batch_;
+    std::vector<NodeId> nodes; // with repeats
+    for (const std::uint32_t i : waiting_) {
+        nodes.clear();
+        forReadNodes(work_, elements_[i], [&](NodeId n) { nodes.push_back(n); });
+        const bool free =
+            std::none_of(nodes.begin(), nodes.end(), [&](NodeId n) { return claimed_[index(n)] == batch_; });
+        (free ? batch : later).push_back(i);
+        for (const NodeId n : nodes) {
+            claimed_[index(n)] = free ? batch_ : claimed_[index(n)];
+        }
+    }
+    waiting_.swap(later);
+    return batch;
+}
+
+} // namespace forefront

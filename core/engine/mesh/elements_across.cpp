@@ -1,0 +1,73 @@
+#include "core/engine/mesh/elements_across.hpp"
+
+#include "core/engine/mesh/face_loops.hpp"
+
+#include <cstdint>
+#include <limits>
+
+namespace forefront {
+namespace {
+
+/// The nearest boundary node of each node, by number of edges.
+struct Nearest {
+    std::vector<NodeId> origin;
+    std::vector<std::uint32_t> edges;
+};
+
+/// Finds the nearest boundary nodes by a search that starts at all boundary nodes at once.
+Nearest nearestBoundary(const Mesh &mesh, const MeshEdges &edges, const FaceLoops &loops) {
+    std::vector<std::uint32_t> offsets(mesh.nodes.size() + 1, 0);
+    for (const MeshEdge &edge : edges.edges) {
+        ++offsets[index(edge.a) + 1];
+        ++offsets[index(edge.b) + 1];
+    }
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        offsets[n + 1] += offsets[n];
+    }
+    std::vector<NodeId> neighbours(offsets.back());
+    std::vector<std::uint32_t> fill(offsets.begin(), offsets.end() - 1);
+    for (const MeshEdge &edge : edges.edges) {
+        neighbours[fill[index(edge.a)]++] = edge.b;
+        neighbours[fill[index(edge.b)]++] = edge.a;
+    }
+    Nearest nearest{std::vector<NodeId>(mesh.nodes.size(), kNoNode), std::vector<std::uint32_t>(mesh.nodes.size(), 0)};
+    std::vector<NodeId> queue;
+    for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
+        if (loops.holds(NodeId{n})) {
+            nearest.origin[n] = NodeId{n};
+            queue.push_back(NodeId{n});
+        }
+    }
+    for (std::size_t k = 0; k < queue.size(); ++k) {
+        const std::size_t at = index(queue[k]);
+        for (std::uint32_t i = offsets[at]; i < offsets[at + 1]; ++i) {
+            const std::size_t to = index(neighbours[i]);
+            if (nearest.origin[to] == kNoNode) {
+                nearest.origin[to] = nearest.origin[at];
+                nearest.edges[to] = nearest.edges[at] + 1;
+                queue.push_back(neighbours[i]);
+            }
+        }
+    }
+    return nearest;
+}
+
+} // namespace
+
+std::vector<double> elementsAcross(const Mesh &mesh, const MeshEdges &edges) {
+    const FaceLoops loops(mesh, edges);
+    const Nearest nearest = nearestBoundary(mesh, edges, loops);
+    std::vector<double> values(edges.edges.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const MeshEdge &edge = edges.edges[k];
+        const std::size_t a = index(edge.a), b = index(edge.b);
+        const NodeId from = nearest.origin[a], to = nearest.origin[b];
+        const bool inner = edge.elements[1] != kNoElement;
+        if (inner && from != kNoNode && to != kNoNode && from != to && loops.facing(from, to)) {
+            values[k] = static_cast<double>(nearest.edges[a] + nearest.edges[b] + 1);
+        }
+    }
+    return values;
+}
+
+} // namespace forefront

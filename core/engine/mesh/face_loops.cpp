@@ -1,0 +1,131 @@
+#include "core/engine/mesh/face_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace forefront {
+namespace {
+
+constexpr double kBeyond = 4.0; // larger than any angle in radians
+
+} // namespace
+
+double FaceLoops::directionOf(NodeId from, NodeId to) const {
+    const Vec2 along = mesh_.nodes[index(to)] - mesh_.nodes[index(from)];
+    return std::atan2(along.y, along.x);
+}
+
+FaceLoops::FaceLoops(const Mesh &mesh, const MeshEdges &edges) : mesh_(mesh) {
+    std::vector<Side> sides = sidesOf(edges);
+    join(sides);
+    followAll(sides);
+    sortPasses();
+}
+
+std::vector<FaceLoops::Side> FaceLoops::sidesOf(const MeshEdges &edges) const {
+    std::vector<Side> sides;
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (edges.edges[edges.ofElement[e][k]].elements[1] == kNoElement) {
+                sides.push_back({mesh_.elements[e][k], mesh_.elements[e][(k + 1) % 3]});
+            }
+        }
+    }
+    return sides;
+}
+
+/// Finds the successor of each side. Where the boundary touches itself, it is the first side clockwise: the two bound
+/// the same elements around the node.
+void FaceLoops::join(std::vector<Side> &sides) const {
+    struct Leaving {
+        NodeId node;
+        double angle;
+        std::uint32_t side;
+    };
+    const auto before = [](const Leaving &a, const Leaving &b) {
+        return std::tuple(index(a.node), a.angle) < std::tuple(index(b.node), b.angle);
+    };
+    std::vector<Leaving> leaving(sides.size());
+    for (std::uint32_t s = 0; s < sides.size(); ++s) {
+        leaving[s] = {sides[s].from, directionOf(sides[s].from, sides[s].to), s};
+    }
+    std::stable_sort(leaving.begin(), leaving.end(), before);
+    for (Side &side : sides) {
+        const Leaving back{side.to, directionOf(side.to, side.from), 0};
+        auto next = std::lower_bound(leaving.begin(), leaving.end(), back, before);
+        if (next == leaving.begin() || std::prev(next)->node != side.to) { // the one with the largest angle
+            next = std::upper_bound(next, leaving.end(), Leaving{side.to, kBeyond, 0}, before);
+        }
+        if (next != leaving.begin() && std::prev(next)->node == side.to) {
+            side.next = std::prev(next)->side;
+        }
+    }
+}
+
+/// Follows open chains (found only in inconsistent meshes) from their starts, then closed loops.
+void FaceLoops::followAll(const std::vector<Side> &sides) {
+    std::vector<char> hasPrevious(sides.size(), 0), visited(sides.size(), 0);
+    for (const Side &side : sides) {
+        if (side.next != kNoIndex) {
+            hasPrevious[side.next] = 1;
+        }
+    }
+    for (const bool open : {true, false}) {
+        for (std::uint32_t s = 0; s < sides.size(); ++s) {
+            if (visited[s] == 0 && !(open && hasPrevious[s] != 0)) {
+                follow(sides, s, visited);
+            }
+        }
+    }
+}
+
+void FaceLoops::follow(const std::vector<Side> &sides, std::uint32_t start, std::vector<char> &visited) {
+    const auto loop = static_cast<std::uint32_t>(lengths_.size());
+    double length = 0.0;
+    std::uint32_t last = start;
+    for (std::uint32_t s = start; s != kNoIndex && visited[s] == 0; s = sides[s].next) {
+        visited[s] = 1;
+        passes_.push_back({sides[s].from, loop, length});
+        length += distance(mesh_.nodes[index(sides[s].from)], mesh_.nodes[index(sides[s].to)]);
+        last = s;
+    }
+    const bool closed = sides[last].next == start;
+    if (!closed) {
+        passes_.push_back({sides[last].to, loop, length});
+    }
+    lengths_.push_back(closed ? length : std::numeric_limits<double>::infinity());
+}
+
+void FaceLoops::sortPasses() {
+    std::stable_sort(passes_.begin(), passes_.end(),
+                     [](const Pass &a, const Pass &b) { return index(a.node) < index(b.node); });
+    first_.assign(mesh_.nodes.size() + 1, 0);
+    for (const Pass &pass : passes_) {
+        ++first_[index(pass.node) + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+}
+
+std::span<const FaceLoops::Pass> FaceLoops::passes(NodeId node) const {
+    return std::span(passes_).subspan(first_[index(node)], first_[index(node) + 1] - first_[index(node)]);
+}
+
+bool FaceLoops::facing(NodeId a, NodeId b) const {
+    constexpr double kDetour = 4.0;
+    const double straight = distance(mesh_.nodes[index(a)], mesh_.nodes[index(b)]);
+    for (const Pass &one : passes(a)) {
+        for (const Pass &other : passes(b)) {
+            const double apart = std::abs(one.along - other.along);
+            if (one.loop == other.loop && std::min(apart, lengths_[one.loop] - apart) <= kDetour * straight) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace forefront

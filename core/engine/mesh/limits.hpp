@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/enum_words.hpp"
+#include "core/engine/base/vec2.hpp"
+#include "core/engine/mesh/measures.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// A limit that the parts of a mesh must meet. limitInfo() describes each one.
+enum class MeshLimit : std::uint8_t {
+    MinAngle,
+    MaxAngle,
+    MinAlpha,
+    MaxGrowth,
+    MinLength,
+    MaxLength,
+    MinDelta,
+    MinAcross,
+    MaxValence
+};
+
+/// The words are the options of the check command.
+template <>
+struct EnumWords<MeshLimit> {
+    static constexpr auto kLast = MeshLimit::MaxValence;
+    static constexpr std::array<std::string_view, 9> kList = {"min-angle",  "max-angle",  "min-alpha",
+                                                              "max-growth", "min-length", "max-length",
+                                                              "min-delta",  "min-across", "max-valence"};
+};
+
+/// The description of a limit.
+struct LimitInfo {
+    const char *name;        ///< "minimum angle"
+    const char *member;      ///< its name in project files: "minAngle"
+    Measure measure;         ///< the one that it bounds
+    bool isMinimum;          ///< false: a maximum
+    double minimum, maximum; ///< the values that a limit can have; infinity: unbounded
+    const char *meaning;     ///< for help and tooltips
+};
+
+/// Returns the description of a limit.
+const LimitInfo &limitInfo(MeshLimit limit);
+
+/// The limits that a user sets for a mesh; limits that are not set are not checked.
+struct MeshLimits {
+    std::array<std::optional<double>, wordsOf<MeshLimit>().size()> values;
+
+    std::optional<double> &operator[](MeshLimit limit) { return values[static_cast<std::size_t>(limit)]; }
+    const std::optional<double> &operator[](MeshLimit limit) const { return values[static_cast<std::size_t>(limit)]; }
+    bool any() const;
+    friend bool operator==(const MeshLimits &, const MeshLimits &) = default;
+};
+
+/// Returns what is wrong with the value of a limit, "expected a number from 0 to 60, got 70"; empty if it is valid.
+std::string limitFault(MeshLimit limit, double value);
+
+/// A part of a mesh that violates a limit.
+struct LimitPlace {
+    std::uint32_t part = 0; ///< number of the element, edge or node
+    double value = 0.0;
+    Vec2 at;
+};
+
+/// The verdict on one limit.
+struct LimitVerdict {
+    MeshLimit limit = MeshLimit::MinAngle;
+    double bound = 0.0;             ///< the value of the limit
+    std::size_t judged = 0;         ///< number of parts checked; 0: the limit needs a spacing and none is given
+    std::size_t broken = 0;         ///< number of parts that violate it
+    double worst = 0.0;             ///< the value closest to violating the limit, or furthest beyond it
+    std::vector<LimitPlace> places; ///< that violate it, the worst first
+
+    /// Returns true if nothing violates the limit. A limit that needs a spacing is not met without one.
+    bool met() const { return broken == 0 && (judged > 0 || limit != MeshLimit::MinDelta); }
+};
+
+/// Checks a mesh against the limits that are set, in their order. A value within a relative 1e-9 of a limit meets it,
+/// so that rounding does not decide. Verdicts list at most `places` places. `spacing`: may be null.
+std::vector<LimitVerdict> judge(const Mesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
+                                std::size_t places = 20);
+/// Checks as above, with the edges of the mesh already known.
+std::vector<LimitVerdict> judge(const Mesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
+                                const SpacingField *spacing, std::size_t places = 20);
+
+/// Returns the verdict as a line: "minimum angle 25°: violated by 3 of 1200 elements, worst 12.3° at (1.5, 2)".
+std::string toString(const LimitVerdict &verdict);
+/// Returns an error for each place of a verdict: "element 12: min ∠ 12.3° violates the limit 25°".
+Diagnostics faultsOf(const LimitVerdict &verdict);
+/// Returns a value with the unit of what the limit bounds: "12.3°".
+std::string valueText(MeshLimit limit, double value);
+
+} // namespace forefront

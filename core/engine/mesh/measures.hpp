@@ -1,0 +1,147 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/enum_words.hpp"
+#include "core/engine/mesh/mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+class SpacingField;
+
+/// The kind of part that a measure has a value for.
+enum class MeshPart : std::uint8_t { Elements, Edges, Nodes };
+
+template <>
+struct EnumWords<MeshPart> {
+    static constexpr auto kLast = MeshPart::Nodes;
+    static constexpr std::array<std::string_view, 3> kList = {"element", "edge", "node"};
+};
+
+/// A quantity that describes the quality of a mesh. infoOf() describes each one.
+enum class Measure : std::uint8_t {
+    ShapeFactor,
+    MinAngle,
+    MaxAngle,
+    Area,
+    AreaRatio,
+    Length,
+    SizeRatio,
+    Conformity,
+    Across,
+    Valence,
+    Region,
+    Birth
+};
+
+template <>
+struct EnumWords<Measure> {
+    static constexpr auto kLast = Measure::Birth;
+    static constexpr std::array<std::string_view, 12> kList = {"alpha",      "min-angle", "max-angle", "area",
+                                                               "area-ratio", "length",    "size",      "delta",
+                                                               "across",     "valence",   "region",    "birth"};
+};
+
+/// The end of a measure's range at which values are bad.
+enum class BadEnd : std::uint8_t {
+    Low,
+    High,
+    FarFromOne, ///< on a logarithmic scale: 0.5 is as bad as 2
+    None        ///< no value is better than another
+};
+
+/// The description of a measure.
+struct MeasureInfo {
+    const char *name;    ///< "Minimum angle"
+    const char *symbol;  ///< short, for legends and tables: "min ∠"
+    const char *unit;    ///< "°", or empty
+    MeshPart part;       ///< that it has a value for
+    BadEnd bad;          ///< its bad values
+    bool logarithmic;    ///< shown on a logarithmic scale
+    double minimum;      ///< of the values it can have
+    double maximum;      ///< of the values it can have; infinity: unbounded
+    const char *meaning; ///< a sentence for tooltips and help
+};
+
+/// Returns the description of a measure.
+const MeasureInfo &infoOf(Measure measure);
+
+/// An edge of a mesh with the elements beside it.
+struct MeshEdge {
+    NodeId a = kNoNode, b = kNoNode;                              ///< a < b
+    std::array<ElementId, 2> elements = {kNoElement, kNoElement}; ///< the second is kNoElement at the boundary
+};
+
+/// All edges of a mesh, ordered by their nodes.
+struct MeshEdges {
+    std::vector<MeshEdge> edges;
+    std::vector<std::array<std::uint32_t, 3>> ofElement; ///< its edge k joins its nodes k and (k+1)%3
+};
+
+/// Returns the edges of a mesh. Edges with more than two elements keep the first two.
+MeshEdges edgesOf(const Mesh &mesh);
+
+/// Returns the values of a measure, one for each part of its kind, in order; NaN where a part has none: the area ratio
+/// of an element without neighbours, the valence of a node without elements. `edges`: those of the mesh. Without a
+/// spacing, the measures that compare with ρ have no values and the result is empty.
+std::vector<double> measureValues(Measure measure, const Mesh &mesh, const MeshEdges &edges,
+                                  const SpacingField *spacing);
+
+/// Returns the place of a part: the centroid of an element, the middle of an edge, a node.
+Vec2 placeOf(const Mesh &mesh, const MeshEdges &edges, MeshPart part, std::size_t index);
+
+/// Returns the value below which the given fraction of the values lies: that of rank ⌊fraction·(n−1)⌋, counted from 0.
+/// Reorders the values, of which there must be at least one.
+template <class Number>
+double percentile(std::vector<Number> &values, double fraction) {
+    const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return static_cast<double>(values[static_cast<std::size_t>(rank)]);
+}
+
+/// The percentiles that a summary holds.
+inline constexpr std::array<int, 7> kPercentiles = {1, 5, 25, 50, 75, 95, 99};
+
+/// Statistics of the values of a measure.
+struct MeasureSummary {
+    std::size_t count = 0; ///< of the values that are not NaN; if 0, the other figures are 0
+    double minimum = 0.0, maximum = 0.0, mean = 0.0;
+    std::array<double, kPercentiles.size()> percentiles{}; ///< see percentile()
+};
+
+/// Summarises values; those that are NaN do not count.
+MeasureSummary summarise(std::span<const double> values);
+
+/// A histogram over a range of values, linear or logarithmic.
+struct MeasureHistogram {
+    double from = 0.0, to = 1.0; ///< from < to; both positive if logarithmic
+    bool logarithmic = false;
+    std::vector<std::uint64_t> bins; ///< of equal width; the first and the last also hold the values outside
+
+    /// Returns the lower end of a bin; that of bins.size() is `to`.
+    double edge(std::size_t bin) const;
+    /// Returns the bin that counts a value.
+    std::size_t binOf(double value) const;
+};
+
+/// Counts values in `bins` bins over [from, to]; those that are NaN do not count.
+MeasureHistogram histogramOf(std::span<const double> values, double from, double to, bool logarithmic,
+                             std::size_t bins);
+
+/// Returns a number that grows as the value gets worse; NaN for NaN and for measures without bad values.
+double badness(BadEnd bad, double value);
+
+/// Returns the parts with the worst values, worst first and equal ones by number, at most `limit`. Empty for measures
+/// without bad values.
+std::vector<std::uint32_t> worstParts(Measure measure, std::span<const double> values, std::size_t limit);
+
+} // namespace forefront

@@ -1,0 +1,84 @@
+#include "core/engine/mesh/mesh_extent.hpp"
+
+#include "core/engine/base/ids.hpp"
+#include "core/engine/geometry/polygon.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace forefront {
+
+namespace {
+
+/// Sets of nodes that elements connect.
+class ConnectedNodes {
+  public:
+    explicit ConnectedNodes(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+    void join(NodeId a, NodeId b) {
+        const std::size_t s = rootOf(index(a)), t = rootOf(index(b));
+        parent_[std::max(s, t)] = static_cast<std::uint32_t>(std::min(s, t));
+    }
+    bool isRoot(std::size_t node) const { return parent_[node] == node; }
+
+  private:
+    std::size_t rootOf(std::size_t node) {
+        while (parent_[node] != node) {
+            parent_[node] = parent_[parent_[node]];
+            node = parent_[node];
+        }
+        return node;
+    }
+
+    std::vector<std::uint32_t> parent_;
+};
+
+double areaOf(const Mesh &mesh, const Element &e) {
+    return signedArea(std::array{mesh.nodes[index(e[0])], mesh.nodes[index(e[1])], mesh.nodes[index(e[2])]});
+}
+
+std::vector<RegionExtent> regionsOf(const Mesh &mesh) {
+    std::map<std::int32_t, RegionExtent> regions;
+    RegionExtent *region = nullptr; // that of the last element, since most neighbours have the same
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const std::int32_t tag = mesh.region(e);
+        if (region == nullptr || region->tag != tag) {
+            region = &regions[tag];
+            region->tag = tag;
+        }
+        ++region->elements;
+        region->area += areaOf(mesh, mesh.elements[e]);
+    }
+    std::vector<RegionExtent> found;
+    for (auto &[tag, extent] : regions) {
+        const auto name = mesh.regionNames.find(tag);
+        extent.name = name == mesh.regionNames.end() ? "" : name->second;
+        found.push_back(extent);
+    }
+    return found;
+}
+
+} // namespace
+
+MeshExtent extentOf(const Mesh &mesh, std::size_t edges) {
+    ConnectedNodes connected(mesh.nodes.size());
+    std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
+    for (const Element &e : mesh.elements) {
+        used[index(e[0])] = used[index(e[1])] = used[index(e[2])] = 1;
+        connected.join(e[0], e[1]);
+        connected.join(e[0], e[2]);
+    }
+    MeshExtent extent;
+    std::size_t nodes = 0;
+    for (std::size_t node = 0; node < used.size(); ++node) {
+        nodes += used[node];
+        extent.parts += used[node] != 0 && connected.isRoot(node) ? 1 : 0;
+    }
+    extent.holes =
+        extent.parts + edges - nodes - mesh.elements.size(); // Euler: nodes - edges + elements + holes = parts
+    extent.regions = regionsOf(mesh);
+    return extent;
+}
+
+} // namespace forefront

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/mesh/mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// The elements with one region tag.
+struct RegionExtent {
+    std::int32_t tag = 1;
+    std::string name; ///< empty if the mesh has none for the tag
+    std::size_t elements = 0;
+    double area = 0.0;
+};
+
+/// What a mesh covers.
+struct MeshExtent {
+    std::size_t parts = 0;             ///< pieces that share no node with each other
+    std::size_t holes = 0;             ///< faces without elements that elements enclose
+    std::vector<RegionExtent> regions; ///< by ascending tag
+};
+
+/// Measures what a valid mesh covers. `edges`: the number of different edges of its elements, as in
+/// MeshQuality::segments. Holes are counted by Euler's formula.
+MeshExtent extentOf(const Mesh &mesh, std::size_t edges);
+
+} // namespace forefront

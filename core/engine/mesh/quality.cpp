@@ -1,0 +1,132 @@
+#include "core/engine/mesh/quality.hpp"
+
+#include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/shape_tally.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+namespace forefront {
+
+double shapeFactor(Vec2 a, Vec2 b, Vec2 c) {
+    const Vec2 ab = b - a, ac = c - a, bc = c - b;
+    const double sum = lengthSquared(ab) + lengthSquared(ac) + lengthSquared(bc);
+    return sum > 0.0 ? 2.0 * std::numbers::sqrt3 * cross(ab, ac) / sum : 0.0;
+}
+
+double spacingConformity(double segmentLength, double rho) {
+    return segmentLength < rho ? segmentLength / rho : rho / segmentLength;
+}
+
+std::vector<float> shapeFactors(const Mesh &mesh) {
+    std::vector<float> alpha(mesh.elements.size());
+    for (std::size_t e = 0; e < alpha.size(); ++e) {
+        const Element &n = mesh.elements[e];
+        alpha[e] =
+            static_cast<float>(shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
+    }
+    return alpha;
+}
+
+namespace {
+
+/// Accumulates the mean of δ over segments and evaluates ρ in blocks.
+class ConformityMean {
+  public:
+    explicit ConformityMean(const SpacingField &spacing) : spacing_(spacing) {}
+    void add(Vec2 a, Vec2 b) {
+        middles_[used_] = midpoint(a, b);
+        lengths_[used_] = distance(a, b);
+        if (++used_ == kBlock) {
+            flush();
+        }
+    }
+    double mean() {
+        flush();
+        return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_);
+    }
+
+  private:
+    static constexpr std::size_t kBlock = 512;
+
+    void flush() {
+        std::array<double, kBlock> rho;
+        spacing_.atMany({middles_.data(), used_}, {rho.data(), used_});
+        for (std::size_t i = 0; i < used_; ++i) {
+            sum_ += spacingConformity(lengths_[i], rho[i]);
+        }
+        count_ += used_;
+        used_ = 0;
+    }
+
+    const SpacingField &spacing_;
+    std::array<Vec2, kBlock> middles_;
+    std::array<double, kBlock> lengths_;
+    std::size_t used_ = 0, count_ = 0;
+    double sum_ = 0.0;
+};
+
+void measureShapes(const Mesh &mesh, MeshQuality &quality) {
+    ShapeTally tally;
+    for (const Element &n : mesh.elements) {
+        tally.add(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
+    }
+    tally.into(quality);
+}
+
+void measurePercentiles(const Mesh &mesh, MeshQuality &quality) {
+    std::vector<float> alpha = shapeFactors(mesh);
+    quality.alpha50 = percentile(alpha, 0.50);
+    quality.alpha5 = percentile(alpha, 0.05);
+    quality.alpha1 = percentile(alpha, 0.01);
+}
+
+void measureEdges(const Mesh &mesh, const SpacingField *spacing, MeshQuality &quality) {
+    std::optional<ConformityMean> conformity;
+    if (spacing != nullptr) {
+        conformity.emplace(*spacing);
+    }
+    std::vector<bool> onBoundary(mesh.nodes.size(), false);
+    EdgeTable(mesh).forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
+        ++quality.segments;
+        if (sides.size() == 1) {
+            onBoundary[index(a)] = onBoundary[index(b)] = true;
+        }
+        if (conformity) {
+            conformity->add(mesh.nodes[index(a)], mesh.nodes[index(b)]);
+        }
+    });
+    quality.deltaMean = conformity ? conformity->mean() : 0.0;
+
+    std::vector<std::uint32_t> elementsAt(mesh.nodes.size(), 0);
+    for (const Element &element : mesh.elements) {
+        for (const NodeId node : element) {
+            ++elementsAt[index(node)];
+        }
+    }
+    for (std::size_t n = 0; n < elementsAt.size(); ++n) {
+        if (!onBoundary[n] && elementsAt[n] > 0) {
+            ++quality.valence[std::min<std::size_t>(elementsAt[n], quality.valence.size() - 1)];
+        }
+    }
+}
+
+} // namespace
+
+MeshQuality measure(const Mesh &mesh, const SpacingField *spacing) {
+    MeshQuality quality;
+    quality.nodes = mesh.nodes.size();
+    quality.elements = mesh.elements.size();
+    if (mesh.elements.empty()) {
+        return quality;
+    }
+    measureShapes(mesh, quality);
+    measurePercentiles(mesh, quality);
+    measureEdges(mesh, spacing, quality);
+    return quality;
+}
+
+} // namespace forefront

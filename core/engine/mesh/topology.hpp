@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/mesh/mesh.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace forefront {
+
+/// Returns for each edge k of each element e the element across it, or kNoElement at the boundary. Edges with more than
+/// two elements keep the first two; `verify` reports them.
+std::vector<std::array<ElementId, 3>> elementNeighbours(const Mesh &mesh);
+
+/// The elements around each node in compressed rows: those of node n are elements[offsets[n] .. offsets[n+1]).
+struct NodeElements {
+    std::vector<std::uint32_t> offsets;
+    std::vector<ElementId> elements;
+};
+/// Returns the elements around each node.
+NodeElements nodeElements(const Mesh &mesh);
+/// Returns the elements around each node, or std::nullopt when cancelled.
+std::optional<NodeElements> nodeElements(const Mesh &mesh, const Progress &progress);
+
+} // namespace forefront

@@ -1,0 +1,241 @@
+#include "core/engine/mesh/verify_discrete.hpp"
+
+#include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/verify.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace forefront {
+
+namespace {
+
+/// An edge of the mesh that the domain requires, lower node first.
+struct RequiredEdge {
+    NodeId lower = kNoNode, upper = kNoNode;
+    std::int32_t tag = 1;
+    friend bool operator<(const RequiredEdge &a, const RequiredEdge &b) {
+        return a.lower != b.lower ? a.lower < b.lower : a.upper < b.upper;
+    }
+};
+using RequiredEdges = std::vector<RequiredEdge>;
+
+const RequiredEdge *find(const RequiredEdges &sorted, NodeId a, NodeId b) {
+    const RequiredEdge key{std::min(a, b), std::max(a, b), 1};
+    const auto it = std::lower_bound(sorted.begin(), sorted.end(), key);
+    return it != sorted.end() && it->lower == key.lower && it->upper == key.upper ? &*it : nullptr;
+}
+
+std::string segmentName(const DiscreteSegment &s) {
+    return std::to_string(s.a) + '-' + std::to_string(s.b) + " (tag " + std::to_string(s.tag) + ')';
+}
+
+/// Checks that each side of a segment has an element of the right region, or none outside the domain.
+void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
+                std::span<const HalfEdge> sides, FaultList &faults) {
+    const Vec2 place = midpoint(domain.nodes[s.a], domain.nodes[s.b]);
+    for (const bool left : {true, false}) {
+        const std::uint32_t region = left ? s.leftRegion : s.rightRegion;
+        const char *sideName = left ? "left" : "right";
+        const auto side =
+            std::find_if(sides.begin(), sides.end(), [&](HalfEdge h) { return (startOf(mesh, h) == a) == left; });
+        if (region == kOutside) {
+            if (side != sides.end()) {
+                faults.add("element-outside",
+                           std::string("an element lies ") + sideName + " of boundary segment " + segmentName(s) +
+                               ", outside the domain",
+                           place, {static_cast<std::uint32_t>(elementOf(*side))});
+            }
+        } else if (side == sides.end()) {
+            faults.add("missing-element", std::string("no element lies ") + sideName + " of segment " + segmentName(s),
+                       place);
+        } else if (!carriesNoTags(mesh) && mesh.region(elementOf(*side)) != domain.regions[region].tag) {
+            faults.add("wrong-region",
+                       "element " + std::to_string(elementOf(*side)) + " has region " +
+                           std::to_string(mesh.region(elementOf(*side))) + " instead of " +
+                           std::to_string(domain.regions[region].tag),
+                       place, {static_cast<std::uint32_t>(elementOf(*side))});
+        }
+    }
+}
+
+RequiredEdges checkSegments(const Mesh &mesh, const DiscreteDomain &domain, const EdgeTable &table,
+                            const NodeFinder &nodes, FaultList &faults) {
+    RequiredEdges required;
+    required.reserve(domain.segments.size());
+    for (const DiscreteSegment &s : domain.segments) {
+        const NodeId a = nodes.find(domain.nodes[s.a]), b = nodes.find(domain.nodes[s.b]);
+        const std::span<const HalfEdge> sides =
+            a != kNoNode && b != kNoNode ? table.find(a, b) : std::span<const HalfEdge>{};
+        if (sides.empty()) {
+            faults.add("missing-segment", "segment " + segmentName(s) + " is not an edge of the mesh",
+                       midpoint(domain.nodes[s.a], domain.nodes[s.b]), {s.a, s.b});
+            continue;
+        }
+        required.push_back({std::min(a, b), std::max(a, b), s.tag});
+        checkSides(mesh, domain, s, a, sides, faults);
+    }
+    std::sort(required.begin(), required.end());
+    return required;
+}
+
+/// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged.
+void checkTags(const Mesh &mesh, const RequiredEdges &required, FaultList &faults) {
+    std::vector<bool> tagged(required.size(), false);
+    for (const TaggedEdge &edge : mesh.edges) {
+        const Vec2 place = midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+        const RequiredEdge *segment = find(required, edge.a, edge.b);
+        if (segment == nullptr) {
+            faults.add("unexpected-tagged-edge",
+                       "a tagged edge (tag " + std::to_string(edge.tag) + ") does not lie on any segment of the domain",
+                       place);
+            continue;
+        }
+        if (edge.tag != segment->tag) {
+            faults.add("wrong-tag",
+                       "an edge has tag " + std::to_string(edge.tag) + " instead of " + std::to_string(segment->tag),
+                       place);
+        }
+        const auto rank = static_cast<std::size_t>(segment - required.data());
+        if (tagged[rank]) {
+            faults.add("duplicate-tagged-edge", "an edge is tagged twice", place);
+        }
+        tagged[rank] = true;
+    }
+    for (std::size_t i = 0; i < required.size(); ++i) {
+        if (!tagged[i]) {
+            faults.add("missing-tagged-edge", "the edge of a segment has no tag",
+                       midpoint(mesh.nodes[index(required[i].lower)], mesh.nodes[index(required[i].upper)]));
+        }
+    }
+}
+
+/// Checks that away from the segments the mesh has neither boundary edges nor changes of region.
+void checkInside(const Mesh &mesh, const RequiredEdges &required, const EdgeTable &table, FaultList &faults) {
+    table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
+        const bool open = sides.size() == 1;
+        const bool divided = !open && mesh.region(elementOf(sides[0])) != mesh.region(elementOf(sides[1]));
+        if ((open || divided) && find(required, a, b) == nullptr) {
+            faults.add(open ? "unexpected-boundary" : "wrong-region",
+                       open ? "a boundary edge of the mesh does not lie on any segment of the domain"
+                            : "the region changes across an edge that does not lie on any segment of the domain",
+                       midpoint(mesh.nodes[index(a)], mesh.nodes[index(b)]),
+                       {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+        }
+    });
+}
+
+void checkPoints(const Mesh &mesh, const DiscreteDomain &domain, const NodeFinder &nodes, FaultList &faults) {
+    std::vector<TaggedNode> tagged = mesh.points;
+    std::sort(tagged.begin(), tagged.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
+    for (const ConstraintPoint &point : domain.points) {
+        const Vec2 place = domain.nodes[point.node];
+        const NodeId node = nodes.find(place);
+        const auto it = std::lower_bound(tagged.begin(), tagged.end(), node,
+                                         [](const TaggedNode &a, NodeId key) { return a.node < key; });
+        if (node == kNoNode || (!carriesNoTags(mesh) && (it == tagged.end() || it->node != node))) {
+            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is not a node of the mesh",
+                       place, {point.node});
+        } else if (!carriesNoTags(mesh) && it->tag != point.tag) {
+            faults.add("wrong-tag",
+                       "a point has tag " + std::to_string(it->tag) + " instead of " + std::to_string(point.tag),
+                       place);
+        }
+    }
+}
+
+/// Compares the areas, both sums of rounded terms over the same nodes: 1e-11 of the terms' size is 10⁵ roundings.
+void checkArea(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
+    const EnclosedArea enclosed = enclosedArea(domain);
+    const double is = meshArea(mesh);
+    for (const double must : {enclosed.area, domain.area()}) {
+        if (!(std::abs(is - must) <= 1e-11 * (enclosed.magnitude + std::abs(must)))) {
+            char text[120];
+            std::snprintf(text, sizeof text, "the area of the mesh is %.17g instead of %.17g", is, must);
+            faults.add("area", text, mesh.bounds().centre());
+            return;
+        }
+    }
+}
+
+} // namespace
+
+bool carriesNoTags(const Mesh &mesh) {
+    return mesh.edges.empty() && mesh.points.empty() && mesh.regions.empty();
+}
+
+NodeFinder::NodeFinder(const Mesh &mesh) : mesh_(&mesh) {
+    if (mesh.edges.empty()) {
+        sorted_.reserve(mesh.nodes.size());
+        for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
+            sorted_.push_back(NodeId{n});
+        }
+    } else {
+        sorted_.reserve(2 * mesh.edges.size() + mesh.points.size());
+        for (const TaggedEdge &edge : mesh.edges) {
+            sorted_.push_back(edge.a);
+            sorted_.push_back(edge.b);
+        }
+        for (const TaggedNode &point : mesh.points) {
+            sorted_.push_back(point.node);
+        }
+    }
+    std::sort(sorted_.begin(), sorted_.end(), [&mesh](NodeId a, NodeId b) {
+        const Vec2 pa = mesh.nodes[index(a)], pb = mesh.nodes[index(b)];
+        return pa == pb ? a < b : comesBefore(pa, pb);
+    });
+}
+
+NodeId NodeFinder::find(Vec2 p) const {
+    const auto it = std::lower_bound(sorted_.begin(), sorted_.end(), p,
+                                     [this](NodeId n, Vec2 q) { return comesBefore(mesh_->nodes[index(n)], q); });
+    return it != sorted_.end() && mesh_->nodes[index(*it)] == p ? *it : kNoNode;
+}
+
+double meshArea(const Mesh &mesh) {
+    long double sum = 0.0L;
+    for (const Element &e : mesh.elements) {
+        const Vec2 a = mesh.nodes[index(e[0])];
+        sum += cross(mesh.nodes[index(e[1])] - a, mesh.nodes[index(e[2])] - a);
+    }
+    return static_cast<double>(0.5L * sum);
+}
+
+EnclosedArea enclosedArea(const DiscreteDomain &domain) {
+    const Vec2 centre = domain.bounds().centre();
+    long double sum = 0.0L, magnitude = 0.0L;
+    for (const DiscreteSegment &s : domain.segments) {
+        const bool leftOut = s.leftRegion == kOutside, rightOut = s.rightRegion == kOutside;
+        if (leftOut == rightOut) {
+            continue;
+        }
+        const double term = cross(domain.nodes[s.a] - centre, domain.nodes[s.b] - centre);
+        sum += rightOut ? term : -term;
+        magnitude += std::abs(term);
+    }
+    return {static_cast<double>(0.5L * sum), static_cast<double>(0.5L * magnitude)};
+}
+
+void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
+    const EdgeTable table(mesh);
+    const NodeFinder nodes(mesh);
+    const RequiredEdges required = checkSegments(mesh, domain, table, nodes, faults);
+    if (!carriesNoTags(mesh)) {
+        checkTags(mesh, required, faults);
+    }
+    checkInside(mesh, required, table, faults);
+    checkPoints(mesh, domain, nodes, faults);
+    checkArea(mesh, domain, faults);
+}
+
+Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::size_t limit) {
+    Diagnostics own = verify(mesh, limit);
+    if (!own.empty()) {
+        return own;
+    }
+    FaultList faults(limit);
+    checkAgainst(mesh, domain, faults);
+    return faults.take();
+}
+
+} // namespace forefront

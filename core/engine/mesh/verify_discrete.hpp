@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/engine/boundary/discretise.hpp"
+#include "core/engine/mesh/fault_list.hpp"
+#include "core/engine/mesh/mesh.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace forefront {
+
+/// Finds nodes of a mesh by their exact coordinates. Takes 4 bytes for each node it looks among.
+class NodeFinder {
+  public:
+    /// Looks among the nodes of tagged edges and tagged points, or among all nodes where the mesh has no tags.
+    explicit NodeFinder(const Mesh &mesh);
+    /// Returns the node at p, the one with the lowest id if there are several, or kNoNode.
+    NodeId find(Vec2 p) const;
+
+  private:
+    const Mesh *mesh_;
+    std::vector<NodeId> sorted_;
+};
+
+/// Returns true for a mesh from a file format without tags, whose tags and regions are not compared.
+bool carriesNoTags(const Mesh &mesh);
+
+/// Adds the deviations of a mesh from a discrete domain. The indices of the mesh must be valid.
+void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults);
+
+/// The area enclosed by the segments that have the outside on one side. `magnitude` is the sum of the sizes of its
+/// terms, which scales the rounding error.
+struct EnclosedArea {
+    double area = 0.0;
+    double magnitude = 0.0;
+};
+EnclosedArea enclosedArea(const DiscreteDomain &domain);
+/// Returns the sum of the element areas, from differences of coordinates.
+double meshArea(const Mesh &mesh);
+
+} // namespace forefront

@@ -1,0 +1,336 @@
+#include "core/engine/domain/curve_chains.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/polygon.hpp"
+#include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/mesh/verify_discrete.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+/// The edges that may lie along segments of the domain, in rows by node: the tagged edges, or all edges where the file
+/// format keeps no tags.
+class ChainEdges {
+  public:
+    explicit ChainEdges(const Mesh &mesh) : offsets_(mesh.nodes.size() + 1, 0) {
+        std::vector<std::pair<NodeId, NodeId>> edges;
+        if (!carriesNoTags(mesh)) {
+            for (const TaggedEdge &edge : mesh.edges) {
+                edges.emplace_back(edge.a, edge.b);
+            }
+        } else {
+            EdgeTable(mesh).forEach(
+                [&edges](NodeId a, NodeId b, std::span<const HalfEdge>) { edges.emplace_back(a, b); });
+        }
+        for (const auto &[a, b] : edges) {
+            ++offsets_[index(a)];
+            ++offsets_[index(b)];
+        }
+        std::uint32_t sum = 0;
+        for (std::uint32_t &offset : offsets_) {
+            sum += offset;
+            offset = sum;
+        }
+        others_.resize(sum);
+        for (const auto &[a, b] : edges) {
+            others_[--offsets_[index(a)]] = b;
+            others_[--offsets_[index(b)]] = a;
+        }
+    }
+    std::span<const NodeId> at(NodeId node) const {
+        const std::uint32_t begin = offsets_[index(node)];
+        return {others_.data() + begin, offsets_[index(node) + 1] - begin};
+    }
+
+  private:
+    std::vector<std::uint32_t> offsets_;
+    std::vector<NodeId> others_;
+};
+
+/// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
+/// empty when there is no such chain.
+std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
+    const Vec2 a = mesh.nodes[index(from)];
+    const Vec2 along = mesh.nodes[index(to)] - a;
+    const double squared = lengthSquared(along);
+    const double maxCross = tolerance * std::sqrt(squared);
+    std::vector<NodeId> nodes{from};
+    double reached = 0.0;
+    while (nodes.back() != to) {
+        NodeId best = kNoNode;
+        double bestCross = maxCross, bestAt = 0.0;
+        for (const NodeId next : edges.at(nodes.back())) {
+            const Vec2 p = mesh.nodes[index(next)] - a;
+            const double at = dot(along, p), off = std::abs(cross(along, p));
+            const bool ahead = at > reached && (at < squared || next == to);
+            if (ahead && off <= bestCross && (best == kNoNode || off < bestCross || at < bestAt)) {
+                best = next;
+                bestCross = off;
+                bestAt = at;
+            }
+        }
+        if (best == kNoNode) {
+            return {};
+        }
+        nodes.push_back(best);
+        reached = bestAt;
+    }
+    return nodes;
+}
+
+/// A node that a walk along a curve can go to next, and how far along the curve that is.
+struct NextNode {
+    NodeId node = kNoNode;
+    double at = 0.0;     ///< parameter
+    bool beside = false; ///< only within the tolerance of the curve
+
+    /// Orders nodes on the curve before those beside it, then by parameter: beside a needle, its other side is within
+    /// the tolerance, too.
+    friend bool operator<(const NextNode &x, const NextNode &y) {
+        return std::tie(x.beside, x.at) < std::tie(y.beside, y.at);
+    }
+};
+
+/// Returns the nodes of a walk from one node to another; empty if there is none. For a loop, both are the same.
+/// `choices(nodes, reached)` returns the nodes that a walk so far can go to next, all of them farther along. Where one
+/// leads nowhere, the walk goes back to the last other choice, and never comes to that node again.
+template <class Choices>
+std::vector<NodeId> walk(NodeId from, NodeId to, double start, const Choices &choices) {
+    std::vector<NodeId> nodes{from};
+    std::vector<double> reached{start};
+    std::vector<std::vector<NextNode>> open; // per node of the walk; the best one last
+    std::set<NodeId> dead;
+    do {
+        open.push_back(choices(nodes, reached.back()));
+        std::sort(open.back().rbegin(), open.back().rend());
+        const auto isDead = [&](const NextNode &next) { return next.node != to && dead.contains(next.node); };
+        while (open.back().empty() || isDead(open.back().back())) {
+            if (!open.back().empty()) {
+                open.back().pop_back();
+                continue;
+            }
+            open.pop_back(); // back to where there may be another choice
+            if (open.empty()) {
+                return {};
+            }
+            if (from != to || nodes.size() > 2) { // a loop may end at the node that it may not begin with
+                dead.insert(nodes.back());
+            }
+            nodes.pop_back();
+            reached.pop_back();
+        }
+        nodes.push_back(open.back().back().node);
+        reached.push_back(open.back().back().at);
+        open.back().pop_back();
+    } while (nodes.back() != to);
+    return nodes;
+}
+
+/// Walks along the curve of a chain from one of its ends to the other.
+class CurveWalk {
+  public:
+    CurveWalk(const Domain &domain, const CurveChain &chain, double tolerance)
+        : domain_(domain), chain_(chain), curve_(domain.curves[chain.curve]), tolerance_(tolerance),
+          deviation_(chordTolerance(domain)) {
+        for (const std::uint32_t number : chain.segments) {
+            const DomainSegment &segment = domain.segments[number];
+            boxes_.push_back(curve_.bounds(segment.stretch.t0, segment.stretch.t1));
+            boxes_.back().add(boxOf(domain.nodes[segment.a], domain.nodes[segment.b]));
+            boxes_.back() = boxes_.back().grown(tolerance);
+            deviation_ = std::max(deviation_, curve_.deviation(segment.stretch.t0, segment.stretch.t1));
+        }
+        deviation_ *= 1.01; // parameters of nodes are rounded
+        if (elementsAlong(domain, chain) > 0) {
+            deviation_ = curve_.length(chain.t0, chain.t1); // few elements may be anywhere between their nodes
+        }
+    }
+
+    /// Returns the area by which chords of the curve may differ.
+    double areaBetween() const { return 2.0 * deviation_ * curve_.length(chain_.t0, chain_.t1); }
+
+    /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end, or when an edge
+    /// is farther from the curve than it may be.
+    std::vector<NodeId> nodes(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
+        return walk(from, to, chain_.t0, [&](const std::vector<NodeId> &nodes, double reached) {
+            std::vector<NextNode> found;
+            for (const NodeId next : edges.at(nodes.back())) {
+                if (nodes.size() > 1 && next == nodes[nodes.size() - 2]) {
+                    continue; // where it came from
+                }
+                const NextNode spot =
+                    next == to ? NextNode{to, chain_.t1, false} : find(next, mesh.nodes[index(next)], reached);
+                if (spot.node != kNoNode && spot.at > reached && curve_.deviation(reached, spot.at) <= deviation_) {
+                    found.push_back(spot);
+                }
+            }
+            return found;
+        });
+    }
+
+  private:
+    /// Finds a node on the curve or its chords at the first parameter beyond another one; kNoNode: it is on neither.
+    NextNode find(NodeId node, Vec2 p, double reached) const {
+        constexpr double kOn = 1e-4; // of the tolerance
+        for (std::size_t k = 0; k < boxes_.size(); ++k) {
+            const DomainSegment &segment = domain_.segments[chain_.segments[k]];
+            const double low = std::max(reached, std::min(segment.stretch.t0, segment.stretch.t1));
+            const double high = std::max(segment.stretch.t0, segment.stretch.t1);
+            const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
+            if (high <= reached || !boxes_[k].contains(p)) {
+                continue;
+            }
+            const double at = curve_.nearest(p, low, high);
+            const double offset = std::min(distance(curve_.point(at), p), distanceToSegment(a, b, p));
+            if (at > reached && offset <= tolerance_) {
+                return {node, at, offset > kOn * tolerance_};
+            }
+        }
+        return {};
+    }
+
+    const Domain &domain_;
+    const CurveChain &chain_;
+    const Curve &curve_;
+    double tolerance_;
+    std::vector<Box2> boxes_; ///< per segment of the chain
+    double deviation_;        ///< maximum distance of an edge from the curve
+};
+
+/// Returns the constraint point of a domain at a place, which must have one.
+DomainPart partAt(const Domain &domain, Vec2 place) {
+    const auto found = std::find_if(domain.points.begin(), domain.points.end(),
+                                    [&](const ConstraintPoint &point) { return domain.nodes[point.node] == place; });
+    return {DomainPartKind::ConstraintPoint, static_cast<std::uint32_t>(found - domain.points.begin())};
+}
+
+/// Returns the domain with its segments divided as the mesh divides them.
+DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains,
+                           const DiscreteDomain &given, double tolerance, FaultList &faults) {
+    DiscreteDomain cut;
+    cut.nodes = mesh.nodes;
+    cut.regions = given.regions;
+    const NodeFinder finder(mesh);
+    const ChainEdges edges(mesh);
+    for (DiscreteSegment s : given.segments) {
+        const std::uint32_t number = chains.ofSegment[s.source];
+        const CurveChain *const curved = number == kNoIndex ? nullptr : &chains.list[number];
+        if (curved != nullptr) {
+            if (s.source != curved->segments.front()) {
+                continue; // the chain is processed at its first segment
+            }
+            if (domain.segments[s.source].stretch.t1 < domain.segments[s.source].stretch.t0) {
+                std::swap(s.leftRegion, s.rightRegion);
+            }
+            s.a = curved->start;
+            s.b = curved->end;
+        }
+        const Vec2 a = given.nodes[s.a], b = given.nodes[s.b];
+        const NodeId from = finder.find(a), to = finder.find(b);
+        const std::string name = "a segment of the domain with tag " + std::to_string(s.tag);
+        if (from == kNoNode || to == kNoNode) {
+            faults.add("missing-node", "an end of " + name + " is not a boundary node of the mesh",
+                       from == kNoNode ? a : b, {s.source}, {aSegment(s.source)});
+            continue;
+        }
+        const std::vector<NodeId> nodes = curved != nullptr
+                                              ? CurveWalk(domain, *curved, tolerance).nodes(mesh, edges, from, to)
+                                              : chain(mesh, edges, from, to, tolerance);
+        if (nodes.empty()) {
+            faults.add("missing-segment", name + " is not covered by edges of the mesh", midpoint(a, b), {s.source},
+                       {aSegment(s.source)});
+        }
+        for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+            DiscreteSegment piece = s;
+            piece.a = static_cast<std::uint32_t>(nodes[i]);
+            piece.b = static_cast<std::uint32_t>(nodes[i + 1]);
+            cut.segments.push_back(piece);
+        }
+    }
+    for (const ConstraintPoint &point : given.points) {
+        const NodeId node = finder.find(given.nodes[point.node]);
+        if (node == kNoNode) {
+            faults.add("missing-point", "a constraint point of the domain is not a node of the mesh",
+                       given.nodes[point.node], {point.node}, {partAt(domain, given.nodes[point.node])});
+        } else {
+            cut.points.push_back({static_cast<std::uint32_t>(node), point.tag});
+        }
+    }
+    return cut;
+}
+
+/// Returns how far rounding may move a node inserted into a segment, with a margin.
+double roundingOf(const Box2 &bounds) {
+    const double maxCoordinate =
+        std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.max.x), std::abs(bounds.max.y)});
+    return 8.0 * std::numeric_limits<double>::epsilon() * maxCoordinate;
+}
+
+/// Returns the maximum error of the area because nodes inserted into straight segments are rounded.
+double areaTolerance(const DiscreteDomain &domain, const EnclosedArea &enclosed) {
+    double perimeter = 0.0;
+    for (const DiscreteSegment &s : domain.segments) {
+        perimeter += distance(domain.nodes[s.a], domain.nodes[s.b]);
+    }
+    return 1e-11 * (enclosed.magnitude + std::abs(enclosed.area)) + roundingOf(domain.bounds()) * perimeter;
+}
+
+} // namespace
+
+Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit) {
+    Diagnostics found = verify(mesh, limit);
+    if (found.empty()) {
+        found = validate(domain, limit);
+    }
+    if (hasErrors(found)) {
+        return found;
+    }
+    SpacingSpec spec;
+    spec.size = domain.bounds().diagonal();
+    const auto spacing = SpacingField::build(spec, domain);
+    if (!spacing) {
+        return spacing.faults();
+    }
+    const Result<DiscreteDomain> given = discretise(domain, **spacing, true);
+    if (!given) {
+        return given.faults();
+    }
+    FaultList faults(limit);
+    const CurveChains chains = curveChains(domain);
+    const double tolerance = std::max(1e-9 * domain.bounds().diagonal(), roundingOf(domain.bounds()));
+    DiscreteDomain cut = cutAsMeshed(mesh, domain, chains, *given, tolerance, faults);
+    if (!faults.clean()) {
+        return faults.take();
+    }
+    const EnclosedArea whole = enclosedArea(*given);
+    // Along curves, the edges of the mesh cut off other areas than the chords of the domain.
+    double allowed = areaTolerance(*given, whole);
+    for (const CurveChain &chain : chains.list) {
+        allowed += CurveWalk(domain, chain, 0.0).areaBetween();
+    }
+    if (!(std::abs(meshArea(mesh) - whole.area) <= allowed)) {
+        faults.add("area",
+                   "the area of the mesh is " + std::to_string(meshArea(mesh)) + " instead of " +
+                       std::to_string(whole.area),
+                   mesh.bounds().centre());
+    }
+    // Areas of faces are those of the cut domain from here on; the sum was compared above.
+    if (!cut.regions.empty()) {
+        double rest = enclosedArea(cut).area;
+        for (std::size_t i = 1; i < cut.regions.size(); ++i) {
+            rest -= cut.regions[i].area;
+        }
+        cut.regions[0].area = rest;
+    }
+    checkAgainst(mesh, cut, faults);
+    return faults.take();
+}
+
+} // namespace forefront

@@ -1,0 +1,236 @@
+#include "core/engine/mesher/apex_search.hpp"
+
+#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesher/clearance.hpp"
+#include "core/engine/mesher/instantiate.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace forefront {
+
+Base baseAt(const GenerationFront &front, SlotId slotA) {
+    const SlotId slotB = front.next(slotA);
+    return {slotA,
+            slotB,
+            front.start(slotA),
+            front.start(slotB),
+            front[slotA].node,
+            front[slotB].node,
+            front[slotA].length,
+            0.0,
+            0.0,
+            {}};
+}
+
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::evaluateSpacing(Base &base) {
+    const Vec2 middle = midpoint(base.a, base.b);
+    const Vec2 normal = (1.0 / base.length) * leftNormal(base.b - base.a);
+    const auto idealFor = [&](double rho) {
+        const double height = std::sqrt(std::max(0.0, rho * rho - 0.25 * base.length * base.length));
+        return middle + std::max(height, kMinHeight * base.length) * normal;
+    };
+    const double atMiddle = spacing_.at(middle);
+    const double atIdeal = spacing_.at(idealFor(clampedToBase(atMiddle, base.length)));
+    base.fieldRho = 0.5 * (atMiddle + atIdeal);
+    base.rho = clampedToBase(base.fieldRho, base.length);
+    base.ideal = idealFor(base.rho);
+    trace_.evaluateSpacing(base);
+}
+
+template <class Grid, class Trace>
+Box2 ApexSearch<Grid, Trace>::reach(const Base &base, double radius) {
+    Box2 box = boxAround(base.ideal, radius);
+    box.add(base.a);
+    box.add(base.b);
+    return box;
+}
+
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::force(const Base &base, double radius, Candidate &apex) {
+    do { // ends at the latest when the search covers all of Γ, see ClassicAdvancer
+        radius *= 2.0;
+        FOREFRONT_ASSERT(radius < 1e6 * (base.rho + slack_ / std::numeric_limits<double>::epsilon()));
+        trace_.widen();
+    } while (!find(base, {radius, false}, apex));
+}
+
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candidate &apex) {
+    gather(reach(base, limits.radius));
+    rank(base, limits);
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        trace_.beginTest(i);
+        const Verdict verdict = test(base, candidates_[i]);
+        trace_.endTest(verdict);
+        if (verdict == Verdict::Accepted) {
+            apex = candidates_[i];
+            return true;
+        }
+        ++work_.rejected;
+    }
+    return false;
+}
+
+/// Collects the segments of Γ near the box, each once, in the order of their slots. The result is the same for every
+/// grid.
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
+    const GenerationFront &front = state_.front;
+    if (stamps_.size() < front.capacity()) {
+        stamps_.resize(front.capacity() + front.capacity() / 2, 0);
+    }
+    if (++stamp_ == 0) {
+        std::fill(stamps_.begin(), stamps_.end(), 0U);
+        stamp_ = 1;
+    }
+    found_.clear();
+    grid_.query(
+        front, box,
+        [&](SlotId id, bool near) {
+            std::uint32_t &stamp = stamps_[index(id)];
+            if (stamp != stamp_) {
+                stamp = stamp_;
+                ++work_.delivered;
+                trace_.deliver(1);
+                if (near && segmentNearBox(front.start(id), front.end(id), box, slack_)) {
+                    found_.push_back(id);
+                }
+            }
+        },
+        [&](const Box2 &cell) {
+            ++work_.cells;
+            trace_.visitCell(cell);
+        });
+    std::sort(found_.begin(), found_.end());
+    neighbours_.clear();
+    for (const SlotId id : found_) {
+        const FrontSlot &slot = front[id];
+        const FrontSlot &end = front[slot.next];
+        neighbours_.push_back({id, slot.node, end.node, slot.position, end.position});
+    }
+}
+
+/// Collects the front nodes within the radius, and the ideal point unless it is too near to Γ; best score first, ties
+/// by id (steps 5 to 7).
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
+    candidates_.clear();
+    const double radius2 = limits.radius * limits.radius;
+    for (const Neighbour &n : neighbours_) {
+        if (n.nodeA != base.nodeA && n.nodeA != base.nodeB && distanceSquared(n.a, base.ideal) <= radius2) {
+            candidates_.push_back({score(base, n.a), n.a, n.nodeA, n.slot});
+        }
+    }
+    work_.candidates += static_cast<std::uint32_t>(candidates_.size());
+    bool withdrawn = false;
+    if (limits.newNodes) {
+        withdrawn = !idealIsClear(base) || (state_.smallNodesLeft == 0 && base.small());
+        if (!withdrawn) {
+            candidates_.push_back({score(base, base.ideal), base.ideal, kNoNode, kNoSlot});
+            ++work_.candidates;
+        }
+    }
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate &p, const Candidate &q) {
+        if (p.score != q.score) {
+            return p.score > q.score;
+        }
+        return p.node != q.node ? p.node < q.node : p.slot < q.slot;
+    });
+    trace_.rank(base, candidates_, limits.radius, withdrawn);
+}
+
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
+    const double node2 = kNodeClearance * kNodeClearance * base.rho * base.rho;
+    const double segment2 = kSegmentClearance * kSegmentClearance * base.rho * base.rho;
+    return std::none_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
+        if (n.slot == base.slotA) {
+            return false;
+        }
+        const bool own = n.nodeA == base.nodeA || n.nodeA == base.nodeB;
+        return (!own && distanceSquared(n.a, base.ideal) < node2) || nearSegment(base.ideal, n.a, n.b, segment2);
+    });
+}
+
+template <class Grid, class Trace>
+double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
+    return shapeFactor(base.a, base.b, p) * spacingConformity(distance(base.a, p), base.rho) *
+           spacingConformity(distance(base.b, p), base.rho);
+}
+
+/// Tests a candidate (step 8).
+template <class Grid, class Trace>
+Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate) {
+    const GenerationFront &front = state_.front;
+    if (orientation(base.a, base.b, candidate.position) <= 0) {
+        return Verdict::NotLeft;
+    }
+    if (!anglesAllow(base, candidate)) {
+        return Verdict::OutsideAngle;
+    }
+    const bool known = candidate.slot != kNoSlot;
+    const bool existsAC = known && front.prev(base.slotA) == candidate.slot;
+    const bool existsCB = known && front.next(base.slotB) == candidate.slot;
+    if ((!existsAC && crosses(base, base.a, base.nodeA, candidate)) ||
+        (!existsCB && crosses(base, base.b, base.nodeB, candidate))) {
+        return Verdict::CrossesFront;
+    }
+    return containsNode(base, candidate) ? Verdict::ContainsNode : Verdict::Accepted;
+}
+
+/// Returns true if AC and CB leave A, B and C on the unmeshed side. A side that is already a segment of Γ needs no
+/// test.
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &candidate) const {
+    const GenerationFront &front = state_.front;
+    const bool known = candidate.slot != kNoSlot;
+    if (!(known && front.prev(base.slotA) == candidate.slot) &&
+        !(front.insideAngle(base.slotA, candidate.position) && (!known || front.insideAngle(candidate.slot, base.a)))) {
+        return false;
+    }
+    return (known && front.next(base.slotB) == candidate.slot) ||
+           (front.insideAngle(base.slotB, candidate.position) && (!known || front.insideAngle(candidate.slot, base.b)));
+}
+
+/// Returns true if a candidate segment meets a segment of Γ. Segments that share an end with it are skipped: the angle
+/// tests have dealt with them.
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) {
+    const Box2 box = boxOf(from, to.position);
+    for (const Neighbour &n : neighbours_) {
+        const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;
+        if (n.slot == base.slotA || sharesEnd || !box.overlaps(boxOf(n.a, n.b))) {
+            continue;
+        }
+        ++work_.tested;
+        const bool meets = segmentsMeet(from, to.position, n.a, n.b);
+        trace_.testSegment(from, to.position, n.a, n.b, meets);
+        if (meets) {
+            trace_.block(n.a, n.b);
+            return true;
+        }
+    }
+    return false;
+}
+
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &candidate) {
+    Box2 box = boxOf(base.a, base.b);
+    box.add(candidate.position);
+    for (const Neighbour &n : neighbours_) {
+        if (n.nodeA == base.nodeA || n.nodeA == base.nodeB || n.nodeA == candidate.node || !box.contains(n.a)) {
+            continue;
+        }
+        if (insideOrOn(base.a, base.b, candidate.position, n.a)) {
+            trace_.block(n.a, n.a);
+            return true;
+        }
+    }
+    return false;
+}
+
+FOREFRONT_INSTANTIATE_FOR_GRIDS_AND_TRACES(ApexSearch)
+
+} // namespace forefront

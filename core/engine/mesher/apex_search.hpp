@@ -1,0 +1,115 @@
+#pragma once
+
+#include "core/engine/mesher/front_state.hpp"
+#include "core/engine/mesher/recorder.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace forefront {
+
+/// Minimum height of the ideal point above AB, in units of |AB|.
+inline constexpr double kMinHeight = 0.5;
+
+/// Returns ρ clamped against the length of the base (step 3), which keeps neighbouring elements within a factor of two.
+inline double clampedToBase(double rho, double length) {
+    return std::clamp(rho, 0.55 * length, 2.0 * length);
+}
+
+/// A new node closer to Γ than this fraction of the node spacing counts as small, see FrontState::smallNodesLeft.
+inline constexpr double kSmallNode = 0.5;
+
+/// A base segment AB with the node spacing there.
+struct Base {
+    SlotId slotA, slotB;
+    Vec2 a, b;
+    NodeId nodeA, nodeB;
+    double length;
+    double rho = 0.0;      ///< fieldRho clamped against the length
+    double fieldRho = 0.0; ///< value of the node spacing function
+    Vec2 ideal;            ///< the ideal point C
+
+    bool small() const { return rho < kSmallNode * fieldRho; }
+};
+/// Returns the base that starts at a slot, without its node spacing.
+Base baseAt(const GenerationFront &front, SlotId slotA);
+
+/// A candidate node for the apex.
+struct Candidate {
+    double score;
+    Vec2 position;
+    NodeId node; ///< kNoNode: the ideal point
+    SlotId slot; ///< kNoSlot: the ideal point
+};
+
+/// The work of the searches in one advance.
+struct SearchWork {
+    std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0, rejected = 0;
+
+    void store(AdvanceDelta &delta) const {
+        delta.delivered = delivered;
+        delta.tested = tested;
+        delta.cells = cells;
+        delta.candidates = candidates;
+        delta.rejected = static_cast<std::uint8_t>(std::min(rejected, 255U));
+    }
+};
+
+/// Performs steps 3 to 8 of the ten: finds the apex for a base segment. Changes only its own scratch memory.
+template <class Grid, class Trace>
+class ApexSearch {
+  public:
+    struct Limits {
+        double radius;
+        bool newNodes;
+    };
+
+    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace &trace)
+        : state_(state), grid_(grid), spacing_(spacing), slack_(slack), trace_(trace) {}
+
+    /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is the mean of its values at the midpoint of AB and at
+    /// the ideal point that follows from the first.
+    void evaluateSpacing(Base &base);
+    /// Returns a box that contains or meets everything that find() depends on.
+    static Box2 reach(const Base &base, double radius);
+    /// Finds the apex within one search radius (steps 5 to 8). Returns false if no candidate passes.
+    bool find(const Base &base, const Limits &limits, Candidate &apex);
+    /// Finds the apex among existing nodes only; doubles the radius until one passes, which cannot fail.
+    void force(const Base &base, double radius, Candidate &apex);
+
+    void startCounting() { work_ = {}; }
+    const SearchWork &work() const { return work_; }
+    SearchWork &work() { return work_; }
+
+  private:
+    struct Neighbour {
+        SlotId slot;
+        NodeId nodeA, nodeB;
+        Vec2 a, b;
+    };
+
+    void gather(const Box2 &box);
+    void rank(const Base &base, const Limits &limits);
+    bool idealIsClear(const Base &base) const;
+    double score(const Base &base, Vec2 p) const;
+    Verdict test(const Base &base, const Candidate &candidate);
+    bool anglesAllow(const Base &base, const Candidate &candidate) const;
+    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to);
+    bool containsNode(const Base &base, const Candidate &candidate);
+
+    const FrontState &state_;
+    const Grid &grid_;
+    const SpacingField &spacing_;
+    double slack_;
+    Trace &trace_;
+
+    std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
+    std::uint32_t stamp_ = 0;
+    std::vector<Neighbour> neighbours_; ///< of the current search, by slot
+    std::vector<SlotId> found_;
+    std::vector<Candidate> candidates_; ///< by (score, id)
+    SearchWork work_;
+};
+
+} // namespace forefront

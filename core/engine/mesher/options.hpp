@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/enum_words.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/grid/grid_kind.hpp"
+#include "core/engine/improve/improve_level.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace FOREFRONT_API forefront {
+
+class SharedSpacing;
+
+/// The method that advances the front.
+enum class Method : std::uint8_t {
+    Fast,   ///< walks along the front; a new node makes up to three elements
+    Classic ///< Lo's ten steps: shortest segment first, one element per advance
+};
+
+template <>
+struct EnumWords<Method> {
+    static constexpr auto kLast = Method::Classic;
+    static constexpr std::array<std::string_view, 2> kList = {"fast", "classic"};
+};
+
+/// Options for meshing a domain.
+struct MeshingOptions {
+    Method method = Method::Fast;
+    GridKind grid = GridKind::Hierarchical;
+    int gridColumns = 0; ///< uniform grid only; 0: automatic
+    int gridRows = 0;
+    bool keepBoundary = false; ///< the given segments become edges of the mesh and are not subdivided
+    /// Improvement once the front is closed. The fast method advances more carefully at higher levels, see FrontCare.
+    ImproveLevel improve = ImproveLevel::Default;
+    unsigned threads = 1; ///< the mesh does not depend on it
+
+    friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
+};
+
+/// The complete input of a meshing run.
+struct MeshingJob {
+    Domain domain;
+    SpacingSpec spacing;
+    MeshingOptions options;
+    std::shared_ptr<SharedSpacing> shared{}; ///< where others need the field of this job, too; null: nobody does
+};
+
+} // namespace forefront

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/boundary/discretise.hpp"
+#include "core/engine/improve/improve.hpp"
+#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesher/options.hpp"
+#include "core/engine/mesher/statistics.hpp"
+
+#include <limits>
+#include <memory>
+#include <string_view>
+
+namespace FOREFRONT_API forefront {
+
+class Mesher;
+
+/// Maximum number of elements: half-edges, three per element, have ids of 31 bits.
+inline constexpr double kMaxElements = 7e8;
+
+/// A job that passed validation, with its discretised boundary and spacing field.
+struct PreparedJob {
+    std::shared_ptr<const DiscreteDomain> boundary;
+    std::shared_ptr<const SpacingField> spacing;
+    double estimatedElements = 0.0;
+    double requestedElements = 0.0; ///< the estimate for the spacing of the job
+    double coarsening = 1.0;        ///< `spacing` is this many times that of the job; see prepare()
+};
+
+/// Validates the domain, builds the spacing and discretises the boundary. If the estimated number of elements exceeds
+/// `budget`, which must be positive, the spacing is multiplied by one factor that brings it down to the budget, for a
+/// preview of the mesh; given nodes and edges stay, so that there may be more. Where chords stand for curves that
+/// cross, sizes for the short ones among them are added to an automatic spacing. Errors: those of each step,
+/// "too-many-elements", "cancelled".
+Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {},
+                            double budget = std::numeric_limits<double>::infinity());
+
+/// The result of a run.
+struct MeshingOutcome {
+    Mesh mesh;
+    std::shared_ptr<const DiscreteDomain> boundary;
+    std::shared_ptr<const SpacingField> spacing;
+    WorkCounters work;
+    ImproveReport improvement;
+    double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅
+    double secondsImprove = 0.0; ///< CPU time of the improvement
+    double secondsWall = 0.0;    ///< wall clock time of both; less than their sum where threads share the work
+    double secondsPrepare = 0.0; ///< CPU time of validation, spacing and discretisation
+};
+
+/// Returns the error "out-of-memory".
+Diagnostics outOfMemory();
+/// Advances until Γ = ∅ and reports progress as `stage`. Returns false when cancelled.
+bool advanceToEnd(Mesher &mesher, double estimatedElements, std::string_view stage, const Progress &progress);
+
+/// Runs the whole pipeline: validates, builds the spacing, discretises, advances the front to its end, improves.
+/// Errors: those of prepare(), "out-of-memory", "cancelled".
+Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress = {});
+
+} // namespace forefront

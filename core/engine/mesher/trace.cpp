@@ -1,0 +1,175 @@
+#include "core/engine/mesher/trace.hpp"
+
+#include "core/engine/base/number_text.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace forefront {
+
+const char *stepTitle(Step step) {
+    switch (step) {
+    case Step::BoundaryToFront:
+        return "The boundary becomes the generation front";
+    case Step::TakeBase:
+        return "Take a base segment AB from the front, the shortest first";
+    case Step::EvaluateSpacing:
+        return "Evaluate the node spacing at AB";
+    case Step::IdealPoint:
+        return "Place the ideal point C";
+    case Step::FindCandidates:
+        return "Find candidate nodes near C";
+    case Step::Score:
+        return "Score each: shape times spacing conformity";
+    case Step::Sort:
+        return "Sort; withdraw C if the front is too near";
+    case Step::Test:
+        return "Test candidate segments against the front";
+    case Step::Update:
+        return "Store the element, update front and grid";
+    case Step::Finish:
+        return "Stop when the front is empty";
+    }
+    return "";
+}
+
+const char *verdictText(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::NotTried:
+        return "not tried";
+    case Verdict::Accepted:
+        return "accepted";
+    case Verdict::Withdrawn:
+        return "too near the front";
+    case Verdict::NotLeft:
+        return "on AB or its meshed side";
+    case Verdict::OutsideAngle:
+        return "leaves the unmeshed side";
+    case Verdict::CrossesFront:
+        return "crosses the front";
+    case Verdict::ContainsNode:
+        return "a node lies inside";
+    }
+    return "";
+}
+
+namespace {
+
+std::string format(const char *pattern, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, pattern, value);
+    return text;
+}
+
+std::string candidateName(const CandidateTrace &candidate) {
+    if (candidate.node != kNoNode) {
+        return "node " + std::to_string(index(candidate.node));
+    }
+    return candidate.over.empty() ? "the ideal point"
+                                  : "one point for " + std::to_string(candidate.over.size() - 1) + " segments";
+}
+
+/// Returns a text such as "; 3 candidates rejected: 2 cross the front, 1 on AB or its meshed side". Points that are
+/// withdrawn before any test do not count as rejected.
+std::string rejections(const AdvanceExplanation &explanation) {
+    struct Reason {
+        Verdict verdict;
+        const char *one;
+        const char *many;
+    };
+    static constexpr Reason kReasons[] = {
+        {Verdict::CrossesFront, "crosses the front", "cross the front"},
+        {Verdict::ContainsNode, "encloses a node", "enclose a node"},
+        {Verdict::OutsideAngle, "leaves the unmeshed side", "leave the unmeshed side"},
+        {Verdict::NotLeft, "on AB or its meshed side", "on AB or its meshed side"}};
+    const auto countOf = [&](Verdict verdict) {
+        return static_cast<std::size_t>(
+            std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
+                          [verdict](const CandidateTrace &candidate) { return candidate.verdict == verdict; }));
+    };
+    std::string list;
+    std::size_t total = 0;
+    for (const Reason &reason : kReasons) {
+        const std::size_t count = countOf(reason.verdict);
+        if (count > 0) {
+            list += (list.empty() ? "" : ", ") + std::to_string(count) + ' ' + (count == 1 ? reason.one : reason.many);
+            total += count;
+        }
+    }
+    std::string text = total == 0 ? "" : "; " + countText(total, "candidate") + " rejected: " + list;
+    const std::size_t withdrawn = countOf(Verdict::Withdrawn);
+    if (withdrawn > 0) {
+        text += "; " + countText(withdrawn, "new point") + " too near the front";
+    }
+    return text;
+}
+
+std::string outcome(const AdvanceExplanation &explanation) {
+    std::string text;
+    if (explanation.deferred) {
+        text = "no candidate passes, the segment is deferred";
+    } else {
+        const auto accepted =
+            std::find_if(explanation.candidates.begin(), explanation.candidates.end(),
+                         [](const CandidateTrace &candidate) { return candidate.verdict == Verdict::Accepted; });
+        text = accepted == explanation.candidates.end() ? "element stored" : candidateName(*accepted) + " accepted";
+        const bool several = explanation.elements > 1;
+        if (several) {
+            text += ", " + std::to_string(explanation.elements) + " elements in one advance";
+        }
+        if (accepted != explanation.candidates.end()) {
+            text += (several ? " (minimum α " : " (α ") + format("%.3f", accepted->alpha) + ')';
+        }
+    }
+    return text + rejections(explanation);
+}
+
+std::string testText(const AdvanceExplanation &explanation, const TraceEvent &event) {
+    const CandidateTrace &candidate = explanation.candidates[event.candidate];
+    std::string text = "test " + candidateName(candidate);
+    if (event.test != kNoIndex) {
+        text += explanation.tests[event.test].meets ? ": a candidate segment meets the front"
+                                                    : ": this segment of the front is clear";
+    } else if (candidate.verdict != Verdict::NotTried) {
+        text += std::string(": ") + verdictText(candidate.verdict);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
+    std::string text =
+        "Edge " + std::to_string(index(explanation.nodeA)) + "-" + std::to_string(index(explanation.nodeB)) + ": ";
+    if (cursor >= explanation.events.size()) {
+        return text + outcome(explanation);
+    }
+    const TraceEvent &event = explanation.events[cursor];
+    switch (event.step) {
+    case Step::BoundaryToFront:
+    case Step::TakeBase:
+        return text + (explanation.walked ? "next along the front, taken as base AB"
+                                          : "one of the shortest segments of the front, taken as base AB");
+    case Step::EvaluateSpacing:
+        return text + "node spacing ρ = " + format("%.4g", explanation.rho) + " here";
+    case Step::IdealPoint:
+        return text + "ideal point C at (" + format("%.4g", explanation.ideal.x) + ", " +
+               format("%.4g", explanation.ideal.y) + ')';
+    case Step::FindCandidates:
+        return text + "the front nodes near C become candidates";
+    case Step::Score:
+        return text + "each candidate scored by α(ABC)·δ(AC)·δ(CB)";
+    case Step::Sort:
+        return text + (event.candidate == kNoIndex
+                           ? "no candidate is near enough"
+                           : "best first: " + candidateName(explanation.candidates[event.candidate]));
+    case Step::Test:
+        return text + testText(explanation, event);
+    case Step::Update:
+    case Step::Finish:
+        return text + outcome(explanation) + (event.step == Step::Finish ? "; the front is empty" : "");
+    }
+    return text;
+}
+
+} // namespace forefront

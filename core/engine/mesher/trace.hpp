@@ -1,0 +1,105 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/ids.hpp"
+#include "core/engine/base/vec2.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// The ten steps of S. H. Lo's advancing front technique.
+enum class Step : std::uint8_t {
+    BoundaryToFront = 1, ///< 1  Γ := boundary segments
+    TakeBase,            ///< 2  take a base segment AB from Γ, the shortest first
+    EvaluateSpacing,     ///< 3  ρ at the midpoint of AB, clamped
+    IdealPoint,          ///< 4  ideal point C
+    FindCandidates,      ///< 5  candidate nodes near C
+    Score,               ///< 6  α(ABC)·δ(AC)·δ(CB)
+    Sort,                ///< 7  sort, withdraw C where it is too near the front
+    Test,                ///< 8  test candidate segments against Γ
+    Update,              ///< 9  store ABC, update Γ and grid
+    Finish               ///< 10 stop when Γ = ∅
+};
+inline constexpr int kStepCount = 10;
+/// Returns the title of a step, such as "Evaluate the node spacing at AB".
+const char *stepTitle(Step step);
+
+/// The result of testing a candidate node.
+enum class Verdict : std::uint8_t {
+    NotTried, ///< a better one was accepted first
+    Accepted,
+    Withdrawn,    ///< the ideal point: a front node or segment is too near
+    NotLeft,      ///< triangle ABC has no positive area (exact)
+    OutsideAngle, ///< AC or CB leaves the unmeshed side at A, B or C
+    CrossesFront, ///< AC or CB meets a segment of Γ
+    ContainsNode  ///< a front node lies in or on ABC
+};
+/// Returns a verdict as text, such as "crosses the front".
+const char *verdictText(Verdict verdict);
+
+/// A candidate node with its score and verdict.
+struct CandidateTrace {
+    Vec2 position;
+    NodeId node = kNoNode;               ///< kNoNode: the ideal point itself
+    double alpha = 0.0;                  ///< α of ABC; the minimum where several elements are made at once
+    double deltaAC = 0.0, deltaCB = 0.0; ///< δ of the outer sides
+    double rho = 0.0;                    ///< the spacing that δ compares lengths with
+    double score = 0.0;                  ///< product of the three
+    Verdict verdict = Verdict::NotTried;
+    /// Fast method: the front nodes whose segments share this candidate, in order; empty: AB alone.
+    std::vector<Vec2> over;
+    bool blocked = false; ///< ruled out by the front segment blockA-blockB, or the front node there if both are equal
+    Vec2 blockA, blockB;
+};
+
+/// A test of a candidate segment against a segment of Γ.
+struct TestTrace {
+    Vec2 candidateFrom, candidateTo;
+    Vec2 frontA, frontB;
+    std::uint32_t candidate = 0; ///< index into AdvanceExplanation::candidates
+    bool meets = false;
+};
+
+/// A moment within an advance at which the timeline can pause.
+struct TraceEvent {
+    Step step = Step::TakeBase;
+    std::uint32_t candidate = kNoIndex; ///< the candidate involved
+    std::uint32_t test = kNoIndex;      ///< the segment test involved
+    std::uint32_t cellsSeen = 0;        ///< cells visited so far: cells[0 .. cellsSeen)
+    std::uint32_t candidatesSeen = 0;   ///< candidates proposed so far: candidates[0 .. candidatesSeen)
+    std::uint32_t delivered = 0;        ///< segments that the grid has delivered so far
+};
+
+/// Everything that happened in one advance. It is derived by running the advance again with recording, which is exact
+/// because advances are deterministic.
+struct AdvanceExplanation {
+    std::uint64_t advance = 0; ///< number of the advance, from 1
+    Vec2 a, b;                 ///< base segment AB
+    NodeId nodeA = kNoNode, nodeB = kNoNode;
+    double fieldRho = 0.0; ///< value of the node spacing function
+    double rho = 0.0;      ///< spacing used: fieldRho after clamping
+    Vec2 ideal;            ///< ideal point C
+    double searchRadius = 0.0;
+    int widening = 0;                       ///< how often the search was widened
+    bool deferred = false;                  ///< no candidate passed: the base was put back
+    std::vector<CandidateTrace> candidates; ///< by search, then by (score, id); a withdrawn ideal point last
+    std::vector<TestTrace> tests;
+    std::vector<Box2> cells;     ///< visited cells of the background grid, in order
+    std::uint32_t delivered = 0; ///< segments that the grid delivered
+    std::vector<TraceEvent> events;
+    Vec2 apex;                             ///< apex of the elements made, unless deferred
+    ElementId element = kNoElement;        ///< first element made
+    unsigned elements = 0;                 ///< number of elements made
+    std::vector<std::array<Vec2, 3>> made; ///< corners of the elements made
+    bool walked = false;                   ///< fast method: the base continues the walk along the front
+};
+
+/// Returns a moment as a caption: "Edge 41-42: node 7 accepted (α 0.982); 2 candidates rejected: 2 cross the front; 1
+/// new point too near the front". `cursor` is an index into events; past the end, the caption sums up the advance.
+std::string caption(const AdvanceExplanation &explanation, std::size_t cursor);
+
+} // namespace forefront

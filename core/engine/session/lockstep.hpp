@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/engine/session/meshing_session.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// A method and a background grid to compare with others.
+struct RunVariant {
+    Method method = Method::Fast;
+    GridKind grid = GridKind::Hierarchical;
+
+    /// Returns its name, such as "classic, uniform grid".
+    std::string name() const;
+    friend bool operator==(const RunVariant &, const RunVariant &) = default;
+};
+
+/// What the run on the canvas is compared with.
+enum class Comparison : std::uint8_t { Grids, Methods };
+
+/// Returns the variants to show beside a run: the other background grids, or the other method.
+std::vector<RunVariant> variantsBeside(const RunVariant &shown, Comparison comparison);
+
+/// The figures of a run at its position; counts of the grid's work are per element, as in the published tables.
+struct RunFigures {
+    std::uint64_t advances = 0, elements = 0;
+    double front = 0.0;      ///< Nb: mean number of segments of the front per advance
+    double neighbours = 0.0; ///< Nc: mean number of neighbouring segments delivered by the grid per element
+    double tests = 0.0;      ///< Ns: mean number of segments tested for intersection per element
+    double cells = 0.0;      ///< cells visited per element
+    double seconds = 0.0;    ///< CPU time of the run up to the furthest advance
+};
+RunFigures figuresOf(const SessionSnapshot &snapshot);
+
+/// Runs of one job with different methods or grids, kept at the same advance. Call all members from one thread; none of
+/// them blocks.
+class Lockstep {
+  public:
+    /// Starts the runs, before the first advance. `wake` as for MeshingSession.
+    Lockstep(const MeshingJob &job, std::vector<RunVariant> variants, const std::function<void()> &wake);
+
+    std::size_t size() const { return runs_.size(); }
+    const RunVariant &variant(std::size_t run) const { return runs_[run].variant; }
+    std::shared_ptr<const SessionSnapshot> latest(std::size_t run) const { return runs_[run].session->latest(); }
+    bool busy() const;
+    /// Moves every run to an advance, or to its own end with `end`. A run that is still moving catches up on a later
+    /// call, so call it regularly with the latest position, such as once per frame.
+    void follow(std::uint64_t advance, bool end);
+
+  private:
+    struct Run {
+        RunVariant variant;
+        std::unique_ptr<MeshingSession> session;
+        std::uint64_t advance = 0; ///< last requested
+        bool end = false;
+    };
+    std::vector<Run> runs_;
+};
+
+} // namespace forefront

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "core/engine/session/session_mailbox.hpp"
+#include "core/engine/session/snapshot_builder.hpp"
+#include "core/engine/session/timeline_travel.hpp"
+
+#include <functional>
+#include <optional>
+#include <thread>
+
+namespace forefront {
+
+/// The worker thread of a MeshingSession. Only that thread uses the members, except the mailbox.
+class SessionWorker {
+  public:
+    explicit SessionWorker(std::function<void()> wake);
+    ~SessionWorker();
+    SessionWorker(const SessionWorker &) = delete;
+    SessionWorker &operator=(const SessionWorker &) = delete;
+
+    /// Returns the mailbox, which the UI thread may use.
+    SessionMailbox &mailbox() { return mailbox_; }
+    const SessionMailbox &mailbox() const { return mailbox_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    using Blocking = SessionMailbox::Blocking;
+    using Outcome = TimelineTravel::Outcome;
+
+    void loop();
+    void execute(const StartCommand &command);
+    void execute(const PlayCommand &command);
+    void execute(const StepCommand &command);
+    void execute(const SeekCommand &command);
+    void execute(const SeekStopCommand &command);
+    void execute(const SeekBirthCommand &command);
+    void execute(const BreakpointsCommand &command);
+    void execute(const FinishCommand &command);
+    void execute(const PauseCommand &command);
+    void execute(const CancelCommand &command);
+    void execute(const ClearCommand &command);
+    void execute(const LayersCommand &command);
+
+    /// Discards the run with its mesh and timeline.
+    void forget();
+    void beginMove();
+    void follow(Outcome outcome);
+    void rest(RunState state);
+    void arrive();
+    void improveMesh();
+    void finishWith(Mesh mesh);
+    void runOutOfMemory();
+    double frontProgress() const;
+
+    Progress progressInto(RunState state, std::stop_token stop);
+    void publish(bool resting);
+    void publishIfDue();
+    void fillFromRun(SessionSnapshot &snapshot, bool resting);
+
+    SessionMailbox mailbox_;
+    std::function<void()> wake_;
+
+    std::shared_ptr<const MeshingJob> job_;
+    std::shared_ptr<const SpacingField> spacing_;
+    std::shared_ptr<const DiscreteDomain> boundary_;
+    std::optional<TimelineTravel> travel_; ///< empty: there is no run
+    SnapshotBuilder builder_{0};
+    std::shared_ptr<const MeshView> finalMesh_;
+    MeshQuality finalQuality_;
+    std::uint64_t finalHash_ = 0;
+    double estimatedElements_ = 0.0, requestedElements_ = 0.0;
+    double coarsening_ = 1.0;
+    double secondsImprove_ = 0.0;
+    bool quiet_ = false;              ///< publish nothing before the run rests
+    bool improvementStopped_ = false; ///< stopped by a command
+
+    RunState state_ = RunState::Empty;
+    Diagnostics diagnostics_;
+    std::string stage_;
+    double stageProgress_ = 0.0;
+    std::uint64_t run_ = 0;
+    std::uint64_t shownRun_ = 0; ///< the run of travel_; 0: none
+    std::uint64_t sequence_ = 0;
+    SnapshotLayers layers_;
+    Breakpoints breakpoints_;
+    Clock::time_point lastPublish_;
+    Clock::duration publishCost_{};
+
+    std::jthread thread_; ///< last, so that it starts after and ends before all that it uses
+};
+
+} // namespace forefront

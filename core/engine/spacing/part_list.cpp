@@ -1,0 +1,204 @@
+#include "core/engine/spacing/part_list.hpp"
+
+#include "core/engine/spacing/parts/automatic/automatic.hpp"
+#include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/engine/spacing/parts/automatic/gap_sites.hpp"
+#include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
+#include "core/engine/spacing/parts/node_sizes/node_size_sites.hpp"
+#include "core/engine/spacing/parts/part_sizes/part_size_sites.hpp"
+#include "core/engine/spacing/parts/sources/source_sites.hpp"
+#include "core/engine/spacing/spec/spec_check.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace forefront {
+namespace {
+
+void neverFaulty(const SpacingSpec &, const Domain &, Diagnostics &) {}
+
+/// Returns true if both are null or their contents are equal; shared content is not compared.
+template <class T>
+bool samePointed(const std::shared_ptr<const T> &a, const std::shared_ptr<const T> &b) {
+    return a == b || (a && b && *a == *b);
+}
+
+Diagnostics addSize(const PartInput &input, FieldParts &parts) {
+    parts.lowerCap(*input.spec.size, SpacingOrigin::Constant);
+    return {};
+}
+
+Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
+    auto expression = ExpressionSpacing::build(input.spec, input.domain, input.box);
+    if (!expression) {
+        return expression.faults();
+    }
+    if (input.spec.gradation) {
+        expression->addSteepSites(input.box, *input.spec.gradation, parts.few, input.progress);
+    }
+    parts.point<ExpressionSpacing>() = std::move(*expression);
+    return {};
+}
+
+bool samePaint(const SpacingSpec &a, const SpacingSpec &b) {
+    return a.paint.origin == b.paint.origin && a.paint.pitch == b.paint.pitch && a.paint.replaces == b.paint.replaces &&
+           std::equal(
+               a.paint.tiles.begin(), a.paint.tiles.end(), b.paint.tiles.begin(), b.paint.tiles.end(),
+               [](const auto &s, const auto &t) { return s.first == t.first && samePointed(s.second, t.second); });
+}
+
+Diagnostics addPaint(const PartInput &input, FieldParts &parts) {
+    auto painted = PaintedPart::build(input.spec.paint, input.box, input.minimum);
+    if (!painted) {
+        return painted.faults();
+    }
+    parts.point<PaintedPart>() = std::move(*painted);
+    PaintedPart::addSites(input.spec.paint, input.minimum, input.gradation, parts.few);
+    return {};
+}
+
+Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
+    const BackgroundMesh &mesh = *input.spec.background;
+    auto background = BackgroundPart::build(mesh, input.minimum, input.progress);
+    if (!background) {
+        return background.faults();
+    }
+    parts.point<FilledBackground>().emplace(std::move(*background));
+    if (const auto gradation = input.spec.gradation) {
+        BackgroundPart::addBorderSites(mesh, input.minimum, *gradation, parts.few, input.progress);
+        BackgroundPart::addSteepSites(mesh, input.minimum, *gradation, parts.few);
+    }
+    return {};
+}
+
+Diagnostics addSources(const PartInput &input, FieldParts &parts) {
+    addSourceSites(input.spec.sources, input.minimum, input.givenGradation(), parts.few);
+    parts.point<GradedSources>() = GradedSources::build(input.spec.sources, input.givenGradation(), input.box);
+    parts.point<BoxSources>() = BoxSources::build(input.spec.sources, input.minimum, input.givenGradation(), input.box);
+    for (const SizeSource &source : input.spec.sources) {
+        parts.words.sources.push_back(source.name);
+    }
+    return {};
+}
+
+Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
+    addPartSizeSites(input.domain, input.spec.partSizes, input.minimum, input.givenGradation(), parts.few);
+    for (const auto &[tag, size] : input.spec.partSizes) {
+        parts.words.parts[static_cast<std::uint32_t>(tag)] = boundaryName(input.domain.boundaryNames, tag);
+    }
+    return {};
+}
+
+Diagnostics addNodeSizes(const PartInput &input, FieldParts &parts) {
+    addNodeSizeSites(input.domain.nodeSizes, input.minimum, input.givenGradation(), parts.few);
+    for (const NodeSize &node : input.domain.nodeSizes) {
+        parts.words.nodes.push_back(node.name);
+    }
+    return {};
+}
+
+Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
+    addBoundarySites(input.domain, input.minimum, input.gradation, parts.few);
+    return {};
+}
+
+Diagnostics addBends(const PartInput &input, FieldParts &parts) {
+    addCurvatureSites(input.domain, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
+                      input.gradation, SpacingOrigin::Boundary, false, input.progress, parts.few);
+    return {};
+}
+
+Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
+    const SpacingSpec &spec = input.spec;
+    double longest = std::min(parts.cap, spec.maximum.value_or(parts.cap));
+    if (spec.usesAutomatic() && !spec.background) {
+        longest = std::min(longest, automaticMaximum(input.box));
+    }
+    addGapSites(input.domain, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()), input.minimum,
+                input.gradation, input.progress, parts.few);
+    return {};
+}
+
+Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
+    for (const RegionMarker &marker : input.domain.regionMarkers) {
+        parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
+    }
+    auto regions = RegionPart::build(input.domain, input.minimum);
+    if (regions) {
+        regions->addSites(input.gradation, input.givenGradation(), parts.few);
+        parts.point<RegionPart>() = std::move(*regions);
+    }
+    return {};
+}
+
+// The order is also that of the sites, so it decides which of several equal ones the inspector names.
+constexpr auto kKinds = std::to_array<SpacingPartKind>({
+    {"size", [](const SpacingSpec &spec, const Domain &) { return spec.size.has_value(); },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.size == b.size; }, addSize},
+    {"expression", [](const SpacingSpec &spec, const Domain &) { return spec.expression.has_value(); }, neverFaulty,
+     [](const SpacingSpec &a, const SpacingSpec &b) {
+         return a.expression == b.expression && (!a.expression || a.names == b.names);
+     },
+     addExpression},
+    {"paint", [](const SpacingSpec &spec, const Domain &) { return !spec.paint.tiles.empty(); }, neverFaulty, samePaint,
+     addPaint},
+    {"background", [](const SpacingSpec &spec, const Domain &) { return spec.background != nullptr; }, neverFaulty,
+     [](const SpacingSpec &a, const SpacingSpec &b) { return samePointed(a.background, b.background); }, addBackground},
+    {"sources", [](const SpacingSpec &spec, const Domain &) { return !spec.sources.empty(); },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSources(spec.sources, faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) {
+         return a.sources == b.sources && a.keepAutomatic.value_or(false) == b.keepAutomatic.value_or(false);
+     },
+     addSources},
+    {"partSizes", [](const SpacingSpec &spec, const Domain &) { return !spec.partSizes.empty(); },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkPartSizes(spec.partSizes, faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.partSizes == b.partSizes; }, addPartSizes},
+    {"", [](const SpacingSpec &, const Domain &domain) { return !domain.nodeSizes.empty(); },
+     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) { checkNodeSizes(domain.nodeSizes, faults); },
+     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addNodeSizes},
+    {"fromBoundary", [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.fromBoundary == b.fromBoundary; }, addBoundary},
+    {"segmentsPerTurn",
+     [](const SpacingSpec &spec, const Domain &domain) {
+         return spec.segmentsPerTurn.value_or(0.0) > 0.0 && !domain.curves.empty();
+     },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
+         checkSegmentsPerTurn(spec.segmentsPerTurn, faults);
+     },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.segmentsPerTurn == b.segmentsPerTurn; }, addBends},
+    {"elementsAcross", [](const SpacingSpec &spec, const Domain &) { return spec.elementsAcross.value_or(0.0) > 0.0; },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
+         checkElementsAcross(spec.elementsAcross, faults);
+     },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.elementsAcross == b.elementsAcross; }, addGaps},
+    {"",
+     [](const SpacingSpec &, const Domain &domain) {
+         return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),
+                            [](const RegionMarker &marker) { return marker.maxArea > 0.0 || marker.size > 0.0; });
+     },
+     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) { checkRegions(domain.regionMarkers, faults); },
+     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addRegions},
+});
+
+} // namespace
+
+std::span<const SpacingPartKind> spacingPartKinds() {
+    return kKinds;
+}
+
+Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain) {
+    Diagnostics faults;
+    checkLimits(spec, faults);
+    for (const SpacingPartKind &kind : kKinds) {
+        kind.check(spec, domain, faults);
+    }
+    return faults;
+}
+
+bool sameContent(const SpacingSpec &a, const SpacingSpec &b) {
+    return a.minimum == b.minimum && a.maximum == b.maximum && a.gradation == b.gradation &&
+           std::all_of(kKinds.begin(), kKinds.end(), [&](const SpacingPartKind &kind) { return kind.same(a, b); });
+}
+
+} // namespace forefront

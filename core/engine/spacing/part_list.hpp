@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/engine/spacing/combined_field.hpp"
+#include "core/engine/spacing/parts/part_input.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace forefront {
+
+/// One kind of spacing part, with everything needed to build, check, compare, read and write it.
+struct SpacingPartKind {
+    /// Member of "spacing" in a project file; empty for parts that belong to the domain.
+    std::string_view word;
+    bool (*given)(const SpacingSpec &, const Domain &);
+    /// Adds the faults of its numbers.
+    void (*check)(const SpacingSpec &, const Domain &, Diagnostics &);
+    /// Returns true if two specifications agree in this part.
+    bool (*same)(const SpacingSpec &, const SpacingSpec &);
+    /// Adds the part to the field. Only called if it is given and has no faults.
+    Diagnostics (*add)(const PartInput &, FieldParts &);
+};
+
+/// Returns all kinds of parts, in the order in which they are added to a field.
+std::span<const SpacingPartKind> spacingPartKinds();
+
+/// Returns all faults of the numbers in a specification. Codes: bad-size (sizes, limits, gradation), bad-source,
+/// bad-region-area; sources and markers by index in `ids`, with a place if known. Paint and background meshes
+/// are checked while they are built.
+Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain);
+
+/// Returns true if two specifications have the same content, wherever it is in memory.
+bool sameContent(const SpacingSpec &a, const SpacingSpec &b);
+
+} // namespace forefront

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/sites/site_set.hpp"
+
+namespace forefront {
+
+/// The spacing chosen from the domain alone.
+struct AutomaticSpacing {
+    double maximum = 1.0; ///< upper bound everywhere, from the size of the domain
+    SiteSet sites;
+};
+
+/// Returns the upper bound of automatic spacing in a domain with this box.
+double automaticMaximum(const Box2 &box);
+
+/// Chooses a graded spacing that leaves short segments and curves undivided, makes the domain about 45 elements across,
+/// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require). It is finer at sharp
+/// corners and lone points, and with `channels` in narrow places, too.
+AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
+                                  double segmentsPerTurn, bool channels = true, const Progress &progress = {});
+
+} // namespace forefront

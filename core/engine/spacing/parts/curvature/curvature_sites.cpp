@@ -1,0 +1,116 @@
+#include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
+
+#include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/geometry/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace forefront {
+namespace {
+
+constexpr double kVisible = 1.0 / 5000.0; ///< smallest visible distance from a curve, as a fraction of the diagonal
+constexpr double kAreaError = 0.002;      ///< fraction of the area that all edges together may cut off
+constexpr double kEven = 0.3;             ///< turning of a part, in radians, that is not worth dividing
+constexpr double kUneven = 2.0;           ///< ratio of the radii of the halves of a part that bends unevenly
+constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
+
+/// Returns the area inside, from the chords; std::nullopt if segments cross, or after a stop request.
+std::optional<double> areaInside(const Domain &domain, const Progress &progress) {
+    progress("measuring the domain", 0.0);
+    const DomainGraph graph = graphOf(domain);
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, progress.stop);
+    if (sweep.droppedCount != 0 || progress.cancelled()) {
+        return std::nullopt;
+    }
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    const FaceLabels labels = labelFaces(domain, graph, faces);
+    const Vec2 origin = domain.bounds().centre();
+    CompensatedSum twice;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        const bool left = labels.inside[faces.left[e]] != 0, right = labels.inside[faces.right[e]] != 0;
+        if (left != right) {
+            const Vec2 a = graph.points[graph.edges[e].a] - origin, b = graph.points[graph.edges[e].b] - origin;
+            twice.add(left ? cross(a, b) : cross(b, a));
+        }
+    }
+    return 0.5 * twice.value();
+}
+
+/// Returns the distance between edges and curves that is too small to see. An edge of length c cuts off c³κ/12; with c²
+/// = 8 δ / κ that is 2δ/3 for each unit of length.
+double invisibleDistance(const Domain &domain, const CurveChains &chains, const Progress &progress) {
+    double along = 0.0;
+    for (const CurveChain &chain : chains.list) {
+        along += domain.curves[chain.curve].length(chain.t0, chain.t1);
+    }
+    const double distance = kVisible * domain.bounds().diagonal();
+    const std::optional<double> area = areaInside(domain, progress);
+    return area && *area > 0.0 ? std::min(distance, 1.5 * kAreaError * *area / along) : distance;
+}
+
+/// Visits the parts of a stretch of a curve along which it bends about evenly, with their mean radii: at a point, the
+/// radius may be zero. Parts no longer than `shortest` are not divided.
+template <class Visit>
+void forEachBend(const Curve &curve, CurveStretch stretch, double shortest, const Visit &visit) {
+    struct Part {
+        double t0, t1, length, turning;
+        double radius() const { return length / turning; }
+    };
+    const auto part = [&](double t0, double t1) { return Part{t0, t1, curve.length(t0, t1), curve.turning(t0, t1)}; };
+    std::vector<Part> open = {part(stretch.t0, stretch.t1)};
+    while (!open.empty()) {
+        const Part whole = open.back();
+        open.pop_back();
+        if (whole.turning > kEven && whole.length > shortest) {
+            const double middle = 0.5 * (whole.t0 + whole.t1);
+            const Part first = part(whole.t0, middle), second = part(middle, whole.t1);
+            const double a = first.radius(), b = second.radius();
+            if (std::max(a, b) > kUneven * std::min(a, b)) {
+                open.insert(open.end(), {second, first});
+                continue;
+            }
+        }
+        visit(whole.t0, whole.t1, whole.radius());
+    }
+}
+
+} // namespace
+
+void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
+                       double gradation, SpacingOrigin origin, bool visibleOnly, const Progress &progress,
+                       SiteSet &sites) {
+    if (chains.list.empty()) {
+        return;
+    }
+    const double shortest = kVisible * domain.bounds().diagonal();
+    const double invisible = visibleOnly ? invisibleDistance(domain, chains, progress) : 0.0;
+    for (const CurveChain &chain : chains.list) {
+        if (progress.cancelled()) {
+            return;
+        }
+        if (domain.segments[chain.segments.front()].elements > 0) {
+            continue; // their size is given
+        }
+        const Curve &curve = domain.curves[chain.curve];
+        for (const std::uint32_t s : chain.segments) {
+            const DomainSegment &segment = domain.segments[s];
+            const Vec2 ends[] = {domain.nodes[segment.a], domain.nodes[segment.b]};
+            forEachBend(curve, segment.stretch, shortest, [&](double t0, double t1, double radius) {
+                if (!(radius > kCorner * invisible) || !std::isfinite(radius)) {
+                    return;
+                }
+                const double size =
+                    std::max(2.0 * std::numbers::pi * radius / segmentsPerTurn, std::sqrt(8.0 * invisible * radius));
+                const Vec2 a = t0 == segment.stretch.t0 ? ends[0] : curve.point(t0);
+                const Vec2 b = t1 == segment.stretch.t1 ? ends[1] : curve.point(t1);
+                sites.add(limited(SizeSite::segment(a, b, size, gradation), minimum, gradation),
+                          {origin, SiteReason::Bend, s});
+            });
+        }
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/parts/expression/expression_program.hpp"
+#include "core/engine/spacing/sites/site_words.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+
+#include <string>
+
+namespace forefront {
+
+/// An expression as spacing: always finite and > 0, even where the formula is not at places between the probes.
+class ExpressionSpacing {
+  public:
+    /// Compiles `spec.expression` and evaluates it at 65 x 65 places of the box and at the domain's nodes. Errors:
+    /// expression-syntax; expression-value at the first place with NaN, a value <= 0 without a minimum, or infinity
+    /// without a maximum.
+    static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
+
+    double at(Vec2 p) const { return clamped(program_.evaluate(p)); }
+    void atMany(std::span<const Vec2> points, std::span<double> rho) const;
+    SpacingSample sample(Vec2 p, const SiteWords &) const {
+        return {at(p), SpacingOrigin::Expression, 0, "expression " + text_};
+    }
+    /// Adds the places from which the spacing grows by `gradation` because the formula is steeper. They are found on a
+    /// grid that is refined to a fraction of the spacing, so the limited spacing is within about 2 % of exact.
+    void addSteepSites(const Box2 &box, double gradation, SiteSet &sites, const Progress &progress) const;
+    /// Returns a lower bound over the box, by interval arithmetic on 64 x 64 parts of it, or the smallest probed value
+    /// where that is undefined.
+    double minimum() const { return minimum_; }
+    double maximum() const { return maximum_; }
+
+  private:
+    void findBounds(const Box2 &box);
+    /// Clamps a value to the floor and the ceiling; NaN becomes the ceiling.
+    double clamped(double value) const {
+        const double low = value < floor_ ? floor_ : value;
+        return low <= ceiling_ ? low : ceiling_;
+    }
+
+    ExpressionProgram program_;
+    std::string text_;
+    double floor_ = 0.0;   ///< 1e-9 of the box's diagonal, or the given minimum
+    double ceiling_ = 0.0; ///< 1000 times the box's diagonal, or the given maximum
+    double minimum_ = 0.0;
+    double maximum_ = 0.0;
+};
+
+} // namespace forefront

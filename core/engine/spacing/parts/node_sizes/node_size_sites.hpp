@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/sites/site_set.hpp"
+
+#include <span>
+
+namespace forefront {
+
+/// Adds one site for each size at a node, raised to `minimum` and growing by at most `gradation` (infinity: no limit).
+void addNodeSizeSites(std::span<const NodeSize> sizes, double minimum, double gradation, SiteSet &sites);
+
+} // namespace forefront

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+
+#include <limits>
+
+namespace forefront {
+
+/// Everything a part of the spacing is built from.
+struct PartInput {
+    const SpacingSpec &spec;
+    const Domain &domain;
+    Box2 box;       ///< of the domain
+    double minimum; ///< the given minimum spacing; 0: none
+    /// Maximum gradation for parts that are always limited: the given one, or a default.
+    double gradation;
+    const Progress &progress;
+
+    /// Returns the maximum gradation for the other parts: the given one, or infinity.
+    double givenGradation() const { return spec.gradation.value_or(std::numeric_limits<double>::infinity()); }
+};
+
+} // namespace forefront

@@ -1,0 +1,184 @@
+#include "core/engine/spacing/parts/regions/region_part.hpp"
+
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/domain_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+namespace {
+
+/// Part of the maximum area that the equilateral triangle of the spacing has; see spacingForArea().
+constexpr double kAreaShare = 0.6;
+
+/// Returns the height of the segment from a to b (a.x < b.x) at x; exact at a.
+double heightAt(Vec2 a, Vec2 b, double x) {
+    return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
+}
+
+/// Returns the face of each region marker of a domain, or kNoIndex outside all bounded faces.
+std::vector<std::uint32_t> facesOfMarkers(const DomainGraph &graph, const Faces &faces) {
+    std::vector<std::uint32_t> list(graph.regionMarker.size(), kNoIndex);
+    for (std::size_t m = 0; m < list.size(); ++m) {
+        const std::uint32_t point = graph.regionMarker[m];
+        const std::uint32_t face = point != kNoIndex ? faces.ofPoint[point] : kNoIndex;
+        list[m] = face == 0 ? kNoIndex : face;
+    }
+    return list;
+}
+
+bool limitsSpacing(const RegionMarker &marker) {
+    return marker.maxArea > 0.0 || marker.size > 0.0;
+}
+
+} // namespace
+
+double spacingForArea(double maxArea) {
+    return std::sqrt(kAreaShare * maxArea * 4.0 / std::sqrt(3.0));
+}
+
+/// Collects the limits of the faces from the markers in them. Returns the limit of each face, or kNoIndex.
+std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionMarker> markers,
+                                                  std::span<const std::uint32_t> faceOfMarker, std::size_t faces) {
+    std::vector<Limit> limitOfFace(faces);
+    for (std::uint32_t m = 0; m < markers.size(); ++m) {
+        const RegionMarker &marker = markers[m];
+        if (faceOfMarker[m] == kNoIndex) {
+            continue;
+        }
+        Limit &limit = limitOfFace[faceOfMarker[m]];
+        if (marker.maxArea > 0.0 && spacingForArea(marker.maxArea) < limit.area.size) {
+            limit.area = {spacingForArea(marker.maxArea), marker.maxArea, limit.area.growth, m};
+        }
+        if (marker.size > 0.0 && marker.size < limit.size.size) {
+            limit.size = {marker.size, marker.size, marker.growth, m};
+        }
+    }
+    std::vector<std::uint32_t> limitOf(faces, kNoIndex);
+    for (std::uint32_t face = 0; face < faces; ++face) {
+        Limit &limit = limitOfFace[face];
+        limit.least = std::max(std::min(limit.size.size, limit.area.size), raised_);
+        if (limit.least < std::numeric_limits<double>::infinity()) {
+            limitOf[face] = static_cast<std::uint32_t>(limits_.size());
+            limits_.push_back(limit);
+            minimum_ = std::min(minimum_, limit.least);
+        }
+    }
+    return limitOf;
+}
+
+std::optional<RegionPart> RegionPart::build(const Domain &domain, double minimum) {
+    if (!std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(), limitsSpacing)) {
+        return std::nullopt;
+    }
+    const DomainGraph graph = graphOf(domain);
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+    if (sweep.droppedCount > 0) {
+        return std::nullopt;
+    }
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    RegionPart part;
+    part.raised_ = minimum;
+    const std::vector<std::uint32_t> limitOf =
+        part.takeLimits(domain.regionMarkers, facesOfMarkers(graph, faces), faces.count);
+    std::vector<Box2> boxes;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        Wall wall{graph.points[graph.edges[e].a], graph.points[graph.edges[e].b], limitOf[faces.left[e]],
+                  limitOf[faces.right[e]]};
+        if (wall.above == wall.below) {
+            continue;
+        }
+        if (wall.b.x < wall.a.x) {
+            std::swap(wall.a, wall.b);
+            std::swap(wall.above, wall.below);
+        }
+        part.walls_.push_back(wall);
+        boxes.push_back(boxOf(wall.a, wall.b));
+    }
+    if (part.walls_.empty()) {
+        return std::nullopt; // all markers lie outside
+    }
+    part.tree_ = BoxTree(boxes);
+    return part;
+}
+
+/// Follows a ray from p upwards to the first wall, whose lower side is the face of p.
+std::uint32_t RegionPart::faceAt(Vec2 p) const {
+    const Wall *first = nullptr;
+    double height = std::numeric_limits<double>::infinity();
+    const auto meets = [&](const Box2 &box) {
+        return box.min.x <= p.x && p.x <= box.max.x && box.max.y >= p.y && box.min.y <= height;
+    };
+    tree_.search(meets, [&](std::uint32_t item) {
+        const Wall &wall = walls_[item];
+        if (!(wall.a.x <= p.x && p.x < wall.b.x)) { // half-open, so that a chain of walls is met once
+            return true;
+        }
+        const double y = heightAt(wall.a, wall.b, p.x);
+        // Walls that meet the ray in their common left end are distinguished by their slopes.
+        const bool lower =
+            y < height || (first != nullptr && y == height && cross(wall.b - wall.a, first->b - first->a) > 0.0);
+        if (y >= p.y && lower) {
+            first = &wall;
+            height = y;
+        }
+        return true;
+    });
+    return first != nullptr ? first->below : kNoIndex;
+}
+
+SpacingRunnerUp RegionPart::described(const Rule &rule, bool size, const SiteWords &words) const {
+    const std::string of = " of region '" + words.regions[rule.marker] + "'";
+    return {std::max(rule.size, raised_), size ? "size" + of : "maximum area " + numberText(rule.given, 4) + of};
+}
+
+SpacingSample RegionPart::sample(Vec2 p, const SiteWords &words) const {
+    const Limit &limit = limits_[faceAt(p)];
+    const bool bySize = limit.size.size <= limit.area.size;
+    const Rule &rule = bySize ? limit.size : limit.area, &other = bySize ? limit.area : limit.size;
+    SpacingSample sample{limit.least, SpacingOrigin::Region, rule.marker, described(rule, bySize, words).describe};
+    if (other.marker != kNoIndex) {
+        sample.runnerUp = described(other, !bySize, words);
+    }
+    return sample;
+}
+
+void RegionPart::addSites(double gradation, double givenGradation, SiteSet &sites) const {
+    struct Reach {
+        const Rule *rule;
+        double growth;
+        bool size;
+    };
+    std::vector<Reach> rules;
+    for (const Wall &wall : walls_) {
+        rules.clear();
+        for (const std::uint32_t side : {wall.below, wall.above}) {
+            if (side != kNoIndex) {
+                const Limit &limit = limits_[side];
+                rules.push_back({&limit.area, gradation, false});
+                rules.push_back({&limit.size, std::min(limit.size.growth, givenGradation), true});
+            }
+        }
+        std::stable_sort(rules.begin(), rules.end(),
+                         [](const Reach &a, const Reach &b) { return a.rule->size < b.rule->size; });
+        // A rule is nowhere the smallest if another one has a smaller size and grows no faster.
+        double gentlest = std::numeric_limits<double>::infinity(); // growth of the rules so far
+        for (const Reach &reach : rules) {
+            const Rule &rule = *reach.rule;
+            if (rule.marker == kNoIndex || !(reach.growth < gentlest)) {
+                continue;
+            }
+            gentlest = reach.growth;
+            if (reach.size) {
+                sites.add(limited(SizeSite::segment(wall.a, wall.b, rule.size, rule.growth), raised_, givenGradation),
+                          {SpacingOrigin::Region, SiteReason::RegionSize, rule.marker});
+            } else {
+                sites.add(SizeSite::segment(wall.a, wall.b, std::max(rule.size, raised_), reach.growth),
+                          {SpacingOrigin::Region, SiteReason::RegionEdge, rule.marker});
+            }
+        }
+    }
+}
+
+} // namespace forefront

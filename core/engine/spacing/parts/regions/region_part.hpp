@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/geometry/box_tree.hpp"
+#include "core/engine/spacing/sites/site_words.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace forefront {
+
+/// Returns the spacing whose triangles stay below a maximum area: the side of an equilateral triangle of 0.6 times that
+/// area, since the largest triangles of a mesh have about 1.65 times the area that the spacing implies. A test requires
+/// that they stay within `maxArea`.
+double spacingForArea(double maxArea);
+
+/// The sizes and maximum element areas of a domain's regions as spacing: constant in each face that has one.
+class RegionPart {
+  public:
+    /// Returns the part, or std::nullopt if no face has a size or a maximum area, or if segments cross so that there
+    /// are no faces. Spacings are raised to `minimum`. Of several markers in one face, the smallest size and the
+    /// smallest area count.
+    static std::optional<RegionPart> build(const Domain &domain, double minimum);
+
+    /// Returns the spacing of the face that contains p; infinity if it has none.
+    double at(Vec2 p) const {
+        const std::uint32_t face = faceAt(p);
+        return face == kNoIndex ? std::numeric_limits<double>::infinity() : limits_[face].least;
+    }
+    /// Returns the spacing at p and the name of its region, which must have a size or a maximum area.
+    SpacingSample sample(Vec2 p, const SiteWords &words) const;
+    double minimum() const { return minimum_; }
+    double maximum() const { return std::numeric_limits<double>::infinity(); }
+
+    /// Adds the edges of the faces, from which the spacing grows into their surroundings: that of a maximum area by
+    /// `gradation`, a size by its own growth, at most `givenGradation` (infinity: no limit).
+    void addSites(double gradation, double givenGradation, SiteSet &sites) const;
+
+  private:
+    /// A rule for the spacing in a face.
+    struct Rule {
+        double size = std::numeric_limits<double>::infinity(); ///< infinite: there is none
+        double given = 0.0;                                    ///< size or maximum area
+        double growth = std::numeric_limits<double>::infinity();
+        std::uint32_t marker = kNoIndex;
+    };
+    struct Limit {
+        Rule size, area;
+        double least = 0.0; ///< the smaller spacing of the two, raised to the minimum
+    };
+    std::vector<std::uint32_t> takeLimits(std::span<const RegionMarker> markers,
+                                          std::span<const std::uint32_t> faceOfMarker, std::size_t faces);
+    /// Describes a rule; `size`: it is a size, not an area.
+    SpacingRunnerUp described(const Rule &rule, bool size, const SiteWords &words) const;
+    /// An edge between faces of different limits, directed to the right (increasing x) unless it is vertical.
+    struct Wall {
+        Vec2 a;
+        Vec2 b;
+        std::uint32_t above = kNoIndex; ///< index into limits_
+        std::uint32_t below = kNoIndex;
+    };
+    std::uint32_t faceAt(Vec2 p) const;
+
+    std::vector<Limit> limits_;
+    std::vector<Wall> walls_;
+    BoxTree tree_; ///< of the walls
+    double minimum_ = std::numeric_limits<double>::infinity();
+    double raised_ = 0.0; ///< the minimum spacing that others are raised to
+};
+
+} // namespace forefront

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/engine/spacing/sites/size_site.hpp"
+#include "core/engine/spacing/spec/spacing_sample.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// The reason for a site, for the inspector.
+enum class SiteReason : std::uint8_t {
+    Source,         ///< index: of the size source
+    PaintEdge,      ///< reach of a painted patch
+    BackgroundEdge, ///< reach of a background mesh
+    ExpressionEdge, ///< reach of an expression steeper than the gradation
+    RegionEdge,     ///< reach of a region with a maximum area; index: of the region marker
+    RegionSize,     ///< size of a region; index: of the region marker
+    PartSize,       ///< size of a boundary part; index: its tag
+    NodeSize,       ///< size of a node; index into Domain::nodeSizes
+    SegmentLength,  ///< index: of the domain segment
+    Bend,           ///< curvature; index: of the domain segment
+    Channel,        ///< narrow gap across from the domain segment
+    Corner,         ///< beside a sharp corner of the domain segment
+    LonePoint       ///< index: of the domain node
+};
+
+/// The part of the specification that a site comes from, and the reason for it.
+struct SiteLabel {
+    SpacingOrigin origin = SpacingOrigin::Source;
+    SiteReason reason = SiteReason::Source;
+    std::uint32_t index = 0;
+};
+
+/// Sites and their labels, in parallel arrays.
+struct SiteSet {
+    std::vector<SizeSite> sites;
+    std::vector<SiteLabel> labels;
+
+    void add(const SizeSite &site, const SiteLabel &label) {
+        sites.push_back(site);
+        labels.push_back(label);
+    }
+    /// Drops sites that demand a larger spacing than another one everywhere; of equal ones the first stays. If there
+    /// are more than kManySites, also drops sites that demand only slightly less than one that stays. Sites must have
+    /// no radius.
+    void dropDominated();
+};
+
+} // namespace forefront

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/spacing/spec/spacing_sample.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace FOREFRONT_API forefront {
+
+struct Domain;
+
+/// The node spacing function ρ, ready to evaluate. Immutable; const members may be called from several threads at once.
+/// Deterministic: the same field returns the same doubles on every call and thread.
+class SpacingField {
+  public:
+    /// Builds the field of a specification. The domain supplies the extent, the lengths for boundary and automatic
+    /// spacing, and the regions with a maximum area (ignored while segments cross). Errors: expression-syntax (with
+    /// column), expression-value (with a place), bad-size, bad-source, bad-paint, bad-background, bad-region-area,
+    /// cancelled.
+    static Result<std::shared_ptr<const SpacingField>> build(const SpacingSpec &spec, const Domain &domain,
+                                                             const Progress &progress = {});
+    virtual ~SpacingField() = default;
+
+    /// Returns the spacing at p: finite and > 0 everywhere, meaningful in the domain's box. Hot path.
+    virtual double at(Vec2 p) const = 0;
+    virtual void atMany(std::span<const Vec2> points, std::span<double> rho) const = 0;
+    /// Returns at(p) and the part that determined it. Slow; for the inspector.
+    virtual SpacingSample sample(Vec2 p) const = 0;
+    /// Returns a lower bound of ρ over the domain's box, as tight as is known; for legends and estimates.
+    virtual double minimum() const = 0;
+    /// Returns an upper bound of ρ over the domain's box.
+    virtual double maximum() const = 0;
+};
+
+} // namespace forefront

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace FOREFRONT_API forefront {
+
+/// The part of the specification that determines the spacing at a point.
+enum class SpacingOrigin : std::uint8_t {
+    Constant,
+    Expression,
+    Source,
+    Paint,
+    Background,
+    Boundary,
+    Region,
+    Automatic,
+    Minimum,
+    Maximum,
+    Gradation
+};
+
+/// The smallest size at a point that is set by another part of the specification than the one in effect.
+struct SpacingRunnerUp {
+    double rho = 0.0;     ///< at least the spacing in effect
+    std::string describe; ///< as in SpacingSample
+};
+
+/// The spacing at a point and the part of the specification that set it.
+struct SpacingSample {
+    double rho = 0.0;
+    SpacingOrigin origin = SpacingOrigin::Constant;
+    std::uint32_t source = 0; ///< index into SpacingSpec::sources, the domain's segments or its markers, by origin
+    std::string describe;     ///< for the inspector, such as "source 'pier head'"; filled by sample() only
+    std::optional<SpacingRunnerUp> runnerUp = {}; ///< nothing if no other part sets a size there
+};
+
+} // namespace forefront

@@ -1,0 +1,365 @@
+#include "core/engine/base/letter_case.hpp"
+#include "core/files/abaqus/abaqus.hpp"
+#include "core/files/common/names.hpp"
+#include "core/files/common/planar_mesh.hpp"
+#include "core/files/common/tag_allocator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
+
+/// Reads Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Other
+/// keywords are skipped.
+class AbaqusReader {
+  public:
+    explicit AbaqusReader(const SourceText &source) : scanner_(source, '\0', ',') {}
+
+    Result<Mesh> read() {
+        const std::string_view text = scanner_.source().text;
+        TagNames names = readNameComments(text, "**");
+        for (const auto &[tag, name] : names.boundary) {
+            boundaries_.reserve(tag);
+        }
+        for (const auto &[tag, name] : names.region) {
+            regions_.reserve(tag);
+        }
+        const std::size_t begin = scanner_.offset();
+        sections(); // first pass: nodes only, because some programs write them after the elements, or in several places
+        if (scanner_.ok() && !hasElements_) {
+            scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no *NODE or *ELEMENT section");
+        }
+        if (scanner_.ok() && builder_.finishNodes(scanner_)) {
+            scanner_.seek(begin);
+            nodesFinished_ = true;
+            tagComment_ = pointComment_ = 0;
+            sections();
+        }
+        if (!scanner_.ok()) {
+            return scanner_.faults();
+        }
+        sortElements();
+        Mesh mesh = builder_.finish();
+        mesh.boundaryNames = std::move(names.boundary);
+        mesh.regionNames = std::move(names.region);
+        mesh.boundaryNames.insert(boundaries_.names().begin(), boundaries_.names().end());
+        mesh.regionNames.insert(regions_.names().begin(), regions_.names().end());
+        return mesh;
+    }
+
+  private:
+    struct Keyword {
+        std::size_t offset = 0;
+        std::string name;
+        std::map<std::string, std::string> parameters;
+    };
+
+    std::string_view line() {
+        const std::string_view text = scanner_.source().text;
+        const std::size_t begin = scanner_.offset();
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lineOffset_ = begin;
+        scanner_.seek(end);
+        return text.substr(begin, end - begin);
+    }
+
+    void sections() {
+        while (scanner_.ok() && !scanner_.atEnd()) {
+            keyword(line());
+        }
+    }
+
+    void keyword(std::string_view text) {
+        if (text.starts_with("**")) {
+            comment(text);
+            return;
+        }
+        if (!text.starts_with('*')) {
+            scanner_.fail(lineOffset_, "bad-syntax", "expected a keyword that begins with *, found " + inQuotes(text));
+            return;
+        }
+        Keyword keyword;
+        keyword.offset = lineOffset_;
+        while (true) {
+            const std::size_t comma = std::min(text.find(','), text.size());
+            const std::string_view part = text.substr(0, comma);
+            const std::size_t equals = std::min(part.find('='), part.size());
+            const std::string key = upperCase(cleanName(part.substr(0, equals)));
+            if (keyword.name.empty()) {
+                keyword.name = key;
+            } else {
+                keyword.parameters[key] = cleanName(part.substr(std::min(equals + 1, part.size())));
+            }
+            if (comma == text.size()) {
+                break;
+            }
+            text.remove_prefix(comma + 1);
+        }
+        data(keyword);
+        tagComment_ = pointComment_ = 0;
+    }
+
+    void comment(std::string_view text) {
+        for (const auto &[start, target] :
+             {std::pair{"** tag ", &tagComment_}, std::pair{"** point ", &pointComment_}}) {
+            if (text.starts_with(start)) {
+                TextScanner number =
+                    scanner_.part(lineOffset_ + std::string_view(start).size(), lineOffset_ + text.size());
+                std::int64_t tag = 0;
+                *target = number.integer(tag, 1, kGreatest, {"a tag"}) ? static_cast<std::int32_t>(tag) : 0;
+            }
+        }
+    }
+
+    /// Returns true while data lines follow.
+    bool more() { return scanner_.ok() && !scanner_.atEnd() && scanner_.source().text[scanner_.offset()] != '*'; }
+
+    void data(const Keyword &keyword) {
+        hasElements_ = hasElements_ || keyword.name == "*ELEMENT";
+        parts_ += keyword.name == "*PART" && !nodesFinished_ ? 1 : 0;
+        const bool ofThisPass = nodesFinished_ != (keyword.name == "*NODE");
+        if (parts_ > 1) {
+            scanner_.fail(keyword.offset, "several-parts", "files of several parts cannot be read",
+                          "write one part, or a flat input file without parts and assemblies");
+        } else if (!ofThisPass) {
+            skipData();
+        } else if (!nodesFinished_) {
+            nodes();
+        } else if (keyword.name == "*ELEMENT") {
+            elements(keyword);
+        } else if (keyword.name == "*ELSET") {
+            elementSet(keyword);
+        } else if (keyword.name == "*NSET" && pointComment_ > 0) {
+            points();
+        } else if (keyword.name == "*SURFACE") {
+            surface(keyword);
+        } else if (keyword.name == "*INCLUDE") {
+            scanner_.fail(keyword.offset, "unknown-section", "included files are not read");
+        } else {
+            if (keyword.name != "*HEADING" && keyword.name != "*NSET") {
+                scanner_.source().note("keyword", "keyword " + inQuotes(keyword.name) + " is ignored", keyword.offset);
+            }
+            skipData();
+        }
+    }
+
+    void skipData() {
+        while (more()) {
+            line();
+        }
+    }
+
+    void nodes() {
+        while (more()) {
+            TextScanner fields = scanner_;
+            std::int64_t number = 0;
+            scanner_.nextLine(fields);
+            if (!fields.integer(number, 1, kGreatest, {"the number of a node"}) || !readPlace(fields, number)) {
+                scanner_.fail(fields);
+            }
+        }
+    }
+
+    bool readPlace(TextScanner &fields, std::int64_t number) {
+        // A third coordinate may be missing.
+        TextScanner probe = fields;
+        probe.word();
+        probe.word();
+        return builder_.readNode(fields, number, probe.atEnd() ? 2 : 3);
+    }
+
+    static std::string parameter(const Keyword &keyword, const char *name) {
+        const auto found = keyword.parameters.find(name);
+        return found != keyword.parameters.end() ? found->second : std::string();
+    }
+
+    void elements(const Keyword &keyword) {
+        constexpr std::array kTriangles = {"CPS3",  "CPE3", "CAX3",  "S3",     "S3R",
+                                           "STRI3", "M3D3", "DC2D3", "SFM3D3", "R3D3"};
+        constexpr std::array kLines = {"T3D2", "T2D2", "B21", "B31", "R2D2"};
+        const std::string type = upperCase(parameter(keyword, "TYPE"));
+        const std::string set = parameter(keyword, "ELSET");
+        const bool triangle = std::find(kTriangles.begin(), kTriangles.end(), type) != kTriangles.end();
+        if (!triangle && std::find(kLines.begin(), kLines.end(), type) == kLines.end()) {
+            scanner_.fail(keyword.offset, "unknown-element",
+                          "elements of type " + inQuotes(type) + " cannot be read; expected 3-node plane elements");
+            return;
+        }
+        const std::int32_t tag = tagComment_ > 0 ? tagComment_
+                                 : set.empty()   ? 1
+                                                 : (triangle ? regions_ : boundaries_).of(set);
+        const std::uint32_t first = static_cast<std::uint32_t>(builder_.mesh.elements.size());
+        while (more()) {
+            std::int64_t number = 0;
+            const Expect expect{"element", builder_.mesh.elements.size() + 1};
+            if (!scanner_.integer(number, 1, kGreatest, expect)) {
+                return;
+            }
+            if (!triangle) {
+                builder_.readEdge(scanner_, tag, expect);
+            } else if (builder_.readElement(scanner_, tag, expect)) {
+                numbers_.push_back(number);
+                ownSet_.push_back(!set.empty());
+            }
+        }
+        if (triangle && !set.empty()) {
+            std::vector<std::uint32_t> &members = sets_[upperCase(set)];
+            for (std::uint32_t e = first; e < builder_.mesh.elements.size(); ++e) {
+                members.push_back(e);
+            }
+        }
+        table_ = NodeTable();
+    }
+
+    /// Index of an element by its number, or kNoIndex.
+    std::uint32_t element(std::int64_t number) {
+        if (table_.size() != numbers_.size()) {
+            table_ = NodeTable();
+            for (const std::int64_t n : numbers_) {
+                table_.add(n);
+            }
+            table_.finish();
+        }
+        return table_.find(number);
+    }
+
+    /// A set listed after the elements is the region of those without one.
+    void elementSet(const Keyword &keyword) {
+        const std::string name = parameter(keyword, "ELSET");
+        const bool generate = keyword.parameters.contains("GENERATE");
+        std::vector<std::uint32_t> members;
+        while (more()) {
+            std::int64_t from = 0, to = 0, step = 1;
+            const std::string_view word = scanner_.peek();
+            if (word.front() < '0' || word.front() > '9') {
+                const auto other = sets_.find(upperCase(scanner_.word()));
+                if (other != sets_.end()) {
+                    members.insert(members.end(), other->second.begin(), other->second.end());
+                }
+                continue;
+            }
+            const Expect expect{"an element of a set"};
+            if (!scanner_.integer(from, 1, kGreatest, expect) ||
+                (generate && (!scanner_.integer(to, from, kGreatest, expect) ||
+                              !scanner_.integer(step, 1, kGreatest, {"the step of a set"})))) {
+                return;
+            }
+            to = generate ? std::min<std::int64_t>(to, from + step * static_cast<std::int64_t>(numbers_.size())) : from;
+            for (std::int64_t number = from; number <= to; number += step) {
+                const std::uint32_t e = element(number);
+                if (e != kNoIndex) {
+                    members.push_back(e);
+                }
+            }
+            if (members.size() > 4 * numbers_.size() + 1000) {
+                scanner_.fail(scanner_.offset(), "bad-count", "the set has more members than there are elements");
+                return;
+            }
+        }
+        for (const std::uint32_t e : members) {
+            if (!ownSet_[e]) {
+                builder_.mesh.regions[e] = regions_.of(name);
+            }
+        }
+        sets_[upperCase(name)] = std::move(members);
+    }
+
+    void points() {
+        while (more()) {
+            builder_.readPoint(scanner_, pointComment_, {"a point"});
+        }
+    }
+
+    void surface(const Keyword &keyword) {
+        const std::string type = upperCase(parameter(keyword, "TYPE"));
+        const bool sides = type.empty() || type == "ELEMENT";
+        if (!sides) {
+            scanner_.source().note("node-surface", "surfaces of nodes are ignored", keyword.offset);
+            while (more()) {
+                line();
+            }
+            return;
+        }
+        const std::int32_t tag = tagComment_ > 0 ? tagComment_ : boundaries_.of(parameter(keyword, "NAME"));
+        while (more()) {
+            const std::size_t place = scanner_.offset();
+            const std::string member = upperCase(scanner_.word());
+            const std::string side = upperCase(scanner_.word());
+            if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '3') {
+                scanner_.fail(place, "bad-side", "expected an element or element set and a side S1, S2 or S3");
+                return;
+            }
+            const auto k = static_cast<std::size_t>(side[1] - '1');
+            const auto set = sets_.find(member);
+            if (set != sets_.end()) {
+                for (const std::uint32_t e : set->second) {
+                    addSide(e, k, tag);
+                }
+                continue;
+            }
+            TextScanner digits = scanner_.part(place, place + member.size());
+            std::int64_t number = 0;
+            const std::uint32_t e =
+                digits.integer(number, 1, kGreatest, {"an element of a surface"}) ? element(number) : kNoIndex;
+            if (e == kNoIndex) {
+                scanner_.fail(place, "bad-index",
+                              "the surface refers to element " + inQuotes(member) + ", which does not exist");
+                return;
+            }
+            addSide(e, k, tag);
+        }
+    }
+
+    void addSide(std::uint32_t e, std::size_t k, std::int32_t tag) {
+        const Element &nodes = builder_.mesh.elements[e];
+        builder_.mesh.edges.push_back({nodes[k], nodes[(k + 1) % 3], tag});
+    }
+
+    /// Sets group elements by region; sorting by number restores the order of the writer.
+    void sortElements() {
+        if (std::is_sorted(numbers_.begin(), numbers_.end())) {
+            return;
+        }
+        std::vector<std::uint32_t> order(numbers_.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return numbers_[a] < numbers_[b]; });
+        const Mesh old = builder_.mesh;
+        for (std::size_t e = 0; e < order.size(); ++e) {
+            builder_.mesh.elements[e] = old.elements[order[e]];
+            builder_.mesh.regions[e] = old.regions[order[e]];
+        }
+    }
+
+    TextScanner scanner_;
+    PlanarMeshBuilder builder_;
+    std::size_t lineOffset_ = 0;
+    bool nodesFinished_ = false; ///< the second pass reads everything else
+    bool hasElements_ = false;
+    int parts_ = 0;
+    std::int32_t tagComment_ = 0, pointComment_ = 0;
+    std::vector<std::int64_t> numbers_; ///< of the elements
+    std::vector<bool> ownSet_;          ///< the element was given its set with *ELEMENT
+    NodeTable table_;
+    std::map<std::string, std::vector<std::uint32_t>> sets_;
+    TagAllocator boundaries_, regions_;
+};
+
+} // namespace
+
+bool looksLikeAbaqus(std::string_view head) {
+    const std::string text = upperCase(head);
+    return text.starts_with("*HEADING") || text.starts_with("*NODE") || text.find("\n*NODE") != std::string::npos;
+}
+
+Result<Mesh> readAbaqus(const SourceText &source) {
+    return AbaqusReader(source).read();
+}
+
+} // namespace forefront

@@ -1,0 +1,161 @@
+#include "core/files/esri/esri_grid.hpp"
+
+#include "core/engine/base/number_text.hpp"
+#include "core/files/common/size_grid.hpp"
+#include "core/files/text/text_scanner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace forefront {
+namespace {
+
+enum Key : std::uint8_t { Columns, Rows, CornerX, CornerY, CentreX, CentreY, CellSize, StepX, StepY, NoData };
+constexpr std::array<const char *, 10> kKeys{"ncols",     "nrows",    "xllcorner", "yllcorner", "xllcenter",
+                                             "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
+
+/// Returns the index of a key of the header, in upper or lower case.
+std::optional<std::size_t> keyOf(std::string_view word) {
+    const auto equal = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+    for (std::size_t k = 0; k < kKeys.size(); ++k) {
+        const std::string_view key = kKeys[k];
+        if (std::equal(word.begin(), word.end(), key.begin(), key.end(), equal)) {
+            return k;
+        }
+    }
+    return std::nullopt;
+}
+
+class EsriReader {
+  public:
+    explicit EsriReader(const SourceText &source) : source_(source), scanner_(source) {}
+
+    Result<SpacingSpec> read() {
+        if (!header() || !layOut() || !values()) {
+            return scanner_.faults();
+        }
+        return spacingOfGrid(grid_, source_);
+    }
+
+  private:
+    bool header() {
+        while (const auto key = keyOf(scanner_.peek())) {
+            const std::size_t place = scanner_.offset();
+            scanner_.word();
+            if (header_[*key]) {
+                return scanner_.fail(place, "duplicate-field", std::string("duplicate ") + kKeys[*key]);
+            }
+            double value = 0.0;
+            if (!scanner_.real(value, {kKeys[*key]})) {
+                return false;
+            }
+            header_[*key] = value;
+        }
+        return true;
+    }
+
+    /// Returns the number of rows or columns; fails if it is missing or no positive integer.
+    bool count(Key key, std::size_t &result) {
+        const double value = header_[key].value_or(0.0);
+        if (!header_[key]) {
+            return scanner_.fail(0, "missing-field", std::string("the grid has no ") + kKeys[key]);
+        }
+        if (!(value >= 1.0 && value <= 1e9) || value != std::floor(value)) {
+            return scanner_.fail(0, "bad-count",
+                                 "expected a whole number above 0 for " + std::string(kKeys[key]) + ", got " +
+                                     numberText(value, 6));
+        }
+        result = static_cast<std::size_t>(value);
+        return true;
+    }
+
+    /// Computes the lower left corner and the step along one axis.
+    bool axis(Key corner, Key centre, Key step, double &low, double &size) {
+        const std::optional<double> given = header_[step] ? header_[step] : header_[CellSize];
+        if (!given) {
+            return scanner_.fail(0, "missing-field", "the grid has no cellsize");
+        }
+        if (!(*given > 0.0)) {
+            return scanner_.fail(0, "bad-number", "expected a cellsize above 0, got " + numberText(*given, 6));
+        }
+        if (!header_[corner] && !header_[centre]) {
+            return scanner_.fail(0, "missing-field", std::string("the grid has no ") + kKeys[corner]);
+        }
+        size = *given;
+        low = header_[corner] ? *header_[corner] : *header_[centre] - 0.5 * size;
+        return true;
+    }
+
+    bool layOut() {
+        if (!count(Columns, grid_.columns) || !count(Rows, grid_.rows) ||
+            !axis(CornerX, CentreX, StepX, grid_.low.x, grid_.step.x) ||
+            !axis(CornerY, CentreY, StepY, grid_.low.y, grid_.step.y)) {
+            return false;
+        }
+        if (grid_.columns > kMaxGridValues / grid_.rows) {
+            return scanner_.fail(0, "too-large",
+                                 "the grid has " + std::to_string(grid_.columns) + " x " + std::to_string(grid_.rows) +
+                                     " values; expected at most " + std::to_string(kMaxGridValues),
+                                 "make its cells larger");
+        }
+        return true;
+    }
+
+    bool values() {
+        constexpr std::size_t kBytes = 2; // length of the shortest value and the blank after it
+        if (grid_.columns * grid_.rows > scanner_.remaining() / kBytes + 1) {
+            return scanner_.fail(scanner_.offset(), "bad-count",
+                                 "the file ends before the last of its " + std::to_string(grid_.columns * grid_.rows) +
+                                     " values");
+        }
+        grid_.values.reserve(grid_.columns * grid_.rows);
+        while (grid_.values.size() < grid_.columns * grid_.rows) {
+            double value = 0.0;
+            scanner_.peek(); // skips the blanks, so that the place is that of the number
+            const std::size_t place = scanner_.offset();
+            if (!scanner_.real(value, {"value", grid_.values.size() + 1})) {
+                return false;
+            }
+            const bool missing = header_[NoData] && value == *header_[NoData];
+            if (!missing && !(value > 0.0)) {
+                return scanner_.fail(place, "bad-values", "expected a size above 0, got " + numberText(value, 6),
+                                     "set NODATA_value to mark cells without a size");
+            }
+            grid_.values.push_back(missing ? 0.0 : value);
+        }
+        if (!scanner_.atEnd()) {
+            return scanner_.fail(scanner_.offset(), "bad-count",
+                                 "expected the end of the file after " + std::to_string(grid_.values.size()) +
+                                     " values");
+        }
+        return true;
+    }
+
+    const SourceText &source_;
+    TextScanner scanner_;
+    std::array<std::optional<double>, kKeys.size()> header_;
+    SizeGrid grid_;
+};
+
+} // namespace
+
+bool looksLikeEsriGrid(std::string_view head) {
+    const std::size_t begin = head.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) {
+        return false;
+    }
+    const std::size_t end = head.find_first_of(" \t\r\n", begin);
+    const auto key = keyOf(head.substr(begin, end == std::string_view::npos ? end : end - begin));
+    return key == Columns || key == Rows;
+}
+
+Result<SpacingSpec> readEsriGrid(const SourceText &source) {
+    return EsriReader(source).read();
+}
+
+} // namespace forefront

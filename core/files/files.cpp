@@ -1,0 +1,141 @@
+#include "core/files/files.hpp"
+
+#include "core/files/format.hpp"
+#include "core/files/named_faults.hpp"
+#include "core/files/triangle/triangle.hpp"
+
+#include <new>
+#include <string>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+bool writesMesh(const Format &format) {
+    return format.canWriteMesh();
+}
+
+/// Returns the format for writing a mesh; null if there is none.
+const Format *meshFormat(const std::filesystem::path &path, std::string_view id) {
+    const FormatList &list = engineFormats();
+    const Format *format = id.empty() ? list.ofExtension(path, writesMesh) : list.ofId(id);
+    return format != nullptr && format->canWriteMesh() ? format : nullptr;
+}
+
+} // namespace
+
+Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return engineFormats().readDomain(path, options, notes);
+}
+
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return engineFormats().readMesh(path, options, notes);
+}
+
+Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return engineFormats().readFields(path, options, notes);
+}
+
+Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options,
+                            ImportNotes *notes) {
+    return engineFormats().readField(path, name, options, notes);
+}
+
+Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return engineFormats().readSpacing(path, options, notes);
+}
+
+Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
+                 const Progress &progress) {
+    const Format *format = meshFormat(path, formatId);
+    if (format == nullptr) {
+        return named(error("unknown-format",
+                           formatId.empty() ? "unknown extension '" + path.extension().string() + "' of a mesh file"
+                                            : "unknown mesh format '" + std::string(formatId) + "'",
+                           "expected one of " + (formatId.empty() ? engineFormats().extensions(writesMesh)
+                                                                  : engineFormats().ids(writesMesh))),
+                     path);
+    }
+    try {
+        if (format->writeFiles != nullptr) {
+            return named(format->writeFiles(path, mesh, progress), path);
+        }
+        constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
+        return writeTextFile(
+            path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
+            1 + mesh.nodes.size() * kBytesPerNode + mesh.elements.size() * kBytesPerElement);
+    } catch (const std::bad_alloc &) {
+        return named(error("out-of-memory", "not enough memory to write the file"), path);
+    }
+}
+
+Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId) {
+    const Format *const format = engineFormats().ofId(formatId);
+    if (format == nullptr || format->writeMesh == nullptr) {
+        return error("unknown-format",
+                     format == nullptr ? "unknown mesh format '" + std::string(formatId) + "'"
+                                       : std::string(format->about.name) + " cannot be written to a stream",
+                     "expected one of " + engineFormats().ids([](const Format &f) { return f.writeMesh != nullptr; }));
+    }
+    TextWriter out(sink);
+    format->writeMesh(mesh, out);
+    return out.flush() ? Status{} : error("cannot-write", "cannot write to the stream");
+}
+
+Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format != nullptr && format->noteChanges != nullptr ? named(format->noteChanges(mesh), path) : Diagnostics{};
+}
+
+bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format == nullptr || format->about.acceptsInnerEdges;
+}
+
+std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *format = meshFormat(path, formatId);
+    if (format == nullptr || format->writeFiles == nullptr) {
+        return {path};
+    }
+    std::vector<std::filesystem::path> files;
+    for (const char *extension : kTriangleExtensions) {
+        files.push_back(path);
+        files.back().replace_extension(extension);
+    }
+    return files;
+}
+
+std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path) {
+    std::vector<std::filesystem::path> files = filesOfMesh(path);
+    std::filesystem::path nodes = path;
+    nodes.replace_extension(".node");
+    std::error_code none;
+    const bool poly =
+        engineFormats().ofExtension(path, [](const Format &format) { return format.readDomain == readPoly; });
+    if (poly && std::filesystem::is_regular_file(path, none) && std::filesystem::is_regular_file(nodes, none)) {
+        const auto bytes = readFileBytes(path, ImportOptions().maxBytes);
+        if (bytes && hasNodesInNodeFile({*bytes, path.string(), path, {}})) {
+            files.push_back(nodes);
+        }
+    }
+    return files;
+}
+
+Status checkPlace(const std::filesystem::path &path) {
+    std::error_code none;
+    const std::filesystem::path folder = path.parent_path();
+    if (path.empty()) {
+        return error("cannot-write", "the path has no file name", "add one");
+    }
+    if (std::filesystem::is_directory(path, none)) {
+        return error("cannot-write", "cannot write the file: it is a folder", "name a file in it");
+    }
+    if (!folder.empty() && !std::filesystem::is_directory(folder, none)) {
+        return error("cannot-write", "cannot write the file: folder " + folder.string() + " not found",
+                     "create it, or choose another");
+    }
+    return {};
+}
+
+} // namespace forefront

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/mesh.hpp"
+#include "core/files/format_list.hpp"
+#include "core/files/text/atomic_file.hpp"
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// Reads a domain: Triangle .poly, or the outline of a mesh. Parameters and faults as for FormatList.
+Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
+                          ImportNotes *notes = nullptr);
+/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
+                      ImportNotes *notes = nullptr);
+/// Reads a mesh and all its values of nodes and elements, see FormatList::readFields().
+Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
+                              ImportNotes *notes = nullptr);
+/// Reads a mesh and the nodal values with this name, see FormatList::readField().
+Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options = {},
+                            ImportNotes *notes = nullptr);
+/// Reads a spacing: a background mesh with nodal values, a grid of sizes, or a picture.
+Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
+                                ImportNotes *notes = nullptr);
+
+/// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: writes
+/// a temporary file beside it, then renames that. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
+Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
+                 const Progress &progress = {});
+/// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
+/// formats of several files; cannot-write.
+Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId);
+
+/// Returns notes on the tag names of the mesh that the format changes, such as to identifiers; empty if there are none.
+/// Parameters as for writeMesh().
+Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {});
+
+/// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
+/// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().
+bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId = {});
+
+/// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
+std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
+/// Returns the files that reading `path` may open: that file, the other files of a Triangle mesh, and the .node file
+/// beside a .poly file that contains no nodes.
+std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
+/// Returns the reason why no file can be written at this path, as far as can be determined without trying: the path has
+/// no file name, is a folder, or lies in a folder that does not exist. The fault does not name the file.
+Status checkPlace(const std::filesystem::path &path);
+
+} // namespace forefront

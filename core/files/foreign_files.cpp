@@ -1,0 +1,111 @@
+#include "core/files/foreign_files.hpp"
+
+#include "core/engine/base/letter_case.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kHead = 4096; ///< bytes that are looked at
+
+std::string_view withoutBlanks(std::string_view text) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n"sv);
+    return start == std::string_view::npos ? std::string_view() : text.substr(start);
+}
+
+/// Returns the name of the outermost element of XML or HTML, in lower case; empty if there is none.
+std::string rootElement(std::string_view head) {
+    if (!withoutBlanks(head).starts_with('<')) {
+        return {};
+    }
+    for (std::size_t at = head.find('<'); at != std::string_view::npos; at = head.find('<', at + 1)) {
+        const std::string_view rest = head.substr(at);
+        if (rest.starts_with("<!--") || rest.starts_with("<?")) {
+            at = std::min(head.find(rest.starts_with("<?") ? "?>" : "-->", at), head.size());
+            continue;
+        }
+        const std::size_t end = head.find_first_of(" \t\r\n/>"sv, at + 1);
+        const std::string_view name = head.substr(at + 1, end == std::string_view::npos ? end : end - at - 1);
+        if (!name.empty() && name.front() != '!') {
+            return lowerCase(name);
+        }
+    }
+    return {};
+}
+
+bool isWellKnownText(std::string_view head) {
+    const std::string start = lowerCase(withoutBlanks(head).substr(0, 24));
+    const std::size_t length = std::min(start.find_first_of(" \t\r\n(;="), start.size());
+    const std::string_view word = std::string_view(start).substr(0, length),
+                           after = withoutBlanks(start).substr(length);
+    constexpr std::string_view kWords[] = {
+        "point",           "linestring",         "polygon", "multipoint", "multipolygon",
+        "multilinestring", "geometrycollection", "srid"};
+    constexpr std::string_view kNext[] = {"(", ";", "=", "z", "m", "empty"};
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords) &&
+           std::any_of(std::begin(kNext), std::end(kNext),
+                       [&](std::string_view next) { return withoutBlanks(after).starts_with(next); });
+}
+
+bool isDxf(std::string_view head) {
+    const std::string_view start = withoutBlanks(head);
+    return start.starts_with('0') && withoutBlanks(start.substr(1)).starts_with("SECTION") && start.size() > 1 &&
+           (start[1] == '\r' || start[1] == '\n');
+}
+
+constexpr char kToGeoJson[] = "convert it to GeoJSON, for example with ogr2ogr NEW.geojson FILE";
+
+/// What a file is and what to do with it.
+struct Kind {
+    std::string_view name, advice;
+};
+
+Kind kindOf(std::string_view head) {
+    constexpr std::pair<std::string_view, Kind> kSignatures[] = {
+        {"\0\0\x27\x0a"sv, {"an ESRI shapefile", kToGeoJson}},
+        {"SQLite format 3"sv, {"a database, perhaps a GeoPackage", kToGeoJson}},
+        {"PK\x03\x04"sv, {"a ZIP archive", "unpack it first, for example with unzip FILE"}},
+        {"%PDF-"sv, {"a PDF document", "convert it to SVG, for example with pdftocairo -svg FILE NEW.svg"}},
+        {"%!PS-Adobe"sv,
+         {"a PostScript drawing", "convert it to PDF and then to SVG, for example with ps2pdf and pdftocairo -svg"}},
+        {"AC10"sv, {"a DWG drawing", "save it as SVG in the program that made it"}},
+        {"\xff\xd8\xff"sv,
+         {"a JPEG picture", "trace its outlines first, for example with Path > Trace Bitmap in Inkscape"}},
+    };
+    for (const auto &[signature, kind] : kSignatures) {
+        if (head.starts_with(signature)) {
+            return kind;
+        }
+    }
+    if (isWellKnownText(head)) {
+        return {"well-known text", "write its geometries as GeoJSON"};
+    }
+    if (isDxf(head)) {
+        return {"a DXF drawing", "save it as SVG in the program that made it"};
+    }
+    const std::string root = rootElement(head);
+    if (root == "html") {
+        return {"a web page", "save the drawing or map itself, not the page that shows it"};
+    }
+    if (root == "kml" || root == "gpx" || root.ends_with("featurecollection")) {
+        return {root == "kml" ? "a KML file" : root == "gpx" ? "a GPX file" : "a GML file", kToGeoJson};
+    }
+    return {};
+}
+
+} // namespace
+
+Diagnostics foreignFile(std::string_view bytes) {
+    const Kind kind = kindOf(bytes.substr(0, kHead));
+    return kind.name.empty()
+               ? Diagnostics{}
+               : error("foreign-format", "the file is " + std::string(kind.name) + ", which cannot be read",
+                       std::string(kind.advice));
+}
+
+} // namespace forefront

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/files/format_list.hpp"
+#include "core/files/source/source.hpp"
+#include "core/files/text/text_writer.hpp"
+
+#include <filesystem>
+#include <string_view>
+
+namespace forefront {
+
+/// The functions of a file format. Readers work from memory and never throw; a null function means that the format does
+/// not support it.
+struct Format {
+    FileFormat about;
+    /// Further extensions, separated by blanks, such as ".node .ele".
+    const char *otherExtensions = "";
+    /// Returns true if the first bytes of a file (at most kHeadBytes) show that it is of this format.
+    bool (*recognise)(std::string_view head) = nullptr;
+    bool mayShowLate = false; ///< recognise() takes all of a JSON text where its first bytes show no format
+    Result<Domain> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
+    Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
+    Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
+    Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
+    void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
+    /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
+    Diagnostics (*noteChanges)(const Mesh &) = nullptr;
+    /// Writes a mesh for formats of several files; else null.
+    Status (*writeFiles)(const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
+
+    bool canReadDomain() const { return readDomain != nullptr || readMesh != nullptr; }
+    bool canWriteMesh() const { return writeMesh != nullptr || writeFiles != nullptr; }
+};
+
+inline constexpr std::size_t kHeadBytes = 4096;
+
+/// Returns the domain in a file of this format: what the format says of it, else the outline of its mesh.
+Result<Domain> domainFrom(const Format &format, const SourceText &source);
+
+} // namespace forefront

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+#include "core/files/common/mesh_field.hpp"
+#include "core/files/source/import_notes.hpp"
+#include "core/files/source/import_options.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+struct Format;
+
+/// A file format the program reads or writes.
+struct FileFormat {
+    const char *id;        ///< "msh2", "msh41", "vtu", ... as used by --format and in menus
+    const char *name;      ///< "Gmsh MSH 2.2"
+    const char *extension; ///< with the dot, ".msh"
+    bool readsDomain, readsMesh, writesMesh;
+    /// Its lines may cross, touch and overlap: reading arranges them (see ImportOptions::weldTolerance).
+    bool arranges = false;
+    /// Programs that read it accept tagged edges inside the domain, such as constraints and interfaces, rather than
+    /// take each for a boundary.
+    bool acceptsInnerEdges = true;
+};
+/// File formats, and reading through them. Faults carry file and line (or byte) and never depend on trusting a count in
+/// the file. Where `notes` is not null, it collects reports of anything in the file that is not used; if the file is
+/// refused, they also follow its faults.
+class FormatList {
+  public:
+    /// Formats in the order of menus and, among those of one extension, of preference; must outlive the list.
+    constexpr explicit FormatList(std::span<const Format> formats) : formats_(formats) {}
+
+    std::span<const Format> formats() const { return formats_; }
+    /// Returns what is known of all formats, in the order of menus.
+    std::vector<FileFormat> list() const;
+    /// Returns the format of that id; null if there is none.
+    const FileFormat *withId(std::string_view id) const;
+    /// Returns the formats with the extension of a path, in the order of preference.
+    std::vector<const FileFormat *> withExtensionOf(const std::filesystem::path &path) const;
+    /// Returns the format of a file by its first bytes, else by its extension; null if neither identifies it. Reads all
+    /// of a JSON file if its first bytes do not show what it is.
+    const FileFormat *detect(const std::filesystem::path &path) const;
+    /// Returns the format of a file with this content, or else by its extension; null if neither identifies it.
+    const FileFormat *detect(const std::filesystem::path &path, std::string_view content) const;
+
+    /// Reads the domain of a file, or the outline of the mesh in it.
+    Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
+                              ImportNotes *notes = nullptr) const;
+    /// Adds the file's name to the faults of a domain that readDomain read from it and, where the format has such
+    /// places
+    /// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Leaves faults that
+    /// already name a file unchanged.
+    Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults,
+                             const ImportOptions &options = {}) const;
+    /// Reads a mesh.
+    Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
+                          ImportNotes *notes = nullptr) const;
+    /// Reads a mesh and all its scalar values of nodes and elements: point and cell data of VTU and VTK legacy files,
+    /// $NodeData and $ElementData of MSH; none for other formats. Values are NaN where the file has none.
+    Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
+                                  ImportNotes *notes = nullptr) const;
+    /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.
+    Result<MeshField> readField(const std::filesystem::path &path, std::string_view name,
+                                const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
+    /// Reads a spacing: that of a project file, a background mesh with nodal values (MSH $NodeData), a grid of sizes
+    /// (ESRI ASCII grid), or the grey values of a picture (PNG, with ImportOptions::picture).
+    Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
+                                    ImportNotes *notes = nullptr) const;
+
+    /// Returns the format that the first bytes of a file show, preferably one with the extension of the path; null if
+    /// they show none.
+    const Format *recognised(const std::filesystem::path &path, std::string_view head) const;
+    /// Returns the format of a file by its content, else by its extension; null if neither identifies it.
+    const Format *ofContent(const std::filesystem::path &path, std::string_view content) const;
+    /// Returns the first format with the extension of a path for which `accepts` returns true; null if there is none.
+    const Format *ofExtension(const std::filesystem::path &path, bool (*accepts)(const Format &)) const;
+    /// Returns the format of that id; null if there is none.
+    const Format *ofId(std::string_view id) const;
+    /// Returns the extensions of the accepted formats, for messages.
+    std::string extensions(bool (*accepts)(const Format &)) const;
+    /// Returns the ids of the accepted formats, for messages.
+    std::string ids(bool (*accepts)(const Format &)) const;
+
+  private:
+    std::span<const Format> formats_;
+};
+
+/// Returns the formats of meshes, of their outlines, and of domains that are valid as they are. Those of drawings, maps
+/// and projects come with the drawing library.
+const FormatList &engineFormats();
+
+} // namespace forefront

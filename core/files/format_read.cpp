@@ -1,0 +1,133 @@
+#include "core/engine/mesh/mesh_domain.hpp"
+#include "core/files/format.hpp"
+#include "core/files/read_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+// Reading files through a list of formats.
+
+namespace forefront {
+Result<const Format *> chooseFormat(const FormatList &list, const std::filesystem::path &path, std::string_view bytes,
+                                    const ImportOptions &options, bool (*accepts)(const Format &)) {
+    if (!options.formatId.empty()) {
+        const Format *const given = list.ofId(options.formatId);
+        if (given == nullptr || !accepts(*given)) {
+            return error("unknown-format",
+                         given == nullptr ? "unknown format '" + options.formatId + "'"
+                                          : "the format '" + options.formatId + "' cannot be read here",
+                         "expected one of " + list.ids(accepts));
+        }
+        return given;
+    }
+    const Format *const found = list.ofContent(path, bytes);
+    if (found == nullptr) {
+        return error("unknown-format", "unknown file format", "formats that can be read: " + list.extensions(accepts));
+    }
+    if (!accepts(*found)) {
+        return error("unknown-format", std::string(found->about.name) + " cannot be read here",
+                     "formats that can be read: " + list.extensions(accepts));
+    }
+    return found;
+}
+
+namespace {
+
+/// Marks infinite values as absent: ranges, colours and contours cannot show them.
+void dropInfinite(NamedFields &fields) {
+    for (auto &[name, values] : fields) {
+        std::replace_if(
+            values.begin(), values.end(), [](double value) { return std::isinf(value); },
+            std::numeric_limits<double>::quiet_NaN());
+    }
+}
+
+bool readsDomain(const Format &format) {
+    return format.canReadDomain();
+}
+
+} // namespace
+
+Result<Domain> domainFrom(const Format &format, const SourceText &source) {
+    if (format.readDomain != nullptr) {
+        return format.readDomain(source);
+    }
+    const auto mesh = format.readMesh(source);
+    if (!mesh) {
+        return mesh.faults();
+    }
+    return domainOfMesh(*mesh, source.options.progress);
+}
+
+Result<Domain> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,
+                                      ImportNotes *notes) const {
+    return readFile<Domain>(*this, path, options, notes, readsDomain, domainFrom);
+}
+
+Diagnostics FormatList::locateFaults(const std::filesystem::path &path, Diagnostics faults,
+                                     const ImportOptions &options) const {
+    std::error_code none;
+    const auto wanting = [](const Diagnostic &f) { return f.file.empty() && !f.parts.empty(); };
+    const bool readable = options.content != nullptr || std::filesystem::is_regular_file(path, none); // a pipe is empty
+    if (readable && std::any_of(faults.begin(), faults.end(), wanting)) {
+        const auto read =
+            readFile<Domain>(*this, path, options, nullptr, readsDomain, [&](const Format &format, SourceText source) {
+                DomainOrigin origin;
+                source.origin = &origin;
+                Result<Domain> domain = domainFrom(format, source);
+                if (domain) {
+                    addPlaces(faults, origin, source.text);
+                }
+                return domain;
+            });
+        static_cast<void>(read); // it was readable before; if it no longer is, the faults are left without places
+    }
+    return named(std::move(faults), path);
+}
+
+Result<Mesh> FormatList::readMesh(const std::filesystem::path &path, const ImportOptions &options,
+                                  ImportNotes *notes) const {
+    return readFile<Mesh>(
+        *this, path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
+        [](const Format &format, const SourceText &source) { return format.readMesh(source); });
+}
+
+Result<MeshFields> FormatList::readFields(const std::filesystem::path &path, const ImportOptions &options,
+                                          ImportNotes *notes) const {
+    return readFile<MeshFields>(
+        *this, path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
+        [](const Format &format, const SourceText &source) -> Result<MeshFields> {
+            if (format.readFields != nullptr) {
+                Result<MeshFields> fields = format.readFields(source);
+                if (fields) {
+                    dropInfinite(fields->fields);
+                    dropInfinite(fields->elementFields);
+                }
+                return fields;
+            }
+            Result<Mesh> mesh = format.readMesh(source);
+            return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}, {}}) : mesh.faults();
+        });
+}
+
+Result<MeshField> FormatList::readField(const std::filesystem::path &path, std::string_view name,
+                                        const ImportOptions &options, ImportNotes *notes) const {
+    return readFile<MeshField>(
+        *this, path, options, notes, [](const Format &format) { return format.readFields != nullptr; },
+        [name](const Format &format, const SourceText &source) -> Result<MeshField> {
+            Result<MeshFields> fields = format.readFields(source);
+            return fields ? meshWithField(std::move(*fields), name, source) : fields.faults();
+        });
+}
+
+Result<SpacingSpec> FormatList::readSpacing(const std::filesystem::path &path, const ImportOptions &options,
+                                            ImportNotes *notes) const {
+    return readFile<SpacingSpec>(
+        *this, path, options, notes, [](const Format &format) { return format.readSpacing != nullptr; },
+        [](const Format &format, const SourceText &source) { return format.readSpacing(source); });
+}
+
+} // namespace forefront

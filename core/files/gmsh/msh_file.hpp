@@ -1,0 +1,123 @@
+#pragma once
+
+#include "core/files/common/planar_mesh.hpp"
+#include "core/files/gmsh/msh_groups.hpp"
+#include "core/files/text/byte_scanner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// Types of elements as MSH numbers them.
+inline constexpr std::int32_t kMshLine = 1, kMshTriangle = 2, kMshPoint = 15;
+
+/// Returns a number below 1 that stands for the tag of an entity without a physical group until all groups are known.
+std::int32_t ungrouped(std::int64_t entity);
+
+/// Values of a $NodeData or $ElementData section with one component.
+struct MshValues {
+    std::string name;
+    std::size_t offset = 0;
+    std::vector<double> values;                       ///< per node or element; NaN where the section has none
+    std::size_t notPositive = std::string_view::npos; ///< offset of the first value that is 0 or less
+
+    void set(std::size_t item, double value, std::size_t place) {
+        if (!(value > 0.0)) {
+            notPositive = std::min(notPositive, place);
+        }
+        values[item] = value;
+    }
+};
+
+/// Reads Gmsh MSH 2.2, ASCII, and 4.1, ASCII and binary. Sections that are not used are skipped and reported.
+class MshFile {
+  public:
+    explicit MshFile(const SourceText &source) : scanner_(source) {}
+
+    /// Reads the whole file. Returns false after a failure; then see faults().
+    bool read();
+    const Diagnostics &faults() const { return scanner_.faults(); }
+    TextScanner &scanner() { return scanner_; }
+    PlanarMeshBuilder &builder() { return builder_; }
+    /// Returns the nodal values in the order of the file.
+    const std::vector<MshValues> &values() const { return values_; }
+    /// Returns the values of triangles in the order of the file.
+    const std::vector<MshValues> &elementValues() const { return elementValues_; }
+
+  private:
+    bool readSection(std::string_view name);
+    bool readFormat();
+    bool readNames();
+    /// Reads the values of a section, with those of nodes or of elements.
+    bool readData(bool ofNodes);
+    bool readDataHeader(MshValues &field, std::size_t &count, std::int64_t &components);
+    bool readValue(bool ofNodes, std::size_t k, MshValues &field);
+    /// Finds a triangle by its number; false if there is none.
+    bool findElement(std::int64_t number, std::size_t &element);
+    bool readComments();
+    bool skipSection(std::string_view name);
+
+    bool readNodes2();
+    bool readElements2();
+    bool readElement2(std::size_t number);
+    bool readEntities4();
+    bool readEntity4(int dimension);
+    bool readNodes4();
+    bool readElements4();
+    bool readElementBlock4(std::size_t &left);
+    void restoreOrder();
+
+    struct NumberedNode {
+        std::int64_t number;
+        Vec2 place;
+    };
+    bool readByteOrder(std::int64_t size);
+    bool readEntitiesBinary();
+    bool readEntityBinary(ByteScanner &bytes, int dimension);
+    bool readNodesBinary();
+    bool readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t limit,
+                             std::vector<NumberedNode> &nodes);
+    bool readElementsBinary();
+    bool findNode(std::int64_t number, NodeId &node, std::size_t place);
+    void addConnection(std::int32_t type, const Element &nodes, std::int32_t tag, std::int64_t number);
+    bool readElementBlockBinary(ByteScanner &bytes, std::size_t &left);
+    bool readValuesBinary(bool ofNodes, std::size_t count, MshValues &field);
+
+    /// Stores the nodes in the order of their numbers.
+    bool takeNodes(std::vector<NumberedNode> nodes);
+    /// Returns the tag of what lies on an entity: its first physical group, else a mark that resolveTags() replaces.
+    std::int32_t tagOf(int dimension, std::int64_t entity) const;
+    /// Gives separate tags to parts without a physical group, and to points whose number is that of a curve.
+    void resolveTags();
+    void spreadBareNames();
+    void resolveRegions();
+    void resolveEdgesAndPoints();
+    void dropConstructionPoints();
+    void placePoints(class MshTags &tags, bool groupedEdges);
+
+    /// Refuses a type of elements that cannot be read; returns false.
+    bool failType(const std::string &what, std::int64_t type, std::size_t place);
+    bool readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect);
+
+    TextScanner scanner_;
+    PlanarMeshBuilder builder_;
+    std::vector<MshValues> values_, elementValues_;
+    NodeTable elementTable_;        ///< of elementNumbers_, once a section needs it
+    std::vector<MshGroup> origins_; ///< groups that our writer renumbered or renamed
+    bool version4_ = false, binary_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
+    std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
+    std::array<std::map<std::int32_t, std::string>, 4> names_;      ///< of physical groups, by dimension
+    std::map<std::int32_t, std::string> bareNames_;                 ///< MSH 2.0: of groups of any dimension
+    std::size_t elementsOffset_ = 0;                                ///< of $Elements
+    std::vector<std::int64_t> edgeNumbers_;                         ///< MSH 4.1: as in the file
+    std::vector<std::int64_t> elementNumbers_;                      ///< of the triangles of the mesh
+};
+
+} // namespace forefront

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/diagnostic.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// Something in a file that a reader did not use, or a choice that it made for the user.
+struct ImportNote {
+    std::string code;    ///< short stable identifier, such as "svg-text"
+    std::string message; ///< "text is ignored: it has no outline"
+    std::size_t count = 0;
+    std::string file; ///< where it occurs first
+    int line = 0;
+    int column = 0;
+};
+
+/// What an SVG drawing or map holds that import options change.
+struct DrawingContents {
+    bool lines = false;                   ///< lines beside areas, which ImportOptions::dropLines leaves out
+    std::size_t filledShapes = 0;         ///< number of those that ImportOptions::shapeRegions makes regions
+    std::vector<std::string> layers = {}; ///< of a TopoJSON file, as ImportOptions::layer takes them
+    std::string layer = {};               ///< the one that was read
+    /// Those of features with text or a number, which ImportOptions::nameProperty takes; sorted.
+    std::vector<std::string> properties = {};
+};
+
+/// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.
+class ImportNotes {
+  public:
+    /// Counts `count` more of the note with this code and message; `text`, `offset` and `file` give the first place.
+    /// After 200 different ones, the first with this code is counted instead.
+    void add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
+             std::size_t offset, std::size_t count = 1);
+    void setContents(const DrawingContents &contents) { contents_ = contents; }
+    const std::vector<ImportNote> &entries() const { return entries_; }
+    const DrawingContents &contents() const { return contents_; }
+    bool empty() const { return entries_.empty(); }
+    /// Returns the notes for a log: "... (3 times)" with file, line and column of the first. More than five
+    /// notes that differ only in quoted names are shown as one: "... 'a' ... (9 times; also 'b', 'c')".
+    Diagnostics diagnostics() const;
+
+  private:
+    std::vector<ImportNote> entries_;
+    DrawingContents contents_;
+};
+
+} // namespace forefront

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/files/source/overlap_rule.hpp"
+#include "core/files/source/picture_sizes.hpp"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace FOREFRONT_API forefront {
+
+/// The code of the note that a drawing was cut off at its page.
+inline constexpr char kPageNote[] = "svg-page";
+/// The code of the note that strokes were read as lines.
+inline constexpr char kStrokeNote[] = "svg-stroke";
+
+/// Options for reading a file.
+struct ImportOptions {
+    /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
+    double curveTolerance = 0.0;
+    /// Nodes and segments of drawings and maps that are closer than this are joined, in domain units; absent: 1e-6 of
+    /// the diagonal, or less where that would change the areas of outlines by more than 0.1 %. Other formats are read
+    /// as they are.
+    std::optional<double> weldTolerance = {};
+    OverlapRule overlap = OverlapRule::Later; ///< between features of a map
+    /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one.
+    std::optional<std::string> layer = {};
+    /// The property of a map's features to take names of boundaries and regions from, text or numbers; "id" also uses
+    /// the own ids of the features. Absent: "name", "Name" or "NAME", or if no feature has one, "NAME_n" with the
+    /// highest n that all features with such names have.
+    std::optional<std::string> nameProperty = {};
+    bool strict = false;     ///< refuse a drawing or map that would have to be changed
+    bool beyondPage = false; ///< keep what filled shapes of an SVG drawing have outside its page (its view box)
+    /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line
+    /// strings.
+    bool dropLines = false;
+    /// The area that the strokes of an SVG drawing paint belongs to the domain; otherwise strokes are lines.
+    bool strokeAreas = false;
+    /// Every filled shape of an SVG drawing is a region with its name, as far as no later shape covers it; otherwise
+    /// all shapes are one region.
+    bool shapeRegions = false;
+    std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
+    /// Format by its id, such as "geojson"; empty: by content, then by extension.
+    std::string formatId = {};
+    /// Expressions that replace those of a project's parameters, by name; unused for other formats.
+    std::map<std::string, std::string> parameters = {};
+    /// The sizes that a picture means, where one is read as spacing; unused for other formats.
+    std::optional<PictureSizes> picture = {};
+    /// The bytes of the file where they have been read already, such as those of standard input; null: read the file.
+    std::shared_ptr<const std::string> content = {};
+    /// Reports the progress of reading a mesh every few thousand lines or elements, and can cancel it with the fault
+    /// "cancelled".
+    Progress progress = {};
+};
+
+} // namespace forefront

@@ -1,0 +1,132 @@
+#include "core/files/source/source.hpp"
+
+#include "core/engine/base/cancelled.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace forefront {
+
+TextPlace placeOf(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const std::size_t lastBreak = before.rfind('\n');
+    const std::size_t column = lastBreak == std::string_view::npos ? before.size() : before.size() - lastBreak - 1;
+    return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1, static_cast<int>(column) + 1};
+}
+
+Diagnostic faultAt(const SourceText &source, std::size_t offset, std::string code, std::string message,
+                   std::string advice) {
+    Diagnostic fault = error(std::move(code), std::move(message), std::move(advice)).front();
+    const TextPlace place = placeOf(source.text, offset);
+    fault.file = source.name;
+    fault.line = place.line;
+    fault.column = place.column;
+    return fault;
+}
+
+std::string inQuotes(std::string_view token) {
+    constexpr std::size_t kLongest = 40;
+    std::string text = "'";
+    for (const char c : token.substr(0, kLongest)) {
+        text += c >= ' ' && c <= '~' ? c : '?';
+    }
+    text += token.size() > kLongest ? "...'" : "'";
+    return text;
+}
+
+namespace {
+
+Diagnostics readFault(const std::string &name, const std::string &why) {
+    Diagnostics faults = error("cannot-read", "cannot read the file: " + why);
+    faults.front().file = name;
+    return faults;
+}
+
+class OpenFile {
+  public:
+    explicit OpenFile(const std::filesystem::path &path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    ~OpenFile() {
+        if (descriptor_ >= 0) {
+            ::close(descriptor_);
+        }
+    }
+    OpenFile(const OpenFile &) = delete;
+    OpenFile &operator=(const OpenFile &) = delete;
+    int descriptor() const { return descriptor_; }
+
+  private:
+    int descriptor_;
+};
+
+/// Reads an open file up to its end; `name` appears in faults.
+Result<std::string> readDescriptor(int descriptor, const std::string &name, std::size_t maxBytes,
+                                   const Progress &progress) {
+    struct stat status {};
+    if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
+        return readFault(name, std::strerror(errno));
+    }
+    if (S_ISDIR(status.st_mode)) {
+        return readFault(name, "it is a folder");
+    }
+    const auto tooLarge = [&] {
+        Diagnostics faults = error("too-large", "the file is larger than " + std::to_string(maxBytes) + " bytes");
+        faults.front().file = name;
+        return faults;
+    };
+    const auto promised = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+    if (promised > maxBytes) {
+        return tooLarge();
+    }
+    constexpr std::size_t kChunk = std::size_t{1} << 20, kStopInterval = 16 * kChunk;
+    std::string bytes;
+    std::size_t size = 0;
+    bytes.resize(S_ISREG(status.st_mode) ? promised + 1 : kChunk);
+    while (true) {
+        if (progress.cancelled()) {
+            return cancelled("reading");
+        }
+        const ssize_t got = ::read(descriptor, bytes.data() + size, std::min(bytes.size() - size, kStopInterval));
+        if (got < 0) {
+            if (errno == EINTR) {
+                continue;
+            }
+            return readFault(name, std::strerror(errno));
+        }
+        if (got == 0) {
+            break;
+        }
+        size += static_cast<std::size_t>(got);
+        if (size > maxBytes) {
+            return tooLarge();
+        }
+        if (size == bytes.size()) {
+            bytes.resize(size + std::max(kChunk, size / 2));
+        }
+    }
+    bytes.resize(size);
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // UTF-8; no binary format begins with it
+    if (bytes.starts_with(kByteOrderMark)) {
+        bytes.erase(0, kByteOrderMark.size());
+    }
+    return bytes;
+}
+
+} // namespace
+
+Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes, const Progress &progress) {
+    if (progress.cancelled()) {
+        return cancelled("reading"); // opening a pipe waits for its other end
+    }
+    const OpenFile file(path);
+    return readDescriptor(file.descriptor(), path.string(), maxBytes, progress);
+}
+
+Result<std::string> readStandardInput(std::size_t maxBytes) {
+    return readDescriptor(STDIN_FILENO, "standard input", maxBytes, {});
+}
+
+} // namespace forefront

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/files/text/text_writer.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace FOREFRONT_API forefront {
+
+/// A file that appears under its name only when it is complete: bytes go to a temporary file in the same folder, which
+/// commit() flushes to the disc and renames. Destroyed without commit, it leaves nothing behind. A link is followed; a
+/// device or pipe is written directly.
+class AtomicFile final : public ByteSink {
+  public:
+    /// `expectedBytes` scales the reported progress; 0: no progress.
+    explicit AtomicFile(const std::filesystem::path &path, const Progress &progress = {},
+                        std::size_t expectedBytes = 0);
+    ~AtomicFile() override;
+    AtomicFile(const AtomicFile &) = delete;
+    AtomicFile &operator=(const AtomicFile &) = delete;
+
+    bool write(std::string_view bytes) override;
+    /// Flushes and renames the file. Faults: cannot-write with path and the text of errno, cancelled.
+    Status commit();
+
+  private:
+    void fail(const std::string &action, int number);
+
+    std::filesystem::path path_;
+    std::filesystem::path target_;
+    std::string temporary_; ///< empty: written directly, or already renamed
+    Progress progress_;
+    std::size_t expectedBytes_;
+    std::size_t written_ = 0;
+    int descriptor_ = -1;
+    Status status_;
+};
+
+/// Writes one file through `fill`, atomically.
+Status writeTextFile(const std::filesystem::path &path, const std::function<void(TextWriter &)> &fill,
+                     const Progress &progress = {}, std::size_t expectedBytes = 0);
+
+/// Writes bytes atomically: to a temporary file in the same folder, which is flushed and renamed.
+Status writeFileAtomically(const std::filesystem::path &path, std::string_view bytes);
+
+} // namespace forefront

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/mesh.hpp"
+#include "core/files/source/source.hpp"
+
+#include <array>
+#include <filesystem>
+
+namespace forefront {
+
+/// Reads a .node or .ele file with the other one beside it, and an .edge file if there is one.
+Result<Mesh> readTriangle(const SourceText &source);
+/// Reads a mesh from the texts of its files; `edges` may be null.
+Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges);
+/// Extensions of the files that writeTriangle writes side by side: nodes, elements, tagged edges.
+inline constexpr std::array<const char *, 3> kTriangleExtensions{".node", ".ele", ".edge"};
+/// Writes PATH.node, PATH.ele and PATH.edge, each atomically.
+Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress);
+
+/// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes.
+Result<Domain> readPoly(const SourceText &source);
+/// Returns true if the .node file beside the .poly file holds its nodes.
+bool hasNodesInNodeFile(const SourceText &poly);
+
+} // namespace forefront

@@ -1,0 +1,185 @@
+#include "core/files/common/names.hpp"
+#include "core/files/common/node_labels.hpp"
+#include "core/files/common/planar_mesh.hpp"
+#include "core/files/source/companion.hpp"
+#include "core/files/text/atomic_file.hpp"
+#include "core/files/triangle/triangle.hpp"
+#include "core/files/triangle/triangle_nodes.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace forefront {
+
+namespace {
+
+void writeNodes(const Mesh &mesh, TextWriter &out) {
+    out << mesh.nodes.size() << " 2 0 1\n";
+    const std::vector<std::int32_t> labels = nodeLabels(mesh);
+    for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
+        out << n + 1 << ' ' << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << ' ' << labels[n] << '\n';
+    }
+    writeNameComments(mesh, "#", out);
+    for (const TaggedNode &point : mesh.points) {
+        out << "# point " << index(point.node) + 1 << ' ' << point.tag << '\n';
+    }
+}
+
+void writeElements(const Mesh &mesh, TextWriter &out) {
+    out << mesh.elements.size() << " 3 1\n";
+    for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
+        out << e + 1;
+        for (const NodeId node : mesh.elements[e]) {
+            out << ' ' << index(node) + 1;
+        }
+        out << ' ' << mesh.region(e) << '\n';
+    }
+}
+
+void writeEdges(const Mesh &mesh, TextWriter &out) {
+    out << mesh.edges.size() << " 1\n";
+    for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+        const TaggedEdge &edge = mesh.edges[k];
+        out << k + 1 << ' ' << index(edge.a) + 1 << ' ' << index(edge.b) + 1 << ' ' << edge.tag << '\n';
+    }
+}
+
+} // namespace
+
+/// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the
+/// tagged edges.
+Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
+    using Write = void (*)(const Mesh &, TextWriter &);
+    static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};
+    for (std::size_t i = 0; i < kWrites.size(); ++i) {
+        std::filesystem::path file = path;
+        file.replace_extension(kTriangleExtensions[i]);
+        const Status status = writeTextFile(
+            file, [&](TextWriter &out) { kWrites[i](mesh, out); }, progress, 1 + mesh.elements.size() * 32);
+        if (!status.empty()) {
+            return status;
+        }
+    }
+    return {};
+}
+
+namespace {
+
+class TriangleMeshReader {
+  public:
+    bool readNodes(const SourceText &source) {
+        TextScanner scanner(source, '#');
+        TriangleNodes nodes;
+        if (!nodes.read(scanner, false)) {
+            return fail(scanner);
+        }
+        builder_.mesh.nodes = std::move(nodes.places);
+        builder_.table = std::move(nodes.table);
+        TagNames names = readNameComments(source.text, "#");
+        builder_.mesh.boundaryNames = std::move(names.boundary);
+        builder_.mesh.regionNames = std::move(names.region);
+        for (std::size_t at = source.text.find("\n# point "); at != std::string_view::npos;
+             at = source.text.find("\n# point ", at + 1)) {
+            constexpr std::size_t kStart = 9;
+            TextScanner comment(source);
+            comment.seek(at + kStart);
+            std::int32_t tag = 1;
+            if (!builder_.readPoint(comment, 1, {"a point"}) || !readTag(comment, tag, {"the tag of a point"})) {
+                return fail(comment);
+            }
+            builder_.mesh.points.back().tag = tag;
+        }
+        return true;
+    }
+
+    bool readElements(const SourceText &source) {
+        TextScanner scanner(source, '#');
+        std::size_t count = 0;
+        std::int64_t corners = 0, attributes = 0, number = 0;
+        if (!scanner.count(count, 8, {"the number of triangles"}) ||
+            !scanner.integer(corners, 3, 3, {"the nodes of a triangle"}) ||
+            !scanner.integer(attributes, 0, 1000, {"the number of attributes"})) {
+            return fail(scanner);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            double attribute = 0.0;
+            std::int32_t region = 1;
+            if (!scanner.integer(number, 0, std::numeric_limits<std::int32_t>::max(), {"triangle", k + 1}) ||
+                !builder_.readElement(scanner, 1, {"triangle", k + 1})) {
+                return fail(scanner);
+            }
+            for (std::int64_t a = 0; a < attributes; ++a) {
+                if (!scanner.real(attribute, {"the attribute of triangle", k + 1})) {
+                    return fail(scanner);
+                }
+                const bool tag = attribute >= 1.0 && attribute <= std::numeric_limits<std::int32_t>::max() &&
+                                 attribute == std::floor(attribute);
+                region = a == 0 && tag ? static_cast<std::int32_t>(attribute) : region;
+            }
+            builder_.mesh.regions.back() = region;
+        }
+        return true;
+    }
+
+    bool readEdges(const SourceText &source) {
+        TextScanner scanner(source, '#');
+        std::size_t count = 0;
+        std::int64_t markers = 0, number = 0;
+        if (!scanner.count(count, 6, {"the number of edges"}) ||
+            !scanner.integer(markers, 0, 1, {"the number of markers"})) {
+            return fail(scanner);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const Expect expect{"edge", k + 1};
+            std::int64_t marker = 0;
+            if (!scanner.integer(number, 0, std::numeric_limits<std::int32_t>::max(), expect) ||
+                !builder_.readEdge(scanner, 1, expect) ||
+                (markers == 1 && !scanner.integer(marker, -std::numeric_limits<std::int32_t>::max(),
+                                                  std::numeric_limits<std::int32_t>::max(), expect))) {
+                return fail(scanner);
+            }
+            if (marker == 0) {
+                builder_.mesh.edges.pop_back(); // an inner edge
+            } else {
+                builder_.mesh.edges.back().tag = static_cast<std::int32_t>(std::max<std::int64_t>(marker, 1));
+            }
+        }
+        return true;
+    }
+
+    Result<Mesh> finish() { return builder_.finish(); }
+    const Diagnostics &faults() const { return faults_; }
+
+  private:
+    bool fail(const TextScanner &scanner) {
+        faults_ = scanner.faults();
+        return false;
+    }
+
+    PlanarMeshBuilder builder_;
+    Diagnostics faults_;
+};
+
+} // namespace
+
+Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges) {
+    TriangleMeshReader reader;
+    if (!reader.readNodes(nodes) || !reader.readElements(elements) || (edges != nullptr && !reader.readEdges(*edges))) {
+        return reader.faults();
+    }
+    return reader.finish();
+}
+
+Result<Mesh> readTriangle(const SourceText &source) {
+    const std::string extension = source.path.extension().string();
+    const bool isElements = extension == ".ele" || extension == ".ELE";
+    const auto other = readCompanion(source, isElements ? ".node" : ".ele");
+    if (!other) {
+        return other.faults();
+    }
+    const auto edges = readCompanion(source, ".edge");
+    return readTriangleParts(isElements ? (*other)->source : source, isElements ? source : (*other)->source,
+                             edges ? &(*edges)->source : nullptr);
+}
+
+} // namespace forefront

@@ -1,0 +1,187 @@
+#include "core/teaching/film/film_files.hpp"
+
+#include "core/engine/session/meshing_session.hpp"
+#include "core/files/text/atomic_file.hpp"
+#include "core/teaching/film/film_picture.hpp"
+#include "core/teaching/film/gif_writer.hpp"
+#include "core/teaching/film/png_writer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <string>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+/// A session that the caller can wait for.
+class PatientSession {
+  public:
+    explicit PatientSession(std::stop_token stop) : stop_(std::move(stop)) {}
+
+    MeshingSession &session() { return session_; }
+
+    /// Waits until the session is idle and returns its snapshot; a stop request cancels the work.
+    std::shared_ptr<const SessionSnapshot> rest() {
+        std::unique_lock lock(mutex_);
+        while (session_.busy()) {
+            if (stop_.stop_requested()) {
+                session_.cancel();
+            }
+            changed_.wait_for(lock, std::chrono::milliseconds(2));
+        }
+        return session_.latest();
+    }
+
+  private:
+    std::stop_token stop_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    MeshingSession session_{[this] { changed_.notify_all(); }};
+};
+
+/// Widens a tall box on both sides, so that no film is much taller than wide.
+Box2 shownBox(Box2 box) {
+    constexpr double kTallest = 1.5; // height over width
+    const double missing = box.size().y / kTallest - box.size().x;
+    if (missing > 0.0) {
+        box.min.x -= 0.5 * missing;
+        box.max.x += 0.5 * missing;
+    }
+    return box;
+}
+
+/// Writes the frames of a run.
+class Filming {
+  public:
+    Filming(const FilmPlan &plan, const Progress &progress)
+        : plan_(plan), progress_(progress), patient_(progress.stop) {}
+
+    Status film(MeshingJob job) {
+        patient_.session().want(plan_.layers.needed());
+        patient_.session().start(std::make_shared<const MeshingJob>(std::move(job)), StartMode::Pause);
+        const auto start = patient_.rest();
+        if (start->state == RunState::Failed) {
+            return start->diagnostics;
+        }
+        if (progress_.cancelled() || !start->mesh) {
+            return cancelled();
+        }
+        sheet_.box = shownBox(start->mesh->mesh.bounds());
+        sheet_.width = plan_.width;
+        patient_.session().finish();
+        const std::uint64_t end = patient_.rest()->known;
+        if (plan_.from > end) {
+            return error("bad-range", "the film begins after advance " + std::to_string(plan_.from) +
+                                          ", but the run has only " + std::to_string(end) + " advances");
+        }
+        from_ = plan_.from;
+        last_ = std::min(end, plan_.steps ? from_ + std::min(*plan_.steps, end) : end);
+        return plan_.output.extension() == ".gif" ? writeGif() : plan_.numbered() ? writeSequence() : writeMoment();
+    }
+    int written() const { return written_; }
+
+  private:
+    static Status cancelled() { return error("cancelled", "the film was cancelled"); }
+
+    /// Calls write(scene, number) for each frame, numbered from 1, until it fails.
+    template <class Write>
+    Status forFrames(Write write) {
+        const std::uint64_t steps = last_ - from_;
+        const auto frames = static_cast<int>(std::min(steps + 1, static_cast<std::uint64_t>(plan_.frames)));
+        for (int k = 0; k < frames; ++k) {
+            const std::uint64_t at =
+                frames == 1 ? last_
+                            : from_ + steps * static_cast<std::uint64_t>(k) / static_cast<std::uint64_t>(frames - 1);
+            const FilmScene scene = sceneAt(at);
+            if (progress_.cancelled()) {
+                return cancelled();
+            }
+            if (Status status = write(scene, k + 1); !status.empty()) {
+                return status;
+            }
+            ++written_;
+            progress_("filming", static_cast<double>(k + 1) / frames);
+        }
+        return {};
+    }
+
+    Status writeGif() {
+        const int delay = std::max(2, static_cast<int>(100.0 / plan_.speed + 0.5));
+        AtomicFile file(plan_.output);
+        GifWriter gif(file, sheet_.width, sheet_.height(), delay);
+        Status status = forFrames([&](const FilmScene &scene, int) {
+            return gif.add(paintScene(scene)) ? Status() : file.commit(); // returns the write error
+        });
+        if (!status.empty()) {
+            return status;
+        }
+        gif.finish();
+        return file.commit();
+    }
+    Status writeSequence() {
+        return forFrames(
+            [&](const FilmScene &scene, int number) { return writePicture(frameName(plan_.output, number), scene); });
+    }
+    Status writeMoment() {
+        const FilmScene scene = sceneAt(last_);
+        if (progress_.cancelled()) {
+            return cancelled();
+        }
+        written_ = 1;
+        return writePicture(plan_.output, scene);
+    }
+    static Status writePicture(const std::filesystem::path &file, const FilmScene &scene) {
+        return writeFileAtomically(file, file.extension() == ".png" ? pngOf(paintScene(scene)) : svgOf(scene));
+    }
+
+    FilmScene sceneAt(std::uint64_t advance) {
+        patient_.session().seek(advance);
+        return sceneOf(*patient_.rest(), sheet_, plan_.layers, last_);
+    }
+
+    const FilmPlan &plan_;
+    const Progress &progress_;
+    FilmSheet sheet_;
+    std::uint64_t from_ = 0, last_ = 0; ///< the first and last advance of the film
+    int written_ = 0;
+    PatientSession patient_;
+};
+
+} // namespace
+
+std::filesystem::path frameName(const std::filesystem::path &pattern, int frame) {
+    std::string name = pattern.filename().string();
+    name.replace(name.find("%d"), 2, std::to_string(frame));
+    return pattern.parent_path() / name;
+}
+
+std::string outputFault(const FilmPlan &plan) {
+    const std::string extension = plan.output.extension().string();
+    if (extension != ".gif" && extension != ".png" && extension != ".svg") {
+        return "unknown extension '" + extension + "'; expected .gif, .png or .svg";
+    }
+    if (extension == ".gif" && plan.numbered()) {
+        return "a GIF holds all frames; leave out %d";
+    }
+    return {};
+}
+
+Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
+    try {
+        Filming filming(plan, progress);
+        if (Status status = filming.film(std::move(job)); !status.empty()) {
+            return status;
+        }
+        return filming.written();
+    } catch (const std::bad_alloc &) {
+        return error("out-of-memory", "not enough memory for this film", "choose a smaller width");
+    }
+}
+
+} // namespace forefront

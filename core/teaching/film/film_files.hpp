@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/mesher/options.hpp"
+#include "core/teaching/film/film_scene.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace forefront {
+
+/// What a film of a run shows, and its output.
+struct FilmPlan {
+    std::filesystem::path output;       ///< .gif: an animation; NAME-%d.png or .svg: numbered frames; else one moment
+    std::uint64_t from = 0;             ///< number of advances done at the first frame
+    std::optional<std::uint64_t> steps; ///< number of advances shown; not set: to the end of the run
+    int frames = 120;                   ///< maximum number of frames; long runs skip advances
+    int width = 800;                    ///< pixels
+    double speed = 10.0;                ///< frames per second of a GIF
+    FilmLayers layers;
+
+    static constexpr int kMaxFrames = 5000, kMinWidth = 100, kMaxWidth = 4000;
+    static constexpr double kSlowest = 0.1, kFastest = 50.0;
+
+    /// Returns true if each frame is a file of its own.
+    bool numbered() const { return output.filename().string().find("%d") != std::string::npos; }
+};
+
+/// Returns the name of a frame, counted from 1; `pattern` contains %d.
+std::filesystem::path frameName(const std::filesystem::path &pattern, int frame);
+
+/// Returns the error in the name of the output; empty if there is none.
+std::string outputFault(const FilmPlan &plan);
+
+/// Runs a job and writes its film, reporting progress by frame. Returns the number of frames written. Faults: those of
+/// the job, bad-range (the run ends before the film begins), cannot-write, cancelled, out-of-memory.
+Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
+
+} // namespace forefront

@@ -1,0 +1,257 @@
+#include "core/teaching/film/film_scene.hpp"
+
+#include "core/engine/base/number_text.hpp"
+#include "core/teaching/film/stroke_font.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kMargin = 12.0, kBand = 30.0; ///< pixels around the drawing, and of the band below it
+constexpr double kTextUnit = 1.6;              ///< pixels per unit of the stroke font
+constexpr double kLineHeight = 18.0;           ///< pixels between the baselines of a caption
+constexpr double kWidestCaption = 1000.0;      ///< pixels; about as wide as the longest captions
+
+/// Adds the shapes of a moment to a scene.
+class SceneBuilder {
+  public:
+    SceneBuilder(const SessionSnapshot &moment, const FilmSheet &sheet, FilmScene &scene)
+        : moment_(moment), sheet_(sheet), scene_(scene) {
+        const Vec2 size = sheet.box.size();
+        scale_ = (sheet.width - 2.0 * kMargin) / (size.x > 0.0 ? size.x : 1.0);
+    }
+
+    void addMesh() {
+        const Mesh &mesh = moment_.mesh->mesh;
+        for (const Element &element : mesh.elements) {
+            std::array<Vec2, 3> corners;
+            std::transform(element.begin(), element.end(), corners.begin(),
+                           [&](NodeId node) { return at(mesh.nodes[index(node)]); });
+            scene_.elements.push_back(corners);
+            for (std::size_t k = 0; k < 3; ++k) {
+                scene_.lines.push_back({corners[k], corners[(k + 1) % 3], Ink::Edge, 0.8});
+            }
+        }
+    }
+    void addBoundary() {
+        const Mesh &mesh = moment_.mesh->mesh;
+        for (const TaggedEdge &edge : mesh.edges) {
+            line(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)], Ink::Boundary, 2.0);
+        }
+    }
+    void addGrid() {
+        for (const GridCellView &cell : *moment_.cells) {
+            const Vec2 a = cell.box.min, c = cell.box.max, b{c.x, a.y}, d{a.x, c.y};
+            line(a, b, Ink::Cell, 0.7);
+            line(b, c, Ink::Cell, 0.7);
+            line(c, d, Ink::Cell, 0.7);
+            line(d, a, Ink::Cell, 0.7);
+        }
+    }
+    void addFront() {
+        for (const FrontSegmentView &segment : *moment_.front) {
+            line(segment.a, segment.b, Ink::Front, 2.4);
+        }
+    }
+    void addCandidates() {
+        const AdvanceExplanation &advance = *moment_.explanation;
+        for (const CandidateTrace &candidate : advance.candidates) {
+            const bool accepted = candidate.verdict == Verdict::Accepted;
+            const bool open = candidate.verdict == Verdict::NotTried;
+            const Ink ink = accepted ? Ink::Accepted : open ? Ink::Candidate : Ink::Rejected;
+            if (!open) {
+                line(advance.a, candidate.position, ink, 1.4);
+                line(candidate.position, advance.b, ink, 1.4);
+            }
+            line(candidate.position, candidate.position, ink, 8.0);
+        }
+        line(advance.a, advance.b, Ink::Base, 3.6);
+    }
+
+  private:
+    Vec2 at(Vec2 p) const {
+        return {kMargin + scale_ * (p.x - sheet_.box.min.x), kMargin + scale_ * (sheet_.box.max.y - p.y)};
+    }
+    void line(Vec2 a, Vec2 b, Ink ink, double width) { scene_.lines.push_back({at(a), at(b), ink, width}); }
+
+    const SessionSnapshot &moment_;
+    const FilmSheet &sheet_;
+    FilmScene &scene_;
+    double scale_ = 1.0;
+};
+
+std::string colourText(Ink ink) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t part : rgbOf(ink)) {
+        text += kDigits[part / 16];
+        text += kDigits[part % 16];
+    }
+    return text;
+}
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    }
+    return result;
+}
+
+/// Returns a length or coordinate, rounded to hundredths of a pixel.
+std::string pixels(double value) {
+    return numberText(std::round(value * 100.0) / 100.0, 8);
+}
+std::string pair(Vec2 p) {
+    return pixels(p.x) + ' ' + pixels(p.y);
+}
+
+/// Splits a text at spaces into lines that fit a width in pixels.
+std::vector<std::string> wrapped(const std::string &text, double width) {
+    std::vector<std::string> lines(1);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string word = text.substr(at, end - at);
+        std::string &line = lines.back();
+        if (line.empty()) {
+            line = word;
+        } else if (kTextUnit * strokeTextWidth(line + ' ' + word) <= width) {
+            line += ' ' + word;
+        } else {
+            lines.push_back(word);
+        }
+        at = end + 1;
+    }
+    return lines;
+}
+
+/// Returns the number of caption lines that fit on a sheet.
+int captionLines(int width) {
+    return static_cast<int>(std::ceil(kWidestCaption / (width - 2.0 * kMargin)));
+}
+
+/// Returns the y of the baseline of a line of the caption, in pixels.
+double baseLine(const FilmScene &scene, std::size_t line) {
+    return scene.height - 14.0 - kLineHeight * static_cast<double>(scene.captionRoom - 1 - static_cast<int>(line));
+}
+
+/// Appends the lines as one path for each stretch of equal ink and width.
+void appendLines(const std::vector<FilmLine> &lines, std::string &svg) {
+    for (std::size_t k = 0; k < lines.size();) {
+        const FilmLine &first = lines[k];
+        svg += "<path stroke=\"" + colourText(first.ink) + "\" stroke-width=\"" + pixels(first.width) + "\" d=\"";
+        for (; k < lines.size() && lines[k].ink == first.ink && lines[k].width == first.width; ++k) {
+            svg += 'M' + pair(lines[k].a) + 'L' + pair(lines[k].b);
+        }
+        svg += "\"/>\n";
+    }
+}
+
+} // namespace
+
+SnapshotLayers FilmLayers::needed() const {
+    return {.mesh = true, // carries the boundary, too
+            .front = has(FilmLayer::Front),
+            .cells = has(FilmLayer::Grid),
+            .explanation = has(FilmLayer::Candidates) || has(FilmLayer::Caption)};
+}
+
+std::array<std::uint8_t, 3> rgbOf(Ink ink) {
+    constexpr std::array<std::array<std::uint8_t, 3>, kInks> kColours = {{{255, 255, 255},
+                                                                          {219, 233, 246},
+                                                                          {122, 142, 164},
+                                                                          {44, 58, 74},
+                                                                          {217, 95, 2},
+                                                                          {117, 40, 140},
+                                                                          {150, 150, 150},
+                                                                          {27, 158, 119},
+                                                                          {214, 39, 40},
+                                                                          {200, 200, 180},
+                                                                          {40, 40, 40}}};
+    return kColours[static_cast<std::size_t>(ink)];
+}
+
+int FilmSheet::height() const {
+    const Vec2 size = box.size();
+    const double scale = (width - 2.0 * kMargin) / (size.x > 0.0 ? size.x : 1.0);
+    const double text = kLineHeight * (captionLines(width) - 1);
+    return static_cast<int>(std::ceil(scale * size.y + 2.0 * kMargin + kBand + text));
+}
+
+FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last) {
+    FilmScene scene;
+    scene.width = sheet.width;
+    scene.height = sheet.height();
+    scene.progress = last == 0 ? 1.0 : std::min(1.0, static_cast<double>(moment.advance) / static_cast<double>(last));
+    SceneBuilder builder(moment, sheet, scene);
+    if (layers.has(FilmLayer::Mesh) && moment.mesh) {
+        builder.addMesh();
+    }
+    if (layers.has(FilmLayer::Grid) && moment.cells) {
+        builder.addGrid();
+    }
+    if (layers.has(FilmLayer::Boundary) && moment.mesh) {
+        builder.addBoundary();
+    }
+    if (layers.has(FilmLayer::Front) && moment.front) {
+        builder.addFront();
+    }
+    const bool explained = moment.explanation && moment.advance > 0 && !moment.improved;
+    if (layers.has(FilmLayer::Candidates) && explained) {
+        builder.addCandidates();
+    }
+    if (layers.has(FilmLayer::Caption)) {
+        std::string text = "Advance " + std::to_string(moment.advance) + ", " + std::to_string(moment.frontSegments) +
+                           " segments on the front";
+        if (explained) {
+            text += ". " + caption(*moment.explanation, moment.explanation->events.size());
+        }
+        scene.caption = wrapped(text, sheet.width - 2.0 * kMargin);
+        scene.captionRoom = captionLines(sheet.width);
+        scene.caption.resize(std::min(scene.caption.size(), static_cast<std::size_t>(scene.captionRoom)));
+    }
+    return scene;
+}
+
+std::vector<FilmLine> captionStrokes(const FilmScene &scene) {
+    std::vector<FilmLine> lines;
+    for (std::size_t line = 0; line < scene.caption.size(); ++line) {
+        const Vec2 start{kMargin, baseLine(scene, line)};
+        const auto at = [&](Vec2 p) { return start + kTextUnit * Vec2{p.x, -p.y}; };
+        for (const auto &[a, b] : strokeText(scene.caption[line])) {
+            lines.push_back({at(a), at(b), Ink::Text, 1.3});
+        }
+    }
+    return lines;
+}
+
+std::string svgOf(const FilmScene &scene) {
+    const std::string width = std::to_string(scene.width), height = std::to_string(scene.height);
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+                      "\" viewBox=\"0 0 " + width + ' ' + height +
+                      "\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<rect width=\"" + width +
+                      "\" height=\"" + height + "\" fill=\"" + colourText(Ink::Paper) + "\"/>\n";
+    if (!scene.elements.empty()) {
+        svg += "<path fill=\"" + colourText(Ink::Face) + "\" d=\"";
+        for (const auto &[a, b, c] : scene.elements) {
+            svg += 'M' + pair(a) + 'L' + pair(b) + 'L' + pair(c) + "Z\n";
+        }
+        svg += "\"/>\n";
+    }
+    appendLines(scene.lines, svg);
+    for (std::size_t line = 0; line < scene.caption.size(); ++line) {
+        svg += "<text x=\"12\" y=\"" + pixels(baseLine(scene, line)) +
+               "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"" + colourText(Ink::Text) + "\">" +
+               escaped(scene.caption[line]) + "</text>\n";
+    }
+    svg += "<rect y=\"" + pixels(scene.height - 4.0) + "\" width=\"" + pixels(scene.progress * scene.width) +
+           "\" height=\"4\" fill=\"" + colourText(Ink::Front) + "\"/>\n</svg>\n";
+    return svg;
+}
+
+} // namespace forefront

@@ -1,0 +1,278 @@
+#include "core/teaching/lesson/glossary_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace forefront {
+
+Box2 Figure::bounds() const {
+    Box2 box;
+    for (const auto &element : elements) {
+        for (const Vec2 corner : element) {
+            box.add(corner);
+        }
+    }
+    for (const FigureLine &line : lines) {
+        box.add(line.a);
+        box.add(line.b);
+    }
+    for (const FigureLabel &label : labels) {
+        box.add(label.at);
+    }
+    return box;
+}
+
+namespace figures {
+
+namespace {
+
+using Ink = FigureInk;
+
+const double kHeight = std::sqrt(3.0) / 2.0; ///< of an equilateral triangle of side 1
+
+void add(Figure &figure, Ink ink, const std::vector<Vec2> &points, bool closed = false) {
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        figure.lines.push_back({points[k], points[k + 1], ink});
+    }
+    if (closed) {
+        figure.lines.push_back({points.back(), points.front(), ink});
+    }
+}
+
+void dot(Figure &figure, Vec2 at, Ink ink) {
+    figure.lines.push_back({at, at, ink});
+}
+
+/// Adds an element with its edges.
+void element(Figure &figure, Vec2 a, Vec2 b, Vec2 c) {
+    figure.elements.push_back({a, b, c});
+    add(figure, Ink::Edge, {a, b, c}, true);
+}
+
+void circle(Figure &figure, Vec2 centre, double radius, Ink ink) {
+    constexpr int kSides = 40;
+    std::vector<Vec2> points;
+    for (int k = 0; k < kSides; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / kSides;
+        points.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    add(figure, ink, points, true);
+}
+
+/// Adds a square lattice.
+void lattice(Figure &figure, Vec2 corner, double cell, int columns, int rows) {
+    for (int k = 0; k <= columns; ++k) {
+        add(figure, Ink::Cell, {corner + Vec2{k * cell, 0.0}, corner + Vec2{k * cell, rows * cell}});
+    }
+    for (int k = 0; k <= rows; ++k) {
+        add(figure, Ink::Cell, {corner + Vec2{0.0, k * cell}, corner + Vec2{columns * cell, k * cell}});
+    }
+}
+
+const std::vector<Vec2> kOutline = {{0, 0}, {2, -0.3}, {4, 0}, {4.3, 2}, {3, 3}, {1, 3}, {-0.3, 1.6}};
+
+/// Adds the front that most figures share: a shallow valley with the base at its bottom.
+void valley(Figure &figure) {
+    add(figure, Ink::Front, {{-2.1, 1.3}, {-1.2, 0.55}, {-0.5, 0.0}});
+    add(figure, Ink::Front, {{0.5, 0.0}, {1.35, 0.45}, {2.2, 1.2}});
+    add(figure, Ink::Base, {{-0.5, 0.0}, {0.5, 0.0}});
+    figure.labels.push_back({{-0.5, -0.25}, "A", Ink::Base});
+    figure.labels.push_back({{0.5, -0.25}, "B", Ink::Base});
+}
+
+} // namespace
+
+Figure domain() {
+    Figure figure;
+    add(figure, Ink::Boundary, kOutline, true);
+    add(figure, Ink::Boundary, {{1.5, 1}, {1.5, 2}, {2.6, 2}, {2.6, 1}}, true);
+    figure.labels.push_back({{0.6, 1.4}, "\xce\xa9", Ink::Text});
+    figure.labels.push_back({{2.05, 1.5}, "hole", Ink::Text});
+    return figure;
+}
+
+Figure spacing() {
+    Figure figure;
+    double x = 0.0;
+    for (const double step : {0.4, 0.55, 0.75, 1.0, 1.35}) {
+        element(figure, {x, 0}, {x + step, 0}, {x + step / 2, kHeight * step});
+        x += step;
+    }
+    figure.labels.push_back({{0.2, -0.25}, "small \xcf\x81", Ink::Text});
+    figure.labels.push_back({{3.4, -0.25}, "large \xcf\x81", Ink::Text});
+    return figure;
+}
+
+Figure front() {
+    Figure figure;
+    element(figure, {0, 0}, {1, 0}, {0.5, kHeight});
+    element(figure, {1, 0}, {2, 0}, {1.5, kHeight});
+    element(figure, {1, 0}, {1.5, kHeight}, {0.5, kHeight});
+    add(figure, Ink::Boundary, {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {0, 2}, {0, 0}});
+    add(figure, Ink::Front, {{0, 0}, {0.5, kHeight}, {1.5, kHeight}, {2, 0}, {3, 0}, {3, 1}, {3, 2}, {0, 2}, {0, 0}});
+    figure.labels.push_back({{1.6, 1.45}, "unmeshed", Ink::Text});
+    figure.labels.push_back({{2.3, 0.6}, "\xce\x93", Ink::Front});
+    return figure;
+}
+
+Figure base() {
+    Figure figure;
+    valley(figure);
+    figure.labels.push_back({{0.0, 0.7}, "unmeshed side", Ink::Text});
+    return figure;
+}
+
+Figure idealPoint() {
+    Figure figure;
+    valley(figure);
+    add(figure, Ink::Candidate, {{-0.5, 0}, {0, kHeight}, {0.5, 0}});
+    dot(figure, {0, kHeight}, Ink::Candidate);
+    figure.labels.push_back({{0, kHeight + 0.25}, "C", Ink::Candidate});
+    figure.labels.push_back({{-0.45, 0.55}, "\xcf\x81", Ink::Text});
+    figure.labels.push_back({{0.45, 0.55}, "\xcf\x81", Ink::Text});
+    return figure;
+}
+
+Figure candidates() {
+    Figure figure = idealPoint();
+    circle(figure, {0, kHeight}, 1.5, Ink::Cell);
+    for (const Vec2 node : {Vec2{-1.2, 0.55}, Vec2{1.35, 0.45}}) {
+        dot(figure, node, Ink::Candidate);
+    }
+    return figure;
+}
+
+Figure candidateSegments() {
+    Figure figure;
+    valley(figure);
+    add(figure, Ink::Candidate, {{-0.5, 0}, {1.35, 0.45}, {0.5, 0}});
+    dot(figure, {1.35, 0.45}, Ink::Candidate);
+    figure.labels.push_back({{1.5, 0.25}, "C", Ink::Candidate});
+    return figure;
+}
+
+Figure score() {
+    Figure figure;
+    valley(figure);
+    add(figure, Ink::Accepted, {{-0.5, 0}, {0, kHeight}, {0.5, 0}});
+    add(figure, Ink::Candidate, {{-0.5, 0}, {1.35, 0.45}, {0.5, 0}});
+    figure.labels.push_back({{0, kHeight + 0.25}, "0.98", Ink::Accepted});
+    figure.labels.push_back({{1.75, 0.35}, "0.31", Ink::Candidate});
+    return figure;
+}
+
+Figure shapeFactor() {
+    Figure figure;
+    element(figure, {0, 0}, {1, 0}, {0.5, kHeight});
+    element(figure, {1.5, 0}, {2.5, 0}, {1.5, 1});
+    element(figure, {3, 0}, {4, 0}, {3.5, 0.2});
+    figure.labels.push_back({{0.5, -0.25}, "\xce\xb1 = 1", Ink::Text});
+    figure.labels.push_back({{2.0, -0.25}, "0.87", Ink::Text});
+    figure.labels.push_back({{3.5, -0.25}, "0.44", Ink::Text});
+    return figure;
+}
+
+Figure conformity() {
+    Figure figure;
+    const struct {
+        double y, length;
+        std::string_view text;
+    } rows[] = {{1.4, 2.0, "L = \xcf\x81: \xce\xb4 = 1"},
+                {0.7, 1.0, "L = \xcf\x81/2: \xce\xb4 = 0.5"},
+                {0.0, 4.0, "L = 2\xcf\x81: \xce\xb4 = 0.5"}};
+    for (const auto &row : rows) {
+        add(figure, Ink::Edge, {{0, row.y}, {row.length, row.y}});
+        dot(figure, {0, row.y}, Ink::Edge);
+        dot(figure, {row.length, row.y}, Ink::Edge);
+        figure.labels.push_back({{1.2, row.y + 0.25}, row.text, Ink::Text});
+    }
+    return figure;
+}
+
+Figure grid() {
+    Figure figure;
+    lattice(figure, {0, 0}, 1.0, 4, 3);
+    lattice(figure, {1, 1}, 0.5, 2, 2);
+    add(figure, Ink::Front, {{0.2, 0.3}, {1.2, 1.1}, {1.5, 1.4}, {1.9, 1.6}, {3.2, 2.4}, {3.8, 2.7}});
+    return figure;
+}
+
+Figure neighbours() {
+    Figure figure;
+    lattice(figure, {0, 0}, 1.0, 4, 3);
+    add(figure, Ink::Edge, {{0.1, 2.7}, {0.8, 2.2}});
+    add(figure, Ink::Front, {{0.8, 2.2}, {1.3, 1.5}, {2.1, 1.2}, {2.8, 1.6}});
+    add(figure, Ink::Edge, {{2.8, 1.6}, {3.9, 2.6}});
+    circle(figure, {1.9, 1.8}, 0.7, Ink::Candidate);
+    return figure;
+}
+
+Figure rejection() {
+    Figure figure;
+    valley(figure);
+    add(figure, Ink::Front, {{-0.9, 1.5}, {0.1, 0.55}, {0.6, 1.6}});
+    add(figure, Ink::Rejected, {{-0.5, 0}, {0, kHeight}, {0.5, 0}});
+    dot(figure, {0, kHeight}, Ink::Rejected);
+    return figure;
+}
+
+Figure deferral() {
+    Figure figure;
+    valley(figure);
+    add(figure, Ink::Front, {{-1.4, 1.6}, {0.0, 0.22}, {1.4, 1.6}});
+    add(figure, Ink::Rejected, {{-0.5, 0}, {0, 0.5}, {0.5, 0}});
+    figure.labels.push_back({{0, -0.55}, "back to the list", Ink::Text});
+    return figure;
+}
+
+Figure closing() {
+    Figure figure;
+    const std::vector<Vec2> loop = {{0, 0}, {1.1, -0.2}, {2, 0.4}, {1.6, 1.3}, {0.4, 1.2}};
+    element(figure, loop[0], loop[1], loop[4]);
+    element(figure, loop[1], loop[3], loop[4]);
+    add(figure, Ink::Front, {loop[1], loop[2], loop[3], loop[1]});
+    figure.labels.push_back({{1.6, 0.5}, "last", Ink::Front});
+    return figure;
+}
+
+Figure gradation() {
+    Figure figure;
+    add(figure, Ink::Cell, {{0, 0}, {4, 0}});
+    add(figure, Ink::Rejected, {{0, 1.6}, {1.5, 1.6}, {1.5, 0.3}, {2.5, 0.3}, {2.5, 1.6}, {4, 1.6}});
+    add(figure, Ink::Accepted, {{0, 0.75}, {1.5, 0.3}, {2.5, 0.3}, {4, 0.75}});
+    figure.labels.push_back({{0.6, 1.8}, "\xcf\x81 as given", Ink::Rejected});
+    figure.labels.push_back({{0.5, 0.85}, "limited", Ink::Accepted});
+    return figure;
+}
+
+Figure methods() {
+    Figure figure;
+    element(figure, {0, 0}, {1, 0}, {0.5, kHeight});
+    figure.labels.push_back({{0.5, -0.25}, "classic: one", Ink::Text});
+    element(figure, {2, 0}, {3, 0}, {3, 1});
+    element(figure, {3, 0}, {4, 0}, {3, 1});
+    element(figure, {4, 0}, {4, 1}, {3, 1});
+    figure.labels.push_back({{3, -0.25}, "fast: up to three", Ink::Text});
+    dot(figure, {3, 1}, Ink::Accepted);
+    dot(figure, {0.5, kHeight}, Ink::Accepted);
+    return figure;
+}
+
+Figure improvement() {
+    Figure figure;
+    const Vec2 a{0, 0}, b{1.6, -0.2}, c{1.7, 0.7}, d{0.1, 0.9}, move{2.6, 0};
+    element(figure, a, b, c);
+    element(figure, a, c, d);
+    element(figure, a + move, b + move, d + move);
+    element(figure, b + move, c + move, d + move);
+    add(figure, Ink::Rejected, {a, c});
+    add(figure, Ink::Accepted, {b + move, d + move});
+    return figure;
+}
+
+} // namespace figures
+
+} // namespace forefront

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/teaching/lesson/lesson_value.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace forefront {
+
+/// A line and column in the file of a lesson; 0: unknown.
+struct LessonPlace {
+    int line = 0, column = 0;
+};
+
+/// A widget that a page outlines.
+struct LessonHighlight {
+    std::string widget; ///< its name
+    LessonPlace place{};
+};
+
+/// A position of the timeline.
+struct LessonPosition {
+    bool atEnd = false;        ///< the finished and improved mesh; the rest is ignored
+    std::uint64_t advance = 0; ///< advances done
+    std::int64_t events = 0;   ///< moments shown of the next advance
+    LessonPlace place{};       ///< in the file
+
+    friend bool operator==(const LessonPosition &a, const LessonPosition &b) {
+        return a.atEnd == b.atEnd && a.advance == b.advance && a.events == b.events;
+    }
+};
+
+/// What the camera shows.
+struct LessonCamera {
+    bool follow = false;     ///< the current advance
+    std::optional<Box2> box; ///< this part of the plane; otherwise the whole drawing
+};
+
+/// The values of α at the ends of the colour scale.
+struct LessonRange {
+    double from = 0.0, to = 1.0; ///< from < to
+};
+
+/// A question answered by choosing one of several texts.
+struct LessonChoices {
+    struct Choice {
+        std::string text;
+        bool right = false;                  ///< if there is no condition
+        std::vector<LessonCondition> when{}; ///< right if the run fulfils all of them
+    };
+    std::vector<Choice> list;
+};
+
+/// A question answered by a number.
+struct LessonNumber {
+    LessonValue value = LessonValue::Advance;
+    double within = 1e-9; ///< largest difference from the value
+};
+
+/// A task: bring the run into a state that fulfils all conditions.
+struct LessonTask {
+    std::vector<LessonCondition> until;
+};
+
+/// A question of a page. Choices and numbers are about the run at the position of the page, tasks about the run as it
+/// is.
+struct LessonQuestion {
+    std::string text;
+    std::variant<LessonChoices, LessonNumber, LessonTask> answer;
+    std::string hint;                     ///< shown after a wrong answer; may be empty
+    std::string why;                      ///< shown after the right answer; may be empty
+    std::optional<LessonPosition> show{}; ///< where the run shows the answer
+};
+
+/// A page of a lesson with the scene that it shows. Members that a page omits keep their values from the page before.
+struct LessonPage {
+    std::string title;
+    std::vector<std::string> paragraphs; ///< may contain lesson values, see withValues()
+    std::shared_ptr<const Document> document;
+    std::string documentName;
+    std::optional<Method> method;        ///< instead of that of the document
+    std::optional<GridKind> grid;        ///< instead of that of the document
+    std::optional<ImproveLevel> improve; ///< instead of that of the document
+    LessonPosition position;
+    std::optional<std::vector<std::string>> layers; ///< ids of the visible layers; not set: as they are
+    std::string panel;                              ///< id of the tab to show; empty: as it is
+    LessonCamera camera;
+    std::optional<LessonRange> range;        ///< not set: it fits the mesh
+    std::vector<LessonHighlight> highlights; ///< on this page only
+    std::optional<LessonQuestion> question;
+};
+
+/// A lesson about the advancing front: pages of text, each with a scene to explore and perhaps a question.
+struct Lesson {
+    std::string title;
+    std::string about; ///< what it teaches, in a sentence
+    std::vector<LessonPage> pages;
+};
+
+/// Returns the number of pages with a question.
+std::size_t questionsOf(const Lesson &lesson);
+
+/// Returns the document of a page with the method, grid and improvement level of the page.
+std::shared_ptr<const Document> documentOf(const LessonPage &page);
+
+/// Returns true if the answer of a question is choice `index`.
+bool isRight(const LessonChoices &choices, std::size_t index, const LessonState &state);
+/// Returns true if a number answers a question.
+bool isRight(const LessonNumber &question, double number, const LessonState &state);
+/// Returns true if the task is done.
+bool isDone(const LessonTask &task, const LessonState &state);
+/// Returns true if the task is to choose a candidate.
+bool asksForCandidate(const LessonTask &task);
+
+} // namespace forefront

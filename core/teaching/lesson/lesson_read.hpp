@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/engine/base/result.hpp"
+#include "core/files/source/source.hpp"
+#include "core/teaching/lesson/lesson.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// Version of the lesson files that this program reads.
+inline constexpr int kLessonVersion = 1;
+
+/// What the names in a lesson may refer to.
+struct LessonNames {
+    std::vector<std::string> layers; ///< ids of layers; empty: any name is accepted
+    std::vector<std::string> panels; ///< ids of tabs; empty: any name is accepted
+    /// Names of widgets by what stands before their first '/'; with any other beginning, every name is accepted.
+    std::map<std::string, std::vector<std::string>> widgets;
+    /// Reads the document with this name, a path relative to the lesson; empty: documents are not read.
+    std::function<Result<Document>(const std::string &name)> document;
+};
+
+/// Reads a lesson, JSON as described in assets/lessons/README.md. Every fault carries its place in the source; unknown
+/// members are faults, since they are usually misspelt.
+Result<Lesson> readLesson(const SourceText &source, const LessonNames &names);
+
+} // namespace forefront

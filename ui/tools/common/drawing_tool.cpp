@@ -1,0 +1,346 @@
+#include "ui/tools/common/drawing_tool.hpp"
+
+#include "core/drawing/commands/join_segments.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/parse_number.hpp"
+#include "ui/workspace/snap_mark.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+/// Moves a place that is out of view to where a label beside it can be read.
+Vec2 intoView(const Shell &context, Vec2 place) {
+    const PixelRect &room = context.view.room;
+    const Camera &camera = context.view.camera;
+    const double right = room.x + room.width - context.px(200.0), bottom = room.y + room.height - context.px(90.0);
+    const Pixel pixel = camera.toPixel(place);
+    return camera.toPlane(
+        {std::clamp(pixel.x, room.x, std::max(room.x, right)), std::clamp(pixel.y, room.y, std::max(room.y, bottom))});
+}
+
+} // namespace
+
+void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
+    place_ = event.place;
+    modifiers_ = event.modifiers;
+    over_ = event.kind != CanvasEvent::Kind::Leave;
+    SnapQuery query =
+        state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control() || !snaps());
+    query.anchor = anchor();
+    if (query.anchor) {
+        query.lines = {*query.anchor};
+    }
+    query.locks = entry_.locks();
+    if (const std::optional<TypedPair> pair = entry_.pair()) {
+        pointer_ = lockedAt(fitted(typedPlace(*pair)));
+    } else {
+        const std::optional<Vec2> own = query.locks.any() || query.off ? std::nullopt : ownSnap(place_, context);
+        pointer_ = own ? Snapped{*own, SnapKind::Node} : snap(*state_->index(context), query);
+        if (const Vec2 fit = fitted(pointer_.at); fit != pointer_.at) {
+            pointer_ = Snapped{fit, SnapKind::None};
+        }
+    }
+    pointed(context);
+}
+
+bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
+    using Kind = CanvasEvent::Kind;
+    switch (event.kind) {
+    case Kind::Drag:
+        follow(event, context);
+        if (inProgress() && glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5))) {
+            pull(pointer_.at);
+        }
+        return true;
+    case Kind::Hover:
+    case Kind::Leave:
+        follow(event, context);
+        return true;
+    case Kind::Press:
+        return press(event, context);
+    case Kind::Release:
+        follow(event, context);
+        if (event.button == MouseButton::Left && inProgress()) {
+            const bool away = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5));
+            release(pointer_.at, away, context);
+        }
+        return true;
+    case Kind::Key:
+    case Kind::Text:
+        return typed(event, context);
+    case Kind::Wheel:
+        break;
+    }
+    return false;
+}
+
+void DrawingTool::release(Vec2 at, bool away, Shell &context) {
+    if (away && dragPlaces()) {
+        place(at, context);
+    }
+}
+
+bool DrawingTool::press(const CanvasEvent &event, Shell &context) {
+    follow(event, context);
+    if (event.button == MouseButton::Right && !inProgress()) {
+        if (!showsSelection()) {
+            context.selection.clear(); // the menu must not act on what is not seen
+        }
+        context.contextMenu = true;
+        return true;
+    }
+    if (event.button == MouseButton::Right ||
+        (event.button == MouseButton::Left && event.clicks == 2 && inProgress())) {
+        finish(context);
+        return true;
+    }
+    if (event.button == MouseButton::Left) {
+        pressPixel_ = event.pixel;
+        placeTyped(context);
+        follow(event, context);
+    }
+    return true;
+}
+
+/// Places a node at the pointer, and remembers the expressions that were typed for it.
+void DrawingTool::placeTyped(Shell &context) {
+    const PlaceFormula formula = typedFormula(pointer_.at);
+    if (!formula.x.empty() || !formula.y.empty()) {
+        typedNodes_.push_back({pointer_.at, formula.x, formula.y});
+    }
+    const bool typedNumbers = !entry_.label().empty();
+    const std::uint64_t revision = context.document.revision();
+    const Vec2 at = pointer_.at;
+    ++state_->placed;
+    place(at, context);
+    entry_.clear();
+    if (!inProgress()) {
+        typedNodes_.clear();
+    }
+    if (typedNumbers) {
+        reveal(at, revision != context.document.revision(), context);
+    }
+}
+
+/// Brings what was typed into view: the shape that it completed, or the node. What the pointer placed is in view.
+void DrawingTool::reveal(Vec2 node, bool completed, Shell &context) const {
+    const Selection &drawn = context.selection;
+    const Shape *const shape =
+        completed && !drawn.shapes.empty() ? findShape(*context.document.current(), *drawn.shapes.begin()) : nullptr;
+    context.view.reveal(shape != nullptr ? boundsOf(*shape) : boxOf(node, node));
+}
+
+PlaceFormula DrawingTool::formulaOf(Vec2 node) const {
+    PlaceFormula place = placeFormula(node);
+    for (const TypedNode &typed : typedNodes_) {
+        if (typed.at == node) {
+            place.x = typed.x.empty() ? place.x : typed.x;
+            place.y = typed.y.empty() ? place.y : typed.y;
+        }
+    }
+    return place;
+}
+
+PlaceFormula DrawingTool::typedFormula(Vec2 at) const {
+    const std::optional<TypedPair> pair = entry_.pair();
+    const std::optional<Vec2> last = anchor();
+    if (pair && (!pair->relative || !last)) {
+        return {pair->xText, pair->yText};
+    }
+    PlaceFormula place{entry_.expression(EntryField::X), entry_.expression(EntryField::Y)};
+    if (!last) {
+        return place;
+    }
+    const std::string size = entry_.expression(EntryField::Distance), angle = entry_.expression(EntryField::Angle);
+    const bool polar = (!size.empty() || !angle.empty()) && place.x.empty() && place.y.empty();
+    if (!pair && !polar) {
+        return place;
+    }
+    const PlaceFormula from = formulaOf(*last);
+    place = pair ? PlaceFormula{sumFormula(from.x, pair->xText), sumFormula(from.y, pair->yText)}
+                 : polarFormula(from, size.empty() ? exactText(distance(*last, at)) : size,
+                                angle.empty() ? degreesText(at - *last) : angle);
+    return {usesNames(place.x) ? place.x : "", usesNames(place.y) ? place.y : ""};
+}
+
+bool DrawingTool::followsEntry() const {
+    const bool coordinate = entry_.value(EntryField::X) || entry_.value(EntryField::Y);
+    return !anchor() || !coordinate || !(entry_.value(EntryField::Distance) || entry_.value(EntryField::Angle));
+}
+
+void DrawingTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
+    const std::vector<Vec2> handles = handlesOf(drawn);
+    for (const TypedNode &node : typedNodes_) {
+        // Where an end meets its own path, that has a node too: both move together.
+        for (std::size_t k = 0; k < handles.size(); ++k) {
+            if (handles[k] == node.at) {
+                keep("x/" + std::to_string(k), node.x);
+                keep("y/" + std::to_string(k), node.y);
+            }
+        }
+    }
+}
+
+bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
+    const NumericEntry::Answer answer =
+        entry_.handle(event, entryFields(), context.document.current()->spacing.names, ownLetters());
+    if (answer != NumericEntry::Answer::Unused) {
+        CanvasEvent here = event;
+        here.place = place_;
+        here.kind = CanvasEvent::Kind::Hover;
+        follow(here, context);
+        if (answer == NumericEntry::Answer::Place) {
+            placeTyped(context);
+            follow(here, context);
+        }
+        return true;
+    }
+    if (event.kind != CanvasEvent::Kind::Key || event.modifiers.control()) {
+        return false;
+    }
+    switch (event.key) {
+    case key::kEnter:
+    case key::kKeypadEnter:
+        if (inProgress()) {
+            finish(context);
+            return true;
+        }
+        return false;
+    case key::kEscape:
+        if (hasBegun() || !entry_.label().empty()) {
+            discard(context);
+            entry_.clear();
+            typedNodes_.clear();
+            return true;
+        }
+        return false;
+    case key::kBackspace:
+        return hasBegun() && removeLast();
+    default:
+        return inProgress() && ownKey(event.key, context);
+    }
+}
+
+std::span<const EntryField> DrawingTool::entryFields() const {
+    static constexpr std::array kPlace{EntryField::X, EntryField::Y};
+    static constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
+    return inProgress() ? std::span<const EntryField>(kDirection) : std::span<const EntryField>(kPlace);
+}
+
+std::string DrawingTool::typingHint(const Shell &context) const {
+    if (!inProgress() || entryFields().empty()) {
+        return {};
+    }
+    return context.document.current()->parameters.empty() ? "= begins a formula"
+                                                          : "= or a parameter's name begins a formula";
+}
+
+Vec2 DrawingTool::typedPlace(const TypedPair &pair) const {
+    return pair.relative && anchor() ? *anchor() + pair.value : pair.value;
+}
+
+bool DrawingTool::undo(Shell &) {
+    if (!hasBegun()) {
+        return false;
+    }
+    if (!removeLast()) {
+        cancel();
+    }
+    return true;
+}
+
+void DrawingTool::deactivate(Shell &context) {
+    if (inProgress()) {
+        finish(context);
+    }
+    cancel();
+    entry_.clear();
+    typedNodes_.clear();
+    over_ = false;
+}
+
+void DrawingTool::forget(Shell &) {
+    cancel();
+    entry_.clear();
+    typedNodes_.clear();
+    state_->forgetNumbers();
+}
+
+bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &label) {
+    const std::shared_ptr<const Document> before = context.document.current();
+    shape.tag = state_->tagOfNext(shape.use, *before);
+    Result<Document> next = addShape(*before, std::move(shape));
+    if (next) {
+        next = joinToSegments(*next, before->nextId);
+    }
+    if (next) {
+        const std::string prefix = "shape/" + std::to_string(before->nextId) + '/';
+        const Shape drawn = *findShape(*next, before->nextId);
+        keepFormulas(drawn, [&](const std::string &quantity, const std::string &formula) {
+            if (!formula.empty()) {
+                next = setFormula(*std::move(next), prefix + quantity, formula);
+            }
+        });
+    }
+    if (!EditState::apply(context, std::move(next), label)) {
+        return false;
+    }
+    context.selection.clear();
+    context.selection.shapes.insert(before->nextId);
+    entry_.clear();
+    typedNodes_.clear();
+    return true;
+}
+
+Vec2 DrawingTool::cornerOfBox(Vec2 first, Vec2 at) const {
+    const Vec2 arm = at - first;
+    const std::optional<double> width = entry_.value(EntryField::Width), height = entry_.value(EntryField::Height);
+    if (width || height) {
+        // The signs choose the sides, not the pointer: it is where the first corner was clicked, or anywhere.
+        return first + Vec2{width.value_or(arm.x), height.value_or(arm.y)};
+    }
+    if (!modifiers_.shift()) {
+        return at;
+    }
+    const double side = std::max(std::abs(arm.x), std::abs(arm.y));
+    return first + Vec2{std::copysign(side, arm.x), std::copysign(side, arm.y)};
+}
+
+void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const {
+    const std::string typedText = entry_.label();
+    const Vec2 at = typedText.empty() ? pointer_.at : intoView(context, pointer_.at);
+    double y = 14.0;
+    if (!text.empty()) {
+        painter.label(at, {16.0, y}, text, context.theme.text, fade(context.theme.popup, 0.9), context.fonts.small);
+        y += 22.0;
+    }
+    if (!typedText.empty()) {
+        painter.label(at, {16.0, y}, typedText, entry_.isWrong() ? context.theme.bad : context.theme.accent,
+                      context.theme.popup, context.fonts.strong);
+        y += 24.0;
+    }
+    if (entry_.isWrong()) {
+        painter.label(at, {16.0, y}, entry_.fault(), context.theme.bad, context.theme.popup, context.fonts.small);
+    } else if (!followsEntry()) {
+        drawUsedOnce(painter, context, entry_, at, y);
+    }
+}
+
+void DrawingTool::drawOverlay(CanvasPainter &painter, Shell &context) {
+    drawSketch(painter, context);
+    if (over_ && snaps()) {
+        drawSnapMark(painter, context, pointer_);
+    }
+}
+
+} // namespace forefront

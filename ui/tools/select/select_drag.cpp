@@ -1,0 +1,157 @@
+#include "core/drawing/commands/join_segments.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/drawing/picking/dragged_parts.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/tools/common/source_parts.hpp"
+#include "ui/tools/select/select_tool.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+void SelectTool::drag(const CanvasEvent &event, Shell &context) {
+    over_ = true;
+    if (mode_ == Mode::Boxing) {
+        boxPlace_ = event.place;
+        return;
+    }
+    if (mode_ == Mode::Transforming) {
+        transform_.drag(event, context);
+        return;
+    }
+    if (mode_ == Mode::Grabbed && glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
+        const bool asShape = grabbed_.kind == Hit::Kind::Node && context.selection.nodes.empty() &&
+                             context.selection.shapes.contains(grabbed_.shape);
+        if (!asShape && !isSelected(grabbed_, context.selection)) {
+            return; // Shift removed it from the selection
+        }
+        mode_ = Mode::Moving;
+        stroke_ = state_->newStroke();
+        entry_.clear();
+        beginMove(context);
+    }
+    if (mode_ == Mode::Moving) {
+        last_ = event;
+        updateMove(context);
+    }
+}
+
+/// Takes the selection to move and finds out once what it can snap to, so that every step is cheap.
+void SelectTool::beginMove(Shell &context) {
+    moving_ = context.selection;
+    const bool byNode = grabbed_.kind == Hit::Kind::Node;
+    targets_ = grabbed_.kind == Hit::Kind::Control
+                   ? PickIndex::Filter([this](const Shape &shape) { return !moving_.touches(shape.id); })
+                   : targetsOfDrag(*start_, moving_);
+    linesTo_ = byNode ? linesToNode(*start_, moving_, grabbed_.node) : std::vector<Vec2>();
+}
+
+void SelectTool::updateMove(Shell &context) {
+    SnapQuery query = state_->query(context, grabbed_.at + (last_.place - pressPlace_),
+                                    last_.modifiers.shift() && !adds_, last_.modifiers.control());
+    query.anchor = grabbed_.at;
+    query.locks = entry_.locks();
+    query.lines = linesTo_;
+    if (context.snapping.toDrawing) {
+        query.filter = targets_;
+    }
+    if (grabbed_.kind == Hit::Kind::Control) {
+        const Shape *const shape = findShape(*start_, grabbed_.shape);
+        const std::size_t end = grabbed_.control.segment + (grabbed_.control.atEnd ? 1U : 0U);
+        query.anchor = shape->nodes[end % shape->nodes.size()];
+    }
+    alone_ = last_.modifiers.alt();
+    if (const std::optional<TypedPair> pair = entry_.pair()) {
+        snapped_ = lockedAt(pair->relative ? *query.anchor + pair->value : pair->value);
+    } else {
+        snapped_ = snap(*startIndex_, query);
+    }
+    EditState::apply(context, moved(snapped_.at), moveLabel(), stroke_);
+}
+
+void SelectTool::joinMoved(Shell &context) {
+    const std::shared_ptr<const Document> before = context.document.current();
+    if (grabbed_.kind != Hit::Kind::Node || before == start_) {
+        return;
+    }
+    std::set<std::uint32_t> moved{grabbed_.shape};
+    for (const NodeRef node : moving_.nodes) {
+        moved.insert(node.shape);
+    }
+    Document joined = *before;
+    for (const std::uint32_t shape : moved) {
+        joined = joinToSegments(joined, shape);
+    }
+    if (joined.shapes == before->shapes) {
+        return;
+    }
+    // A node inserted into the path itself renumbers those behind it.
+    std::set<NodeRef> nodes;
+    for (const NodeRef node : context.selection.nodes) {
+        const std::vector<Vec2> old = handlesOf(*findShape(*before, node.shape));
+        const std::vector<Vec2> now = handlesOf(*findShape(joined, node.shape));
+        const auto at = node.node < old.size() ? std::find(now.begin(), now.end(), old[node.node]) : now.end();
+        if (at != now.end()) {
+            nodes.insert({node.shape, static_cast<std::uint32_t>(at - now.begin())});
+        }
+    }
+    if (EditState::apply(context, std::move(joined), moveLabel(), stroke_)) {
+        context.selection.nodes = std::move(nodes);
+    }
+}
+
+bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
+    if (mode_ != Mode::Moving) {
+        return false;
+    }
+    static constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
+    const NumericEntry::Answer answer = entry_.handle(event, kDirection, start_->spacing.names);
+    if (answer == NumericEntry::Answer::Unused) {
+        return false;
+    }
+    updateMove(context);
+    if (answer == NumericEntry::Answer::Place) {
+        joinMoved(context);
+        entry_.clear();
+        mode_ = Mode::Idle; // the button is still down, but the move is over
+        context.view.reveal(boxOf(snapped_.at, snapped_.at));
+    }
+    return true;
+}
+
+std::string SelectTool::moveLabel() const {
+    switch (grabbed_.kind) {
+    case Hit::Kind::Control:
+        return "Move control point";
+    case Hit::Kind::Node:
+        return moving_.size() > 1 ? "Move nodes" : "Move node";
+    case Hit::Kind::Source: {
+        const SizeSource &source = start_->spacing.sources[grabbed_.source.source];
+        const bool resizes = grabbed_.source.part == SourcePart::Rim || cornerOfPart(source, grabbed_.source.part);
+        return resizes ? "Resize source" : "Move source";
+    }
+    case Hit::Kind::Marker:
+        return "Move region marker";
+    default:
+        return moving_.shapes.empty() ? "Move segment" : moving_.shapes.size() > 1 ? "Move shapes" : "Move shape";
+    }
+}
+
+Result<Document> SelectTool::moved(Vec2 to) const {
+    if (grabbed_.kind == Hit::Kind::Source && moving_.size() == 1 && grabbed_.source.part != SourcePart::Whole) {
+        const SizeSource &source = start_->spacing.sources[grabbed_.source.source];
+        return replaceSource(*start_, grabbed_.source.source, withMovedPart(source, grabbed_.source.part, to));
+    }
+    if (grabbed_.kind == Hit::Kind::Control) {
+        return moveControl(*start_, grabbed_.control, to, alone_);
+    }
+    return moveSelection(*start_, moving_, to - grabbed_.at);
+}
+
+} // namespace forefront

@@ -1,0 +1,111 @@
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/tools/common/source_parts.hpp"
+#include "ui/tools/select/select_tool.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+std::optional<Control> SelectTool::controlAt(Vec2 place, Shell &context) const {
+    std::optional<Control> best;
+    double limit = EditState::reach(context, 8.0);
+    const double apart = EditState::reach(context, 4.0); // nearer to its node, a click means the node
+    for (const Control &control : controlsOf(*context.document.current(), context.selection)) {
+        const double d = distance(control.at, place);
+        if (d <= limit && distance(control.at, control.node) > apart && d <= distance(control.node, place)) {
+            best = control;
+            limit = d;
+        }
+    }
+    return best;
+}
+
+std::optional<NodeHit> SelectTool::nodeAt(Vec2 place, const PickIndex::Filter &pickable, Shell &context) const {
+    const PickIndex &index = *state_->index(context);
+    const auto isShown = [&](const Shape &shape) {
+        return pickable.shapes(shape) && (shape.kind == ShapeKind::Point || context.selection.touches(shape.id));
+    };
+    const auto shown = index.node(place, EditState::reach(context, 8.0), isShown);
+    return shown ? shown : index.node(place, EditState::reach(context, 4.0), pickable);
+}
+
+SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
+    const PickIndex &index = *state_->index(context);
+    const SelectionFilter &picks = state_->picks;
+    const auto isFree = [&picks](const Shape &shape) { return !shape.locked && picks.shapes; };
+    const auto hasNodes = [&](const Shape &shape) { return isFree(shape) && picks.nodes; };
+    Hit hit;
+    hit.at = place;
+    if (const auto control = controlAt(place, context)) {
+        hit.kind = Hit::Kind::Control;
+        hit.control = control->ref;
+        hit.shape = control->ref.shape;
+        hit.at = control->at;
+    } else if (const auto node = nodeAt(place, hasNodes, context)) {
+        hit.kind = Hit::Kind::Node;
+        hit.node = node->ref;
+        hit.shape = node->ref.shape;
+        hit.at = node->at;
+    } else if (const auto source = index.source(place, EditState::reach(context, 8.0)); source && picks.sources) {
+        hit.kind = Hit::Kind::Source;
+        hit.source = *source;
+        const SizeSource &what = index.document().spacing.sources[source->source];
+        hit.at = placeOfPart(what, source->part, place, EditState::reach(context, 8.0));
+    } else if (const auto marker = markerAt(place, context); marker && picks.markers) {
+        hit.kind = Hit::Kind::Marker;
+        hit.marker = *marker;
+        hit.at = index.document().regionMarkers[*marker].at;
+    } else if (const auto handle = transform_.at(place, context)) {
+        hit.kind = Hit::Kind::Transform;
+        hit.transform = *handle;
+    } else if (const auto segment = index.segment(place, EditState::reach(context, 6.0), isFree)) {
+        hit.kind = Hit::Kind::Segment;
+        hit.segment = segment;
+        hit.shape = segment->ref.shape;
+        hit.at = segment->at;
+    } else if (const std::uint32_t shape = index.shape(place, 0.0); shape != kNoIndex && picks.shapes) {
+        hit.kind = Hit::Kind::Inside;
+        hit.shape = shape;
+    }
+    return hit;
+}
+
+std::optional<std::uint32_t> SelectTool::markerAt(Vec2 place, Shell &context) const {
+    if (const auto marker = state_->index(context)->marker(place, EditState::reach(context, 9.0))) {
+        return marker;
+    }
+    const std::optional<NamedThing> label = labelAt(context, context.view.camera.toPixel(place));
+    const bool region = label && label->kind == NamedThing::Kind::Region &&
+                        label->marker < context.document.current()->regionMarkers.size();
+    return region ? std::optional(label->marker) : std::nullopt;
+}
+
+void SelectTool::pointAtFace(Shell &context) const {
+    const std::vector<RegionMarker> &markers = context.document.current()->regionMarkers;
+    const bool points = over_ && hover_.kind == Hit::Kind::Marker && hover_.marker < markers.size();
+    context.view.facePlace = points ? std::optional(markers[hover_.marker].at) : std::nullopt;
+}
+
+bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {
+    switch (hit.kind) {
+    case Hit::Kind::Control:
+    case Hit::Kind::Transform:
+        return true; // only those of the selection are shown
+    case Hit::Kind::Node:
+        return selection.nodes.contains(hit.node);
+    case Hit::Kind::Source:
+        return selection.sources.contains(hit.source.source);
+    case Hit::Kind::Marker:
+        return selection.markers.contains(hit.marker);
+    case Hit::Kind::Segment:
+        return selection.shapes.contains(hit.shape) || selection.segments.contains(hit.segment->ref);
+    case Hit::Kind::Inside:
+        return selection.shapes.contains(hit.shape);
+    case Hit::Kind::Nothing:
+        break;
+    }
+    return false;
+}
+
+} // namespace forefront

@@ -1,0 +1,291 @@
+#include "ui/tools/select/select_tool.hpp"
+
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+#include "ui/parts/shell.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+const char *SelectTool::icon() const {
+    return icon::kSelect;
+}
+
+CursorShape SelectTool::cursor() const {
+    if (mode_ == Mode::Moving) {
+        return CursorShape::Move;
+    }
+    const bool grabs = over_ && hover_.kind != Hit::Kind::Nothing && hover_.kind != Hit::Kind::Inside;
+    return grabs && mode_ != Mode::Boxing ? CursorShape::Hand : CursorShape::Arrow;
+}
+
+void SelectTool::deactivate(Shell &context) {
+    mode_ = Mode::Idle;
+    over_ = false;
+    pointAtFace(context);
+    transform_.end();
+    start_.reset();
+    startIndex_.reset();
+}
+
+namespace {
+
+template <class T>
+void choose(std::set<T> &set, const T &item, bool toggles) {
+    if (toggles && set.erase(item) > 0) {
+        return;
+    }
+    set.insert(item);
+}
+
+} // namespace
+
+void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
+    if (hit.kind == Hit::Kind::Control || hit.kind == Hit::Kind::Transform) {
+        return;
+    }
+    // Beside a selected segment, another segment of the shape is meant.
+    const bool segment = hit.kind == Hit::Kind::Segment && !selection.segments.empty() && selection.shapes.empty() &&
+                         std::all_of(selection.segments.begin(), selection.segments.end(),
+                                     [&](const SegmentRef &chosen) { return adds || chosen.shape == hit.shape; });
+    if (!adds) {
+        selection.clear();
+    }
+    switch (hit.kind) {
+    case Hit::Kind::Node: {
+        // A point shape has one node.
+        const Shape *shape = findShape(*start_, hit.shape);
+        // Beside whole shapes, another shape is meant.
+        const bool beside = adds && selection.nodes.empty() && !selection.shapes.empty() &&
+                            (selection.shapes.size() > 1 || !selection.touches(hit.shape));
+        if (beside || (shape != nullptr && shape->kind == ShapeKind::Point)) {
+            choose(selection.shapes, hit.shape, adds);
+        } else {
+            choose(selection.nodes, hit.node, adds);
+        }
+        break;
+    }
+    case Hit::Kind::Source:
+        choose(selection.sources, hit.source.source, adds);
+        break;
+    case Hit::Kind::Marker:
+        choose(selection.markers, hit.marker, adds);
+        break;
+    case Hit::Kind::Segment:
+        if (segment) {
+            choose(selection.segments, hit.segment->ref, adds);
+        } else {
+            choose(selection.shapes, hit.shape, adds);
+        }
+        break;
+    case Hit::Kind::Inside:
+        choose(selection.shapes, hit.shape, adds);
+        break;
+    case Hit::Kind::Control:
+    case Hit::Kind::Transform:
+    case Hit::Kind::Nothing:
+        break;
+    }
+}
+
+bool SelectTool::handle(const CanvasEvent &event, Shell &context) {
+    using Kind = CanvasEvent::Kind;
+    switch (event.kind) {
+    case Kind::Hover:
+        over_ = true;
+        hover_ = hitAt(event.place, context);
+        pointAtFace(context);
+        return true;
+    case Kind::Leave:
+        over_ = false;
+        pointAtFace(context);
+        return true;
+    case Kind::Press:
+        if (event.button == MouseButton::Left) {
+            press(event, context);
+        } else if (event.button == MouseButton::Right) {
+            openMenu(event, context);
+        }
+        return true;
+    case Kind::Drag:
+        drag(event, context);
+        return true;
+    case Kind::Release:
+        release(event, context);
+        return true;
+    case Kind::Key:
+        return transform_.typed(event, context) || typedMove(event, context) || key(event, context);
+    case Kind::Text:
+        return transform_.typed(event, context) || typedMove(event, context);
+    case Kind::Wheel:
+        break;
+    }
+    return false;
+}
+
+void SelectTool::press(const CanvasEvent &event, Shell &context) {
+    over_ = true;
+    start_ = context.document.current();
+    startIndex_ = state_->index(context);
+    grabbed_ = hover_ = hitAt(event.place, context);
+    pressPixel_ = event.pixel;
+    pressPlace_ = boxPlace_ = event.place;
+    adds_ = event.modifiers.shift();
+    if (pressLabel(event, context)) {
+        mode_ = Mode::Idle;
+        return;
+    }
+    if (event.clicks == 2 && grabbed_.kind == Hit::Kind::Segment) {
+        insertAt(grabbed_, context);
+        return;
+    }
+    if (grabbed_.kind == Hit::Kind::Transform) {
+        transform_.begin(grabbed_.transform, event, context);
+        mode_ = Mode::Transforming;
+        return;
+    }
+    wasSelected_ = isSelected(grabbed_, context.selection);
+    adds_ = adds_ && grabbed_.kind != Hit::Kind::Control;
+    if (grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside) {
+        mode_ = Mode::Boxing;
+        return;
+    }
+    if (adds_ || !wasSelected_) {
+        select(grabbed_, adds_, context.selection);
+    }
+    mode_ = Mode::Grabbed;
+}
+
+/// Handles a click on the label of a boundary part or region: the first selects what it names, unless something else is
+/// right under the pointer, the second renames it.
+bool SelectTool::pressLabel(const CanvasEvent &event, Shell &context) {
+    std::optional<NamedThing> thing = labelAt(context, event.pixel);
+    if (event.clicks == 2 && !thing) {
+        thing = pressedLabel_; // the label has made way for what the first click selected
+    }
+    pressedLabel_ = thing;
+    const bool free = grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside;
+    if (!thing || (!free && event.clicks < 2) || adds_) {
+        return false;
+    }
+    context.selection = selectionOf(*start_, *thing);
+    if (event.clicks == 2) {
+        context.naming.openOnCanvas(*thing, event.pixel, context.document, true);
+        context.animate();
+    }
+    return true;
+}
+
+void SelectTool::insertAt(const Hit &hit, Shell &context) {
+    if (!EditState::apply(context, insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
+        mode_ = Mode::Idle;
+        return;
+    }
+    // The button is still down on the new node, so a drag moves it.
+    start_ = context.document.current();
+    startIndex_ = state_->index(context);
+    grabbed_.kind = Hit::Kind::Node;
+    const std::vector<Vec2> &nodes = findShape(*start_, hit.shape)->nodes;
+    const auto inserted = std::find(nodes.begin(), nodes.end(), hit.at);
+    grabbed_.node = {hit.shape, static_cast<std::uint32_t>(inserted - nodes.begin())};
+    select(grabbed_, false, context.selection);
+    wasSelected_ = false;
+    mode_ = Mode::Grabbed;
+}
+
+void SelectTool::release(const CanvasEvent &event, Shell &context) {
+    const bool moved = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
+    if (mode_ == Mode::Boxing && moved) {
+        const Box2 box = boxOf(pressPlace_, event.place);
+        // A box without a whole shape inside selects the nodes inside it.
+        Selection inside = state_->index(context)->inBox(box, false);
+        state_->picks.apply(inside);
+        if (inside.empty()) {
+            inside = state_->index(context)->inBox(box, true);
+        }
+        if (!adds_) {
+            context.selection.clear();
+        }
+        state_->picks.apply(inside);
+        context.selection.shapes.merge(inside.shapes);
+        context.selection.nodes.merge(inside.nodes);
+        context.selection.sources.merge(inside.sources);
+        context.selection.markers.merge(inside.markers);
+    } else if (mode_ == Mode::Moving) {
+        joinMoved(context);
+    } else if (mode_ == Mode::Boxing) {
+        select(grabbed_, adds_, context.selection);
+    } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {
+        // A second click selects the segment rather than the shape.
+        const bool closer = grabbed_.kind == Hit::Kind::Segment && clicked_ == grabbed_.shape &&
+                            context.selection.shapes.contains(grabbed_.shape) && context.selection.size() == 1;
+        select(grabbed_, false, context.selection);
+        if (closer) {
+            context.selection.clear();
+            context.selection.segments.insert(grabbed_.segment->ref);
+        }
+    }
+    transform_.end();
+    clicked_ = moved ? kNoIndex : grabbed_.shape;
+    mode_ = Mode::Idle;
+    start_.reset();
+    startIndex_.reset();
+    hover_ = hitAt(event.place, context);
+}
+
+bool SelectTool::key(const CanvasEvent &event, Shell &context) {
+    if (mode_ != Mode::Idle) {
+        if (event.key == key::kEscape) {
+            context.document.abandonStroke(mode_ == Mode::Moving ? stroke_ : std::string());
+            mode_ = Mode::Idle;
+        }
+        return true; // no command removes what is being dragged
+    }
+    if (event.modifiers.control() || event.modifiers.alt()) {
+        return false;
+    }
+    switch (event.key) {
+    case key::kEscape:
+        // Esc first cancels what runs.
+        if (!context.selection.empty() && !context.actions.find("run.cancel")->enabled(context)) {
+            context.selection.clear();
+            return true;
+        }
+        return false;
+    case key::kBackspace:
+        return context.actions.run("edit.delete", context);
+    case key::kLeft:
+        nudge({-1, 0}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    case key::kRight:
+        nudge({1, 0}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    case key::kUp:
+        nudge({0, 1}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    case key::kDown:
+        nudge({0, -1}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    default:
+        return false;
+    }
+}
+
+void SelectTool::nudge(Vec2 direction, bool far, bool repeated, Shell &context) {
+    if (context.selection.empty()) {
+        return;
+    }
+    if (!repeated || nudgeStroke_.empty()) {
+        nudgeStroke_ = state_->newStroke();
+    }
+    // A tenth of the drawing grid; with Shift a whole step.
+    const double step = EditState::gridStep(context) * (far ? 1.0 : 0.1);
+    EditState::apply(context, moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
+                     nudgeStroke_);
+}
+
+} // namespace forefront

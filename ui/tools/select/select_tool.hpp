@@ -1,0 +1,117 @@
+#pragma once
+
+#include "core/drawing/commands/path_commands.hpp"
+#include "ui/parts/naming.hpp"
+#include "ui/parts/tool.hpp"
+#include "ui/tools/common/numeric_entry.hpp"
+#include "ui/tools/select/transform_handles.hpp"
+#include "ui/workspace/edit_state.hpp"
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// Selects by click and box; drags nodes, control points, segments, shapes, sources and markers; inserts a node by a
+/// double-click on a segment, renames by one on a label; scales and rotates the selection with its handles.
+class SelectTool final : public Tool {
+  public:
+    explicit SelectTool(std::shared_ptr<EditState> state) : state_(state), transform_(std::move(state)) {}
+
+    const char *id() const override { return "select"; }
+    const char *name() const override { return "Select and move"; }
+    const char *icon() const override;
+    int key() const override { return 'V'; }
+    CursorShape cursor() const override;
+    void deactivate(Shell &context) override;
+    void forget(Shell &context) override { deactivate(context); }
+    bool handle(const CanvasEvent &event, Shell &context) override;
+    void reserveOverlay(CanvasPainter &painter, const Shell &context) override;
+    void drawOverlay(CanvasPainter &painter, Shell &context) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    std::string statusText(const Shell &context) const override;
+
+  private:
+    enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Transforming, Boxing };
+    /// The item under the pointer; smaller items take precedence.
+    struct Hit {
+        enum class Kind : std::uint8_t {
+            Nothing,
+            Control,
+            Node,
+            Source,
+            Marker,
+            Transform,
+            Segment,
+            Inside
+        } kind = Kind::Nothing;
+        TransformHandles::Handle transform;
+        ControlRef control;
+        NodeRef node;
+        std::optional<SegmentHit> segment;
+        PickIndex::SourceHit source;
+        std::uint32_t marker = 0;
+        std::uint32_t shape = kNoIndex;
+        Vec2 at;
+    };
+    Hit hitAt(Vec2 place, Shell &context) const;
+    /// Returns the region marker under the pointer, or whose label is there.
+    std::optional<std::uint32_t> markerAt(Vec2 place, Shell &context) const;
+    /// Highlights the face of the region marker under the pointer.
+    void pointAtFace(Shell &context) const;
+    /// Returns the node near a place. Nodes of shapes that are not selected are not drawn, so they are found only right
+    /// at the place.
+    std::optional<NodeHit> nodeAt(Vec2 place, const PickIndex::Filter &pickable, Shell &context) const;
+    /// Returns the control point of the selection under the pointer.
+    std::optional<Control> controlAt(Vec2 place, Shell &context) const;
+    bool isSelected(const Hit &hit, const Selection &selection) const;
+    void select(const Hit &hit, bool adds, Selection &selection) const;
+    void press(const CanvasEvent &event, Shell &context);
+    bool pressLabel(const CanvasEvent &event, Shell &context);
+    void openMenu(const CanvasEvent &event, Shell &context);
+    void drag(const CanvasEvent &event, Shell &context);
+    void beginMove(Shell &context);
+    /// Moves the selection to where the pointer or the typed numbers say.
+    void updateMove(Shell &context);
+    /// Joins what was dragged by a node to the segments on which its nodes now lie, as drawing does.
+    void joinMoved(Shell &context);
+    /// Handles numbers typed during a drag. Returns true if the event was used.
+    bool typedMove(const CanvasEvent &event, Shell &context);
+    void release(const CanvasEvent &event, Shell &context);
+    bool key(const CanvasEvent &event, Shell &context);
+    void insertAt(const Hit &hit, Shell &context);
+    void nudge(Vec2 direction, bool far, bool repeated, Shell &context);
+    Result<Document> moved(Vec2 to) const;
+    std::string moveLabel() const;
+    void drawHandles(CanvasPainter &painter, Shell &context) const;
+    void drawFilter(Shell &context);
+    void drawControls(CanvasPainter &painter, Shell &context) const;
+    void drawSourceHandles(CanvasPainter &painter, Shell &context) const;
+
+    std::shared_ptr<EditState> state_;
+    std::optional<NamedThing> pressedLabel_; ///< under the last press
+    Mode mode_ = Mode::Idle;
+    Hit hover_, grabbed_;
+    bool over_ = false;
+    bool wasSelected_ = false;         ///< the pressed item was already selected
+    bool adds_ = false;                ///< Shift was down
+    bool alone_ = false;               ///< Alt is down: a control point moves without its opposite
+    std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
+    Pixel pressPixel_{};
+    Vec2 pressPlace_, boxPlace_;
+    CanvasEvent last_; ///< of the drag
+    NumericEntry entry_;
+    Snapped snapped_;
+    std::shared_ptr<const Document> start_; ///< document when the drag began
+    std::shared_ptr<const PickIndex> startIndex_;
+    Selection moving_;
+    PickIndex::Filter targets_; ///< of moving_
+    std::vector<Vec2> linesTo_; ///< see linesToNode()
+    std::string stroke_, nudgeStroke_;
+    TransformHandles transform_;
+};
+
+} // namespace forefront

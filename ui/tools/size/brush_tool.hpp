@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/engine/spacing/spacing_field.hpp"
+#include "ui/parts/tool.hpp"
+#include "ui/workspace/edit_state.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace forefront {
+
+/// Paints the node spacing or erases paint. A stroke is one command; the paint is part of the document.
+class BrushTool final : public Tool {
+  public:
+    BrushTool(std::shared_ptr<EditState> state, bool erases) : state_(std::move(state)), erases_(erases) {}
+
+    const char *id() const override { return erases_ ? "eraser" : "brush"; }
+    const char *name() const override { return erases_ ? "Eraser: remove paint" : "Brush: paint the spacing"; }
+    const char *icon() const override;
+    int key() const override { return erases_ ? 'E' : 'B'; }
+    CursorShape cursor() const override { return CursorShape::Crosshair; }
+    void activate(Shell &context) override;
+    void deactivate(Shell &context) override;
+    void forget(Shell &context) override;
+    bool handle(const CanvasEvent &event, Shell &context) override;
+    void drawOverlay(CanvasPainter &painter, Shell &context) override;
+    /// "larger", "smaller": the radius; "sizeUp", "sizeDown": the painted spacing; or the word of a mode.
+    bool command(std::string_view word, Shell &context) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    std::string statusText(const Shell &context) const override;
+
+  private:
+    bool key(const CanvasEvent &event, Shell &context);
+    /// Paints from the previous place to `to`.
+    void stroke(Vec2 to, Shell &context);
+    bool erases() const { return erases_ || state_->brushMode == DabMode::Erase; }
+    bool sets() const { return !erases_ && state_->brushMode == DabMode::Set; }
+    /// Returns a dab at a position with the chosen mode and options.
+    Dab dabAt(Vec2 place) const;
+    const char *label() const;
+    void drawModes(Shell &context, ui::Flow &flow);
+    void scale(double factor, bool spacing, Shell &context);
+    /// Derives radius and spacing that the user has not set from the view and the current spacing; for display only
+    /// once both belong to the current document.
+    void settle(Shell &context, bool forDisplay = false);
+
+    std::shared_ptr<EditState> state_;
+    bool erases_;
+    std::optional<Vec2> pointer_, last_;
+    std::string stroke_;                   ///< key of the stroke in progress; empty: none
+    std::function<double(Vec2)> around_{}; ///< spacing when the stroke began; empty: none
+    bool changed_ = false;                 ///< the stroke has changed the paint
+};
+
+} // namespace forefront

@@ -1,0 +1,181 @@
+#include "ui/tools/size/source_tool.hpp"
+
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/tools/common/source_parts.hpp"
+#include "ui/tools/common/tool_options.hpp"
+#include "ui/widgets/enum_choice.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace forefront {
+
+const char *SourceTool::icon() const {
+    return icon::kSource;
+}
+
+double SourceTool::size(const Shell &context, Vec2 at) const {
+    if (state_->sourceSize > 0.0) {
+        return state_->sourceSize;
+    }
+    const double rho = context.preview->spacing ? context.preview->spacing->at(at) : EditState::reach(context, 40.0);
+    return EditState::twoDigits(0.25 * rho);
+}
+
+void SourceTool::place(Vec2 at, Shell &context) {
+    if (shape() == SourceShape::Point) {
+        add(context, at, at);
+    } else if (!first_) {
+        first_ = at;
+    } else if (const Vec2 second = corner(at); second != *first_) {
+        add(context, *first_, second);
+        first_.reset();
+    }
+}
+
+Vec2 SourceTool::corner(Vec2 at) const {
+    return shape() == SourceShape::Box && first_ ? cornerOfBox(*first_, at) : at;
+}
+
+void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
+    SizeSource source;
+    source.shape = shape();
+    source.a = a;
+    source.b = source.shape == SourceShape::Line || source.shape == SourceShape::Box ? b : a;
+    source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
+    source.size = size(context, a);
+    state_->sourceSize = source.size; // or the next one nearby would be four times finer
+    source.endSize = source.shape == SourceShape::Line ? state_->sourceEndSize : std::nullopt;
+    source.growth = state_->sourceGrowth;
+    source.name = freeSourceName(*context.document.current(), source.shape == SourceShape::Point  ? "point"
+                                                              : source.shape == SourceShape::Line ? "line"
+                                                              : source.shape == SourceShape::Box  ? "box"
+                                                                                                  : "disc");
+    Result<Document> next = addSource(*context.document.current(), source);
+    if (next) {
+        keepSourceFormulas(*next, source);
+    }
+    if (EditState::apply(context, std::move(next), "Add size source")) {
+        context.selection.clear();
+        const auto count = context.document.current()->spacing.sources.size();
+        context.selection.sources.insert(static_cast<std::uint32_t>(count - 1));
+    }
+}
+
+void SourceTool::keepSourceFormulas(Document &document, const SizeSource &source) const {
+    const std::string prefix = "source/" + std::to_string(document.spacing.sources.size() - 1) + '/';
+    const auto keep = [&](const char *quantity, const std::string &formula) {
+        if (usesNames(formula)) {
+            document = setFormula(std::move(document), prefix + quantity, formula);
+        }
+    };
+    const PlaceFormula a = formulaOf(source.a), b = formulaOf(source.b);
+    keep("x", a.x);
+    keep("y", a.y);
+    if (source.shape == SourceShape::Box) {
+        const auto far = [&](const std::string &near, double from, EntryField field) {
+            const std::string extent = entry_.expression(field);
+            return extent.empty() ? extent : (near.empty() ? exactText(from) : near) + "+(" + extent + ')';
+        };
+        keep("x2", far(a.x, source.a.x, EntryField::Width));
+        keep("y2", far(a.y, source.a.y, EntryField::Height));
+    }
+    if (source.shape == SourceShape::Line || source.shape == SourceShape::Box) {
+        keep("x2", b.x);
+        keep("y2", b.y);
+    } else if (source.shape == SourceShape::Circle) {
+        keep("radius", entry_.expression(EntryField::Radius));
+    }
+    keep("size", state_->sourceSizeFormula);
+    keep("growth", state_->sourceGrowthFormula);
+}
+
+std::span<const EntryField> SourceTool::entryFields() const {
+    static constexpr std::array kRadius{EntryField::Radius};
+    static constexpr std::array kSize{EntryField::Width, EntryField::Height};
+    if (first_ && shape() == SourceShape::Box) {
+        return kSize;
+    }
+    return first_ && shape() == SourceShape::Circle ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
+}
+
+Vec2 SourceTool::typedPlace(const TypedPair &pair) const {
+    // A pair typed after the first corner is width and height.
+    return first_ && shape() == SourceShape::Box ? *first_ + pair.value : DrawingTool::typedPlace(pair);
+}
+
+void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
+    const Theme &theme = context.theme;
+    if (!over_) {
+        return;
+    }
+    const double rho = size(context, first_.value_or(pointer_.at));
+    if (first_) {
+        painter.dot(*first_, 4.0, theme.brush);
+        if (shape() == SourceShape::Box) {
+            painter.fillRectangle(boxOf(*first_, corner(pointer_.at)), fade(theme.brush, 0.12));
+            painter.rectangle(boxOf(*first_, corner(pointer_.at)), theme.brush, 2.0);
+        } else if (shape() == SourceShape::Circle) {
+            painter.circle(*first_, distance(*first_, pointer_.at), theme.brush, 2.0);
+        } else {
+            painter.line(*first_, pointer_.at, theme.brush, 2.0);
+        }
+    }
+    std::string text = "\xcf\x81=" + ui::number(rho, 3);
+    if (first_ && shape() == SourceShape::Box) {
+        const Vec2 size = boxOf(*first_, corner(pointer_.at)).size();
+        text = ui::number(size.x) + " \xc3\x97 " + ui::number(size.y) + "  " + text;
+    } else if (first_) {
+        text = (shape() == SourceShape::Circle ? "r=" : "") + ui::number(distance(*first_, pointer_.at)) + "  " + text;
+    }
+    drawMeasure(painter, context, text);
+}
+
+void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
+    flow.item("shape");
+    if (ui::segmented(context, "options/source/shape", state_->sourceShape, 204.0F)) {
+        cancel();
+    }
+    double shown = size(context, first_.value_or(over_ ? pointer_.at : context.view.camera.centre));
+    if (drawFormulaOption(context, flow, "options/source/size", "Size", shown, state_->sourceSizeFormula,
+                          "Element size at the source", false) ||
+        !state_->sourceSizeFormula.empty()) {
+        state_->sourceSize = shown;
+    }
+    if (shape() == SourceShape::Line) {
+        drawOptionalSizeOption(context, flow, "options/source/endsize", "End size", state_->sourceEndSize, "same",
+                               "Element size at the second end of the line. The size changes linearly along the line. "
+                               "Leave empty for the same size everywhere.");
+    }
+    drawFormulaOption(context, flow, "options/source/growth", "Growth", state_->sourceGrowth,
+                      state_->sourceGrowthFormula,
+                      "Growth of the spacing per unit of distance: 0.1 is gentle, 0.3 is steep", false);
+    state_->drawSnapOptions(context, flow);
+}
+
+std::string SourceTool::statusText(const Shell &) const {
+    switch (shape()) {
+    case SourceShape::Point:
+        return "Click where the mesh should be fine";
+    case SourceShape::Line:
+        return first_ ? "Click the other end" : "Drag a line along which the mesh should be fine";
+    case SourceShape::Circle:
+        return first_ ? "Click a point on the circle, or type the radius"
+                      : "Drag a disc from its centre; the mesh will be fine inside it";
+    case SourceShape::Box:
+        return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
+                      : "Drag a box; the mesh will be fine inside it. Shift: square";
+    }
+    return {};
+}
+
+} // namespace forefront

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "ui/workspace/background/retiring_worker.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace forefront {
+
+/// A long task of the window on a separate thread, such as reading a file. At most one result is awaited: another start
+/// cancels the earlier task. Call all members from one thread; none of them waits, except the destructor.
+class BackgroundTask {
+  public:
+    /// Uses the result, on the thread that calls finish(); empty: nothing to do.
+    using Finish = std::function<void()>;
+    using Work = std::function<Finish(const Progress &)>;
+
+    /// `wake` is called from the thread of the task when there is news.
+    explicit BackgroundTask(std::function<void()> wake);
+
+    /// Starts a task; `purpose` says what it is for, such as "reading plate.msh".
+    void start(std::string purpose, Work work);
+    /// Drops the task and its result. Its thread ends by itself, when it next checks its stop token; its memory
+    /// is freed by a later refresh().
+    void cancel();
+    /// Fetches the newest progress. Called once per frame; returns true if it has changed.
+    bool refresh();
+    bool hasNews() const { return worker_.hasNews(); }
+    /// Returns true until the result has been used.
+    bool busy() const { return worker_.working(); }
+    /// Returns true if the result is there, to be used by finish().
+    bool ready() const { return now_.result.has_value(); }
+    /// Uses the result. Call it only while it is ready, and no gesture or dialog depends on the state of the window.
+    void finish();
+    /// Returns what the task does at the moment, such as "finding the outline".
+    const std::string &name() const { return now_.name; }
+    /// Returns what the task is for, as given to start().
+    const std::string &purpose() const { return purpose_; }
+    /// Returns the fraction done in [0, 1]; 0 while it is unknown.
+    double fraction() const { return now_.fraction; }
+
+  private:
+    /// How far a task is.
+    struct State {
+        std::string name;
+        double fraction = 0.0;
+        std::optional<Finish> result{}; ///< none until it is there
+    };
+
+    std::function<void()> wake_;
+    std::string purpose_;
+    State now_; ///< of this frame
+    RetiringWorker<State> worker_;
+};
+
+} // namespace forefront

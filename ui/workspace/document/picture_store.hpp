@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "ui/canvas/picture.hpp"
+#include "ui/workspace/background/background_task.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace forefront {
+
+/// Keeps the pixels of the document's background picture, which are read on a separate thread.
+class PictureStore {
+  public:
+    /// `wake` is called from that thread when the picture is there.
+    explicit PictureStore(std::function<void()> wake) : task_(std::move(wake)) {}
+
+    /// Reads the picture of a document unless that has been done. `loads` identifies the opened document, see
+    /// DocumentStore::loads(): a file that was missing is looked for again when its document is opened again.
+    void follow(const Document &document, std::uint64_t loads);
+    /// Uses a picture that was read elsewhere.
+    void accept(std::shared_ptr<const Picture> picture);
+    /// Takes the result of the other thread. Returns true if there is one; the reasons why the picture cannot be shown
+    /// are added to `faults`.
+    bool refresh(Diagnostics &faults);
+
+    /// Returns the picture of the document; null if it has none, or its pixels are missing.
+    const std::shared_ptr<const Picture> &shown() const { return shown_; }
+    /// Returns true if the document has a picture that cannot be read.
+    bool failed() const { return failed_; }
+    bool busy() const { return task_.busy(); }
+    bool hasNews() const { return task_.hasNews(); }
+
+  private:
+    BackgroundTask task_;
+    std::shared_ptr<const Picture> read_; ///< the last one read, so that undo and redo do not read it again
+    std::shared_ptr<const Picture> shown_;
+    std::string file_; ///< of the document's picture; empty: none
+    std::uint64_t loads_ = 0;
+    bool failed_ = false;
+    Diagnostics faults_; ///< not taken yet
+};
+
+} // namespace forefront

@@ -1,0 +1,183 @@
+#include "ui/workspace/mesh/mesh_judge.hpp"
+
+#include "core/engine/mesh/verify.hpp"
+#include "ui/style/measure_colours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+bool needsEdges(const JudgeRequest &request) {
+    return request.parts || request.limits.any() || request.measure == Measure::AreaRatio ||
+           infoOf(request.measure).part == MeshPart::Edges;
+}
+
+BoxTree treeOf(const Mesh &mesh) {
+    std::vector<Box2> boxes(mesh.elements.size());
+    for (std::size_t e = 0; e < boxes.size(); ++e) {
+        for (const NodeId node : mesh.elements[e]) {
+            boxes[e].add(mesh.nodes[index(node)]);
+        }
+    }
+    return BoxTree(boxes);
+}
+
+std::shared_ptr<const std::vector<MeshEdge>> singleEdges(const MeshEdges &edges) {
+    auto outline = std::make_shared<std::vector<MeshEdge>>();
+    std::copy_if(edges.edges.begin(), edges.edges.end(), std::back_inserter(*outline),
+                 [](const MeshEdge &edge) { return edge.elements[1] == kNoElement; });
+    return outline;
+}
+
+/// Summarises the values of a field on a linear scale from their minimum to their maximum.
+void showField(Judgement &judgement) {
+    constexpr std::size_t kBins = 40;
+    judgement.name = judgement.of.field;
+    judgement.info.part = judgement.of.fieldPart;
+    judgement.info.symbol = "value";
+    judgement.info.minimum = -std::numeric_limits<double>::infinity();
+    judgement.values = *judgement.of.fieldValues;
+    const MeasureSummary summary = summarise(judgement.values);
+    judgement.summary = summary;
+    const double narrowest = 1e-9 * std::max(std::abs(summary.minimum), std::abs(summary.maximum));
+    const double to = std::max(
+        summary.maximum, std::min(summary.minimum + std::max(narrowest, 1e-300), std::numeric_limits<double>::max()));
+    judgement.fitted = {summary.minimum, to};
+    judgement.histogram = histogramOf(judgement.values, summary.minimum, to, false, kBins);
+}
+
+/// Measures the values; `judgement` has its edges.
+void measureInto(Judgement &judgement) {
+    static const MeshEdges kNoEdges;
+    const JudgeRequest &of = judgement.of;
+    const MeshEdges &edges = judgement.edges ? *judgement.edges : kNoEdges;
+    judgement.name = infoOf(of.measure).name;
+    judgement.info = infoOf(of.measure);
+    if (of.fieldValues) {
+        showField(judgement);
+        return;
+    }
+    judgement.values = measureValues(of.measure, of.mesh->mesh, edges, of.spacing.get());
+    judgement.summary = summarise(judgement.values);
+    judgement.histogram = shownHistogram(of.measure, judgement.values, judgement.summary);
+    judgement.fitted = fittedRange(of.measure, judgement.summary);
+    judgement.worst = worstParts(of.measure, judgement.values, Judgement::kRanked);
+}
+
+} // namespace
+
+std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const Judgement &earlier) {
+    auto judgement = std::make_shared<Judgement>();
+    judgement->of = request;
+    if (!request.mesh) {
+        return judgement;
+    }
+    const Mesh &mesh = request.mesh->mesh;
+    const bool same = earlier.of.mesh == request.mesh;
+    const bool sameSpacing = same && earlier.of.spacing == request.spacing;
+    if (needsEdges(request)) {
+        judgement->edges = same && earlier.edges ? earlier.edges : std::make_shared<const MeshEdges>(edgesOf(mesh));
+    }
+    if (request.parts) {
+        judgement->tree = same && earlier.tree ? earlier.tree : std::make_shared<const BoxTree>(treeOf(mesh));
+    }
+    if (request.outline && judgement->edges) {
+        judgement->outline = same && earlier.outline ? earlier.outline : singleEdges(*judgement->edges);
+    }
+    if (request.verify) {
+        judgement->faults = same && earlier.of.verify ? earlier.faults : verify(mesh);
+    }
+    if (request.quality) {
+        judgement->quality = sameSpacing && earlier.quality ? earlier.quality : measure(mesh, request.spacing.get());
+    }
+    if (request.limits.any()) {
+        judgement->verdicts = sameSpacing && earlier.of.limits == request.limits
+                                  ? earlier.verdicts
+                                  : judge(mesh, *judgement->edges, request.limits, request.spacing.get());
+    }
+    measureInto(*judgement);
+    return judgement;
+}
+
+Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index) {
+    static const MeshEdges kNoEdges;
+    return placeOf(judgement.of.mesh->mesh, judgement.edges ? *judgement.edges : kNoEdges, part, index);
+}
+
+namespace {
+
+/// Returns the evaluation, or one with an out-of-memory fault.
+template <class Answer>
+std::shared_ptr<const Judgement> judgementWithin(const JudgeRequest &request, Answer answer) {
+    try {
+        return answer();
+    } catch (const std::bad_alloc &) {
+        auto judgement = std::make_shared<Judgement>();
+        judgement->of = request;
+        judgement->faults = error("out-of-memory", "not enough memory to evaluate the mesh",
+                                  "close other programs, or open a smaller mesh");
+        return judgement;
+    }
+}
+
+} // namespace
+
+MeshJudge::MeshJudge(std::function<void()> wake, Answer answer)
+    : wake_(std::move(wake)), answer_(std::move(answer)), judgement_(std::make_shared<Judgement>()),
+      thread_([this](const std::stop_token &stop) { work(stop); }) {}
+
+MeshJudge::~MeshJudge() {
+    thread_.request_stop();
+    const std::lock_guard lock(mutex_);
+    changed_.notify_all();
+}
+
+void MeshJudge::submit(const JudgeRequest &request) {
+    const std::lock_guard lock(mutex_);
+    if (!(wanted_ == request)) {
+        wanted_ = request;
+        changed_.notify_all();
+    }
+}
+
+std::shared_ptr<const Judgement> MeshJudge::latest() const {
+    const std::lock_guard lock(mutex_);
+    return judgement_;
+}
+
+bool MeshJudge::busy() const {
+    const std::lock_guard lock(mutex_);
+    return !(judgement_->of == wanted_);
+}
+
+void MeshJudge::work(const std::stop_token &stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+        if (!changed_.wait(lock, stop, [this] { return !(judgement_->of == wanted_); })) {
+            return;
+        }
+        const JudgeRequest request = wanted_;
+        std::shared_ptr<const Judgement> earlier = judgement_;
+        lock.unlock();
+        std::shared_ptr<const Judgement> judgement =
+            judgementWithin(request, [&] { return answer_(request, *earlier); });
+        earlier.reset();
+        lock.lock();
+        judgement_.swap(judgement);
+        lock.unlock();
+        judgement.reset(); // frees an old mesh outside the lock
+        if (wake_) {
+            wake_();
+        }
+        lock.lock();
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,326 @@
+#include "ui/workspace/run/run_control.hpp"
+
+#include "core/drawing/document/equality.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/document/document_store.hpp"
+#include "ui/workspace/messages/message_log.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace forefront {
+
+RunControl::RunControl(DocumentStore &document, MessageLog &log, std::function<void()> wake)
+    : document_(document), log_(log), session_(std::move(wake)), snapshot_(session_.latest()) {}
+
+void RunControl::refresh() {
+    const bool busy = session_.busy(); // read before the snapshot: an idle worker has delivered its last one
+    snapshot_ = session_.latest();
+    cancelling_ = cancelling_ && busy;
+    const SessionSnapshot &s = *snapshot_;
+    const auto last = starts_.find(lastStart_);
+    const bool follows = s.run == lastStart_ || (last != starts_.end() && last->second.live);
+    if (follows && s.state != RunState::Preparing && s.shownRun > 0) {
+        starts_.erase(starts_.begin(), starts_.lower_bound(s.shownRun));
+        shown_ = starts_[s.shownRun]; // an earlier run if the last one was refused
+    }
+    if (s.run != loggedRun_ || s.state != loggedState_) {
+        log(s);
+        loggedRun_ = s.run;
+        loggedState_ = s.state;
+    }
+}
+
+namespace {
+
+std::string resultText(const SessionSnapshot &s) {
+    return ui::format("%llu triangles, %llu nodes in %.3g s; minimum \xce\xb1 %.3f, mean %.3f",
+                      static_cast<unsigned long long>(s.quality.elements),
+                      static_cast<unsigned long long>(s.quality.nodes), s.secondsMesh + s.secondsImprove,
+                      s.quality.alphaMin, s.quality.alphaMean);
+}
+
+std::string previewText(const SessionSnapshot &s) {
+    return ui::format("Preview of %llu triangles; the full mesh will have about %.2g",
+                      static_cast<unsigned long long>(s.quality.elements), s.requestedElements);
+}
+
+} // namespace
+
+void RunControl::log(const SessionSnapshot &s) {
+    const auto start = starts_.find(s.run);
+    const bool isLive = start != starts_.end() && start->second.live;
+    const bool news = s.run != loggedRun_ || s.state == RunState::Failed || s.state == RunState::Finished ||
+                      s.state == RunState::Cancelled;
+    const bool refused = !s.diagnostics.empty() && (s.state == RunState::Failed || s.run != refusalLogged_);
+    if (refused) {
+        refusalLogged_ = s.run;
+        if (isLive) {
+            liveResult_ = {{}, s.diagnostics, start->second.revision};
+        } else {
+            log_.add(s.diagnostics, starts_[s.run].revision);
+        }
+    } else if (s.shownRun != s.run) {
+        // The previous mesh is already in the log.
+    } else if (news && s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
+        log_.note(ui::format("Cancelled after %llu advances; you can step through the partial mesh",
+                             static_cast<unsigned long long>(s.known)));
+    } else if (news && s.state == RunState::Finished && loggedState_ != RunState::Paused) {
+        if (s.coarsening > 1.0) {
+            liveResult_ = {previewText(s), {}, start->second.revision};
+        } else if (isLive) {
+            liveResult_ = {resultText(s), {}, start->second.revision};
+        } else {
+            log_.note(resultText(s));
+        }
+    }
+}
+
+/// Limits and the background picture do not change the mesh, so a revision that differs in nothing else counts as the
+/// one before.
+std::uint64_t RunControl::meshRevision() const {
+    const std::uint64_t revision = document_.revision();
+    if (revision != seenRevision_) {
+        const std::shared_ptr<const Document> document = document_.current();
+        const auto known = meshRevisions_.find(revision);
+        bool same = false;
+        if (seen_ && !(seen_->limits == document->limits && seen_->picture == document->picture)) {
+            Document before = *seen_;
+            before.limits = document->limits;
+            before.picture = document->picture;
+            same = sameContent(before, *document);
+        }
+        meshRevision_ = known != meshRevisions_.end() ? known->second : same ? meshRevision_ : revision;
+        meshRevisions_[revision] = meshRevision_;
+        seen_ = document;
+        seenRevision_ = revision;
+    }
+    return meshRevision_;
+}
+
+bool RunControl::hasToFollow() const {
+    return live && !opened_ && (followed_ != meshRevision() || wantsWhole());
+}
+
+/// Returns true if the newest document has only a preview, or not even that because its boundary cannot be so coarse,
+/// and there is no reason not to make the full mesh.
+bool RunControl::wantsWhole() const {
+    const auto last = starts_.find(lastStart_);
+    const bool previewed = last != starts_.end() && last->second.extent == Extent::Preview &&
+                           last->second.revision == meshRevision() && snapshot_->run == lastStart_;
+    const bool refused = !snapshot_->diagnostics.empty();
+    const bool tooLarge = !refused && snapshot_->requestedElements > kLargestLive;
+    return resting_ && previewed && (preview() || refused) && !tooLarge;
+}
+
+/// Returns true if the run in progress is not worth finishing once the document has changed: a full mesh that followed
+/// a preview, or one large enough to show its progress.
+bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) const {
+    const auto last = starts_.find(lastStart_);
+    const bool follows = last != starts_.end() && last->second.live && last->second.extent == Extent::Full;
+    const bool large =
+        newest.run == lastStart_ && (newest.state == RunState::Running || newest.state == RunState::Improving);
+    return follows || (large && gestureOver);
+}
+
+void RunControl::followNewest() {
+    if (followed_ == meshRevision()) {
+        start(StartMode::RunQuiet, Extent::Full);
+    } else if (!document_.current()->shapes.empty()) {
+        start(StartMode::RunQuiet, Extent::Preview);
+    }
+    followed_ = meshRevision();
+}
+
+void RunControl::follow(bool gestureOver, bool faulty) {
+    gestureOver_ = gestureOver;
+    resting_ = gestureOver && !faulty;
+    if (hasToFollow() && (!session_.busy() || replaceable(*session_.latest(), gestureOver))) {
+        followNewest();
+    }
+    if (gestureOver && !session_.busy() && liveResult_ && liveResult_->revision == meshRevision()) {
+        logLive(faulty);
+    }
+}
+
+void RunControl::logLive(bool faulty) {
+    const LiveResult result = *std::exchange(liveResult_, std::nullopt);
+    if (!result.note.empty()) {
+        log_.note(result.note, "live mesh of step " + document_.step());
+    } else if (!faulty) {
+        log_.add(result.refusal, result.revision);
+    }
+}
+
+void RunControl::want(SnapshotLayers layers) {
+    if (wanted_ != layers) { // a command in every frame would keep the worker busy
+        wanted_ = layers;
+        session_.want(layers);
+    }
+}
+
+FileMesh takeMesh(MeshFields read) {
+    FileMesh file;
+    file.fields = takeFields(read);
+    file.view = std::make_shared<MeshView>();
+    file.view->mesh = std::move(read.mesh);
+    return file;
+}
+
+void measureMesh(FileMesh &file) {
+    const Mesh &mesh = file.view->mesh;
+    file.view->alpha = shapeFactors(mesh);
+    file.quality = measure(mesh, nullptr);
+    file.hash = meshHash(mesh);
+}
+
+FileMesh fileMeshOf(MeshFields read) {
+    FileMesh file = takeMesh(std::move(read));
+    measureMesh(file);
+    return file;
+}
+
+void RunControl::showFile(FileMesh read) {
+    clear();
+    fields_ = std::move(read.fields);
+    read.view->version = (std::uint64_t{1} << 63) + ++openedCount_; // unlike those of runs
+    auto opened = std::make_shared<SessionSnapshot>();
+    opened->state = RunState::Finished;
+    opened->complete = true;
+    opened->quality = read.quality;
+    opened->meshHash = read.hash;
+    opened->mesh = std::move(read.view);
+    opened_ = std::move(opened);
+}
+
+MeshingJob RunControl::job() const {
+    const std::shared_ptr<const Document> document = document_.current();
+    return jobOf(*document);
+}
+
+void RunControl::start(StartMode mode, Extent extent) {
+    opened_.reset();
+    fields_.reset();
+    cancelling_ = false;
+    MeshingJob whole = job();
+    whole.shared = document_.spacing();
+    session_.start(std::make_shared<const MeshingJob>(std::move(whole)), mode,
+                   extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity());
+    started_ = true;
+    followed_ = meshRevision();
+    const Start start{meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent};
+    starts_[++lastStart_] = start;
+    if (!start.live) {
+        shown_ = start; // a live run keeps showing the previous mesh until it is finished
+    }
+}
+
+bool RunControl::startIfNeeded() {
+    if (hasRun() && !outOfDate()) {
+        return false;
+    }
+    start(StartMode::Pause);
+    return true;
+}
+
+void RunControl::mesh() {
+    start(StartMode::Run);
+}
+
+void RunControl::togglePlay() {
+    if (playing()) {
+        session_.pause();
+        return;
+    }
+    startIfNeeded();
+    session_.play(speed_ * kAdvancesPerSecond);
+}
+
+void RunControl::step(Granularity granularityOfStep, std::int64_t n) {
+    if (!hasRun()) {
+        start(StartMode::Pause);
+    }
+    session_.step(granularityOfStep, n);
+}
+
+void RunControl::seek(std::uint64_t advance) {
+    if (!hasRun()) {
+        start(StartMode::Pause);
+    }
+    session_.seek(advance);
+}
+
+void RunControl::seekEnd() {
+    if (!hasRun()) {
+        start(StartMode::Pause);
+    }
+    if (snapshot_->complete) {
+        session_.seek(snapshot_->known);
+    } else {
+        session_.finish();
+    }
+}
+
+void RunControl::seekStop(bool forward) {
+    startIfNeeded();
+    session_.seekStop(forward);
+}
+
+void RunControl::seekBirth(Vec2 place, double tolerance) {
+    startIfNeeded();
+    session_.seekBirth(place, tolerance);
+}
+
+void RunControl::setBreakpoints(const Breakpoints &breakpoints) {
+    if (!(breakpoints == breakpoints_)) {
+        breakpoints_ = breakpoints;
+        session_.stopAt(breakpoints_);
+    }
+}
+
+void RunControl::cancel() {
+    cancelling_ = session_.busy();
+    session_.cancel();
+}
+
+void RunControl::clear() {
+    session_.clear();
+    seen_.reset(); // a document opened next is meshed even if it differs in nothing that the mesh depends on
+    opened_.reset();
+    fields_.reset();
+    started_ = cancelling_ = false;
+    liveResult_.reset();
+}
+
+bool RunControl::playing() const {
+    return snapshot_->state == RunState::Running;
+}
+
+/// Returns true if nothing of the drawing is left, so that the mesh is one of what is gone.
+bool RunControl::emptied() const {
+    return document_.current()->shapes.empty();
+}
+
+bool RunControl::hasRun() const {
+    return started_ && snapshot_->state != RunState::Failed && !emptied();
+}
+
+bool RunControl::outOfDate() const {
+    const bool catchesUp = live && (hasToFollow() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
+    return started_ && !emptied() && (shown_.revision != meshRevision() || preview()) && !catchesUp;
+}
+
+Method RunControl::method() const {
+    return hasRun() ? shown_.method : document_.current()->options.method;
+}
+
+void RunControl::setSpeed(double factor) {
+    speed_ = std::clamp(factor, kSlowest, kFastest);
+    if (playing()) {
+        session_.play(speed_ * kAdvancesPerSecond);
+    }
+}
+
+} // namespace forefront

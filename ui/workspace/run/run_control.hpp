@@ -1,0 +1,179 @@
+#pragma once
+
+#include "core/engine/mesher/options.hpp"
+#include "core/engine/session/meshing_session.hpp"
+#include "ui/workspace/mesh/file_fields.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+class DocumentStore;
+struct Document;
+class MessageLog;
+
+/// A mesh that was read from a file, ready to be shown.
+struct FileMesh {
+    std::shared_ptr<MeshView> view;
+    std::shared_ptr<const FileFields> fields; ///< null: none
+    MeshQuality quality;
+    std::uint64_t hash = 0;
+};
+
+/// Takes over what was read; the rest is left for measureMesh().
+FileMesh takeMesh(MeshFields read);
+/// Computes what is shown of a mesh; takes a while for a large one. Only reads the mesh.
+void measureMesh(FileMesh &file);
+/// Does both.
+FileMesh fileMeshOf(MeshFields read);
+
+/// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and
+/// knows whether the mesh is out of date. Call all members from the UI thread; none of them blocks.
+class RunControl {
+  public:
+    /// Advances per second at speed 1.
+    static constexpr double kAdvancesPerSecond = 10.0;
+    static constexpr double kSlowest = 0.1, kFastest = 1000.0;
+
+    RunControl(DocumentStore &document, MessageLog &log, std::function<void()> wake);
+
+    /// Fetches the newest snapshot and logs what the run reports. Called once per frame.
+    void refresh();
+    /// Keeps the mesh up to date with the document while `live`: the current run is finished and shown, then the newest
+    /// document is meshed. For a mesh above `liveBudget`, a coarser preview follows the edits, and the full mesh is
+    /// made once `gestureOver`, which is also when the result is logged. `faulty`: the drawing has faults, which are
+    /// shown elsewhere. Called once per frame, after input.
+    void follow(bool gestureOver, bool faulty);
+    /// Returns true if live meshing has yet to start a mesh of the newest document, or its full mesh after a preview.
+    bool hasToFollow() const;
+    /// Returns true if live meshing can do that now, since the worker is idle.
+    bool canFollow() const { return hasToFollow() && !session_.busy(); }
+    /// Returns true if the mesh shown is a preview, coarser than the document asks for.
+    bool preview() const { return snapshot_->coarsening > 1.0; }
+    /// Returns true if a newer snapshot is waiting.
+    bool hasNews() const { return session_.latest() != snapshot_; }
+    /// Returns the snapshot of this frame; it does not change within a frame.
+    const SessionSnapshot &now() const { return *snapshot(); }
+    /// Returns that of an empty session for an empty drawing; undoing its deletion brings the mesh back.
+    const std::shared_ptr<const SessionSnapshot> &snapshot() const {
+        return opened_ ? opened_ : emptied() ? empty_ : snapshot_;
+    }
+    /// Shows a mesh that was read from a file, with its values, until a run starts.
+    void showFile(FileMesh read);
+    void showFile(MeshFields read) { showFile(fileMeshOf(std::move(read))); }
+    /// Returns the values of the mesh shown, one for each of its nodes or elements; null if there are none.
+    std::shared_ptr<const FileFields> fields() const { return opened_ ? fields_ : nullptr; }
+    /// Returns true if the mesh shown was read from a file.
+    bool showsFile() const { return opened_ != nullptr; }
+    void want(SnapshotLayers layers);
+
+    /// Returns the meshing job of the document as it is now.
+    MeshingJob job() const;
+    /// Meshes the document at full speed.
+    void mesh();
+    /// Plays from the current position, or pauses. Starts a new run if there is none or it is out of date.
+    void togglePlay();
+    void step(Granularity granularity, std::int64_t n);
+    void step(std::int64_t n) { step(granularity, n); }
+    void seek(std::uint64_t advance);
+    void seekEnd();
+    /// Moves to the next advance, or with `forward` false the previous one, that fulfils a breakpoint. Starts a run if
+    /// there is none or it is out of date.
+    void seekStop(bool forward);
+    /// Moves to the advance that made what is within `tolerance` of a place, see MeshingSession::seekBirth().
+    void seekBirth(Vec2 place, double tolerance);
+    const Breakpoints &breakpoints() const { return breakpoints_; }
+    void setBreakpoints(const Breakpoints &breakpoints);
+    void cancel();
+    void clear();
+    /// Returns true while a cancelled run has not delivered its result: the worker stops at once, but copying and
+    /// drawing a partial mesh of millions of elements takes time.
+    bool cancelling() const { return cancelling_; }
+
+    /// Returns true while a command is pending or the worker is busy.
+    bool busy() const { return session_.busy(); }
+    bool playing() const;
+    bool hasRun() const;
+    /// Returns true if the document has changed since the run started and live meshing will not catch up by itself.
+    bool outOfDate() const;
+    /// Returns the revision of the document whose mesh is shown.
+    std::uint64_t shownRevision() const { return shown_.revision; }
+    /// Returns the revision of the document that live meshing last started a mesh of, or decided not to mesh.
+    std::uint64_t followedRevision() const { return followed_; }
+    /// Returns the revision of the document, or an earlier one whose mesh is the same.
+    std::uint64_t meshRevision() const;
+    /// Returns the method of the run, or of the document if there is no run.
+    Method method() const;
+    double speed() const { return speed_; }
+    void setSpeed(double factor);
+
+    Granularity granularity = Granularity::Advance;
+    /// Live meshing: meshes after every edit.
+    bool live = false;
+    /// Number of elements up to which meshes follow every change; larger ones have a coarser preview.
+    double liveBudget = 25'000.0;
+    /// Number of elements above which live meshing shows only the preview, since a full mesh could use up the memory.
+    static constexpr double kLargestLive = 2e6;
+
+  private:
+    /// The extent of a run for live meshing: a preview, or the full mesh that the document asks for.
+    enum class Extent : std::uint8_t { Preview, Full };
+
+    bool emptied() const;
+    void start(StartMode mode, Extent extent = Extent::Full);
+    void followNewest();
+    bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
+    bool wantsWhole() const;
+    bool startIfNeeded();
+    void log(const SessionSnapshot &snapshot);
+    void logLive(bool faulty);
+
+    DocumentStore &document_;
+    MessageLog &log_;
+    MeshingSession session_;
+    std::optional<SnapshotLayers> wanted_; ///< snapshot layers last requested from the session
+    Breakpoints breakpoints_;
+    std::shared_ptr<const SessionSnapshot> snapshot_;
+    const std::shared_ptr<const SessionSnapshot> empty_ = std::make_shared<const SessionSnapshot>();
+    std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file; null: the run's mesh is shown
+    std::shared_ptr<const FileFields> fields_;      ///< values of that mesh; null: none
+    std::uint64_t openedCount_ = 0;
+    /// The document revision and options that a run was started with.
+    struct Start {
+        std::uint64_t revision = 0;
+        Method method = Method::Fast;
+        bool live = false;
+        Extent extent = Extent::Full;
+    };
+    /// The result of the last live run; logged when the gesture is over.
+    struct LiveResult {
+        std::string note;    ///< empty: refused
+        Diagnostics refusal; ///< why
+        std::uint64_t revision = 0;
+    };
+    std::map<std::uint64_t, Start> starts_; ///< by run number, from the one shown to the last
+    std::uint64_t lastStart_ = 0;
+    Start shown_;
+    std::uint64_t refusalLogged_ = 0; ///< run number
+    std::uint64_t followed_ = 0;      ///< newest revision that live meshing has started or skipped
+    bool resting_ = false;            ///< no gesture is under way, and the drawing has no faults
+    bool gestureOver_ = false;
+    std::optional<LiveResult> liveResult_;
+    bool started_ = false;
+    bool cancelling_ = false;
+    double speed_ = 1.0;
+    mutable std::shared_ptr<const Document> seen_; ///< the document of the last call of meshRevision()
+    mutable std::uint64_t seenRevision_ = 0, meshRevision_ = 0;
+    mutable std::map<std::uint64_t, std::uint64_t> meshRevisions_; ///< by document revision
+    std::uint64_t loggedRun_ = 0;
+    RunState loggedState_ = RunState::Empty;
+};
+
+} // namespace forefront

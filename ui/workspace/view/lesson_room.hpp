@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/engine/session/snapshot.hpp"
+#include "core/teaching/lesson/lesson.hpp"
+#include "ui/workspace/view/view.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// A lesson in the list of lessons.
+struct LessonEntry {
+    std::string id; ///< name of its file without extension, or the path of a user's file; key of its progress
+    std::filesystem::path file;
+    std::shared_ptr<const Lesson> lesson;
+};
+
+/// The lesson being read, its page and the answers given there.
+struct OpenLesson {
+    enum class Reply : std::uint8_t { None, Wrong, Right };
+
+    LessonEntry entry;
+    std::size_t page = 0;
+    Reply reply = Reply::None;         ///< to the last answer
+    std::optional<std::size_t> picked; ///< the last choice
+    std::string typed;                 ///< answer that is a number
+    std::string complaint;             ///< why the text typed cannot be an answer; empty: it can
+    bool focus = false;                ///< move the keyboard to the field for the number
+    bool settled = false;              ///< the run has reached the position of the page
+    int framesSettled = 0;             ///< frames drawn since, up to a few
+    int framesToReveal = 0;            ///< frames in which outlined widgets still scroll into view
+    std::set<std::size_t> checked{};   ///< pages whose references have been checked
+    std::uint64_t revision = 0;        ///< of the document, when the page was shown
+    std::shared_ptr<const Document> document;
+    std::shared_ptr<const SessionSnapshot> arrived; ///< the run at the position of the page; null: not yet
+    std::shared_ptr<const SessionSnapshot> done;    ///< the run in which the task was done; null: not yet
+    std::map<std::string, bool> layersBefore;       ///< visible layers, restored at the end
+    std::string tabBefore;
+    bool panelsBefore = true;
+    ColourChoice coloursBefore;
+
+    const LessonPage &now() const { return entry.lesson->pages[page]; }
+};
+
+/// The pane of lessons: the list of lessons, or the one being read.
+struct LessonRoom {
+    bool visible = false;
+    bool listed = false; ///< the lessons have been read
+    std::vector<LessonEntry> list;
+    std::optional<OpenLesson> open;
+    std::uint64_t drawingLoaded = 0; ///< DocumentStore::loads() of the last drawing that a lesson brought; 0: none
+};
+
+} // namespace forefront
