@@ -4,8 +4,6 @@
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
-#include "core/drawing_files/geojson/geojson.hpp"
-#include "core/drawing_files/geojson/topojson.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/drawing_files/svg/svg.hpp"
 #include "core/engine/domain/validate.hpp"
@@ -117,20 +115,20 @@ void checkArranged(const Domain &domain) {
 
 /// Runs all readers of a format.
 void runFormat(const Format &format, std::string_view bytes) {
-    if (format.readDocument != nullptr) {
-        if (const auto document = readWith(format.readDocument, bytes)) {
+    const std::string_view id = format.about.id;
+    if (id == "project") {
+        if (const auto document = readWith(readProjectText, bytes)) {
             checkDocument(*document);
         }
-    }
-    if (format.readDomain != nullptr) {
+    } else if (format.readDomain != nullptr) {
         if (const auto domain = readWith(format.readDomain, bytes)) {
             checkDomain(*domain);
-            if (format.readDomain == readSvg || format.readDomain == readGeoJson || format.readDomain == readTopoJson) {
+            if (format.about.arranges) {
                 checkArranged(*domain);
             }
         }
     }
-    if (format.readDomain == readSvg) { // the clipboard reads drawings as shapes
+    if (id == "svg") { // the clipboard reads drawings as shapes
         if (const auto shapes = readWith(readSvgShapes, bytes)) {
             checkDomain(*shapes);
             checkDocument(fromDomain(*shapes));
@@ -150,8 +148,7 @@ void runFormat(const Format &format, std::string_view bytes) {
 }
 
 bool sameReaders(const Format &a, const Format &b) {
-    return a.readDocument == b.readDocument && a.readDomain == b.readDomain && a.readMesh == b.readMesh &&
-           a.readSpacing == b.readSpacing;
+    return a.readDomain == b.readDomain && a.readMesh == b.readMesh && a.readSpacing == b.readSpacing;
 }
 
 /// Corrects the check sums of the chunks, so that changed bytes reach the decoder.

@@ -83,8 +83,8 @@ std::vector<std::string> makeTable(const std::filesystem::path &assets) {
     for (const bench::Scene &scene : scenes) {
         for (const Method method : {Method::Classic, Method::Fast}) {
             for (const ImproveLevel level : {ImproveLevel::None, ImproveLevel::Default, ImproveLevel::Best}) {
-                lines.push_back(scene.name + ' ' + std::string(wordOf(method)) + ' ' + std::string(wordOf(level)) + ' ' +
-                                pinned(scene.job, method, level));
+                lines.push_back(scene.name + ' ' + std::string(wordOf(method)) + ' ' + std::string(wordOf(level)) +
+                                ' ' + pinned(scene.job, method, level));
             }
         }
     }
@@ -132,8 +132,8 @@ int main(int argc, char **argv) {
         return file.good() ? 0 : 2;
     }
     if (differences > 0) {
-        std::printf("%d of %zu meshes differ; if that is meant, run with --update and say why in the commit\n", differences,
-                    made.size());
+        std::printf("%d of %zu meshes differ; if that is meant, run with --update and say why in the commit\n",
+                    differences, made.size());
     }
     return differences > 0 ? 1 : 0;
 }

@@ -1,4 +1,5 @@
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/import_dialog.hpp"

@@ -11,6 +11,7 @@
 #include "core/files/medit/medit.hpp"
 #include "core/files/obj/obj.hpp"
 #include "core/files/su2/su2.hpp"
+#include "core/files/svg/svg_picture.hpp"
 #include "core/files/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
