@@ -99,7 +99,8 @@ Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain,
     const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome = adaptOnce(domain, input.mesh, input.values, arguments.target, {}, progress, tell);
+    Result<AdaptOutcome> outcome =
+        adaptMeshOnce(domain, input.mesh, input.values, arguments.target, {}, progress, tell);
     if (!outcome) {
         return outcome.faults();
     }
@@ -122,7 +123,7 @@ Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &do
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
     Result<AdaptOutcome> outcome =
-        adapt(domain, std::move(mesh), *field, arguments.target, arguments.rounds, {}, progress, tell);
+        adaptMesh(domain, std::move(mesh), *field, arguments.target, arguments.rounds, {}, progress, tell);
     bar.clear();
     if (!outcome) {
         return outcome.faults();

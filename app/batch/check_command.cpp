@@ -140,11 +140,11 @@ int reportQuality(const CheckArguments &arguments, const std::filesystem::path &
         printFaults(spacing.faults());
         return kUsage;
     }
-    const MeshQuality quality = measure(mesh, spacing->get());
+    const MeshQuality quality = measureQuality(mesh, spacing->get());
     std::printf("valid%s: %zu nodes, %zu elements, hash %s\n%s"
                 "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
                 arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
-                toHex(meshHash(mesh)).c_str(), extentLine(quality.area, extentOf(mesh, quality.segments)).c_str(),
+                toHex(meshHash(mesh)).c_str(), extentLine(quality.area, extentOf(mesh, quality.edges)).c_str(),
                 quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
     if (*spacing) {
         std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);

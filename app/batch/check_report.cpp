@@ -85,7 +85,7 @@ void printMeasures(const Mesh &mesh, const SpacingField *spacing) {
 bool printVerdicts(const std::filesystem::path &file, const Mesh &mesh, const MeshLimits &limits,
                    const SpacingField *spacing) {
     bool met = true;
-    for (const LimitVerdict &verdict : judge(mesh, limits, spacing, kListedPlaces)) {
+    for (const LimitVerdict &verdict : checkLimits(mesh, limits, spacing, kListedPlaces)) {
         std::printf("%s\n", toString(verdict).c_str());
         met = met && verdict.met();
         Diagnostics faults = faultsOf(verdict);

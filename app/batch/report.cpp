@@ -57,8 +57,8 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
     RunReport report;
     report.peakBytes = peakBytes(); // before measuring, which needs more memory
-    report.quality = measure(outcome.mesh, outcome.spacing.get());
-    report.extent = extentOf(outcome.mesh, report.quality.segments);
+    report.quality = measureQuality(outcome.mesh, outcome.spacing.get());
+    report.extent = extentOf(outcome.mesh, report.quality.edges);
     report.sharp = sharpCorners(outcome.mesh, kSharpCorner);
     report.work = outcome.work;
     report.improve = options.improve;

@@ -62,7 +62,7 @@ int runCase(const std::string &name, double size, const Settings &settings) {
         return 1;
     }
     const double peak = peakBytes() - before;
-    const MeshQuality quality = measure(outcome->mesh, outcome->spacing.get());
+    const MeshQuality quality = measureQuality(outcome->mesh, outcome->spacing.get());
     const auto elements = static_cast<double>(quality.elements);
     const WorkCounters &work = outcome->work;
     std::printf("%s,%g,%s,%s,%s,%u,%zu,%.4f,%.4f,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,"

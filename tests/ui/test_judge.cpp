@@ -71,7 +71,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
         driver.settle();
         REQUIRE(driver.context().run.showsFile());
         const Mesh read = allFormats().readMesh(file).value();
-        const MeshQuality quality = measure(read, nullptr);
+        const MeshQuality quality = measureQuality(read, nullptr);
         CHECK(driver.run().quality.elements == made.elements.size());
         CHECK(driver.run().quality.alphaMin == quality.alphaMin);
         CHECK(driver.run().quality.minAngle == quality.minAngle);

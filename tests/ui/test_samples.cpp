@@ -85,7 +85,7 @@ Document documentOf(const Sample &sample) {
 Mesh goodMesh(const Document &document) {
     Result<MeshingOutcome> outcome = meshDomain({toDomain(document), spacingOf(document), document.options});
     REQUIRE(outcome.ok());
-    const MeshQuality quality = measure(outcome->mesh, nullptr);
+    const MeshQuality quality = measureQuality(outcome->mesh, nullptr);
     CHECK(quality.alphaMean > 0.93);
     CHECK(quality.alphaMin > 0.3);
     return std::move(outcome->mesh);

@@ -115,7 +115,7 @@ TEST_CASE("Side by side: another mesh of the domain is shown beside ours, with t
     }
     const auto figures = figuresOf(*sides.mesh()->judgement());
     REQUIRE(figures);
-    const MeshQuality expected = measure(other, driver.run().spacing.get());
+    const MeshQuality expected = measureQuality(other, driver.run().spacing.get());
     CHECK(figures->quality.elements == 4);
     CHECK(figures->quality.alphaMin == expected.alphaMin);
     CHECK(figures->quality.maxAngle == expected.maxAngle);
@@ -133,7 +133,7 @@ TEST_CASE("Side by side: another mesh of the domain is shown beside ours, with t
     driver.key(key::kF5);
     driver.settle();
     CHECK(figuresOf(*sides.mesh()->judgement())->quality.deltaMean ==
-          measure(other, driver.run().spacing.get()).deltaMean);
+          measureQuality(other, driver.run().spacing.get()).deltaMean);
 
     driver.click("sides/close");
     driver.settle();

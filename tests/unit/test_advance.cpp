@@ -47,7 +47,7 @@ TEST_CASE("Advance: fills a disc with nearly equilateral elements") {
         CHECK(mesher->finished());
         const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
         CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
-        CHECK(measure(mesh, &mesher->spacing()).alphaMean > 0.95);
+        CHECK(measureQuality(mesh, &mesher->spacing()).alphaMean > 0.95);
     }
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("Automatic spacing: sizes follow the width of a long wedge, so that it
     job.domain = loopOf({{0, 0}, {100, 0}, {100, 1}}); // 0.57 degrees
     const auto outcome = meshDomain(job);
     REQUIRE(outcome);
-    CHECK(measure(outcome->mesh, nullptr).alphaGeometricMean > 0.97);
+    CHECK(measureQuality(outcome->mesh, nullptr).alphaGeometricMean > 0.97);
     CHECK(outcome->mesh.elements.size() < 2000);
 }
 
@@ -219,7 +219,7 @@ TEST_CASE("Automatic spacing: a narrow place between two tips is refined, howeve
     CHECK(automatic(job.domain)->at({5, 1.0005}) < 0.002);
     const auto outcome = meshDomain(job);
     REQUIRE(outcome.ok());
-    CHECK(measure(outcome->mesh, nullptr).minAngle > 20.0);
+    CHECK(measureQuality(outcome->mesh, nullptr).minAngle > 20.0);
     CHECK(outcome->mesh.elements.size() < 4000);
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("Automatic spacing: a wedge of half a degree costs thousands of elemen
     const auto outcome = meshDomain(job);
     REQUIRE(outcome.ok());
     CHECK(outcome->mesh.elements.size() < 6000);
-    CHECK(measure(outcome->mesh, nullptr).alphaGeometricMean > 0.9);
+    CHECK(measureQuality(outcome->mesh, nullptr).alphaGeometricMean > 0.9);
     CHECK(sharpCorners(outcome->mesh, 20.0).minAngleElsewhere > 20.0);
 }
 

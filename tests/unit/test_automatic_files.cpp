@@ -29,7 +29,7 @@ TEST_CASE("Automatic spacing: real domains mesh well with default options, in mo
         job.domain = *read;
         const auto outcome = meshDomain(job);
         REQUIRE_MESSAGE(outcome.ok(), name);
-        const MeshQuality quality = measure(outcome->mesh, outcome->spacing.get());
+        const MeshQuality quality = measureQuality(outcome->mesh, outcome->spacing.get());
         CHECK_MESSAGE(quality.alphaGeometricMean >= 0.93, name);
         CHECK_MESSAGE(quality.deltaMean >= 0.88, name);
         CHECK_MESSAGE(quality.elements >= 500, name);

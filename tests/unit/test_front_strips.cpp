@@ -77,11 +77,11 @@ TEST_CASE("FrontStrips: few elements make one strip, many make strips that cover
         for (std::size_t phase = 0; phase < 4; ++phase) {
             std::size_t holding = 0;
             for (std::size_t k = found.phases[phase]; k < found.phases[phase + 1]; ++k) {
-                holding += holds(found.boxes[k], Vec2{x, 0.0}) ? 1U : 0U;
+                holding += found.boxes[k].containsHalfOpen(Vec2{x, 0.0}) ? 1U : 0U;
             }
             REQUIRE(holding == 1);
             const std::size_t strip = found.stripAt(phase, {x, 0.0});
-            REQUIRE(holds(found.boxes[strip], Vec2{x, 0.0}));
+            REQUIRE(found.boxes[strip].containsHalfOpen(Vec2{x, 0.0}));
             REQUIRE(found.phaseOf(strip) == phase);
         }
     }

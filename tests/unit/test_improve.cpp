@@ -48,8 +48,8 @@ TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of
                     improve(mesh, {seed % 2 == 0 ? ImproveLevel::Default : ImproveLevel::Best, 2, nullptr});
                 const Diagnostics faults = verify(mesh);
                 REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
-                const double minimum = measure(mesh, nullptr).alphaMin;
-                CHECK(report.alphaMinBefore == measure(before, nullptr).alphaMin);
+                const double minimum = measureQuality(mesh, nullptr).alphaMin;
+                CHECK(report.alphaMinBefore == measureQuality(before, nullptr).alphaMin);
                 CHECK(report.alphaMinAfter == minimum);
                 CHECK(minimum >= report.alphaMinBefore);
                 CHECK(mesh.nodes.size() == before.nodes.size() + report.divisions - report.merges);
@@ -76,9 +76,9 @@ TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of
 TEST_CASE("improve: a distorted square grid with random diagonals becomes a good mesh") {
     for (const ImproveLevel level : {ImproveLevel::Default, ImproveLevel::Best}) {
         Mesh mesh = samples::square(60, 60, 0.24);
-        CHECK(measure(mesh, nullptr).alphaGeometricMean < 0.82);
+        CHECK(measureQuality(mesh, nullptr).alphaGeometricMean < 0.82);
         improve(mesh, {level, 1, nullptr});
-        const MeshQuality q = measure(mesh, nullptr);
+        const MeshQuality q = measureQuality(mesh, nullptr);
         CHECK(q.alphaGeometricMean > 0.96);
         CHECK(q.alphaMin > 0.7);
     }
@@ -91,15 +91,15 @@ TEST_CASE("improve: level Default adds and removes nodes only in a mesh that is 
     Mesh poor = samples::constrainedSquare(40, 0.0, {}, 4);
     const ImproveReport further = improve(poor);
     CHECK(further.merges + further.divisions > 0);
-    CHECK(measure(poor, nullptr).alphaGeometricMean > 0.945);
-    CHECK(measure(poor, nullptr).alphaMin > 0.75);
+    CHECK(measureQuality(poor, nullptr).alphaGeometricMean > 0.945);
+    CHECK(measureQuality(poor, nullptr).alphaMin > 0.75);
 }
 
 TEST_CASE("improve: improving again does not lower the minimum α") {
     Mesh mesh = samples::square(30, 30, 0.24, {}, 5);
     improve(mesh);
     for (int i = 0; i < 4; ++i) {
-        const double minimum = measure(mesh, nullptr).alphaMin;
+        const double minimum = measureQuality(mesh, nullptr).alphaMin;
         const ImproveReport report = improve(mesh);
         CHECK(report.alphaMinAfter >= minimum);
     }
@@ -123,7 +123,7 @@ TEST_CASE("improve: nearly flat elements along a line improve and none becomes i
     improve(mesh);
     const Diagnostics faults = verify(mesh);
     CHECK_MESSAGE(faults.empty(), samples::list(faults));
-    CHECK(measure(mesh, nullptr).alphaMin > 0.5);
+    CHECK(measureQuality(mesh, nullptr).alphaMin > 0.5);
 }
 
 TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
@@ -138,7 +138,7 @@ TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
 
 TEST_CASE("improve: cancelled by another thread at any moment it leaves a valid mesh with no lower minimum α") {
     const Mesh raw = samples::square(250, 250, 0.24, {}, 5);
-    const double minimum = measure(raw, nullptr).alphaMin;
+    const double minimum = measureQuality(raw, nullptr).alphaMin;
     std::size_t stopped = 0;
     for (int delay = 0; delay < 40; delay += forefront::testing::kSanitized ? 7 : 1) {
         Mesh mesh = raw;
@@ -152,7 +152,7 @@ TEST_CASE("improve: cancelled by another thread at any moment it leaves a valid 
         const ImproveReport report = improve(mesh, {ImproveLevel::Default, 1U + delay % 3U, nullptr}, progress);
         stopped += report.moves == 0 ? 1 : 0;
         CHECK(verify(mesh).empty());
-        CHECK(measure(mesh, nullptr).alphaMin >= minimum);
+        CHECK(measureQuality(mesh, nullptr).alphaMin >= minimum);
         CHECK(report.alphaMinAfter >= report.alphaMinBefore);
     }
     CHECK(stopped > 0);
@@ -219,13 +219,13 @@ TEST_CASE("NodeSmoother: edges take the lengths of the spacing") {
     domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
     const auto field = SpacingField::build(spec, domain);
     REQUIRE(field.ok());
-    const double before = measure(mesh, field->get()).deltaMean;
+    const double before = measureQuality(mesh, field->get()).deltaMean;
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
     NodeSmoother smoother(work, field->get());
     smoother.sweep(20, {0.0F, 1.0F}, 0.2, {});
     CHECK(verify(mesh).empty());
-    CHECK(measure(mesh, field->get()).deltaMean > before + 0.02);
+    CHECK(measureQuality(mesh, field->get()).deltaMean > before + 0.02);
 }
 
 TEST_CASE("cleanUpWorst: brings elements that smoothing leaves poor to the minimum α and angle") {
@@ -234,9 +234,9 @@ TEST_CASE("cleanUpWorst: brings elements that smoothing leaves poor to the minim
         ThreadPool pool(threads);
         ImproveWorkspace work(mesh, pool);
         const double minimum = work.measureAlpha();
-        const MeshQuality before = measure(mesh, nullptr);
+        const MeshQuality before = measureQuality(mesh, nullptr);
         const CleanupCounts counts = cleanUpWorst(work, {0.75, 32.0, 6}, minimum, {});
-        const MeshQuality after = measure(mesh, nullptr);
+        const MeshQuality after = measureQuality(mesh, nullptr);
         CHECK(counts.moves > 0);
         CHECK(counts.swaps > 0);
         CHECK(after.alphaMin > before.alphaMin + 0.2);

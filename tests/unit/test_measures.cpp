@@ -101,10 +101,10 @@ TEST_CASE("Measures: flat and inverted elements have the worst angles and an unb
     CHECK(std::isinf(values(Measure::AreaRatio, mesh)[1]));
 }
 
-TEST_CASE("Measures: their figures are those of measure()") {
+TEST_CASE("Measures: their figures are those of measureQuality()") {
     const Mesh mesh = samples::square(23, 17, 0.2);
     const auto spacing = uniformSpacing(mesh, 0.05);
-    const MeshQuality quality = measure(mesh, spacing.get());
+    const MeshQuality quality = measureQuality(mesh, spacing.get());
     const MeasureSummary alpha = summarise(values(Measure::ShapeFactor, mesh));
     CHECK(alpha.count == quality.elements);
     CHECK(alpha.mean == doctest::Approx(quality.alphaMean));
@@ -114,7 +114,7 @@ TEST_CASE("Measures: their figures are those of measure()") {
     CHECK(alpha.percentiles[3] == doctest::Approx(quality.alpha50));
     CHECK(summarise(values(Measure::MinAngle, mesh)).minimum == doctest::Approx(quality.minAngle));
     CHECK(summarise(values(Measure::MaxAngle, mesh)).maximum == doctest::Approx(quality.maxAngle));
-    CHECK(summarise(values(Measure::Length, mesh)).count == quality.segments);
+    CHECK(summarise(values(Measure::Length, mesh)).count == quality.edges);
     CHECK(summarise(values(Measure::Conformity, mesh, spacing.get())).mean == doctest::Approx(quality.deltaMean));
     const std::vector<double> alphas = values(Measure::ShapeFactor, mesh);
     const MeasureHistogram bins = histogramOf(alphas, 0.0, 1.0, false, kHistogramBins);
@@ -216,12 +216,12 @@ TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places"
     const Mesh mesh = unlikeTriangles();
     MeshLimits limits;
     CHECK_FALSE(limits.any());
-    CHECK(judge(mesh, limits, nullptr).empty());
+    CHECK(checkLimits(mesh, limits, nullptr).empty());
     limits[MeshLimit::MinAngle] = 40.0;
     limits[MeshLimit::MaxAngle] = 90.0; // exactly that of the right triangle
     limits[MeshLimit::MinDelta] = 0.9;
     limits[MeshLimit::MaxLength] = 3.5;
-    const std::vector<LimitVerdict> verdicts = judge(mesh, limits, nullptr, 2);
+    const std::vector<LimitVerdict> verdicts = checkLimits(mesh, limits, nullptr, 2);
     REQUIRE(verdicts.size() == 4);
     CHECK(verdicts[0].limit == MeshLimit::MinAngle);
     CHECK(verdicts[0].broken == 1);
@@ -242,11 +242,11 @@ TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places"
     CHECK(verdicts[3].judged == 0);
     CHECK_FALSE(verdicts[3].met());
     const auto spacing = uniformSpacing(mesh, 4.0);
-    CHECK(judge(mesh, limits, spacing.get())[3].broken == 2);
+    CHECK(checkLimits(mesh, limits, spacing.get())[3].broken == 2);
     MeshLimits across;
     across[MeshLimit::MinAcross] = 3.0; // nothing faces anything, which violates no limit
-    CHECK(judge(mesh, across, nullptr).front().met());
-    CHECK(toString(judge(mesh, across, nullptr).front()) ==
+    CHECK(checkLimits(mesh, across, nullptr).front().met());
+    CHECK(toString(checkLimits(mesh, across, nullptr).front()) ==
           "minimum across gaps 3: met: no parts of the boundary face each other");
 }
 

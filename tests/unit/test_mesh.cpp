@@ -212,10 +212,10 @@ class ConstantSpacing : public SpacingField {
 
 TEST_CASE("measure: a grid of right triangles has known figures") {
     const Mesh mesh = samples::square(20, 20, 0.0, {1e5, -1e5});
-    const MeshQuality q = measure(mesh, nullptr);
+    const MeshQuality q = measureQuality(mesh, nullptr);
     CHECK(q.nodes == 441);
     CHECK(q.elements == 800);
-    CHECK(q.segments == 441 + 800 - 1);
+    CHECK(q.edges == 441 + 800 - 1);
     CHECK(q.area == doctest::Approx(1.0).epsilon(1e-9));
     CHECK(q.alphaMean == doctest::Approx(std::sqrt(3.0) / 2.0).epsilon(1e-6));
     CHECK(q.alphaGeometricMean == doctest::Approx(std::sqrt(3.0) / 2.0).epsilon(1e-6));
@@ -235,12 +235,12 @@ TEST_CASE("measure: conformity is the mean over all segments") {
     const ConstantSpacing spacing(0.125);
     // 2·8·9 segments of length 1/8, 64 diagonals that are √2 too long.
     const double expected = (144.0 + 64.0 / std::sqrt(2.0)) / 208.0;
-    CHECK(measure(mesh, &spacing).deltaMean == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(measureQuality(mesh, &spacing).deltaMean == doctest::Approx(expected).epsilon(1e-12));
 }
 
 TEST_CASE("measure: means, minimum and percentiles agree with their definitions") {
     const Mesh mesh = samples::square(30, 30, 0.24);
-    const MeshQuality q = measure(mesh, nullptr);
+    const MeshQuality q = measureQuality(mesh, nullptr);
     std::vector<float> alpha = shapeFactors(mesh);
     CHECK(alpha[index(q.worst)] == doctest::Approx(q.alphaMin).epsilon(1e-6));
     double sum = 0.0, logs = 0.0;
@@ -262,10 +262,10 @@ TEST_CASE("measure: a flat element makes minimum angle and geometric mean 0; an 
     Mesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {2, 0}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
-    const MeshQuality q = measure(mesh, nullptr);
+    const MeshQuality q = measureQuality(mesh, nullptr);
     CHECK(q.minAngle == 0.0);
     CHECK(q.maxAngle == 180.0);
     CHECK(q.alphaMin == 0.0);
     CHECK(q.alphaGeometricMean == 0.0);
-    CHECK(measure(Mesh{}, nullptr).elements == 0);
+    CHECK(measureQuality(Mesh{}, nullptr).elements == 0);
 }

@@ -193,7 +193,7 @@ TEST_CASE("Meshing curves: a short chord where curves cross has elements of its 
     CHECK_FALSE(outcome.boundary->straightened.empty());
     CHECK(outcome.spacing->at({0.0, -1.0}) < 1.01 * 2.0 * std::numbers::pi / 200.0); // curvature counts everywhere
     CHECK(outcome.spacing->at(domain.nodes[4]) < 1.5 * chord);
-    CHECK(measure(outcome.mesh, nullptr).minAngle > 20.0);
+    CHECK(measureQuality(outcome.mesh, nullptr).minAngle > 20.0);
 }
 
 TEST_CASE("Meshing curves: a check follows a circle of few elements whose first node is a little off it") {

@@ -34,7 +34,7 @@ Mesh squares(std::initializer_list<std::array<std::uint32_t, 2>> places) {
 }
 
 MeshExtent extent(const Mesh &mesh) {
-    return extentOf(mesh, measure(mesh, nullptr).segments);
+    return extentOf(mesh, measureQuality(mesh, nullptr).edges);
 }
 
 } // namespace

@@ -54,7 +54,7 @@ TEST_CASE("Narrow tips: between curves that touch, one long element on the curve
     for (const Vec2 tip : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
         CHECK(shortestEdgeAt(star.mesh, tip) > 0.02);
     }
-    CHECK(measure(star.mesh, nullptr).alphaGeometricMean > 0.92);
+    CHECK(measureQuality(star.mesh, nullptr).alphaGeometricMean > 0.92);
     REQUIRE(star.mesh.edgeStretches.size() == star.mesh.edges.size());
     for (std::size_t e = 0; e < star.mesh.edges.size(); ++e) {
         const CurveStretch &stretch = star.mesh.edgeStretches[e];

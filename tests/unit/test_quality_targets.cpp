@@ -18,7 +18,7 @@ MeshQuality qualityOf(const std::string &scene, double size, ImproveLevel level)
     made->job.options.improve = level;
     const Result<MeshingOutcome> outcome = meshDomain(made->job);
     REQUIRE(outcome);
-    return measure(outcome->mesh, outcome->spacing.get());
+    return measureQuality(outcome->mesh, outcome->spacing.get());
 }
 
 } // namespace

@@ -86,7 +86,7 @@ Sample sample(std::size_t n, std::uint64_t seed) {
 }
 
 std::size_t irregular(const Mesh &mesh) {
-    const auto valence = measure(mesh, nullptr).valence;
+    const auto valence = measureQuality(mesh, nullptr).valence;
     std::size_t sum = 0;
     for (std::size_t v = 0; v < valence.size(); ++v) {
         sum += v == 6 ? 0 : valence[v];
@@ -295,7 +295,7 @@ TEST_CASE("Replacer: keeps neighbours, valences and rings up to date over many c
     checkFits(work);
     CHECK(made.rho.size() == made.mesh.nodes.size());
     checkKept(made.mesh, before);
-    CHECK(measure(made.mesh, nullptr).alphaMin >= 0.05);
+    CHECK(measureQuality(made.mesh, nullptr).alphaMin >= 0.05);
 }
 
 TEST_CASE("Replacer: refuses a change that leaves an element below the floor") {
@@ -329,8 +329,8 @@ TEST_CASE("restructure: fewer irregular nodes, better shapes, fixed parts unchan
         CHECK(made.mesh.nodes.size() == before.nodes.size() - counts.merged + counts.divided);
         CHECK(made.mesh.elements.size() == before.elements.size() - 2 * counts.merged + 2 * counts.divided);
         CHECK(irregular(made.mesh) < irregular(before));
-        CHECK(measure(made.mesh, nullptr).alphaMean > measure(before, nullptr).alphaMean);
-        CHECK(measure(made.mesh, nullptr).alphaMin >= minimum);
+        CHECK(measureQuality(made.mesh, nullptr).alphaMean > measureQuality(before, nullptr).alphaMean);
+        CHECK(measureQuality(made.mesh, nullptr).alphaMin >= minimum);
         checkKept(made.mesh, before);
     }
 }
@@ -380,8 +380,8 @@ TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh 
         const ImproveReport report = improve(mesh, {ImproveLevel::Best, 2, nullptr}, progress);
         stages = std::max(stages, calls);
         checkKept(mesh, raw.mesh);
-        CHECK(report.alphaMinAfter <= measure(mesh, nullptr).alphaMin);
-        CHECK(measure(mesh, nullptr).alphaMin >= measure(raw.mesh, nullptr).alphaMin);
+        CHECK(report.alphaMinAfter <= measureQuality(mesh, nullptr).alphaMin);
+        CHECK(measureQuality(mesh, nullptr).alphaMin >= measureQuality(raw.mesh, nullptr).alphaMin);
     }
     CHECK(stages >= 9);
 }
@@ -460,7 +460,7 @@ TEST_CASE("improve: the best level keeps the area of tiny meshes with few free n
             CAPTURE(corners);
             CHECK(samples::list(verify(mesh)) == "");
             CHECK(areaOf(mesh, 1) == doctest::Approx(areaOf(before, 1)).epsilon(1e-12));
-            CHECK(measure(mesh, nullptr).alphaMin >= measure(before, nullptr).alphaMin);
+            CHECK(measureQuality(mesh, nullptr).alphaMin >= measureQuality(before, nullptr).alphaMin);
             CHECK(mesh.edges.size() == before.edges.size());
         }
     }

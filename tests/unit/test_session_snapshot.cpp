@@ -36,7 +36,7 @@ TEST_CASE("SnapshotBuilder: shape figures are those of the partial mesh, moving 
         SessionSnapshot snapshot;
         builder.fill(snapshot, timeline, {true, false, false, false}, false);
         REQUIRE(snapshot.mesh);
-        const MeshQuality whole = measure(snapshot.mesh->mesh, nullptr);
+        const MeshQuality whole = measureQuality(snapshot.mesh->mesh, nullptr);
         CHECK(snapshot.quality.elements == whole.elements);
         CHECK(snapshot.quality.minAngle > 0.0);
         CHECK(snapshot.quality.minAngle == doctest::Approx(whole.minAngle));

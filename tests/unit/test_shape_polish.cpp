@@ -22,11 +22,11 @@ Mesh improved(double jitter, std::uint64_t seed) {
 }
 
 double worst(const Mesh &mesh) {
-    return measure(mesh, nullptr).alphaMin;
+    return measureQuality(mesh, nullptr).alphaMin;
 }
 
 double geometricMean(const Mesh &mesh) {
-    return measure(mesh, nullptr).alphaGeometricMean;
+    return measureQuality(mesh, nullptr).alphaGeometricMean;
 }
 
 /// Returns true if no α fell below the floor, and none that was below it fell.

@@ -70,7 +70,7 @@ TEST_CASE("SpatialOrder: sorts what is close together, and restores the mesh exa
         CHECK(verify(mesh).empty());
         CHECK(meshHash(mesh) != meshHash(before));
         CHECK(meanSpan(mesh) < meanSpan(before) / 20.0);
-        CHECK(measure(mesh, nullptr).alphaMin == measure(before, nullptr).alphaMin);
+        CHECK(measureQuality(mesh, nullptr).alphaMin == measureQuality(before, nullptr).alphaMin);
         for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
             CHECK(mesh.nodes[index(mesh.edges[k].a)] == before.nodes[index(before.edges[k].a)]);
             CHECK(mesh.nodes[index(mesh.edges[k].b)] == before.nodes[index(before.edges[k].b)]);
@@ -97,7 +97,7 @@ TEST_CASE("improve: a large mesh in random order keeps its numbers, and the resu
         const ImproveReport report = improve(mesh, {ImproveLevel::Default, threads, nullptr});
         const Diagnostics faults = verify(mesh);
         REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
-        CHECK(report.alphaMinAfter == measure(mesh, nullptr).alphaMin);
+        CHECK(report.alphaMinAfter == measureQuality(mesh, nullptr).alphaMin);
         CHECK(report.alphaMinAfter > 0.7);
         for (std::size_t k = 0; k < mesh.edges.size(); ++k) { // the nodes of tagged edges stay where they are
             REQUIRE(mesh.edges[k].a == before.edges[k].a);

@@ -102,9 +102,9 @@ Result<NodalField> expressionField(const std::string &expression) {
     });
 }
 
-Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                           int maxRounds, const MeshingOptions &options, const Progress &progress,
-                           const AdaptReport &report) {
+Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+                               int maxRounds, const MeshingOptions &options, const Progress &progress,
+                               const AdaptReport &report) {
     AdaptOutcome outcome;
     outcome.mesh = std::move(mesh);
     AdaptTarget aim = target;
@@ -141,9 +141,9 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
     }
 }
 
-Result<AdaptOutcome> adaptOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
-                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
-                               const AdaptReport &report) {
+Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+                                   const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
+                                   const AdaptReport &report) {
     AdaptOutcome outcome;
     const Result<ErrorEstimate> estimate = estimateError(mesh, values, progress);
     if (!estimate) {

@@ -27,7 +27,7 @@ struct AdaptRound {
     double error = 0.0; ///< ErrorEstimate::relative()
 };
 
-/// What adapt() knows at the end of a round; valid during the call that reports it.
+/// What adaptMesh() knows at the end of a round; valid during the call that reports it.
 struct AdaptState {
     const Mesh &mesh;
     const std::vector<double> &values; ///< of the field at the nodes
@@ -38,7 +38,7 @@ struct AdaptState {
 /// Called at the end of each round.
 using AdaptReport = std::function<void(std::size_t round, const AdaptRound &, const AdaptState &)>;
 
-/// The result of adapt().
+/// The result of adaptMesh().
 struct AdaptOutcome {
     Mesh mesh;
     SpacingSpec spacing;            ///< spacing of the last round, defined on the previous mesh
@@ -50,14 +50,14 @@ struct AdaptOutcome {
 /// Adapts a mesh to a target error in rounds: estimates the error, remeshes the domain with the spacing that follows
 /// from it and evaluates the field on the new mesh, until the estimate meets the target or no longer falls. Makes at
 /// least one and at most `maxRounds` new meshes. Errors: those of the field and of the mesher, "cancelled".
-Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                           int maxRounds, const MeshingOptions &options, const Progress &progress = {},
-                           const AdaptReport &report = {});
+Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+                               int maxRounds, const MeshingOptions &options, const Progress &progress = {},
+                               const AdaptReport &report = {});
 
 /// Makes one new mesh for a field that is known only on the nodes of a mesh, such as a solution: it must be computed
-/// again there. Reports the given mesh as round 0, the only one of the outcome. Errors: as adapt().
-Result<AdaptOutcome> adaptOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
-                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress = {},
-                               const AdaptReport &report = {});
+/// again there. Reports the given mesh as round 0, the only one of the outcome. Errors: as adaptMesh().
+Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+                                   const AdaptTarget &target, const MeshingOptions &options,
+                                   const Progress &progress = {}, const AdaptReport &report = {});
 
 } // namespace forefront

@@ -96,6 +96,11 @@ struct Box2 {
     constexpr Vec2 centre() const { return midpoint(min, max); }
     double diagonal() const { return empty() ? 0.0 : length(size()); }
     constexpr bool contains(Vec2 p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
+    /// Returns true if the half-open box (upper limits excluded) contains a point; adjacent boxes share none.
+    constexpr bool containsHalfOpen(Vec2 p) const { return min.x <= p.x && p.x < max.x && min.y <= p.y && p.y < max.y; }
+    constexpr bool containsHalfOpen(const Box2 &b) const {
+        return min.x <= b.min.x && b.max.x < max.x && min.y <= b.min.y && b.max.y < max.y;
+    }
     constexpr bool overlaps(const Box2 &b) const {
         return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y;
     }
@@ -109,16 +114,6 @@ constexpr Box2 boxOf(Vec2 a, Vec2 b) {
 }
 constexpr Box2 boxAround(Vec2 centre, double radius) {
     return {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};
-}
-
-/// Returns true if `inner` lies inside the half-open box `outer` (upper limits excluded), so that adjacent boxes share
-/// nothing.
-constexpr bool holds(const Box2 &outer, const Box2 &inner) {
-    return outer.min.x <= inner.min.x && inner.max.x < outer.max.x && outer.min.y <= inner.min.y &&
-           inner.max.y < outer.max.y;
-}
-constexpr bool holds(const Box2 &outer, Vec2 p) {
-    return outer.min.x <= p.x && p.x < outer.max.x && outer.min.y <= p.y && p.y < outer.max.y;
 }
 
 } // namespace forefront

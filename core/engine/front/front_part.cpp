@@ -39,7 +39,7 @@ void GenerationFront::adopt(const FrontPart &part, const Box2 &box, std::uint32_
     std::vector<std::uint8_t> owned(slots.size(), 1);
     for (std::size_t i = 0; i < origin.size(); ++i) {
         here[i] = origin[i];
-        owned[i] = holds(box, start(origin[i])) ? 1 : 0;
+        owned[i] = box.containsHalfOpen(start(origin[i])) ? 1 : 0;
     }
     for (std::size_t i = origin.size(); i < slots.size(); ++i) {
         if (slots[i].alive) {

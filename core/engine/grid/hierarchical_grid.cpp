@@ -39,7 +39,7 @@ std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows,
 }
 
 std::uint32_t HierarchicalGrid::tableAround(const Box2 &box) const {
-    while (last_ != 0 && !holds(tables_[last_].inner, box)) {
+    while (last_ != 0 && !tables_[last_].inner.containsHalfOpen(box)) {
         last_ = tables_[last_].above;
     }
     for (;;) {

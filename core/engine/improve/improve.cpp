@@ -182,7 +182,7 @@ ImproveReport improveBy(const Plan &plan, Mesh &mesh, const ImproveOptions &opti
     return report;
 }
 
-/// Returns the minimum α, exactly as measure() does.
+/// Returns the minimum α, exactly as measureQuality() does.
 double minAlpha(const Mesh &mesh) {
     double minimum = mesh.elements.empty() ? 0.0 : 2.0;
     for (const Element &n : mesh.elements) {

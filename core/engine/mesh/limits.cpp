@@ -90,8 +90,8 @@ std::string limitFault(MeshLimit limit, double value) {
     return "expected " + range + ", got " + numberText(value, 6);
 }
 
-std::vector<LimitVerdict> judge(const Mesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
-                                const SpacingField *spacing, std::size_t places) {
+std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
+                                      const SpacingField *spacing, std::size_t places) {
     std::vector<LimitVerdict> verdicts;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         if (const std::optional<double> bound = limits[limit]) {
@@ -102,9 +102,9 @@ std::vector<LimitVerdict> judge(const Mesh &mesh, const MeshEdges &edges, const 
     return verdicts;
 }
 
-std::vector<LimitVerdict> judge(const Mesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
-                                std::size_t places) {
-    return limits.any() ? judge(mesh, edgesOf(mesh), limits, spacing, places) : std::vector<LimitVerdict>();
+std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
+                                      std::size_t places) {
+    return limits.any() ? checkLimits(mesh, edgesOf(mesh), limits, spacing, places) : std::vector<LimitVerdict>();
 }
 
 std::string toString(const LimitVerdict &verdict) {

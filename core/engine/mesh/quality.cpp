@@ -91,7 +91,7 @@ void measureEdges(const Mesh &mesh, const SpacingField *spacing, MeshQuality &qu
     }
     std::vector<bool> onBoundary(mesh.nodes.size(), false);
     EdgeTable(mesh).forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
-        ++quality.segments;
+        ++quality.edges;
         if (sides.size() == 1) {
             onBoundary[index(a)] = onBoundary[index(b)] = true;
         }
@@ -116,7 +116,7 @@ void measureEdges(const Mesh &mesh, const SpacingField *spacing, MeshQuality &qu
 
 } // namespace
 
-MeshQuality measure(const Mesh &mesh, const SpacingField *spacing) {
+MeshQuality measureQuality(const Mesh &mesh, const SpacingField *spacing) {
     MeshQuality quality;
     quality.nodes = mesh.nodes.size();
     quality.elements = mesh.elements.size();

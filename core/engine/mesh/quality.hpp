@@ -23,7 +23,7 @@ inline constexpr std::size_t kHistogramBins = 40;
 struct MeshQuality {
     std::size_t nodes = 0;
     std::size_t elements = 0;
-    std::size_t segments = 0; ///< all edges
+    std::size_t edges = 0;
     double area = 0.0;
     double alphaMean = 0.0;
     double alphaGeometricMean = 0.0;
@@ -37,8 +37,8 @@ struct MeshQuality {
     ElementId worst = kNoElement;            ///< the element with minimum α
 };
 
-/// Measures a mesh. δ is left out if `spacing` is null.
-MeshQuality measure(const Mesh &mesh, const SpacingField *spacing);
+/// Returns the quality statistics of a mesh. δ is left out if `spacing` is null.
+MeshQuality measureQuality(const Mesh &mesh, const SpacingField *spacing);
 
 /// Returns α of every element.
 std::vector<float> shapeFactors(const Mesh &mesh);

@@ -29,7 +29,8 @@ constexpr double kLong = 1.2;
 constexpr double kSimilar = 2.0;
 
 bool isSegmentIn(const GenerationFront &front, SlotId id, const Box2 &box) {
-    return front[id].alive && !front.isolated(id) && holds(box, front.start(id)) && holds(box, front.end(id));
+    return front[id].alive && !front.isolated(id) && box.containsHalfOpen(front.start(id)) &&
+           box.containsHalfOpen(front.end(id));
 }
 
 /// Offers segments, sorted by their nodes so that slots do not matter.
@@ -198,7 +199,8 @@ bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta,
     const GenerationFront &front = state_.front;
     const SlotId before = front.prev(base.slotA), after = front.next(base.slotB);
     const Box2 *limit = limits();
-    if (limit != nullptr && !(holds(*limit, front.start(before)) && holds(*limit, front.start(after)))) {
+    if (limit != nullptr &&
+        !(limit->containsHalfOpen(front.start(before)) && limit->containsHalfOpen(front.start(after)))) {
         return false; // the part of Γ in a strip may end beyond these nodes
     }
     const bool nearlyClosed = after == before || front.next(after) == before; // three or four segments are left
@@ -240,7 +242,7 @@ template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::tryCorner(const Base &base, SlotId first, AdvanceDelta &delta, Vec2 &apex) {
     const Fan corner(state_.front, first, 2);
     const Box2 *limit = limits();
-    if ((limit != nullptr && !holds(*limit, corner.box())) || !suitsSpacing(state_.front, corner)) {
+    if ((limit != nullptr && !limit->containsHalfOpen(corner.box())) || !suitsSpacing(state_.front, corner)) {
         return false;
     }
     const unsigned from = first == base.slotA ? 0 : 1; // the base is the first or the second of the two segments
@@ -267,7 +269,7 @@ template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::makeFan(const Fan &fan, AdvanceDelta &delta, Vec2 &apex) {
     const Box2 reach = FanBuilder<Grid, Trace>::reach(fan);
     const Box2 *limit = limits();
-    if (limit != nullptr && !holds(*limit, reach)) {
+    if (limit != nullptr && !limit->containsHalfOpen(reach)) {
         return false;
     }
     ++search_.work().candidates;
@@ -299,7 +301,7 @@ typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::searchApe
     Candidate found;
     const Box2 *limit = limits();
     if (limit != nullptr) {
-        if (base.small() || !holds(*limit, ApexSearch<Grid, Trace>::reach(base, radius)) ||
+        if (base.small() || !limit->containsHalfOpen(ApexSearch<Grid, Trace>::reach(base, radius)) ||
             !search_.find(base, {radius, true}, found) || !mayConnect(found)) {
             return Outcome::LeftToLaterStrip;
         }
@@ -319,7 +321,7 @@ typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::searchApe
 /// Returns true if the slot before the apex, whose link a connection changes, lies in the strip as well.
 template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::mayConnect(const Candidate &apex) const {
-    return apex.slot == kNoSlot || holds(*limits(), state_.front.start(state_.front.prev(apex.slot)));
+    return apex.slot == kNoSlot || limits()->containsHalfOpen(state_.front.start(state_.front.prev(apex.slot)));
 }
 
 /// Continues the walk with the last new segment along the loop unless its length class is higher than that of the walk,

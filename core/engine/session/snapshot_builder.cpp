@@ -131,7 +131,7 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
     }
     const bool whole = resting && include && state.elements.size() <= kMeasureUpTo;
     if (whole && qualityPosition_ != timeline.position()) {
-        quality_ = measure(mesh_->mesh, &timeline.mesher().spacing());
+        quality_ = measureQuality(mesh_->mesh, &timeline.mesher().spacing());
         quality_.nodes = state.nodes.size();
         qualityPosition_ = timeline.position();
     }

@@ -18,7 +18,7 @@ constexpr int kMaxRounds = 12;
 /// zero on both walls; the branch cut of θ lies outside the domain.
 AdaptiveCase corner() {
     AdaptiveCase problem;
-    addLoop(problem.domain, std::vector<Vec2>{{0, 0}, {90, 0}, {90, 30}, {45, 30}, {45, 60}, {0, 60}});
+    addLoop(problem.domain, {{0, 0}, {90, 0}, {90, 30}, {45, 30}, {45, 60}, {0, 60}});
     problem.field = "hypot(x-45,y-30)^(2/3)*sin(2/3*(atan2(x-y-15,75-x-y)+3*pi/4))"
                     "+atan(3*(dist(22.5,30)-12))+atan(3*(dist(68,15)-7))"
                     "+atan(3*(dist(0,60)-9))+atan(3*(dist(0,0)-9))";
@@ -29,7 +29,7 @@ AdaptiveCase corner() {
 /// Returns the case of row 4.
 AdaptiveCase hole() {
     AdaptiveCase problem;
-    addLoop(problem.domain, std::vector<Vec2>{{0, 0}, {90, 0}, {90, 60}, {0, 60}});
+    addLoop(problem.domain, {{0, 0}, {90, 0}, {90, 60}, {0, 60}});
     constexpr int kSides = 24;
     std::vector<Vec2> circle;
     for (int i = 0; i < kSides; ++i) {
@@ -57,7 +57,7 @@ Result<AdaptedJob> adaptToTarget(const AdaptiveCase &problem, const NodalField &
         return first.faults();
     }
     Result<AdaptOutcome> outcome =
-        adapt(problem.domain, std::move(first->mesh), field, problem.target, kMaxRounds, {}, progress);
+        adaptMesh(problem.domain, std::move(first->mesh), field, problem.target, kMaxRounds, {}, progress);
     if (!outcome) {
         return outcome.faults();
     }

@@ -93,7 +93,7 @@ Result<RowJob> jobOf(const TableCase &row, const Progress &progress) {
 }
 
 void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progress, RowFigures &figures) {
-    const MeshQuality raw = measure(mesh, prepared.spacing.get());
+    const MeshQuality raw = measureQuality(mesh, prepared.spacing.get());
     figures.nodes = raw.nodes;
     figures.elements = raw.elements;
     figures.alphaRaw = raw.alphaMean;
@@ -103,7 +103,7 @@ void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progre
     CpuClock clock;
     improve(mesh, {.level = ImproveLevel::Default, .threads = 1, .spacing = prepared.spacing.get()}, progress);
     figures.secondsImprove = clock.lap();
-    const MeshQuality improved = measure(mesh, prepared.spacing.get());
+    const MeshQuality improved = measureQuality(mesh, prepared.spacing.get());
     figures.alphaImproved = improved.alphaMean;
     figures.alphaMinImproved = improved.alphaMin;
     figures.deltaImproved = improved.deltaMean;

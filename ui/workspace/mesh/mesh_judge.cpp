@@ -95,12 +95,13 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
         judgement->faults = same && earlier.of.verify ? earlier.faults : verify(mesh);
     }
     if (request.quality) {
-        judgement->quality = sameSpacing && earlier.quality ? earlier.quality : measure(mesh, request.spacing.get());
+        judgement->quality =
+            sameSpacing && earlier.quality ? earlier.quality : measureQuality(mesh, request.spacing.get());
     }
     if (request.limits.any()) {
         judgement->verdicts = sameSpacing && earlier.of.limits == request.limits
                                   ? earlier.verdicts
-                                  : judge(mesh, *judgement->edges, request.limits, request.spacing.get());
+                                  : checkLimits(mesh, *judgement->edges, request.limits, request.spacing.get());
     }
     measureInto(*judgement);
     return judgement;

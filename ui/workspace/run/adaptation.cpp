@@ -18,15 +18,15 @@ Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &pr
         return domain.faults();
     }
     if (request.values) {
-        return adaptOnce(*domain, request.mesh->mesh, *request.values, request.target, request.options, progress,
-                         report);
+        return adaptMeshOnce(*domain, request.mesh->mesh, *request.values, request.target, request.options, progress,
+                             report);
     }
     const Result<NodalField> field = expressionField(request.field);
     if (!field) {
         return field.faults();
     }
-    return adapt(*domain, request.mesh->mesh, *field, request.target, request.maxRounds, request.options, progress,
-                 report);
+    return adaptMesh(*domain, request.mesh->mesh, *field, request.target, request.maxRounds, request.options, progress,
+                     report);
 }
 
 namespace {

@@ -172,7 +172,7 @@ FileMesh takeMesh(MeshFields read) {
 void measureMesh(FileMesh &file) {
     const Mesh &mesh = file.view->mesh;
     file.view->alpha = shapeFactors(mesh);
-    file.quality = measure(mesh, nullptr);
+    file.quality = measureQuality(mesh, nullptr);
     file.hash = meshHash(mesh);
 }
 
