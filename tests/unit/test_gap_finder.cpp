@@ -46,7 +46,7 @@ TEST_CASE("GapFinder: the direction of segments does not matter at sharp corners
         };
         const Vec2 first = at(angle), second = at(angle + opening);
         Domain domain;
-        addLoop(domain, std::vector<Vec2>{tip, first, second});
+        addLoop(domain, {tip, first, second});
         const double longest = random.between(0.2, 0.45); // parts of half the segments and so on would be borderline
         const std::vector<Gap> gaps = gapsOf(domain, longest);
         reverse(domain);
@@ -85,8 +85,8 @@ TEST_CASE("GapFinder: finds gaps only inside the domain, for any order and direc
     RandomSource random(5);
     // A plate with a slot along its lower side: 0.1 of the plate is left below, and a bay outside is as wide.
     Domain domain;
-    addLoop(domain, std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}, {2.1, 3}, {2.1, 1}, {2, 1}, {2, 3}, {0, 3}});
-    addLoop(domain, std::vector<Vec2>{{0.5, 0.1}, {0.5, 0.4}, {3.5, 0.4}, {3.5, 0.1}});
+    addLoop(domain, {{0, 0}, {4, 0}, {4, 3}, {2.1, 3}, {2.1, 1}, {2, 1}, {2, 3}, {0, 3}});
+    addLoop(domain, {{0.5, 0.1}, {0.5, 0.4}, {3.5, 0.4}, {3.5, 0.1}});
     for (int run = 0; run < 50; ++run) {
         CAPTURE(run);
         for (std::size_t i = domain.segments.size(); i > 1; --i) {

@@ -17,7 +17,7 @@ namespace {
 
 Domain square() {
     Domain domain;
-    addLoop(domain, std::vector<Vec2>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    addLoop(domain, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
     return domain;
 }
 

@@ -9,7 +9,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// A value, or the diagnostics (never empty) that explain why there is none. No exception leaves the core.
+/// A value, or the diagnostics (never empty) that explain why there is none.
 template <class T>
 class [[nodiscard]] Result {
   public:
@@ -26,6 +26,15 @@ class [[nodiscard]] Result {
     T &&operator*() && { return std::move(*this).value(); }
     T *operator->() { return &value(); }
     const T *operator->() const { return &value(); }
+    /// Returns the value or, if there is none, `fallback`.
+    template <class U>
+    T value_or(U &&fallback) const & {
+        return ok() ? value() : static_cast<T>(std::forward<U>(fallback));
+    }
+    template <class U>
+    T value_or(U &&fallback) && {
+        return ok() ? std::move(*this).value() : static_cast<T>(std::forward<U>(fallback));
+    }
     const Diagnostics &faults() const { return std::get<Diagnostics>(content_); }
 
   private:
