@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <memory>
 
 namespace forefront {
@@ -166,6 +167,8 @@ void separateTagged(ImproveWorkspace &work, const std::stop_token &stop) {
     const Mesh &mesh = work.mesh;
     const TaggedEdges tagged(work);
     const std::size_t count = mesh.elements.size();
+    const bool manyRegions =
+        std::adjacent_find(mesh.regions.begin(), mesh.regions.end(), std::not_equal_to<>()) != mesh.regions.end();
     std::vector<std::vector<HalfEdge>> found((count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk);
     work.pool.forChunks(
         count, ImproveWorkspace::kChunk,
@@ -174,7 +177,7 @@ void separateTagged(ImproveWorkspace &work, const std::stop_token &stop) {
                 const Element &n = mesh.elements[e];
                 const bool mayBeTagged =
                     work.fixed[index(n[0])] + work.fixed[index(n[1])] + work.fixed[index(n[2])] >= 2;
-                for (unsigned k = 0; k < 3 && (mayBeTagged || !mesh.regions.empty()); ++k) {
+                for (unsigned k = 0; k < 3 && (mayBeTagged || manyRegions); ++k) {
                     const auto h = static_cast<HalfEdge>(3 * e + k);
                     const HalfEdge g = work.twin[h];
                     if (g != kNoHalfEdge && h < g &&

@@ -33,10 +33,11 @@ struct TaggedNode {
 struct Mesh {
     std::vector<Vec2> nodes;
     std::vector<Element> elements;
-    std::vector<std::int32_t> regions; ///< region tag per element; empty: all 1
-    std::vector<TaggedEdge> edges;     ///< boundary and constraint edges
-    std::vector<TaggedNode> points;    ///< constraint points
-    std::vector<Curve> curves;         ///< those that tagged edges are chords of
+    /// Region tag per element. The library always fills it in; in a mesh made by hand it may be empty: all 1.
+    std::vector<std::int32_t> regions;
+    std::vector<TaggedEdge> edges;  ///< boundary and constraint edges
+    std::vector<TaggedNode> points; ///< constraint points
+    std::vector<Curve> curves;      ///< those that tagged edges are chords of
     /// Per tagged edge, the part of a curve that it is a chord of; empty if the domain had no curves. Known only for
     /// meshes made by this library, since no file format keeps it.
     std::vector<CurveStretch> edgeStretches;

@@ -31,7 +31,7 @@ std::string segmentName(const DiscreteSegment &s) {
 }
 
 /// Checks that each side of a segment has an element of the right region, or none outside the domain.
-void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
+void checkSides(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
                 std::span<const HalfEdge> sides, FaultList &faults) {
     const Vec2 place = midpoint(domain.nodes[s.a], domain.nodes[s.b]);
     for (const bool left : {true, false}) {
@@ -49,7 +49,7 @@ void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSe
         } else if (side == sides.end()) {
             faults.add("missing-element", std::string("no element lies ") + sideName + " of segment " + segmentName(s),
                        place);
-        } else if (!carriesNoTags(mesh) && mesh.region(elementOf(*side)) != domain.regions[region].tag) {
+        } else if (tagged && mesh.region(elementOf(*side)) != domain.regions[region].tag) {
             faults.add("wrong-region",
                        "element " + std::to_string(elementOf(*side)) + " has region " +
                            std::to_string(mesh.region(elementOf(*side))) + " instead of " +
@@ -59,7 +59,7 @@ void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSe
     }
 }
 
-RequiredEdges checkSegments(const Mesh &mesh, const DiscreteDomain &domain, const EdgeTable &table,
+RequiredEdges checkSegments(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const EdgeTable &table,
                             const NodeFinder &nodes, FaultList &faults) {
     RequiredEdges required;
     required.reserve(domain.segments.size());
@@ -73,7 +73,7 @@ RequiredEdges checkSegments(const Mesh &mesh, const DiscreteDomain &domain, cons
             continue;
         }
         required.push_back({std::min(a, b), std::max(a, b), s.tag});
-        checkSides(mesh, domain, s, a, sides, faults);
+        checkSides(mesh, tagged, domain, s, a, sides, faults);
     }
     std::sort(required.begin(), required.end());
     return required;
@@ -125,18 +125,19 @@ void checkInside(const Mesh &mesh, const RequiredEdges &required, const EdgeTabl
     });
 }
 
-void checkPoints(const Mesh &mesh, const DiscreteDomain &domain, const NodeFinder &nodes, FaultList &faults) {
-    std::vector<TaggedNode> tagged = mesh.points;
-    std::sort(tagged.begin(), tagged.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
+void checkPoints(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const NodeFinder &nodes,
+                 FaultList &faults) {
+    std::vector<TaggedNode> points = mesh.points;
+    std::sort(points.begin(), points.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
     for (const ConstraintPoint &point : domain.points) {
         const Vec2 place = domain.nodes[point.node];
         const NodeId node = nodes.find(place);
-        const auto it = std::lower_bound(tagged.begin(), tagged.end(), node,
+        const auto it = std::lower_bound(points.begin(), points.end(), node,
                                          [](const TaggedNode &a, NodeId key) { return a.node < key; });
-        if (node == kNoNode || (!carriesNoTags(mesh) && (it == tagged.end() || it->node != node))) {
+        if (node == kNoNode || (tagged && (it == points.end() || it->node != node))) {
             faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is not a node of the mesh",
                        place, {point.node});
-        } else if (!carriesNoTags(mesh) && it->tag != point.tag) {
+        } else if (tagged && it->tag != point.tag) {
             faults.add("wrong-tag",
                        "a point has tag " + std::to_string(it->tag) + " instead of " + std::to_string(point.tag),
                        place);
@@ -161,7 +162,8 @@ void checkArea(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults
 } // namespace
 
 bool carriesNoTags(const Mesh &mesh) {
-    return mesh.edges.empty() && mesh.points.empty() && mesh.regions.empty();
+    return mesh.edges.empty() && mesh.points.empty() &&
+           std::all_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t region) { return region == 1; });
 }
 
 NodeFinder::NodeFinder(const Mesh &mesh) : mesh_(&mesh) {
@@ -219,12 +221,13 @@ EnclosedArea enclosedArea(const DiscreteDomain &domain) {
 void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
     const EdgeTable table(mesh);
     const NodeFinder nodes(mesh);
-    const RequiredEdges required = checkSegments(mesh, domain, table, nodes, faults);
-    if (!carriesNoTags(mesh)) {
+    const bool tagged = !carriesNoTags(mesh);
+    const RequiredEdges required = checkSegments(mesh, tagged, domain, table, nodes, faults);
+    if (tagged) {
         checkTags(mesh, required, faults);
     }
     checkInside(mesh, required, table, faults);
-    checkPoints(mesh, domain, nodes, faults);
+    checkPoints(mesh, tagged, domain, nodes, faults);
     checkArea(mesh, domain, faults);
 }
 

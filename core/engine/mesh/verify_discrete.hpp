@@ -22,7 +22,8 @@ class NodeFinder {
     std::vector<NodeId> sorted_;
 };
 
-/// Returns true for a mesh from a file format without tags, whose tags and regions are not compared.
+/// Returns true for a mesh without tagged edges and points whose regions are all 1, as from a file format without tags;
+/// its tags and regions are not compared. Looks at all elements.
 bool carriesNoTags(const Mesh &mesh);
 
 /// Adds the deviations of a mesh from a discrete domain. The indices of the mesh must be valid.

@@ -118,8 +118,8 @@ void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::
         for (const std::uint32_t region : elementFaces) {
             mesh.regions.push_back(boundary.regions[region].tag);
         }
-    } else if (boundary.regions.size() == 1 && boundary.regions.front().tag != 1) {
-        mesh.regions.assign(mesh.elements.size(), boundary.regions.front().tag);
+    } else { // all elements are in the only region
+        mesh.regions.assign(mesh.elements.size(), boundary.regions.empty() ? 1 : boundary.regions.front().tag);
     }
     mesh.edges.reserve(boundary.segments.size());
     for (const DiscreteSegment &s : boundary.segments) {

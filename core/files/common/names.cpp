@@ -156,9 +156,8 @@ TagList tagsOf(const Mesh &mesh) {
         tags.points.try_emplace(point.tag);
     }
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        tags.regions.try_emplace(mesh.region(e));
-        if (mesh.regions.empty()) {
-            break;
+        if (e == 0 || mesh.region(e) != mesh.region(e - 1)) { // most neighbours have the same
+            tags.regions.try_emplace(mesh.region(e));
         }
     }
     for (auto &[tag, name] : tags.edges) {

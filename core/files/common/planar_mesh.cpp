@@ -121,13 +121,6 @@ bool PlanarMeshBuilder::readPoint(TextScanner &scanner, std::int32_t tag, Expect
     return true;
 }
 
-Mesh PlanarMeshBuilder::finish() {
-    if (std::all_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t region) { return region == 1; })) {
-        mesh.regions.clear();
-    }
-    return std::move(mesh);
-}
-
 bool requireDistinct(TextScanner &scanner, std::size_t offset, std::span<const NodeId> nodes, Expect expect) {
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(k), nodes[k]) !=

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace forefront {
 
@@ -39,8 +40,8 @@ class PlanarMeshBuilder {
         mesh.elements.push_back(element);
         mesh.regions.push_back(region);
     }
-    /// Returns the mesh; region tags that are all 1 are left out.
-    Mesh finish();
+    /// Returns the mesh, which can be done once.
+    Mesh finish() { return std::move(mesh); }
 
   private:
     double minZ_ = 0.0, maxZ_ = 0.0;

@@ -30,7 +30,9 @@ void writeSu2(const Mesh &mesh, TextWriter &out) {
     for (const TaggedNode &point : mesh.points) {
         out << "% point " << index(point.node) << ' ' << point.tag << '\n';
     }
-    for (std::size_t begin = 0; begin < mesh.elements.size() && !mesh.regions.empty() && out.ok();) {
+    const bool tagged =
+        std::any_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t tag) { return tag != 1; });
+    for (std::size_t begin = 0; begin < mesh.elements.size() && tagged && out.ok();) {
         std::size_t end = begin;
         while (end < mesh.elements.size() && mesh.regions[end] == mesh.regions[begin]) {
             ++end;

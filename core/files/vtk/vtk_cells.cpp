@@ -119,9 +119,6 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
     }
     mesh.nodes = grid.nodes;
     readNames(grid, mesh);
-    if (std::all_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t region) { return region == 1; })) {
-        mesh.regions.clear();
-    }
     return true;
 }
 
