@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <thread>
 #include <vector>
 
 namespace forefront {
@@ -18,13 +17,9 @@ MeshingJob squareJob() {
 }
 
 void settle(Lockstep &runs, std::uint64_t advance, bool end) {
-    while (runs.busy()) {
-        std::this_thread::yield();
-    }
+    runs.wait();
     runs.follow(advance, end);
-    while (runs.busy()) {
-        std::this_thread::yield();
-    }
+    runs.wait();
 }
 
 } // namespace

@@ -4,9 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <memory>
-#include <thread>
 
 using namespace forefront;
 
@@ -27,13 +25,6 @@ MeshingJob gradedSquare(double size) {
     corner.growth = 0.3;
     job.spacing.sources.push_back(corner);
     return job;
-}
-
-std::shared_ptr<const SessionSnapshot> settled(const MeshingSession &session) {
-    while (session.busy()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return session.latest();
 }
 
 } // namespace
@@ -72,14 +63,14 @@ TEST_CASE("Preview: a session says that the mesh is a preview until the whole me
     MeshingSession session;
     const auto job = std::make_shared<MeshingJob>(gradedSquare(0.05));
     session.start(job, StartMode::RunQuiet, 800.0);
-    const auto preview = settled(session);
+    const auto preview = session.wait();
     REQUIRE(preview->state == RunState::Finished);
     CHECK(preview->coarsening > 1.0);
     CHECK(preview->requestedElements > 4.0 * 800.0);
     CHECK(preview->quality.elements < 1200);
     CHECK(verify(preview->mesh->mesh).empty());
     session.start(job, StartMode::RunQuiet);
-    const auto whole = settled(session);
+    const auto whole = session.wait();
     CHECK(whole->coarsening == 1.0);
     CHECK(whole->requestedElements == preview->requestedElements);
     CHECK(whole->meshHash == meshHash(meshDomain(*job)->mesh));

@@ -31,18 +31,10 @@ using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
 /// Waits for a condition, however slow the machine is; a hang is left to the time limit of the test runner.
 SnapshotPtr waitFor(const MeshingSession &session, const std::function<bool(const SessionSnapshot &)> &condition) {
     SnapshotPtr snapshot = session.latest();
-    for (; !condition(*snapshot); snapshot = session.latest()) {
-        std::this_thread::sleep_for(1ms);
+    while (!condition(*snapshot)) {
+        snapshot = session.waitForNews(snapshot->sequence);
     }
     return snapshot;
-}
-
-/// Waits until the worker is idle.
-SnapshotPtr settled(const MeshingSession &session) {
-    while (session.busy()) {
-        std::this_thread::sleep_for(1ms);
-    }
-    return session.latest();
 }
 
 } // namespace
@@ -51,7 +43,7 @@ TEST_CASE("MeshingSession: meshes to the end and publishes the improved mesh") {
     std::atomic<int> wakes = 0;
     MeshingSession session([&] { ++wakes; });
     const auto job = squareWithHole(0.1);
-    session.start(job, true);
+    session.start(job, StartMode::Run);
     const SnapshotPtr end = waitFor(session, [](const SessionSnapshot &s) { return s.state == RunState::Finished; });
     CHECK(wakes > 0);
     CHECK(end->complete);
@@ -67,30 +59,30 @@ TEST_CASE("MeshingSession: meshes to the end and publishes the improved mesh") {
 
 TEST_CASE("MeshingSession: N advances forward and N back lead to the same state hash") {
     MeshingSession session;
-    session.start(squareWithHole(0.1), false);
-    const SnapshotPtr start = settled(session);
+    session.start(squareWithHole(0.1), StartMode::Pause);
+    const SnapshotPtr start = session.wait();
     CHECK(start->state == RunState::Paused);
     CHECK(start->advance == 0);
     session.step(Granularity::Advance, 150);
-    const SnapshotPtr there = settled(session);
+    const SnapshotPtr there = session.wait();
     CHECK(there->advance == 150);
     CHECK(there->stateHash != start->stateHash);
     session.step(Granularity::Advance, 300);
     session.step(Granularity::Advance, -300);
-    CHECK(settled(session)->stateHash == there->stateHash);
+    CHECK(session.wait()->stateHash == there->stateHash);
     session.seek(0);
-    CHECK(settled(session)->stateHash == start->stateHash);
+    CHECK(session.wait()->stateHash == start->stateHash);
     session.seek(150);
-    CHECK(settled(session)->stateHash == there->stateHash);
+    CHECK(session.wait()->stateHash == there->stateHash);
 }
 
 TEST_CASE("MeshingSession: stepping, playing and running give the same mesh") {
     std::uint64_t hashes[3];
     for (int way = 0; way < 3; ++way) {
         MeshingSession session;
-        session.start(squareWithHole(0.2), way == 0);
+        session.start(squareWithHole(0.2), way == 0 ? StartMode::Run : StartMode::Pause);
         if (way == 1) {
-            for (int i = 0; i < 5000 && settled(session)->state != RunState::Finished; ++i) {
+            for (int i = 0; i < 5000 && session.wait()->state != RunState::Finished; ++i) {
                 session.step(Granularity::Advance, 1);
             }
         } else if (way == 2) {
@@ -108,9 +100,9 @@ TEST_CASE("MeshingSession: stepping, playing and running give the same mesh") {
 TEST_CASE("MeshingSession: event steps move through one advance and back") {
     MeshingSession session;
     session.want({true, true, true, true});
-    session.start(squareWithHole(0.2), false);
+    session.start(squareWithHole(0.2), StartMode::Pause);
     session.step(Granularity::Advance, 20);
-    const SnapshotPtr rest = settled(session);
+    const SnapshotPtr rest = session.wait();
     REQUIRE(rest->explanation);
     CHECK(rest->explanation->advance == 20);
     CHECK(rest->eventCursor == rest->eventCount);
@@ -119,7 +111,7 @@ TEST_CASE("MeshingSession: event steps move through one advance and back") {
     SnapshotPtr now = rest;
     while (now->advance == 20 && steps < 1000) {
         session.step(Granularity::Event, 1);
-        now = settled(session);
+        now = session.wait();
         ++steps;
         if (now->advance == 20) {
             REQUIRE(now->explanation->advance == 21);
@@ -130,7 +122,7 @@ TEST_CASE("MeshingSession: event steps move through one advance and back") {
     CHECK(now->advance == 21);
     CHECK(steps >= 6);
     session.step(Granularity::Event, -static_cast<std::int64_t>(steps));
-    const SnapshotPtr back = settled(session);
+    const SnapshotPtr back = session.wait();
     CHECK(back->advance == 20);
     CHECK(back->stateHash == rest->stateHash);
     CHECK(back->explanation->advance == 20);
@@ -138,34 +130,34 @@ TEST_CASE("MeshingSession: event steps move through one advance and back") {
 
 TEST_CASE("MeshingSession: layers lead forward and back over the same positions") {
     MeshingSession session;
-    session.start(squareWithHole(0.1), false);
+    session.start(squareWithHole(0.1), StartMode::Pause);
     std::vector<std::uint64_t> positions;
     for (int layer = 0; layer < 4; ++layer) {
         session.step(Granularity::Layer, 1);
-        positions.push_back(settled(session)->advance);
+        positions.push_back(session.wait()->advance);
     }
-    CHECK(positions[0] == settled(session)->boundary->segments.size());
+    CHECK(positions[0] == session.wait()->boundary->segments.size());
     for (int layer = 2; layer >= 0; --layer) {
         session.step(Granularity::Layer, -1);
-        CHECK(settled(session)->advance == positions[static_cast<std::size_t>(layer)]);
+        CHECK(session.wait()->advance == positions[static_cast<std::size_t>(layer)]);
     }
     session.step(Granularity::Layer, -1);
-    CHECK(settled(session)->advance == 0);
+    CHECK(session.wait()->advance == 0);
 }
 
 TEST_CASE("MeshingSession: cancelling stops promptly and keeps the partial mesh") {
     MeshingSession session;
     session.want({false, false, false, false});
-    session.start(squareWithHole(0.004), true);
+    session.start(squareWithHole(0.004), StartMode::Run);
     waitFor(session, [](const SessionSnapshot &s) { return s.advance > 2000; });
     session.cancel();
-    const SnapshotPtr stopped = settled(session);
+    const SnapshotPtr stopped = session.wait();
     CHECK(stopped->state == RunState::Cancelled);
     CHECK(stopped->advance > 0);
     CHECK_FALSE(stopped->complete);
     session.want({true, true, false, false});
     session.step(Granularity::Advance, -10);
-    const SnapshotPtr back = settled(session);
+    const SnapshotPtr back = session.wait();
     CHECK(back->advance == stopped->advance - 10);
     CHECK_FALSE(back->mesh->mesh.elements.empty());
 }
@@ -174,11 +166,11 @@ TEST_CASE("MeshingSession: reports why a domain is refused, and can start again"
     auto crossing = std::make_shared<MeshingJob>(*squareWithHole(0.1));
     std::swap(crossing->domain.nodes[1], crossing->domain.nodes[2]);
     MeshingSession session;
-    session.start(crossing, true);
+    session.start(crossing, StartMode::Run);
     const SnapshotPtr failed = waitFor(session, [](const SessionSnapshot &s) { return s.state == RunState::Failed; });
     REQUIRE_FALSE(failed->diagnostics.empty());
     CHECK(failed->diagnostics.front().at.has_value());
-    session.start(squareWithHole(0.3), true);
+    session.start(squareWithHole(0.3), StartMode::Run);
     waitFor(session, [](const SessionSnapshot &s) { return s.state == RunState::Finished && s.run == 2; });
 }
 
@@ -186,21 +178,21 @@ TEST_CASE("MeshingSession: a refused start leaves the previous run unchanged") {
     auto crossing = std::make_shared<MeshingJob>(*squareWithHole(0.1));
     std::swap(crossing->domain.nodes[1], crossing->domain.nodes[2]);
     MeshingSession session;
-    session.start(squareWithHole(0.1), false);
+    session.start(squareWithHole(0.1), StartMode::Pause);
     session.step(Granularity::Advance, 20);
-    const SnapshotPtr before = settled(session);
+    const SnapshotPtr before = session.wait();
     REQUIRE(before->advance == 20);
     CHECK(before->shownRun == 1);
-    session.start(crossing, true);
-    const SnapshotPtr after = settled(session);
+    session.start(crossing, StartMode::Run);
+    const SnapshotPtr after = session.wait();
     CHECK_FALSE(after->diagnostics.empty());
     CHECK(after->run == 2);
     CHECK(after->shownRun == 1);
     CHECK(after->stateHash != 0);
     session.seek(20);
-    CHECK(settled(session)->stateHash == before->stateHash);
-    session.start(squareWithHole(0.3), true);
-    const SnapshotPtr next = settled(session);
+    CHECK(session.wait()->stateHash == before->stateHash);
+    session.start(squareWithHole(0.3), StartMode::Run);
+    const SnapshotPtr next = session.wait();
     CHECK(next->state == RunState::Finished);
     CHECK(next->shownRun == 3);
     CHECK(next->diagnostics.empty());
@@ -217,7 +209,7 @@ TEST_CASE("MeshingSession: still works after any order of commands") {
     for (int i = 0; i < 300; ++i) {
         switch (next() % 12) {
         case 0:
-            session.start(job, next() % 2 == 0);
+            session.start(job, next() % 2 == 0 ? StartMode::Run : StartMode::Pause);
             break;
         case 1:
             session.finish();
@@ -255,7 +247,7 @@ TEST_CASE("MeshingSession: still works after any order of commands") {
         }
     }
     session.want({});
-    session.start(job, true);
+    session.start(job, StartMode::Run);
     const SnapshotPtr end = waitFor(session, [](const SessionSnapshot &s) { return s.state == RunState::Finished; });
     const Result<MeshingOutcome> batch = meshDomain(*job);
     REQUIRE(batch);

@@ -1,6 +1,6 @@
-#include "core/mesh/mesh_access.hpp"
+#include "core/engine/mesh/mesh_access.hpp"
 
-#include "core/mesh/edge_table.hpp"
+#include "core/engine/mesh/edge_table.hpp"
 
 #include <type_traits>
 

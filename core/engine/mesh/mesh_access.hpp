@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/api.hpp"
-#include "core/mesh/mesh.hpp"
+#include "core/engine/base/api.hpp"
+#include "core/engine/mesh/mesh.hpp"
 
 #include <cstdint>
 #include <span>

@@ -52,6 +52,12 @@ bool Lockstep::busy() const {
     return std::any_of(runs_.begin(), runs_.end(), [](const Run &run) { return run.session->busy(); });
 }
 
+void Lockstep::wait() const {
+    for (const Run &run : runs_) {
+        run.session->wait();
+    }
+}
+
 void Lockstep::follow(std::uint64_t advance, bool end) {
     for (Run &run : runs_) {
         if (run.session->busy() || (run.end == end && (end || run.advance == advance))) {

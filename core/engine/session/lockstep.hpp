@@ -38,8 +38,8 @@ struct RunFigures {
 };
 RunFigures figuresOf(const SessionSnapshot &snapshot);
 
-/// Runs of one job with different methods or grids, kept at the same advance. Call all members from one thread; none of
-/// them blocks.
+/// Runs of one job with different methods or grids, kept at the same advance. Call all members from one thread; only
+/// wait() blocks.
 class Lockstep {
   public:
     /// Starts the runs, before the first advance. `wake` as for MeshingSession.
@@ -49,6 +49,8 @@ class Lockstep {
     const RunVariant &variant(std::size_t run) const { return runs_[run].variant; }
     std::shared_ptr<const SessionSnapshot> latest(std::size_t run) const { return runs_[run].session->latest(); }
     bool busy() const;
+    /// Waits until none of the runs is busy.
+    void wait() const;
     /// Moves every run to an advance, or to its own end with `end`. A run that is still moving catches up on a later
     /// call, so call it regularly with the latest position, such as once per frame.
     void follow(std::uint64_t advance, bool end);

@@ -53,5 +53,11 @@ std::shared_ptr<const SessionSnapshot> MeshingSession::latest() const {
 bool MeshingSession::busy() const {
     return worker_->mailbox().busy();
 }
+std::shared_ptr<const SessionSnapshot> MeshingSession::wait() const {
+    return worker_->mailbox().wait({});
+}
+std::shared_ptr<const SessionSnapshot> MeshingSession::waitForNews(std::uint64_t sequence) const {
+    return worker_->mailbox().wait(sequence);
+}
 
 } // namespace forefront

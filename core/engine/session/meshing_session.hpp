@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/session/breakpoints.hpp"
+#include "core/engine/session/session_mode.hpp"
 #include "core/engine/session/snapshot.hpp"
 
 #include <cstdint>
@@ -12,25 +13,9 @@
 
 namespace FOREFRONT_API forefront {
 
-/// The length of a step.
-enum class Granularity : std::uint8_t {
-    Event,   ///< one moment inside an advance
-    Advance, ///< one front advance: an element (fast method: up to three), or a deferred base
-    Layer    ///< once around the front: as many advances as Γ had segments
-};
-
-/// The behaviour of a new run once it is prepared.
-enum class StartMode : std::uint8_t {
-    Pause,   ///< waits before the first advance
-    Run,     ///< meshes to the end at full speed and publishes progress and partial meshes on the way
-    RunQuiet ///< as Run, but publishes nothing before the end, so that the previous mesh stays visible after an edit; a
-             ///< run above kQuietElements publishes its progress all the same
-};
-/// Maximum predicted number of elements of a quiet run. Larger runs take long enough for their progress to matter.
-inline constexpr double kQuietElements = 100'000.0;
-
-/// A meshing run on a worker thread, with a timeline that moves forward and back. Call all members from one thread (the
-/// UI thread); they return at once, and results appear in latest(). Destruction cancels the run and joins the thread.
+/// A meshing run on a worker thread, with a timeline that moves forward and back, as by a MeshStepper. Call all members
+/// from one thread (the UI thread); all but wait() and waitForNews() return at once, and results appear in latest().
+/// Destruction cancels the run and joins the thread.
 class MeshingSession {
   public:
     /// Starts the worker. It calls `wake`, unless empty, after each new snapshot, to wake a waiting event loop.
@@ -43,10 +28,6 @@ class MeshingSession {
     /// if the new one is refused. A job of more than about `budget` elements is coarsened to it, see prepare().
     void start(std::shared_ptr<const MeshingJob> job, StartMode mode,
                double budget = std::numeric_limits<double>::infinity());
-    /// Starts a new run with StartMode::Run if `runToEnd`, else with StartMode::Pause.
-    void start(std::shared_ptr<const MeshingJob> job, bool runToEnd) {
-        start(std::move(job), runToEnd ? StartMode::Run : StartMode::Pause);
-    }
     /// Runs to the end at full speed, then improves the mesh.
     void finish();
     /// Plays from the cursor at a number of advances per second; a negative rate plays backward. Computes further
@@ -77,6 +58,12 @@ class MeshingSession {
     std::shared_ptr<const SessionSnapshot> latest() const;
     /// Returns true while the worker has work: a pending command, playing, running or improving.
     bool busy() const;
+    /// Waits until the worker has no work left and returns the newest snapshot. While the run plays, that is at its
+    /// end.
+    std::shared_ptr<const SessionSnapshot> wait() const;
+    /// Waits for a snapshot newer than the one with the number `sequence`, or until the worker has no work left, and
+    /// returns the newest snapshot.
+    std::shared_ptr<const SessionSnapshot> waitForNews(std::uint64_t sequence) const;
 
   private:
     struct Worker;

@@ -63,6 +63,12 @@ bool SessionMailbox::busy() const {
     return active_ || !commands_.empty();
 }
 
+std::shared_ptr<const SessionSnapshot> SessionMailbox::wait(std::optional<std::uint64_t> seen) const {
+    std::unique_lock lock(mutex_);
+    answer_.wait(lock, [&] { return (!active_ && commands_.empty()) || (seen && latest_->sequence > *seen); });
+    return latest_;
+}
+
 void SessionMailbox::close() {
     {
         const std::lock_guard lock(mutex_);
@@ -76,6 +82,9 @@ bool SessionMailbox::take(SessionCommand &command, std::optional<Clock::time_poi
     std::unique_lock lock(mutex_);
     const auto ready = [this] { return !commands_.empty() || !open_; };
     active_ = workDue.has_value();
+    if (!active_ && commands_.empty()) {
+        answer_.notify_all();
+    }
     if (workDue) {
         changed_.wait_until(lock, *workDue, ready);
     } else {
@@ -96,8 +105,11 @@ bool SessionMailbox::open() const {
 }
 
 void SessionMailbox::deliver(std::shared_ptr<const SessionSnapshot> snapshot) {
-    const std::lock_guard lock(mutex_);
-    latest_.swap(snapshot);
+    {
+        const std::lock_guard lock(mutex_);
+        latest_.swap(snapshot);
+    }
+    answer_.notify_all();
 }
 
 std::stop_token SessionMailbox::beginBlocking(Blocking kind) {

@@ -14,7 +14,7 @@
 namespace forefront {
 
 /// Passes commands from the UI thread to the worker of a session, and snapshots back. All members are safe to call from
-/// both threads at any time, and none waits for a computation.
+/// both threads at any time, and only wait() waits for a computation.
 class SessionMailbox {
   public:
     using Clock = std::chrono::steady_clock;
@@ -27,6 +27,9 @@ class SessionMailbox {
     void push(SessionCommand command);
     std::shared_ptr<const SessionSnapshot> latest() const;
     bool busy() const;
+    /// Waits until the worker has no work left or, if `seen` is given, there is a snapshot with a greater sequence
+    /// number. Returns the newest snapshot.
+    std::shared_ptr<const SessionSnapshot> wait(std::optional<std::uint64_t> seen) const;
     /// Ends the worker and stops its computation.
     void close();
 
@@ -44,7 +47,8 @@ class SessionMailbox {
 
   private:
     mutable std::mutex mutex_;
-    std::condition_variable changed_;
+    std::condition_variable changed_;        ///< for the worker: commands, or the end
+    mutable std::condition_variable answer_; ///< for the UI thread: a snapshot, or no work left
     std::deque<SessionCommand> commands_;
     std::shared_ptr<const SessionSnapshot> latest_ = std::make_shared<SessionSnapshot>();
     Blocking blocking_ = Blocking::Nothing;

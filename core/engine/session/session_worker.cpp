@@ -1,11 +1,12 @@
 #include "core/engine/session/session_worker.hpp"
 
-#include "core/engine/improve/improve.hpp"
 #include "core/engine/mesher/pipeline.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <exception>
 #include <new>
+#include <string>
+#include <utility>
 
 namespace forefront {
 
@@ -30,33 +31,37 @@ void SessionWorker::loop() {
     while (mailbox_.open()) {
         SessionCommand command = PauseCommand{};
         try {
-            if (mailbox_.take(command, travel_ ? travel_->workDue() : std::nullopt)) {
+            if (mailbox_.take(command, run_ ? run_->travel().workDue() : std::nullopt)) {
                 quiet_ = quiet_ && (std::holds_alternative<LayersCommand>(command) ||
                                     std::holds_alternative<BreakpointsCommand>(command)); // the user takes over
                 std::visit([this](const auto &c) { execute(c); }, command);
-            } else if (travel_ && !travel_->resting() && mailbox_.open()) {
-                follow(travel_->work());
+            } else if (run_ && !run_->travel().resting() && mailbox_.open()) {
+                follow(run_->travel().work());
             }
         } catch (const std::bad_alloc &) {
-            runOutOfMemory();
+            fail(outOfMemory());
+        } catch (const std::exception &thrown) {
+            fail(error("callback-failed", std::string("a function of the job threw an exception: ") + thrown.what()));
+        } catch (...) {
+            fail(error("callback-failed", "a function of the job threw an exception"));
         }
     }
 }
 
-/// Discards the run and reports that memory ran out.
-void SessionWorker::runOutOfMemory() {
+/// Discards the run, of which an advance may be half done.
+void SessionWorker::fail(Diagnostics faults) {
     mailbox_.endBlocking();
     execute(ClearCommand{});
-    diagnostics_ = outOfMemory();
+    diagnostics_ = std::move(faults);
     rest(RunState::Failed);
 }
 
 void SessionWorker::execute(const StartCommand &command) {
-    if (!travel_) {
+    if (!run_) {
         execute(ClearCommand{});
     }
     const RunState before = state_;
-    ++run_;
+    ++number_;
     diagnostics_.clear();
     quiet_ = command.mode == StartMode::RunQuiet;
     const Progress progress = progressInto(RunState::Preparing, mailbox_.beginBlocking(Blocking::Preparing));
@@ -67,21 +72,15 @@ void SessionWorker::execute(const StartCommand &command) {
         const bool cancelled = progress.cancelled();
         diagnostics_ = cancelled ? Diagnostics{} : prepared.faults();
         // The previous run, if any, stays as it was but stops playing.
-        rest(travel_ ? (before == RunState::Running ? RunState::Paused : before)
-                     : (cancelled ? RunState::Cancelled : RunState::Failed));
+        rest(run_ ? (before == RunState::Running ? RunState::Paused : before)
+                  : (cancelled ? RunState::Cancelled : RunState::Failed));
         return;
     }
     forget();
-    job_ = command.job;
-    shownRun_ = run_;
-    spacing_ = prepared->spacing;
-    boundary_ = prepared->boundary;
-    estimatedElements_ = prepared->estimatedElements;
-    requestedElements_ = prepared->requestedElements;
-    coarsening_ = prepared->coarsening;
-    quiet_ = quiet_ && estimatedElements_ <= kQuietElements;
-    travel_.emplace(Mesher::create(boundary_, spacing_, job_->options));
-    travel_->setBreakpoints(breakpoints_);
+    shownNumber_ = number_;
+    quiet_ = quiet_ && prepared->estimatedElements <= kQuietElements;
+    run_.emplace(command.job, *std::move(prepared), number_);
+    run_->travel().setBreakpoints(breakpoints_);
     stage_ = "advancing the front";
     if (command.mode != StartMode::Pause) {
         execute(FinishCommand{});
@@ -96,30 +95,22 @@ void SessionWorker::execute(const ClearCommand &) {
 }
 
 void SessionWorker::forget() {
-    travel_.reset();
-    job_.reset();
-    spacing_.reset();
-    boundary_.reset();
-    finalMesh_.reset();
-    finalHash_ = 0;
-    builder_ = SnapshotBuilder((run_ + 1) << 32);
+    run_.reset();
     stageProgress_ = 0.0;
     improvementStopped_ = false;
     diagnostics_.clear();
-    secondsImprove_ = requestedElements_ = 0.0;
-    coarsening_ = 1.0;
     stage_.clear();
-    shownRun_ = 0;
+    shownNumber_ = 0;
 }
 
 void SessionWorker::execute(const CancelCommand &) {
-    if (travel_ && (!travel_->resting() || improvementStopped_)) {
+    if (run_ && (!run_->travel().resting() || improvementStopped_)) {
         rest(RunState::Cancelled);
     }
 }
 
 void SessionWorker::execute(const PauseCommand &) {
-    if (travel_ && !travel_->resting()) {
+    if (run_ && !run_->travel().resting()) {
         rest(RunState::Paused);
     }
 }
@@ -128,59 +119,59 @@ void SessionWorker::execute(const LayersCommand &command) {
     const bool changed = !(layers_ == command.layers);
     layers_ = command.layers;
     if (changed) {
-        publish(!travel_ || travel_->resting());
+        publish(!run_ || run_->travel().resting());
     }
 }
 
 void SessionWorker::execute(const FinishCommand &) {
-    if (travel_) {
+    if (run_) {
         beginMove();
-        follow(travel_->reachEnd());
+        follow(run_->travel().reachEnd());
     }
 }
 
 void SessionWorker::execute(const SeekCommand &command) {
-    if (travel_) {
+    if (run_) {
         beginMove();
-        follow(travel_->reach(command.advance));
+        follow(run_->travel().reach(command.advance));
     }
 }
 
 void SessionWorker::execute(const SeekStopCommand &command) {
-    if (travel_) {
+    if (run_) {
         beginMove();
-        follow(travel_->reachStop(command.forward));
+        follow(run_->travel().reachStop(command.forward));
     }
 }
 
 void SessionWorker::execute(const SeekBirthCommand &command) {
-    if (travel_) {
+    if (run_) {
         beginMove();
-        follow(travel_->reachBirth(command.place, command.tolerance));
+        follow(run_->travel().reachBirth(command.place, command.tolerance));
     }
 }
 
 void SessionWorker::execute(const BreakpointsCommand &command) {
     breakpoints_ = command.breakpoints;
-    if (travel_) {
-        travel_->setBreakpoints(breakpoints_);
+    if (run_) {
+        run_->travel().setBreakpoints(breakpoints_);
     }
 }
 
 void SessionWorker::execute(const StepCommand &command) {
-    if (travel_ && command.count != 0) {
+    if (run_ && command.count != 0) {
         beginMove();
-        follow(travel_->step(command.granularity, command.count));
+        follow(run_->travel().step(command.granularity, command.count));
     }
 }
 
 void SessionWorker::execute(const PlayCommand &command) {
-    if (!travel_ || command.rate == 0.0) {
+    if (!run_ || command.rate == 0.0) {
         execute(PauseCommand{});
         return;
     }
     beginMove();
-    travel_->play(command.rate);
+    run_->travel().play(command.rate);
     publish(false);
 }
 
@@ -206,9 +197,9 @@ void SessionWorker::follow(Outcome outcome) {
 
 /// Stops on the timeline. At its end, the mesh is improved once.
 void SessionWorker::arrive() {
-    if (!travel_->atEnd()) {
+    if (!run_->travel().atEnd()) {
         rest(RunState::Paused);
-    } else if (finalMesh_) {
+    } else if (run_->improved()) {
         rest(RunState::Finished);
     } else {
         improveMesh();
@@ -216,36 +207,16 @@ void SessionWorker::arrive() {
 }
 
 void SessionWorker::improveMesh() {
-    Mesh mesh = toMesh(travel_->timeline().mesher().state(), *boundary_);
-    if (job_->options.improve != ImproveLevel::None) {
-        const Progress progress = progressInto(RunState::Improving, mailbox_.beginBlocking(Blocking::Improving));
-        progress("improving", 0.0);
-        secondsImprove_ =
-            improve(mesh, {job_->options.improve, job_->options.threads, spacing_.get()}, progress).seconds;
-        mailbox_.endBlocking();
-        if (progress.cancelled()) {
-            improvementStopped_ = true;
-            rest(RunState::Paused);
-            return;
-        }
-    }
-    finishWith(std::move(mesh));
-}
-
-void SessionWorker::finishWith(Mesh mesh) {
-    auto view = std::make_shared<MeshView>();
-    view->alpha = shapeFactors(mesh);
-    finalQuality_ = measure(mesh, spacing_.get());
-    finalHash_ = meshHash(mesh);
-    view->mesh = std::move(mesh);
-    view->version = std::numeric_limits<std::uint64_t>::max() - run_;
-    finalMesh_ = std::move(view);
-    rest(RunState::Finished);
+    const Progress progress = progressInto(RunState::Improving, mailbox_.beginBlocking(Blocking::Improving));
+    const bool done = run_->improve(progress);
+    mailbox_.endBlocking();
+    improvementStopped_ = !done;
+    rest(done ? RunState::Finished : RunState::Paused);
 }
 
 void SessionWorker::rest(RunState state) {
-    if (travel_) {
-        travel_->rest();
+    if (run_) {
+        run_->travel().rest();
     }
     state_ = state;
     publish(true);
@@ -280,19 +251,17 @@ void SessionWorker::publish(bool resting) {
     const auto begin = Clock::now();
     auto snapshot = std::make_shared<SessionSnapshot>();
     snapshot->sequence = ++sequence_;
-    snapshot->run = run_;
-    snapshot->shownRun = shownRun_;
+    snapshot->run = number_;
+    snapshot->shownRun = shownNumber_;
     snapshot->state = state_;
     snapshot->diagnostics = diagnostics_;
     snapshot->stage = stage_;
     snapshot->progress = stageProgress_;
-    snapshot->secondsImprove = secondsImprove_;
-    snapshot->boundary = boundary_;
-    snapshot->spacing = spacing_;
-    snapshot->requestedElements = requestedElements_;
-    snapshot->coarsening = coarsening_;
-    if (travel_) {
-        fillFromRun(*snapshot, resting);
+    if (run_) {
+        run_->fill(*snapshot, layers_, resting);
+        if (state_ != RunState::Improving && state_ != RunState::Preparing) {
+            snapshot->progress = run_->travel().timeline().complete() ? 1.0 : frontProgress();
+        }
     }
     mailbox_.deliver(std::move(snapshot));
     lastPublish_ = Clock::now();
@@ -302,38 +271,10 @@ void SessionWorker::publish(bool resting) {
     }
 }
 
-void SessionWorker::fillFromRun(SessionSnapshot &snapshot, bool resting) {
-    if (layers_.explanation) {
-        const TimelineTravel::Moment moment = travel_->explain();
-        snapshot.explanation = moment.advance;
-        snapshot.eventCursor = moment.cursor;
-        snapshot.eventCount = moment.advance ? moment.advance->events.size() : 0;
-    }
-    if (resting) {
-        snapshot.stop = travel_->stop();
-        snapshot.birth = travel_->birth();
-    }
-    const bool final = finalMesh_ && travel_->atEnd();
-    SnapshotLayers layers = layers_;
-    layers.mesh = layers.mesh && !final;
-    builder_.fill(snapshot, travel_->timeline(), layers, resting);
-    if (final) {
-        snapshot.mesh = finalMesh_;
-        snapshot.quality = finalQuality_;
-        snapshot.improved = job_->options.improve != ImproveLevel::None;
-    }
-    if (state_ != RunState::Improving && state_ != RunState::Preparing) {
-        snapshot.progress = travel_->timeline().complete() ? 1.0 : frontProgress();
-    }
-    snapshot.rate = travel_->rate();
-    snapshot.playing = travel_->playing();
-    snapshot.secondsMesh = travel_->seconds();
-    snapshot.meshHash = finalHash_;
-}
-
 /// Returns the progress of the front, an estimate, since the number of elements is known only at the end.
 double SessionWorker::frontProgress() const {
-    return std::min(0.99, static_cast<double>(travel_->timeline().position()) / (estimatedElements_ + 1.0));
+    return std::min(0.99, static_cast<double>(run_->travel().timeline().position()) /
+                              (run_->prepared().estimatedElements + 1.0));
 }
 
 } // namespace forefront

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/engine/session/session_mailbox.hpp"
-#include "core/engine/session/snapshot_builder.hpp"
-#include "core/engine/session/timeline_travel.hpp"
+#include "core/engine/session/stepped_run.hpp"
 
 #include <functional>
 #include <optional>
@@ -48,29 +47,17 @@ class SessionWorker {
     void rest(RunState state);
     void arrive();
     void improveMesh();
-    void finishWith(Mesh mesh);
-    void runOutOfMemory();
+    void fail(Diagnostics faults);
     double frontProgress() const;
 
     Progress progressInto(RunState state, std::stop_token stop);
     void publish(bool resting);
     void publishIfDue();
-    void fillFromRun(SessionSnapshot &snapshot, bool resting);
 
     SessionMailbox mailbox_;
     std::function<void()> wake_;
 
-    std::shared_ptr<const MeshingJob> job_;
-    std::shared_ptr<const SpacingField> spacing_;
-    std::shared_ptr<const DiscreteDomain> boundary_;
-    std::optional<TimelineTravel> travel_; ///< empty: there is no run
-    SnapshotBuilder builder_{0};
-    std::shared_ptr<const MeshView> finalMesh_;
-    MeshQuality finalQuality_;
-    std::uint64_t finalHash_ = 0;
-    double estimatedElements_ = 0.0, requestedElements_ = 0.0;
-    double coarsening_ = 1.0;
-    double secondsImprove_ = 0.0;
+    std::optional<SteppedRun> run_;
     bool quiet_ = false;              ///< publish nothing before the run rests
     bool improvementStopped_ = false; ///< stopped by a command
 
@@ -78,8 +65,8 @@ class SessionWorker {
     Diagnostics diagnostics_;
     std::string stage_;
     double stageProgress_ = 0.0;
-    std::uint64_t run_ = 0;
-    std::uint64_t shownRun_ = 0; ///< the run of travel_; 0: none
+    std::uint64_t number_ = 0;      ///< of start commands
+    std::uint64_t shownNumber_ = 0; ///< that of run_; 0: there is none
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;
     Breakpoints breakpoints_;

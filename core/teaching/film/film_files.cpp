@@ -1,16 +1,12 @@
 #include "core/teaching/film/film_files.hpp"
 
-#include "core/engine/session/meshing_session.hpp"
-#include "core/files/text/atomic_file.hpp"
 #include "core/teaching/film/film_picture.hpp"
 #include "core/teaching/film/gif_writer.hpp"
 #include "core/teaching/film/png_writer.hpp"
+#include "core/files/text/atomic_file.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
 #include <new>
 #include <string>
 #include <utility>
@@ -18,32 +14,6 @@
 namespace forefront {
 
 namespace {
-
-/// A session that the caller can wait for.
-class PatientSession {
-  public:
-    explicit PatientSession(std::stop_token stop) : stop_(std::move(stop)) {}
-
-    MeshingSession &session() { return session_; }
-
-    /// Waits until the session is idle and returns its snapshot; a stop request cancels the work.
-    std::shared_ptr<const SessionSnapshot> rest() {
-        std::unique_lock lock(mutex_);
-        while (session_.busy()) {
-            if (stop_.stop_requested()) {
-                session_.cancel();
-            }
-            changed_.wait_for(lock, std::chrono::milliseconds(2));
-        }
-        return session_.latest();
-    }
-
-  private:
-    std::stop_token stop_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    MeshingSession session_{[this] { changed_.notify_all(); }};
-};
 
 /// Widens a tall box on both sides, so that no film is much taller than wide.
 Box2 shownBox(Box2 box) {
@@ -59,23 +29,16 @@ Box2 shownBox(Box2 box) {
 /// Writes the frames of a run.
 class Filming {
   public:
-    Filming(const FilmPlan &plan, const Progress &progress)
-        : plan_(plan), progress_(progress), patient_(progress.stop) {}
+    Filming(const FilmPlan &plan, const Progress &progress, MeshStepper stepper)
+        : plan_(plan), progress_(progress), stepper_(std::move(stepper)) {}
 
-    Status film(MeshingJob job) {
-        patient_.session().want(plan_.layers.needed());
-        patient_.session().start(std::make_shared<const MeshingJob>(std::move(job)), StartMode::Pause);
-        const auto start = patient_.rest();
-        if (start->state == RunState::Failed) {
-            return start->diagnostics;
-        }
-        if (progress_.cancelled() || !start->mesh) {
+    Status film() {
+        sheet_.box = shownBox(stepper_.mesh().bounds());
+        sheet_.width = plan_.width;
+        if (!stepper_.finish(quiet())) {
             return cancelled();
         }
-        sheet_.box = shownBox(start->mesh->mesh.bounds());
-        sheet_.width = plan_.width;
-        patient_.session().finish();
-        const std::uint64_t end = patient_.rest()->known;
+        const std::uint64_t end = stepper_.known();
         if (plan_.from > end) {
             return error("bad-range", "the film begins after advance " + std::to_string(plan_.from) +
                                           ", but the run has only " + std::to_string(end) + " advances");
@@ -86,8 +49,11 @@ class Filming {
     }
     int written() const { return written_; }
 
-  private:
     static Status cancelled() { return error("cancelled", "the film was cancelled"); }
+
+  private:
+    /// Returns a progress that only stops: the film reports its frames.
+    Progress quiet() const { return {{}, progress_.stop}; }
 
     /// Calls write(scene, number) for each frame, numbered from 1, until it fails.
     template <class Write>
@@ -141,8 +107,8 @@ class Filming {
     }
 
     FilmScene sceneAt(std::uint64_t advance) {
-        patient_.session().seek(advance);
-        return sceneOf(*patient_.rest(), sheet_, plan_.layers, last_);
+        stepper_.seek(advance, quiet());
+        return sceneOf(*stepper_.snapshot(plan_.layers.needed()), sheet_, plan_.layers, last_);
     }
 
     const FilmPlan &plan_;
@@ -150,7 +116,7 @@ class Filming {
     FilmSheet sheet_;
     std::uint64_t from_ = 0, last_ = 0; ///< the first and last advance of the film
     int written_ = 0;
-    PatientSession patient_;
+    MeshStepper stepper_;
 };
 
 } // namespace
@@ -174,8 +140,12 @@ std::string outputFault(const FilmPlan &plan) {
 
 Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
     try {
-        Filming filming(plan, progress);
-        if (Status status = filming.film(std::move(job)); !status.empty()) {
+        Result<MeshStepper> stepper = MeshStepper::create(std::move(job), {{}, progress.stop});
+        if (!stepper) {
+            return progress.cancelled() ? Filming::cancelled() : stepper.faults();
+        }
+        Filming filming(plan, progress, *std::move(stepper));
+        if (Status status = filming.film(); !status.empty()) {
             return status;
         }
         return filming.written();

@@ -1,0 +1,69 @@
+#include "core/engine/session/stepped_run.hpp"
+
+#include "core/engine/improve/improve.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace forefront {
+
+SteppedRun::SteppedRun(std::shared_ptr<const MeshingJob> job, PreparedJob prepared, std::uint64_t number)
+    : job_(std::move(job)), prepared_(std::move(prepared)), number_(number),
+      travel_(Mesher::create(prepared_.boundary, prepared_.spacing, job_->options)), builder_((number + 1) << 32U) {}
+
+bool SteppedRun::improve(const Progress &progress) {
+    Mesh mesh = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
+    if (job_->options.improve != ImproveLevel::None) {
+        progress("improving", 0.0);
+        secondsImprove_ =
+            forefront::improve(mesh, {job_->options.improve, job_->usableThreads(), prepared_.spacing.get()}, progress)
+                .seconds;
+        if (progress.cancelled()) {
+            return false;
+        }
+    }
+    keepFinal(std::move(mesh));
+    return true;
+}
+
+void SteppedRun::keepFinal(Mesh mesh) {
+    auto view = std::make_shared<MeshView>();
+    view->alpha = shapeFactors(mesh);
+    finalQuality_ = measureQuality(mesh, prepared_.spacing.get());
+    finalHash_ = meshHash(mesh);
+    view->mesh = std::move(mesh);
+    view->version = std::numeric_limits<std::uint64_t>::max() - number_;
+    finalMesh_ = std::move(view);
+}
+
+void SteppedRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting) {
+    snapshot.boundary = prepared_.boundary;
+    snapshot.spacing = prepared_.spacing;
+    snapshot.requestedElements = prepared_.requestedElements;
+    snapshot.coarsening = prepared_.coarsening;
+    snapshot.secondsImprove = secondsImprove_;
+    if (layers.explanation) {
+        const TimelineTravel::Moment moment = travel_.explain();
+        snapshot.explanation = moment.advance;
+        snapshot.eventCursor = moment.cursor;
+        snapshot.eventCount = moment.advance ? moment.advance->events.size() : 0;
+    }
+    if (resting) {
+        snapshot.stop = travel_.stop();
+        snapshot.birth = travel_.birth();
+    }
+    const bool final = finalMesh_ && travel_.atEnd();
+    layers.mesh = layers.mesh && !final;
+    builder_.fill(snapshot, travel_.timeline(), layers, resting);
+    if (final) {
+        snapshot.mesh = finalMesh_;
+        snapshot.quality = finalQuality_;
+        snapshot.improved = job_->options.improve != ImproveLevel::None;
+    }
+    snapshot.rate = travel_.rate();
+    snapshot.playing = travel_.playing();
+    snapshot.secondsMesh = travel_.seconds();
+    snapshot.meshHash = finalHash_;
+}
+
+} // namespace forefront

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/session/snapshot_builder.hpp"
+#include "core/engine/session/timeline_travel.hpp"
+
+#include <memory>
+
+namespace forefront {
+
+/// A prepared run with its timeline, its snapshots and, at the end, its improved mesh: what MeshStepper and
+/// MeshingSession share. Belongs to one thread at a time.
+class SteppedRun {
+  public:
+    /// `number`: of the run, counted from 1; makes the versions of its mesh views differ from those of other runs.
+    SteppedRun(std::shared_ptr<const MeshingJob> job, PreparedJob prepared, std::uint64_t number);
+
+    TimelineTravel &travel() { return travel_; }
+    const TimelineTravel &travel() const { return travel_; }
+    const PreparedJob &prepared() const { return prepared_; }
+
+    /// Returns true once improve() has made the final mesh.
+    bool improved() const { return finalMesh_ != nullptr; }
+    /// Makes the final mesh from that of the front, which must be at its end. Returns false if it was cancelled.
+    bool improve(const Progress &progress);
+
+    /// Fills in everything that follows from the run at its position. `resting`: it does not move, so that slower
+    /// figures are computed as well.
+    void fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting);
+
+  private:
+    void keepFinal(Mesh mesh);
+
+    std::shared_ptr<const MeshingJob> job_;
+    PreparedJob prepared_;
+    std::uint64_t number_;
+    TimelineTravel travel_;
+    SnapshotBuilder builder_;
+    std::shared_ptr<const MeshView> finalMesh_;
+    MeshQuality finalQuality_;
+    std::uint64_t finalHash_ = 0;
+    double secondsImprove_ = 0.0;
+};
+
+} // namespace forefront
