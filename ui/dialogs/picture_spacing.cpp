@@ -2,7 +2,7 @@
 
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/files/common/size_grid.hpp"
+#include "core/files/common/cell_grid.hpp"
 #include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/fault_text.hpp"

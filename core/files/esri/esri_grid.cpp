@@ -1,7 +1,7 @@
 #include "core/files/esri/esri_grid.hpp"
 
 #include "core/engine/base/number_text.hpp"
-#include "core/files/common/size_grid.hpp"
+#include "core/files/common/cell_grid.hpp"
 #include "core/files/text/text_scanner.hpp"
 
 #include <algorithm>
@@ -139,7 +139,7 @@ class EsriReader {
     const SourceText &source_;
     TextScanner scanner_;
     std::array<std::optional<double>, kKeys.size()> header_;
-    SizeGrid grid_;
+    CellGrid grid_;
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "core/engine/base/number_text.hpp"
-#include "core/files/common/size_grid.hpp"
+#include "core/files/common/cell_grid.hpp"
 #include "core/files/png/png.hpp"
 
 #include <cmath>
@@ -38,7 +38,7 @@ Result<SpacingSpec> spacingOfPicture(const GreyPicture &picture, const PictureSi
     const Box2 box = sizes.around ? pictureBoxAround(sizes.box, static_cast<double>(picture.pixelColumns),
                                                      static_cast<double>(picture.pixelRows))
                                   : sizes.box;
-    SizeGrid grid;
+    CellGrid grid;
     grid.columns = picture.columns;
     grid.rows = picture.rows;
     grid.low = box.min;

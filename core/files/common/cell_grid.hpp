@@ -14,7 +14,7 @@ namespace forefront {
 inline constexpr std::size_t kMaxGridValues = 250'000;
 
 /// A grid of rectangular cells with a size each.
-struct SizeGrid {
+struct CellGrid {
     std::size_t columns = 0, rows = 0;
     Vec2 low;                   ///< lower left corner
     Vec2 step;                  ///< width and height of a cell
@@ -24,6 +24,6 @@ struct SizeGrid {
 /// Returns the spacing of a background mesh with the sizes of a grid. A size holds at the centre of its cell; between
 /// the centres the spacing is linear, and constant in the outer halves of the outer cells. Notes cells whose size is
 /// not used because too few neighbours have one. Fault: no-values (no triangle has three values).
-Result<SpacingSpec> spacingOfGrid(const SizeGrid &grid, const SourceText &source);
+Result<SpacingSpec> spacingOfGrid(const CellGrid &grid, const SourceText &source);
 
 } // namespace forefront
