@@ -30,6 +30,12 @@ Result<MeshField> readField(const std::filesystem::path &path, std::string_view 
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
                                 ImportNotes *notes = nullptr);
 
+/// Read as above from memory, see FormatList.
+Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
+Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
+Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
+Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
+
 /// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: writes
 /// a temporary file beside it, then renames that. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},

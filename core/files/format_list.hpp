@@ -31,6 +31,14 @@ struct FileFormat {
     /// take each for a boundary.
     bool acceptsInnerEdges = true;
 };
+/// A file in memory.
+struct MemoryFile {
+    std::string bytes;
+    /// The id of a format, such as "msh2", or the name of a file, such as "plate.msh", whose extension counts where the
+    /// content does not show the format. Messages name the file by it.
+    std::string name = {};
+};
+
 /// File formats, and reading through them. Faults carry file and line (or byte) and never depend on trusting a count in
 /// the file. Where `notes` is not null, it collects reports of anything in the file that is not used; if the file is
 /// refused, they also follow its faults.
@@ -74,6 +82,15 @@ class FormatList {
     /// Reads a spacing: that of a project file, a background mesh with nodal values (MSH $NodeData), a grid of sizes
     /// (ESRI ASCII grid), or the grey values of a picture (PNG, with ImportOptions::picture).
     Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
+                                    ImportNotes *notes = nullptr) const;
+
+    /// Read as above from memory. Parts that a format keeps in a second file, such as the .ele file of Triangle, are
+    /// missing.
+    Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
+    Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
+    Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {},
+                                  ImportNotes *notes = nullptr) const;
+    Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = {},
                                     ImportNotes *notes = nullptr) const;
 
     /// Returns the format that the first bytes of a file show, preferably one with the extension of the path; null if

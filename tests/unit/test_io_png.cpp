@@ -1,10 +1,13 @@
 #include "core/drawing/document/document.hpp"
+#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/drawing_files/project/project.hpp"
+#include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/common/cell_grid.hpp"
 #include "core/files/files.hpp"
 #include "core/files/png/png.hpp"
 #include "core/files/text/base64.hpp"
-#include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/png_sample.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/edit_support.hpp"
@@ -210,12 +213,13 @@ TEST_CASE("PNG: as spacing it needs two sizes and a rectangle, and a document ke
 
     const TemporaryFolder folder;
     std::ofstream(folder / "sizes.png", std::ios::binary) << file;
-    const auto spacing = readSpacing(folder / "sizes.png", {.picture = PictureSizes{0.5, 1.0, {{0, 0}, {4, 4}}}});
+    const auto spacing =
+        allFormats().readSpacing(folder / "sizes.png", {.picture = PictureSizes{0.5, 1.0, {{0, 0}, {4, 4}}}});
     REQUIRE_MESSAGE(spacing.ok(), messages(spacing.faults()));
     Document document;
     document.spacing = *spacing;
     const Result<Document> read = parseProject(projectText(document), "test");
     REQUIRE(read.ok());
     CHECK(*read->spacing.background == *document.spacing.background);
-    CHECK(readDomain(folder / "sizes.png").faults().front().message == "PNG picture cannot be read here");
+    CHECK(allFormats().readDomain(folder / "sizes.png").faults().front().message == "PNG picture cannot be read here");
 }
