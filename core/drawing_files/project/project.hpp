@@ -21,9 +21,9 @@ Result<SpacingSpec> readProjectSpacing(const SourceText &source);
 bool looksLikeProject(std::string_view head);
 
 /// Writes a project file, versioned JSON, atomically. The path of the background picture becomes relative to its
-/// folder.
+/// folder. Faults: cannot-write; not-storable (a size function).
 Status writeProject(const std::filesystem::path &path, const Document &document);
-/// Returns the JSON text of a project; for the recovery journal and tests.
+/// Returns the JSON text of a project, without a size function; for the recovery journal and tests.
 std::string projectText(const Document &document);
 /// Reads the JSON text of a project; `fileName` appears in faults.
 Result<Document> parseProject(std::string_view text, const std::string &fileName);

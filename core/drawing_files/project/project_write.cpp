@@ -157,6 +157,12 @@ std::string projectText(const Document &document) {
 }
 
 Status writeProject(const std::filesystem::path &path, const Document &document) {
+    if (document.spacing.hasFunction()) {
+        Diagnostics fault = error("not-storable", "the size function of the spacing cannot be saved in a project file",
+                                  "replace it with an expression, or with sizes on a grid (SizeGrid)");
+        fault.front().file = path.string();
+        return fault;
+    }
     return writeTextFile(path, [&](TextWriter &out) { ProjectWriter(out, path).write(document); });
 }
 

@@ -37,17 +37,26 @@ struct MeshingOptions {
     bool keepBoundary = false; ///< the given segments become edges of the mesh and are not subdivided
     /// Improvement once the front is closed. The fast method advances more carefully at higher levels, see FrontCare.
     ImproveLevel improve = ImproveLevel::Default;
-    unsigned threads = 1; ///< the mesh does not depend on it
+    unsigned threads = 1; ///< the mesh does not depend on it; see also SpacingSpec::functionThreadSafe
 
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };
 
 /// The complete input of a meshing run.
+///
+/// Exceptions: functions that take a job throw what its size function and their Progress throw, and nothing else; they
+/// free what they hold. Only std::bad_alloc becomes the error "out-of-memory" where that is listed.
 struct MeshingJob {
     Domain domain;
     SpacingSpec spacing;
     MeshingOptions options;
     std::shared_ptr<SharedSpacing> shared{}; ///< where others need the field of this job, too; null: nobody does
+
+    /// Returns the number of threads that may work on this job: one if its size function must not be called from
+    /// others.
+    unsigned usableThreads() const {
+        return spacing.hasFunction() && !spacing.functionThreadSafe ? 1U : options.threads;
+    }
 };
 
 } // namespace forefront

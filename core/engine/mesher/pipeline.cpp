@@ -163,6 +163,7 @@ namespace {
 
 Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     MeshingOutcome outcome;
+    const unsigned threads = job.usableThreads();
     CpuClock clock(CpuClock::Of::Program);
     Result<PreparedJob> prepared = prepare(job, progress);
     if (!prepared) {
@@ -175,11 +176,10 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
 
     std::unique_ptr<Mesher> mesher = Mesher::create(outcome.boundary, outcome.spacing, job.options);
     mesher->reserve(static_cast<std::uint64_t>(Mesher::kReserve * prepared->estimatedElements) + 1024);
-    if (job.options.threads > 1) {
+    if (threads > 1) {
         releaseFreeMemory();
     }
-    if (job.options.threads > 1 &&
-        !mesher->advanceInParallel(job.options.threads, progress, prepared->estimatedElements)) {
+    if (threads > 1 && !mesher->advanceInParallel(threads, progress, prepared->estimatedElements)) {
         return cancelled("meshing");
     }
     if (!advanceToEnd(*mesher, prepared->estimatedElements, "advancing the front", progress)) {
@@ -188,14 +188,13 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.work = mesher->state().work;
     outcome.mesh = std::move(*mesher).takeMesh();
     mesher.reset();
-    if (job.options.threads > 1) {
+    if (threads > 1) {
         releaseFreeMemory();
     }
     outcome.secondsMesh = clock.lap();
 
     if (job.options.improve != ImproveLevel::None) {
-        outcome.improvement =
-            improve(outcome.mesh, {job.options.improve, job.options.threads, outcome.spacing.get()}, progress);
+        outcome.improvement = improve(outcome.mesh, {job.options.improve, threads, outcome.spacing.get()}, progress);
         outcome.secondsImprove = clock.lap();
     }
     outcome.secondsWall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -29,6 +29,8 @@ SiteLabel partRule(const SpacingSample &sample) {
     switch (sample.origin) {
     case SpacingOrigin::Expression:
         return {sample.origin, SiteReason::ExpressionEdge, 0};
+    case SpacingOrigin::Function:
+        return {sample.origin, SiteReason::FunctionEdge, 0};
     case SpacingOrigin::Paint:
         return {sample.origin, SiteReason::PaintEdge, 0};
     case SpacingOrigin::Background:
@@ -116,8 +118,15 @@ CombinedField::CombinedField(FieldParts parts, const Box2 &box) : parts_(std::mo
 
 void CombinedField::atMany(std::span<const Vec2> points, std::span<double> rho) const {
     FOREFRONT_ASSERT(points.size() == rho.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        rho[i] = withoutTree(points[i]);
+    if (const auto &function = std::get<std::optional<FunctionSpacing>>(parts_.points)) {
+        function->atMany(points, rho); // once for all, which can be faster
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            rho[i] = std::min(rho[i], withoutTreeAndFunction(points[i]));
+        }
+    } else {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            rho[i] = withoutTreeAndFunction(points[i]);
+        }
     }
     if (parts_.tree) {
         parts_.tree->lowerMany(points, rho);

@@ -2,6 +2,7 @@
 
 #include "core/engine/spacing/parts/background/background_part.hpp"
 #include "core/engine/spacing/parts/expression/expression_spacing.hpp"
+#include "core/engine/spacing/parts/function/function_spacing.hpp"
 #include "core/engine/spacing/parts/paint/painted_part.hpp"
 #include "core/engine/spacing/parts/regions/region_part.hpp"
 #include "core/engine/spacing/parts/sources/box_sources.hpp"
@@ -13,6 +14,7 @@
 
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 namespace forefront {
 
@@ -74,9 +76,9 @@ class FilledBackground {
 /// The parts that are evaluated point by point, as opposed to by sites. Each has at(p), infinite where the part does
 /// not apply, minimum() and maximum() over the domain's box, and sample(p, words). A tuple, so that the compiler
 /// inlines all of them into the hot path.
-using PointParts =
-    std::tuple<std::optional<ExpressionSpacing>, std::optional<FilledBackground>, std::optional<PaintedPart>,
-               std::optional<RegionPart>, std::optional<GradedSources>, std::optional<BoxSources>>;
+using PointParts = std::tuple<std::optional<ExpressionSpacing>, std::optional<FunctionSpacing>,
+                              std::optional<FilledBackground>, std::optional<PaintedPart>, std::optional<RegionPart>,
+                              std::optional<GradedSources>, std::optional<BoxSources>>;
 
 /// The ingredients of a combined field. Every part is already clamped and limited, so their minimum is, too.
 struct FieldParts {
@@ -130,11 +132,22 @@ class CombinedField final : public SpacingField {
         return std::max(rho, parts_.minimum);
     }
     double withoutTree(Vec2 p) const {
+        double rho = withoutTreeAndFunction(p);
+        if (const auto &function = std::get<std::optional<FunctionSpacing>>(parts_.points)) {
+            rho = std::min(rho, function->at(p));
+        }
+        return rho;
+    }
+    double withoutTreeAndFunction(Vec2 p) const {
         double rho = parts_.cap;
         for (const SizeSite &site : parts_.few.sites) {
             rho = std::min(rho, site.at(p));
         }
-        forPoints([&](const auto &part) { rho = std::min(rho, part.at(p)); });
+        forPoints([&]<class Part>(const Part &part) {
+            if constexpr (!std::is_same_v<Part, FunctionSpacing>) {
+                rho = std::min(rho, part.at(p));
+            }
+        });
         return rho;
     }
 

@@ -7,6 +7,7 @@
 #include "core/engine/spacing/parts/node_sizes/node_size_sites.hpp"
 #include "core/engine/spacing/parts/part_sizes/part_size_sites.hpp"
 #include "core/engine/spacing/parts/sources/source_sites.hpp"
+#include "core/engine/spacing/sites/steep_sites.hpp"
 #include "core/engine/spacing/spec/spec_check.hpp"
 
 #include <algorithm>
@@ -34,9 +35,38 @@ Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
         return expression.faults();
     }
     if (input.spec.gradation) {
-        expression->addSteepSites(input.box, *input.spec.gradation, parts.few, input.progress);
+        addSteepSites([&](std::span<const Vec2> points, std::span<double> rho) { expression->atMany(points, rho); },
+                      {SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0}, input.box, *input.spec.gradation,
+                      parts.few, input.progress);
     }
     parts.point<ExpressionSpacing>() = std::move(*expression);
+    return {};
+}
+
+/// Functions cannot be compared.
+bool sameFunction(const SpacingSpec &a, const SpacingSpec &b) {
+    return !a.hasFunction() && !b.hasFunction();
+}
+
+void checkFunction(const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
+    if (spec.function && spec.bulkFunction) {
+        const Diagnostics both = error("two-functions", "the spacing has both a function and a bulk function",
+                                       "give one of them; the bulk function is faster");
+        faults.insert(faults.end(), both.begin(), both.end());
+    }
+}
+
+Diagnostics addFunction(const PartInput &input, FieldParts &parts) {
+    auto function = FunctionSpacing::build(input.spec, input.domain, input.box);
+    if (!function) {
+        return function.faults();
+    }
+    if (input.spec.gradation) {
+        addSteepSites([&](std::span<const Vec2> points, std::span<double> rho) { function->atMany(points, rho); },
+                      {SpacingOrigin::Function, SiteReason::FunctionEdge, 0}, input.box, *input.spec.gradation,
+                      parts.few, input.progress);
+    }
+    parts.point<FunctionSpacing>() = std::move(*function);
     return {};
 }
 
@@ -141,6 +171,8 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
          return a.expression == b.expression && (!a.expression || a.names == b.names);
      },
      addExpression},
+    {"", [](const SpacingSpec &spec, const Domain &) { return spec.hasFunction(); }, checkFunction, sameFunction,
+     addFunction},
     {"paint", [](const SpacingSpec &spec, const Domain &) { return !spec.paint.tiles.empty(); }, neverFaulty, samePaint,
      addPaint},
     {"background", [](const SpacingSpec &spec, const Domain &) { return spec.background != nullptr; }, neverFaulty,

@@ -10,7 +10,8 @@ namespace forefront {
 
 /// One kind of spacing part, with everything needed to build, check, compare, read and write it.
 struct SpacingPartKind {
-    /// Member of "spacing" in a project file; empty for parts that belong to the domain.
+    /// Member of "spacing" in a project file; empty for parts that belong to the domain and for functions, which no
+    /// file can hold.
     std::string_view word;
     bool (*given)(const SpacingSpec &, const Domain &);
     /// Adds the faults of its numbers.

@@ -15,6 +15,7 @@ enum class SiteReason : std::uint8_t {
     PaintEdge,      ///< reach of a painted patch
     BackgroundEdge, ///< reach of a background mesh
     ExpressionEdge, ///< reach of an expression steeper than the gradation
+    FunctionEdge,   ///< reach of a function steeper than the gradation
     RegionEdge,     ///< reach of a region with a maximum area; index: of the region marker
     RegionSize,     ///< size of a region; index: of the region marker
     PartSize,       ///< size of a boundary part; index: its tag

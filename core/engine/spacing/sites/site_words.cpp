@@ -15,6 +15,8 @@ std::string reachedFrom(const SiteLabel &label, const SiteWords &words) {
         return "the background mesh";
     case SiteReason::ExpressionEdge:
         return "the expression";
+    case SiteReason::FunctionEdge:
+        return "the size function";
     case SiteReason::RegionEdge:
         return "region '" + words.regions[label.index] + "'";
     default:

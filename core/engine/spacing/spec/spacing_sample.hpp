@@ -12,6 +12,7 @@ namespace FOREFRONT_API forefront {
 enum class SpacingOrigin : std::uint8_t {
     Constant,
     Expression,
+    Function,
     Source,
     Paint,
     Background,

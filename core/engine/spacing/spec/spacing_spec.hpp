@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -86,13 +88,22 @@ struct BackgroundMesh {
 /// The given parts, and the sizes and maximum areas of the domain's region markers, are combined by minimum, clamped to
 /// [minimum, maximum], then limited so that |∇ρ| <= gradation. Paint that replaces other rules stands in place of all
 /// of them but sizes of boundary parts, nodes and regions, lengths of boundary segments and region areas. Where nothing
-/// covers the whole domain (no size, expression, gradient, source or boundary lengths), automatic spacing applies: from
-/// boundary lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint, sizes of parts
-/// and regions, region areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
+/// covers the whole domain (no size, expression, function, gradient, source or boundary lengths), automatic spacing
+/// applies: from boundary lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint,
+/// sizes of parts and regions, region areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
 struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
     std::map<std::string, double, std::less<>> names; ///< other names that the expression may use, such as parameters
+    /// The size as a function of the position, > 0 in the domain; called with finite coordinates in and near the
+    /// domain's box. The same position must give the same value. An exception that it throws reaches the caller of the
+    /// function that meshes, see MeshingJob. A project file cannot hold it.
+    std::function<double(Vec2)> function;
+    /// The same for many positions at once: fills in the size at each. Give this or `function`.
+    std::function<void(std::span<const Vec2> positions, std::span<double> sizes)> bulkFunction;
+    /// True: the function may be called from several threads at once. False: only the thread that meshes calls it,
+    /// which then does all work, whatever MeshingOptions::threads says. The mesh is the same.
+    bool functionThreadSafe = false;
     std::vector<SizeSource> sources;
     /// True: sources only refine automatic spacing. False: they replace it. Absent: nobody has chosen; they replace it.
     std::optional<bool> keepAutomatic;
@@ -113,16 +124,18 @@ struct SpacingSpec {
     /// Maximum |∇ρ|, > 0; absent: 0.25 for painted, boundary, region and automatic parts (0.18 for the automatic part
     /// of domains with curves, which leaves better shapes beside bends), no limit for the others. The limited spacing
     /// is within 1 % of exact for sources (see GradedSources for the exception) and boundary lengths, within 2 % for
-    /// paint, expression and mesh.
+    /// paint, expression, function and mesh.
     std::optional<double> gradation;
 
     /// Returns true if no part is given, so that the spacing is automatic.
     bool automatic() const { return usesAutomatic() && sources.empty() && paint.tiles.empty() && !background; }
     /// Returns true if no part covers the whole domain, so that automatic spacing applies together with the others.
     bool usesAutomatic() const {
-        return !size && !expression && !fromBoundary && !hasGradient() &&
+        return !size && !expression && !hasFunction() && !fromBoundary && !hasGradient() &&
                (sources.empty() || keepAutomatic.value_or(false));
     }
+    /// Returns true if the size is a function of the caller.
+    bool hasFunction() const { return function || bulkFunction; }
     /// Returns true if a source is a gradient over the whole plane.
     bool hasGradient() const {
         return std::any_of(sources.begin(), sources.end(), [](const SizeSource &source) { return source.plane; });

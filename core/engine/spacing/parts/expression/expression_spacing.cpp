@@ -2,43 +2,10 @@
 
 #include "core/engine/spacing/parts/expression/expression.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 namespace forefront {
-namespace {
-
-constexpr int kProbes = 64; ///< intervals of the probing grid along each side
-
-std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
-    std::vector<Vec2> places;
-    for (const Vec2 node : domain.nodes) {
-        if (box.contains(node)) {
-            places.push_back(node);
-        }
-    }
-    for (int j = 0; j <= kProbes; ++j) {
-        for (int i = 0; i <= kProbes; ++i) {
-            places.push_back({box.min.x + box.size().x * i / kProbes, box.min.y + box.size().y * j / kProbes});
-        }
-    }
-    return places;
-}
-
-const char *faultOf(double value, const SpacingSpec &spec) {
-    if (std::isnan(value)) {
-        return "a value that is not a number";
-    }
-    if (value <= 0.0 && !spec.minimum) {
-        return value == 0.0 ? "zero" : "a negative number";
-    }
-    if (std::isinf(value) && value > 0.0 && !spec.maximum) {
-        return "infinity";
-    }
-    return nullptr;
-}
-
-} // namespace
 
 Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain, const Box2 &box) {
     auto program = compileExpression(*spec.expression, spec.names);
@@ -48,21 +15,16 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     ExpressionSpacing spacing;
     spacing.program_ = std::move(*program);
     spacing.text_ = *spec.expression;
-    spacing.floor_ = spec.minimum.value_or(1e-9 * box.diagonal());
-    spacing.ceiling_ = spec.maximum.value_or(std::max(1e3 * box.diagonal(), spacing.floor_));
+    spacing.limits_ = ProbeLimits::of(spec, box);
 
     const std::vector<Vec2> places = probePlaces(domain, box);
     std::vector<double> values(places.size());
     spacing.program_.evaluateMany(places, values);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (const char *const fault = faultOf(values[i], spec)) {
-            Diagnostics faults = error(
-                "expression-value",
-                std::string("the spacing expression gives ") + fault + "; expected a number above 0",
-                "keep it above zero everywhere in the bounding box of the domain, for example with max(0.1, ...)");
-            faults.front().at = places[i];
-            return faults;
-        }
+    if (Diagnostics faults = probeFaults(
+            places, values, spec, "expression-value", "spacing expression",
+            "keep it above zero everywhere in the bounding box of the domain, for example with max(0.1, ...)");
+        !faults.empty()) {
+        return faults;
     }
     spacing.atMany(places, values);
     spacing.minimum_ = *std::min_element(values.begin(), values.end());
@@ -82,8 +44,8 @@ void ExpressionSpacing::findBounds(const Box2 &box) {
             if (range.undefined) {
                 return;
             }
-            low = std::min(low, clamped(range.low));
-            high = std::max(high, clamped(range.high));
+            low = std::min(low, limits_.clamped(range.low));
+            high = std::max(high, limits_.clamped(range.high));
         }
     }
     minimum_ = low;
@@ -93,7 +55,7 @@ void ExpressionSpacing::findBounds(const Box2 &box) {
 void ExpressionSpacing::atMany(std::span<const Vec2> points, std::span<double> rho) const {
     program_.evaluateMany(points, rho);
     for (double &value : rho) {
-        value = clamped(value);
+        value = limits_.clamped(value);
     }
 }
 

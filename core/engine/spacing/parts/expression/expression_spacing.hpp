@@ -4,6 +4,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/parts/expression/expression_program.hpp"
+#include "core/engine/spacing/parts/probes.hpp"
 #include "core/engine/spacing/sites/site_words.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
@@ -19,14 +20,11 @@ class ExpressionSpacing {
     /// without a maximum.
     static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
 
-    double at(Vec2 p) const { return clamped(program_.evaluate(p)); }
+    double at(Vec2 p) const { return limits_.clamped(program_.evaluate(p)); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const;
     SpacingSample sample(Vec2 p, const SiteWords &) const {
         return {at(p), SpacingOrigin::Expression, 0, "expression " + text_};
     }
-    /// Adds the places from which the spacing grows by `gradation` because the formula is steeper. They are found on a
-    /// grid that is refined to a fraction of the spacing, so the limited spacing is within about 2 % of exact.
-    void addSteepSites(const Box2 &box, double gradation, SiteSet &sites, const Progress &progress) const;
     /// Returns a lower bound over the box, by interval arithmetic on 64 x 64 parts of it, or the smallest probed value
     /// where that is undefined.
     double minimum() const { return minimum_; }
@@ -34,16 +32,10 @@ class ExpressionSpacing {
 
   private:
     void findBounds(const Box2 &box);
-    /// Clamps a value to the floor and the ceiling; NaN becomes the ceiling.
-    double clamped(double value) const {
-        const double low = value < floor_ ? floor_ : value;
-        return low <= ceiling_ ? low : ceiling_;
-    }
 
     ExpressionProgram program_;
     std::string text_;
-    double floor_ = 0.0;   ///< 1e-9 of the box's diagonal, or the given minimum
-    double ceiling_ = 0.0; ///< 1000 times the box's diagonal, or the given maximum
+    ProbeLimits limits_;
     double minimum_ = 0.0;
     double maximum_ = 0.0;
 };

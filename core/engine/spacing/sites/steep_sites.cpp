@@ -1,4 +1,8 @@
+<<<<<<<< HEAD:core/engine/spacing/parts/expression/expression_reach.cpp
 #include "core/engine/spacing/parts/expression/expression_spacing.hpp"
+========
+#include "core/engine/spacing/sites/steep_sites.hpp"
+>>>>>>>> 19363077 (Take the element size from a function of the caller):core/engine/spacing/sites/steep_sites.cpp
 
 #include <algorithm>
 #include <array>
@@ -13,13 +17,11 @@ constexpr int kDeepest = 24;       ///< halvings of those
 constexpr double kAccuracy = 0.03; ///< side of the finest cells times gradation, relative to the spacing there
 constexpr std::size_t kMaxCells = 3'000'000;
 
-constexpr SiteLabel kExpressionLabel{SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0};
-
 /// Looks for the foot of every steep slope: a place that is not steeply above any neighbour but is steeply below one.
 class SlopeSearch {
   public:
-    SlopeSearch(const ExpressionSpacing &rho, const Box2 &box, double gradation, SiteSet &sites)
-        : rho_(rho), box_(box), gradation_(gradation), sites_(sites) {}
+    SlopeSearch(const SizesAt &rho, const SiteLabel &label, const Box2 &box, double gradation, SiteSet &sites)
+        : rho_(rho), label_(label), box_(box), gradation_(gradation), sites_(sites) {}
 
     void run(const Progress &progress) {
         const double size = std::max(box_.size().x, box_.size().y) / kRoots;
@@ -80,7 +82,7 @@ class SlopeSearch {
         for (std::size_t n = 0; n < kSamples; ++n) {
             places[n] = corner + 0.5 * side * Vec2{static_cast<double>(n % 3), static_cast<double>(n / 3)};
         }
-        rho_.atMany(places, values);
+        rho_(places, values);
         const auto lowest = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
         const Slopes slopes = slopesOf(values, 0.5 * side);
         if (slopes.maximum + 2.0 * slopes.change < 1.005 * gradation_) {
@@ -102,18 +104,18 @@ class SlopeSearch {
         }
         if (isFoot(places[lowest], values[lowest], 1.5 * side)) {
             const Vec2 foot = descended(places[lowest], 0.25 * side);
-            sites_.add(SizeSite::point(foot, rho_.at(foot), gradation_), kExpressionLabel);
+            sites_.add(SizeSite::point(foot, at(foot), gradation_), label_);
         }
     }
     /// Finds the minimum near p by pattern search: at a kink, all samples may be well above it. Any place is a valid
     /// site; the lower its value, the better.
     Vec2 descended(Vec2 p, double step) const {
-        double value = rho_.at(p);
+        double value = at(p);
         for (int round = 0; round < 6; ++round, step *= 0.5) {
             for (const Vec2 way : {Vec2{step, 0}, Vec2{-step, 0}, Vec2{0, step}, Vec2{0, -step}}) {
-                if (box_.contains(p + way) && rho_.at(p + way) < value) {
+                if (box_.contains(p + way) && at(p + way) < value) {
                     p += way;
-                    value = rho_.at(p);
+                    value = at(p);
                 }
             }
         }
@@ -125,7 +127,7 @@ class SlopeSearch {
         for (int n = 0; n < 8; ++n) {
             const double angle = 0.78539816339744831 * n;
             const Vec2 q = p + step * Vec2{std::cos(angle), std::sin(angle)};
-            const double other = box_.contains(q) ? rho_.at(q) : value;
+            const double other = box_.contains(q) ? at(q) : value;
             if (other + gradation_ * step < value * (1.0 - 1e-9)) {
                 return false;
             }
@@ -134,7 +136,14 @@ class SlopeSearch {
         return useful;
     }
 
-    const ExpressionSpacing &rho_;
+    double at(Vec2 p) const {
+        double rho = 0.0;
+        rho_({&p, 1}, {&rho, 1});
+        return rho;
+    }
+
+    const SizesAt &rho_;
+    SiteLabel label_;
     Box2 box_;
     double gradation_;
     SiteSet &sites_;
@@ -142,9 +151,9 @@ class SlopeSearch {
 
 } // namespace
 
-void ExpressionSpacing::addSteepSites(const Box2 &box, double gradation, SiteSet &sites,
-                                      const Progress &progress) const {
-    SlopeSearch(*this, box, gradation, sites).run(progress);
+void addSteepSites(const SizesAt &rho, const SiteLabel &label, const Box2 &box, double gradation, SiteSet &sites,
+                   const Progress &progress) {
+    SlopeSearch(rho, label, box, gradation, sites).run(progress);
 }
 
 } // namespace forefront
