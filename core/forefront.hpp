@@ -32,9 +32,13 @@
 /// | read and write meshes | forefront::readMesh, forefront::writeMesh |
 /// | read drawings, maps and projects; repair a domain | drawing.hpp, in Forefront::drawing |
 ///
-/// Nothing throws. A function that can fail returns a forefront::Result, which holds either the value or the
-/// diagnostics: what is wrong, where, and how to fix it. Functions that take a forefront::Progress report how far they
-/// are and can be cancelled from another thread.
+/// A function that can fail returns a forefront::Result, which holds either the value or the diagnostics: what is
+/// wrong, where, and how to fix it. Using the value of a failed result prints its first diagnostic and aborts.
+/// Functions that take a forefront::Progress report how far they are and can be cancelled from another thread.
+///
+/// Only two kinds of exceptions leave the library: what the functions that you pass to it throw, and std::bad_alloc.
+/// forefront::validate, meshDomain, adapt, verify, verifyAgainst and the functions that read and write files report the
+/// error "out-of-memory" instead, and forefront::MeshingSession reports it in a snapshot.
 #pragma once
 
 #include "core/engine/adapt/adaptive_meshing.hpp"
