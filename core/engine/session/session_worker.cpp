@@ -51,6 +51,15 @@ void SessionWorker::runOutOfMemory() {
     rest(RunState::Failed);
 }
 
+/// Discards the run, whose estimated number of elements was too low, and reports that.
+void SessionWorker::stopTooLarge() {
+    const PreparedJob prepared{boundary_, spacing_, estimatedElements_, requestedElements_, coarsening_};
+    Diagnostics faults = stoppedFront(prepared, job_->options);
+    execute(ClearCommand{});
+    diagnostics_ = std::move(faults);
+    rest(RunState::Failed);
+}
+
 void SessionWorker::execute(const StartCommand &command) {
     if (!travel_) {
         execute(ClearCommand{});
@@ -192,6 +201,11 @@ void SessionWorker::beginMove() {
 }
 
 void SessionWorker::follow(Outcome outcome) {
+    if (outcome != Outcome::Still &&
+        travel_->timeline().mesher().state().elements.size() > elementsToStopAt(job_->options)) {
+        stopTooLarge();
+        return;
+    }
     switch (outcome) {
     case Outcome::Still:
         break;

@@ -50,6 +50,7 @@ class SessionWorker {
     void improveMesh();
     void finishWith(Mesh mesh);
     void runOutOfMemory();
+    void stopTooLarge();
     double frontProgress() const;
 
     Progress progressInto(RunState state, std::stop_token stop);
