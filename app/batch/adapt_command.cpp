@@ -42,12 +42,18 @@ struct AdaptArguments {
     std::optional<std::string> field, expression;
     AdaptTarget target;
     int rounds = 8;
+    std::optional<double> maxElements;
     std::optional<std::filesystem::path> domain;
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
     std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
     bool quiet = false;
 
+    MeshingOptions options() const {
+        MeshingOptions options;
+        applyMaxElements(maxElements, options);
+        return options;
+    }
     /// Returns the stream for messages: stderr if a mesh goes to standard output.
     std::FILE *messages() const { return usesStandardOutput(outputs) ? stderr : stdout; }
 };
@@ -100,7 +106,7 @@ Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain,
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
     Result<AdaptOutcome> outcome =
-        adaptMeshOnce(domain, input.mesh, input.values, arguments.target, {}, progress, tell);
+        adaptMeshOnce(domain, input.mesh, input.values, arguments.target, arguments.options(), progress, tell);
     if (!outcome) {
         return outcome.faults();
     }
@@ -123,7 +129,7 @@ Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &do
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
     Result<AdaptOutcome> outcome =
-        adaptMesh(domain, std::move(mesh), *field, arguments.target, arguments.rounds, {}, progress, tell);
+        adaptMesh(domain, std::move(mesh), *field, arguments.target, arguments.rounds, arguments.options(), progress, tell);
     bar.clear();
     if (!outcome) {
         return outcome.faults();
@@ -220,6 +226,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
                    "maximum change of edge length per unit of distance (default 0.3)")
         ->check(positiveNumber())
         ->type_name("G");
+    addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--domain", arguments.domain, "domain to mesh; default: the area of the mesh, with its tags")
         ->type_name("IN");
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");

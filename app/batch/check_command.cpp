@@ -109,7 +109,9 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     Diagnostics faults = verifyAgainst(mesh, *domain);
     if (!hasErrors(faults)) {
-        return checkBoundaryParts(mesh, input.path, input.options, changes);
+        const Diagnostics parts = checkBoundaryParts(mesh, input.path, input.options, changes);
+        faults.insert(faults.end(), parts.begin(), parts.end());
+        return faults;
     }
     faults = locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
     const FileFormat *const format = input.format();

@@ -210,6 +210,20 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
     return output;
 }
 
+void addMaxElementsOption(CLI::App &app, std::optional<double> &maxElements) {
+    app.add_option("--max-elements", maxElements,
+                   "refuse to make more elements than this; default: that of the project, or " +
+                       shown(static_cast<double>(kDefaultMaxElements)))
+        ->check(numberWithin(1.0, static_cast<double>(kMaxElements)))
+        ->type_name("N");
+}
+
+void applyMaxElements(std::optional<double> maxElements, MeshingOptions &options) {
+    if (maxElements) {
+        options.maxElements = static_cast<std::uint64_t>(*maxElements);
+    }
+}
+
 void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters) {
     app.add_option_function<std::vector<std::string>>(
            "--set",

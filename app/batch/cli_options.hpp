@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/enum_words.hpp"
+#include "core/engine/mesher/options.hpp"
 #include "core/files/inner_edges.hpp"
 #include "core/files/source/import_options.hpp"
 #include "core/files/source/overlap_rule.hpp"
@@ -46,6 +47,11 @@ void addInputFormatOption(CLI::App &app, const std::string &input, std::string &
 /// Adds the options of the commands that write meshes: --output, which is returned, --format and --inner-edges.
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
                               std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges);
+
+/// Adds --max-elements.
+void addMaxElementsOption(CLI::App &app, std::optional<double> &maxElements);
+/// Sets the limit that was given, if any.
+void applyMaxElements(std::optional<double> maxElements, MeshingOptions &options);
 
 /// Adds --set, which may be repeated: expressions for parameters of a project, by name.
 void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters);

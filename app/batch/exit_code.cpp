@@ -21,7 +21,9 @@ std::string inOptions(std::string advice) {
     constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
         {"repair the domain with a weld tolerance of", "add --repair --weld"},
         {"repair the domain", "add --repair"},
-        {"lower the weld tolerance", "lower --weld"}};
+        {"lower the weld tolerance", "lower --weld"},
+        {"raise the maximum number of elements", "raise --max-elements"},
+        {"choose an element size of", "choose a --size of"}};
     for (const auto &[words, option] : kOptions) {
         if (const std::size_t at = advice.find(words); at != std::string::npos) {
             advice.replace(at, words.size(), option);

@@ -41,6 +41,7 @@ struct FilmArguments {
     std::optional<GridKind> grid;
     std::optional<double> size;
     std::optional<std::string> expression;
+    std::optional<double> maxElements;
     int from = 0;
     std::optional<int> steps;
     std::vector<std::string> layers;
@@ -64,6 +65,7 @@ Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
     }
     document->options.method = arguments.method.value_or(document->options.method);
     document->options.grid = arguments.grid.value_or(document->options.grid);
+    applyMaxElements(arguments.maxElements, document->options);
     return jobOf(*document);
 }
 
@@ -120,6 +122,7 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
     auto *spacing = app.add_option_group("Spacing", "at most one; default: that of the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
+    addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--from", arguments.from, "first moment: the number of advances done; default 0")
         ->check(wholeNumberWithin(0, 1'000'000'000));
     app.add_option("--steps", arguments.steps, "number of advances shown; default: to the end of the run")

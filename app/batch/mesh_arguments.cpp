@@ -121,6 +121,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")
         ->check(wholeNumberWithin(1, 256))
         ->type_name("N");
+    addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--stats", arguments.statistics, "write statistics as JSON; -: print them instead of the summary")
         ->type_name("FILE.json");
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");

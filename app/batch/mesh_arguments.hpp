@@ -39,6 +39,7 @@ struct MeshArguments {
     std::optional<Method> method;
     std::optional<ImproveLevel> improve;
     std::optional<unsigned> threads;
+    std::optional<double> maxElements;
     std::optional<std::filesystem::path> statistics;
     bool quiet = false;
 

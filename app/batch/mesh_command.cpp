@@ -133,6 +133,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
+    applyMaxElements(arguments.maxElements, options);
 }
 
 /// Repairs the domain of a job and records in `sources` where its parts come from.
@@ -232,6 +233,7 @@ int runMesh(const MeshArguments &arguments) {
     }
     if (!arguments.quiet) {
         printFaults(faults);
+        printFaults(flatElements(report.quality));
     }
     const Status printed = printResult(arguments, report);
     return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);

@@ -69,6 +69,18 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     return report;
 }
 
+Diagnostics flatElements(const MeshQuality &quality) {
+    if (quality.flat == 0) {
+        return {};
+    }
+    Diagnostics found = error("flat-element",
+                              std::to_string(quality.flat) + (quality.flat == 1 ? " element is" : " elements are") +
+                                  " flat: the area is not larger than what rounding the nodes changes",
+                              "divide the boundary more finely, or remove what is nearly straight or nearly touches");
+    found.front().severity = Severity::Warning;
+    return found;
+}
+
 std::string statisticsJson(const RunReport &report) {
     const MeshQuality &q = report.quality;
     nlohmann::ordered_json json;
@@ -85,6 +97,7 @@ std::string statisticsJson(const RunReport &report) {
     json["alpha_mean"] = q.alphaMean;
     json["alpha_geometric_mean"] = q.alphaGeometricMean;
     json["alpha_min"] = q.alphaMin;
+    json["flat_elements"] = q.flat;
     json["delta_mean"] = q.deltaMean;
     json["min_angle_deg"] = q.minAngle;
     json["max_angle_deg"] = q.maxAngle;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_extent.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/sharp_corners.hpp"
@@ -31,6 +32,8 @@ struct RunReport {
 
 /// Measures the mesh of a finished run.
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
+/// Returns a warning if elements of a mesh are flat; else nothing.
+Diagnostics flatElements(const MeshQuality &quality);
 /// Returns the JSON object that --stats writes.
 std::string statisticsJson(const RunReport &report);
 /// Returns a line with the area, the number of parts and holes, and the areas of the regions if there are several.

@@ -25,7 +25,7 @@ import zlib
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
          "max_angle_deg", "front_mean", "neighbours_mean", "tests_mean", "cells_mean",
-         "candidates_mean", "forced_mean", "seconds_mesh", "seconds_improve",
+         "candidates_mean", "forced_mean", "flat_elements", "seconds_mesh", "seconds_improve",
          "improve", "sharp_corners", "narrow_places", "min_angle_elsewhere_deg", "peak_bytes", "hash"]
 
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]

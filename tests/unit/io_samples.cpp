@@ -94,6 +94,7 @@ Document fullDocument() {
     document.options.keepBoundary = true;
     document.options.improve = ImproveLevel::Best;
     document.options.threads = 3;
+    document.options.maxElements = 123'456;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         document.limits[limit] = std::max(limitInfo(limit).isMinimum ? 0.5 : 70.5, limitInfo(limit).minimum);
     }

@@ -99,11 +99,11 @@ TEST_CASE("Advance: the front closes with existing nodes once no further small n
             state.front.setFailureClass(SlotId{i}, state.front[SlotId{i}].length < 0.03 ? 1 : 2);
         }
         state.order.rebuild(state.front);
-        HierarchicalGrid grid(bounds, gridSlack(bounds), 4.0);
+        HierarchicalGrid grid(bounds, 4.0);
         for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
             grid.insert(state.front, SlotId{i});
         }
-        ClassicAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, *spacing, gridSlack(bounds), NoTrace{});
+        ClassicAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, *spacing, NoTrace{});
         AdvanceDelta delta;
         while (advancer.advance(delta)) {
         }

@@ -19,26 +19,26 @@ namespace {
 class StripRun {
   public:
     StripRun(const PreparedJob &job, double perStrip)
-        : job_(job), bounds_(job.boundary->bounds()), slack_(gridSlack(bounds_)), state_(*job.boundary) {
+        : job_(job), bounds_(job.boundary->bounds()), state_(*job.boundary) {
         FastAdvancer<HierarchicalGrid, NoTrace>::prepare(state_, *job.boundary, *job.spacing, perStrip);
     }
 
     std::size_t strips() const { return state_.strips->boxes.size(); }
 
     void together(unsigned threads) {
-        CHECK(runStrips(state_, *job_.spacing, slack_, threads, {}, job_.estimatedElements));
+        CHECK(runStrips(state_, *job_.spacing, threads, {}, job_.estimatedElements));
         CHECK(state_.front.consistent());
         inThem_ = state_.elements.size();
     }
 
     Mesh finish() {
-        HierarchicalGrid grid(bounds_, slack_, 4.0);
+        HierarchicalGrid grid(bounds_, 4.0);
         for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
             if (state_.front[SlotId{i}].alive) {
                 grid.insert(state_.front, SlotId{i});
             }
         }
-        FastAdvancer<HierarchicalGrid, NoTrace> advancer(state_, grid, *job_.spacing, slack_, NoTrace{});
+        FastAdvancer<HierarchicalGrid, NoTrace> advancer(state_, grid, *job_.spacing, NoTrace{});
         AdvanceDelta delta;
         while (advancer.advance(delta)) {
         }
@@ -52,7 +52,6 @@ class StripRun {
   private:
     const PreparedJob &job_;
     Box2 bounds_;
-    double slack_;
     FrontState state_;
     std::size_t inThem_ = 0;
 };
@@ -149,7 +148,7 @@ TEST_CASE("runStrips: strips of a large mesh leave little to the end, and can be
     FrontState reported(*prepared->boundary);
     FastAdvancer<HierarchicalGrid, NoTrace>::prepare(reported, *prepared->boundary, *prepared->spacing, 6000.0);
     const double elements = static_cast<double>(mesh.elements.size());
-    CHECK(runStrips(reported, *prepared->spacing, gridSlack(prepared->boundary->bounds()), 1, reporting, elements));
+    CHECK(runStrips(reported, *prepared->spacing, 1, reporting, elements));
     CHECK(std::is_sorted(fractions.begin(), fractions.end()));
     CHECK(std::any_of(fractions.begin(), fractions.end(), [](double done) { return done > 0.4 && done < 0.6; }));
 
@@ -159,21 +158,21 @@ TEST_CASE("runStrips: strips of a large mesh leave little to the end, and can be
     stop.request_stop();
     FrontState state(*prepared->boundary);
     FastAdvancer<HierarchicalGrid, NoTrace>::prepare(state, *prepared->boundary, *prepared->spacing, 6000.0);
-    CHECK_FALSE(runStrips(state, *prepared->spacing, gridSlack(prepared->boundary->bounds()), 2, progress, 1e5));
+    CHECK_FALSE(runStrips(state, *prepared->spacing, 2, progress, 1e5));
 }
 
 TEST_CASE("FrontStrips: stepping back through the strips restores every state") {
     const auto domain = discreteDisc(0.05);
     const auto spacing = spacingOf([](Vec2) { return 0.05; });
     FrontState state(*domain);
-    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()), 4.0);
+    HierarchicalGrid grid(domain->bounds(), 4.0);
     using Advancer = FastAdvancer<HierarchicalGrid, NoTrace>;
     Advancer::prepare(state, *domain, *spacing, 150.0);
     REQUIRE(state.strips->boxes.size() > 8);
     for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
         grid.insert(state.front, SlotId{i});
     }
-    Advancer advancer(state, grid, *spacing, gridSlack(domain->bounds()), NoTrace{});
+    Advancer advancer(state, grid, *spacing, NoTrace{});
     advancer.keepLog(true);
     std::vector<std::uint64_t> states{state.hash()};
     std::vector<AdvanceDelta> deltas;

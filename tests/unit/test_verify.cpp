@@ -140,7 +140,8 @@ TEST_CASE("verify: reports an element with zero area by the exact sign") {
     mesh.elements = {{node(0), node(1), node(2)}};
     CHECK(codes(verify(mesh)).count("zero-area") == 1);
     mesh.nodes[1].y = std::nextafter(mesh.nodes[1].y, 0.0); // to the right of 0-2 by the least amount
-    CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
+    CHECK(codes(verify(mesh)) == Codes{"flat-element"});    // only a warning
+    CHECK_FALSE(hasErrors(verify(mesh)));
     mesh.nodes[1].y = std::nextafter(std::nextafter(mesh.nodes[1].y, 1.0), 1.0);
     CHECK(codes(verify(mesh)).count("inverted-element") == 1);
 }

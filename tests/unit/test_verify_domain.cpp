@@ -1,5 +1,7 @@
+#include "core/engine/domain/add_loop.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/verify.hpp"
+#include "core/engine/mesher/pipeline.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -61,6 +63,39 @@ TEST_CASE("verifyAgainst domain: accepts a mesh that divides segments, rotated a
             CHECK_MESSAGE(faults.empty(), samples::list(faults));
         }
     }
+}
+
+TEST_CASE("verifyAgainst domain: accepts meshes of long and thin domains along slanted lines") {
+    for (const double aspect : {1e2, 1e4, 1e6, 1e8}) {
+        for (const double turn : {0.0, 0.1, 0.6, 1.2, 2.5, 4.0}) {
+            for (const Vec2 offset : {Vec2{}, Vec2{0.3 * aspect, -7.7}}) {
+                CAPTURE(aspect);
+                CAPTURE(turn);
+                MeshingJob job;
+                std::vector<Vec2> loop{{0, 0}, {aspect, 0}, {aspect, 1}, {0, 1}};
+                for (Vec2 &p : loop) {
+                    p = Vec2{p.x * std::cos(turn) - p.y * std::sin(turn), p.x * std::sin(turn) + p.y * std::cos(turn)} +
+                        offset;
+                }
+                addLoop(job.domain, loop);
+                job.domain.nodes.push_back(lerp(loop[0], loop[2], 0.31));
+                job.domain.points.push_back({4, 2});
+                const auto outcome = meshDomain(job);
+                REQUIRE(outcome);
+                const Diagnostics faults = verifyAgainst(outcome->mesh, job.domain);
+                CHECK_MESSAGE(faults.empty(), samples::list(faults));
+                const Diagnostics discrete = verifyAgainst(outcome->mesh, *outcome->boundary);
+                CHECK_MESSAGE(discrete.empty(), samples::list(discrete));
+            }
+        }
+    }
+}
+
+TEST_CASE("verifyAgainst domain: a missing area far below the largest products is found") {
+    // The same mesh on another domain, whose area differs by 1e-12 of it.
+    DiscreteDomain domain = samples::squareDomain(samples::square(12, 12, 0.2), 1.0 + 1e-12);
+    const Mesh mesh = samples::square(12, 12, 0.2);
+    CHECK(codes(verifyAgainst(mesh, domain)) == Codes{"area"});
 }
 
 TEST_CASE("verifyAgainst domain: reports the faults of an invalid domain") {

@@ -59,7 +59,7 @@ std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &proj
         return thumbnail;
     }
     const std::unique_ptr<Mesher> mesher = Mesher::create(prepared->boundary, prepared->spacing, job.options);
-    if (!advanceToEnd(*mesher, prepared->estimatedElements, "", progress)) {
+    if (hasErrors(advanceToEnd(*mesher, *prepared, job.options, "", progress))) {
         return thumbnail;
     }
     Mesh mesh = std::move(*mesher).takeMesh();

@@ -100,7 +100,7 @@ void drawMeshFaults(Shell &context) {
     if (!judgement.of.verify) {
         return;
     }
-    const bool valid = judgement.faults.empty();
+    const bool valid = !hasErrors(judgement.faults); // there may be warnings
     drawIcon(valid ? icon::kCheck : icon::kError, valid ? context.theme.good : context.theme.bad);
     ImGui::SameLine(context.px(20));
     ui::small(context, valid ? "The mesh is valid" : "Mesh faults");

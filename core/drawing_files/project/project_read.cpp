@@ -305,7 +305,11 @@ class ProjectReader {
         if (const auto threads = object.find("threads")) {
             options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMaxThreads, "\"threads\""));
         }
-        check_.noteUnknown(object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads"});
+        if (const auto most = object.find("maxElements")) {
+            options.maxElements = static_cast<std::uint64_t>(check_.integer(*most, 1, kMaxElements, "\"maxElements\""));
+        }
+        check_.noteUnknown(
+            object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads", "maxElements"});
     }
 
     void limits(const JsonValue &object) {

@@ -105,7 +105,11 @@ class ProjectWriter {
              << wordOf(options.grid) << "\", \"gridColumns\": " << options.gridColumns
              << ", \"gridRows\": " << options.gridRows
              << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false") << ", \"improve\": \""
-             << wordOf(options.improve) << "\", \"threads\": " << options.threads << '}';
+             << wordOf(options.improve) << "\", \"threads\": " << options.threads;
+        if (options.maxElements != kDefaultMaxElements) {
+            out_ << ", \"maxElements\": " << options.maxElements;
+        }
+        out_ << '}';
     }
 
     /// Writes the parameters in order, and the formulas by address.

@@ -1,6 +1,7 @@
 #include "core/engine/adapt/adaptive_meshing.hpp"
 
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/mesher/pipeline.hpp"
 #include "core/engine/spacing/parts/expression/expression.hpp"
 
@@ -102,9 +103,11 @@ Result<NodalField> expressionField(const std::string &expression) {
     });
 }
 
-Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                               int maxRounds, const MeshingOptions &options, const Progress &progress,
-                               const AdaptReport &report) {
+namespace {
+
+Result<AdaptOutcome> meshInRounds(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+                                  int maxRounds, const MeshingOptions &options, const Progress &progress,
+                                  const AdaptReport &report) {
     AdaptOutcome outcome;
     outcome.mesh = std::move(mesh);
     AdaptTarget aim = target;
@@ -141,9 +144,9 @@ Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField
     }
 }
 
-Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
-                                   const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
-                                   const AdaptReport &report) {
+Result<AdaptOutcome> meshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+                              const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
+                              const AdaptReport &report) {
     AdaptOutcome outcome;
     const Result<ErrorEstimate> estimate = estimateError(mesh, values, progress);
     if (!estimate) {
@@ -155,6 +158,23 @@ Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const
         return faults;
     }
     return outcome;
+}
+
+} // namespace
+
+Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+                           int maxRounds, const MeshingOptions &options, const Progress &progress,
+                           const AdaptReport &report) {
+    return orOutOfMemory("to adapt the mesh", [&] {
+        return meshInRounds(domain, std::move(mesh), field, target, maxRounds, options, progress, report);
+    });
+}
+
+Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
+                               const AdaptReport &report) {
+    return orOutOfMemory("to adapt the mesh",
+                         [&] { return meshOnce(domain, mesh, values, target, options, progress, report); });
 }
 
 } // namespace forefront

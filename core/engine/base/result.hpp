@@ -9,7 +9,13 @@
 
 namespace FOREFRONT_API forefront {
 
-/// A value, or the diagnostics (never empty) that explain why there is none.
+/// Prints the first of the diagnostics to stderr and aborts: the value of a failed result was used without a check.
+[[noreturn]] void abortWithoutValue(const Diagnostics &faults);
+/// Says on stderr that the diagnostics of a successful result were used, and aborts.
+[[noreturn]] void abortWithoutFaults();
+
+/// A value, or the diagnostics (never empty) that explain why there is none. Using the value of a failed result prints
+/// the first diagnostic to stderr and aborts, in every build.
 template <class T>
 class [[nodiscard]] Result {
   public:
@@ -18,9 +24,18 @@ class [[nodiscard]] Result {
 
     explicit operator bool() const { return std::holds_alternative<T>(content_); }
     bool ok() const { return static_cast<bool>(*this); }
-    T &value() & { return std::get<T>(content_); }
-    const T &value() const & { return std::get<T>(content_); }
-    T &&value() && { return std::get<T>(std::move(content_)); }
+    T &value() & {
+        check();
+        return *std::get_if<T>(&content_);
+    }
+    const T &value() const & {
+        check();
+        return *std::get_if<T>(&content_);
+    }
+    T &&value() && {
+        check();
+        return std::move(*std::get_if<T>(&content_));
+    }
     T &operator*() & { return value(); }
     const T &operator*() const & { return value(); }
     T &&operator*() && { return std::move(*this).value(); }
@@ -36,8 +51,21 @@ class [[nodiscard]] Result {
         return ok() ? std::move(*this).value() : static_cast<T>(std::forward<U>(fallback));
     }
     const Diagnostics &faults() const { return std::get<Diagnostics>(content_); }
+    const Diagnostics &faults() const {
+        const Diagnostics *const faults = std::get_if<Diagnostics>(&content_);
+        if (faults == nullptr) {
+            abortWithoutFaults();
+        }
+        return *faults;
+    }
 
   private:
+    void check() const {
+        if (!ok()) {
+            abortWithoutValue(faults());
+        }
+    }
+
     std::variant<T, Diagnostics> content_;
 };
 

@@ -402,7 +402,7 @@ class Discretiser {
                 known[region] = 1;
                 origin[region] = a;
             }
-            twice[region].add(cross(a - origin[region], b - origin[region]));
+            twice[region].add(cross(a - origin[region], b - a)); // smaller products than with the other ends
         };
         for (const DiscreteSegment &piece : result_.segments) {
             add(piece.leftRegion, result_.nodes[piece.a], result_.nodes[piece.b]);

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/key_order.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/domain/coordinate_range.hpp"
 #include "core/engine/domain/domain_meetings.hpp"
 #include "core/engine/domain/free_ends.hpp"
@@ -491,8 +492,10 @@ class Validator {
 } // namespace
 
 Diagnostics validate(const Domain &domain, std::size_t limit, DomainFaces *faces) {
-    DomainFaces own;
-    return Validator(domain, limit).run(faces != nullptr ? *faces : own);
+    return orOutOfMemory("to check the domain", [&] {
+        DomainFaces own;
+        return Validator(domain, limit).run(faces != nullptr ? *faces : own);
+    });
 }
 
 } // namespace forefront

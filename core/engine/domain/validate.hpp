@@ -16,7 +16,8 @@ struct DomainFaces;
 /// empty-domain, bad-index, bad-parameter, bad-tag, zero-length, duplicate-node, duplicate-segment, crossing-segments,
 /// touching-segments (parts: node, segment), overlapping-segments, open-chain, unreferenced-node, hole-outside,
 /// region-marker-outside, region-marker-conflict, point-outside, segment-outside. The last five depend on inside and
-/// outside, so they are checked only if the segments are simple and closed. Exact predicates throughout; O(n log n) for
+/// outside, so they are checked only if the segments are simple and closed. If memory runs out, the only one is
+/// out-of-memory. Exact predicates throughout; O(n log n) for
 /// any input, plus the time to list the meetings. At most `limit` faults are listed; a last Note counts the rest.
 /// Where `faces` is given and the domain is valid, it receives the faces, which saves discretise() finding them again.
 Diagnostics validate(const Domain &domain, std::size_t limit = kMaxListedFaults, DomainFaces *faces = nullptr);

@@ -57,6 +57,8 @@ class GenerationFront {
     bool empty() const { return segments_ == 0; }
     /// Returns the number of slots. Ids run from 0 to capacity() - 1, including dead ones.
     std::size_t capacity() const { return slots_.size(); }
+    /// Returns the number of slots in use: one for each segment and each isolated point.
+    std::size_t slots() const { return slots_.size() - free_.size(); }
     std::uint32_t nextSerial() const { return nextSerial_; }
     /// Returns the memory in use, in bytes.
     std::size_t bytes() const { return slots_.capacity() * sizeof(FrontSlot) + free_.capacity() * sizeof(SlotId); }

@@ -38,21 +38,24 @@ struct CellLayout {
     }
 };
 
-/// Returns the rounding slack of all grid decisions, in domain units: far above any rounding error of coordinates of
-/// this size and far below any cell.
-inline double gridSlack(const Box2 &bounds) {
-    const double magnitude = std::max(std::max(std::abs(bounds.min.x), std::abs(bounds.max.x)),
-                                      std::max(std::abs(bounds.min.y), std::abs(bounds.max.y)));
-    return 64.0 * std::numeric_limits<double>::epsilon() * (magnitude + bounds.diagonal());
+/// Returns the rounding slack of grid decisions about what lies in a box, in domain units: far above any rounding error
+/// of coordinates of this size and far below any cell. It never falls as the box grows. Each part has a slack of its
+/// own: where one node is 1e20 away, the slack of the whole domain would exceed all that is near the origin.
+inline double gridSlack(const Box2 &box) {
+    const double magnitude = std::max(std::max(std::abs(box.min.x), std::abs(box.max.x)),
+                                      std::max(std::abs(box.min.y), std::abs(box.max.y)));
+    return 64.0 * std::numeric_limits<double>::epsilon() * (magnitude + box.size().x + box.size().y);
 }
 
-/// Calls visit(i, j), in a fixed order, for every cell within `slack` of the segment ab, and possibly for others.
+/// Calls visit(i, j), in a fixed order, for every cell of the segment ab: those that its box, grown by `margin`, meets
+/// and that are within `slack` of the segment, and possibly others of the grown box. `slack`: at least `margin`, and
+/// above the rounding errors of the layout and the segment.
 template <class Visit>
-void forEachCrossedCell(const CellLayout &layout, Vec2 a, Vec2 b, double slack, Visit &&visit) {
-    const int i0 = layout.column(std::min(a.x, b.x) - slack);
-    const int i1 = layout.column(std::max(a.x, b.x) + slack);
-    const int j0 = layout.row(std::min(a.y, b.y) - slack);
-    const int j1 = layout.row(std::max(a.y, b.y) + slack);
+void forEachCrossedCell(const CellLayout &layout, Vec2 a, Vec2 b, double margin, double slack, Visit &&visit) {
+    const int i0 = layout.column(std::min(a.x, b.x) - margin);
+    const int i1 = layout.column(std::max(a.x, b.x) + margin);
+    const int j0 = layout.row(std::min(a.y, b.y) - margin);
+    const int j1 = layout.row(std::max(a.y, b.y) + margin);
     if (i0 == i1 || j0 == j1) {
         for (int j = j0; j <= j1; ++j) {
             for (int i = i0; i <= i1; ++i) {
@@ -74,17 +77,19 @@ void forEachCrossedCell(const CellLayout &layout, Vec2 a, Vec2 b, double slack, 
             from = std::max(from, std::min(xLow, xHigh));
             to = std::min(to, std::max(xLow, xHigh));
         }
-        const int last = layout.column(to + slack);
-        for (int i = layout.column(from - slack); i <= last; ++i) {
+        const int last = std::min(i1, layout.column(to + slack));
+        for (int i = std::max(i0, layout.column(from - slack)); i <= last; ++i) {
             visit(i, j);
         }
     }
 }
 
-/// Returns true if the segment ab comes within `slack` of the box. This filter precedes every exact test and is the
-/// same for all grids.
-inline bool segmentNearBox(Vec2 a, Vec2 b, const Box2 &box, double slack) {
-    if (!box.grown(slack).overlaps(boxOf(a, b))) {
+/// Returns true if the segment ab comes within a slack of the box: half of theirs, so that a grid which keeps all of
+/// either misses none. This filter precedes every exact test and is the same for all grids.
+inline bool segmentNearBox(Vec2 a, Vec2 b, const Box2 &box) {
+    const Box2 ends = boxOf(a, b);
+    const double slack = 0.5 * std::max(gridSlack(box), gridSlack(ends));
+    if (!box.grown(slack).overlaps(ends)) {
         return false;
     }
     const Vec2 d = b - a;

@@ -37,13 +37,14 @@ UniformGrid UniformGrid::create(const GridRequest &request) {
 }
 
 void UniformGrid::insert(const GenerationFront &front, SlotId id) {
-    const Box2 box = boxOf(front.start(id), front.end(id));
-    forEachCrossedCell(layout_, front.start(id), front.end(id), slack_,
+    const Box2 ends = boxOf(front.start(id), front.end(id));
+    const Box2 box = ends.grown(gridSlack(ends));
+    forEachCrossedCell(layout_, front.start(id), front.end(id), slack_, slack_,
                        [&](int i, int j) { blocks_.push(lists_[cell(i, j)], id, CellScale(layout_, i, j)(box)); });
 }
 
 void UniformGrid::remove(const GenerationFront &front, SlotId id) {
-    forEachCrossedCell(layout_, front.start(id), front.end(id), slack_,
+    forEachCrossedCell(layout_, front.start(id), front.end(id), slack_, slack_,
                        [&](int i, int j) { blocks_.erase(lists_[cell(i, j)], id); });
 }
 

@@ -29,8 +29,8 @@ class UniformGrid {
     /// See NoGrid::query().
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        const Box2 grown = box.grown(slack_);
-        forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
+        const Box2 grown = withSlack(box);
+        forEachCellNear(grown, [&](const CellLists::List &list, int i, int j) {
             visited(layout_.cellBox(i, j));
             blocks_.forEach(list, CellScale(layout_, i, j)(grown), deliver);
         });
@@ -40,7 +40,7 @@ class UniformGrid {
     template <class Deliver, class Visited>
     std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         std::uint32_t looked = 0;
-        forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
+        forEachCellNear(withSlack(box), [&](const CellLists::List &list, int i, int j) {
             visited(layout_.cellBox(i, j));
             looked += list.size;
             blocks_.forEachNear(list, CellScale(layout_, i, j)(box), deliver);
@@ -62,12 +62,14 @@ class UniformGrid {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(layout_.columns) + static_cast<std::size_t>(i);
     }
 
+    Box2 withSlack(const Box2 &box) const { return box.grown(std::max(slack_, gridSlack(box))); }
+
     template <class Visit>
-    void forEachCellNear(const Box2 &box, Visit &&visit) const {
-        const int i0 = layout_.column(box.min.x - slack_);
-        const int i1 = layout_.column(box.max.x + slack_);
-        const int j1 = layout_.row(box.max.y + slack_);
-        for (int j = layout_.row(box.min.y - slack_); j <= j1; ++j) {
+    void forEachCellNear(const Box2 &grown, Visit &&visit) const {
+        const int i0 = layout_.column(grown.min.x);
+        const int i1 = layout_.column(grown.max.x);
+        const int j1 = layout_.row(grown.max.y);
+        for (int j = layout_.row(grown.min.y); j <= j1; ++j) {
             for (int i = i0; i <= i1; ++i) {
                 visit(lists_[cell(i, j)], i, j);
             }

@@ -35,6 +35,7 @@ struct ImproveReport {
 /// minimum α never falls. Deterministic. Cancelling leaves a valid mesh and takes about 50 ms up to 10⁶ elements,
 /// 0.4 s up to 10⁷.
 /// Smoothing works in single precision: lengths beyond about 1e±38 leave the mesh as it is.
+/// Throws std::bad_alloc if memory runs out; the mesh is then unusable.
 ImproveReport improve(Mesh &mesh, const ImproveOptions &options = {}, const Progress &progress = {});
 
 } // namespace forefront

@@ -19,23 +19,23 @@ class FaultList {
 
     void add(const char *code, std::string message, std::optional<Vec2> at = {},
              std::initializer_list<std::uint32_t> ids = {}, std::initializer_list<DomainPart> parts = {}) {
-        ++count_;
-        if (++kindOf(code).count > kOften) {
-            return;
-        }
-        Diagnostic fault;
-        fault.code = code;
-        fault.message = std::move(message);
-        fault.at = at;
-        fault.ids = ids;
-        fault.parts = parts;
-        faults_.push_back(std::move(fault));
+        ++errors_;
+        push(Severity::Error, code, std::move(message), at, ids, parts);
     }
-    std::size_t count() const { return count_; }
-    bool clean() const { return count_ == 0; }
+    /// Adds something that makes a mesh unfit for most uses but not invalid.
+    void warn(const char *code, std::string message, std::optional<Vec2> at = {},
+              std::initializer_list<std::uint32_t> ids = {}) {
+        push(Severity::Warning, code, std::move(message), at, ids, {});
+    }
+    /// Returns the number of errors.
+    std::size_t errors() const { return errors_; }
+    bool clean() const { return errors_ == 0; }
 
-    /// Returns the faults in the order they were added, with a final note of the number beyond the limit.
+    /// Returns the errors, then the warnings, in the order they were added, with a final note of the number beyond the
+    /// limit.
     Diagnostics take() {
+        std::stable_sort(faults_.begin(), faults_.end(),
+                         [](const Diagnostic &a, const Diagnostic &b) { return a.severity < b.severity; });
         Diagnostics listed;
         std::size_t covered = 0; // faults that the list names or counts
         for (Diagnostic &fault : faults_) {
@@ -53,7 +53,7 @@ class FaultList {
         }
         if (covered < count_) {
             Diagnostic rest;
-            rest.severity = listed.empty() ? Severity::Error : Severity::Note;
+            rest.severity = listed.empty() && errors_ > 0 ? Severity::Error : Severity::Note;
             rest.code = "more";
             rest.message = std::to_string(count_ - covered) + " more faults are not listed";
             listed.push_back(std::move(rest));
@@ -62,6 +62,22 @@ class FaultList {
     }
 
   private:
+    void push(Severity severity, const char *code, std::string message, std::optional<Vec2> at,
+              std::initializer_list<std::uint32_t> ids, std::initializer_list<DomainPart> parts) {
+        ++count_;
+        if (++kindOf(code).count > kOften) {
+            return;
+        }
+        Diagnostic fault;
+        fault.severity = severity;
+        fault.code = code;
+        fault.message = std::move(message);
+        fault.at = at;
+        fault.ids = ids;
+        fault.parts = parts;
+        faults_.push_back(std::move(fault));
+    }
+
     /// Kinds with more faults are listed once.
     static constexpr std::size_t kOften = 10;
 
@@ -77,7 +93,8 @@ class FaultList {
     }
 
     std::size_t limit_;
-    std::size_t count_ = 0;
+    std::size_t count_ = 0; ///< of errors and warnings
+    std::size_t errors_ = 0;
     std::vector<Kind> kinds_; ///< few
     Diagnostics faults_;      ///< the first of each kind
 };

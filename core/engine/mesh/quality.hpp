@@ -35,9 +35,10 @@ struct MeshQuality {
         alphaHistogram{};                    ///< equal bins over [0, 1]; negative α counts in the first
     std::array<std::uint64_t, 13> valence{}; ///< interior nodes by number of elements; the last counts 12 and more
     ElementId worst = kNoElement;            ///< the element with minimum α
+    std::size_t flat = 0;                    ///< elements of no area, within the rounding of their nodes
 };
 
-/// Returns the quality statistics of a mesh. δ is left out if `spacing` is null.
+/// Returns the quality statistics of a mesh. δ is left out if `spacing` is null. Throws std::bad_alloc if memory runs out.
 MeshQuality measureQuality(const Mesh &mesh, const SpacingField *spacing);
 
 /// Returns α of every element.

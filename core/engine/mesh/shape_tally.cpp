@@ -1,5 +1,7 @@
 #include "core/engine/mesh/shape_tally.hpp"
 
+#include "core/engine/geometry/flat.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -43,6 +45,7 @@ void ShapeTally::add(Vec2 a, Vec2 b, Vec2 c) {
         worst_ = ElementId{static_cast<std::uint32_t>(count_)};
     }
     allPositive_ = allPositive_ && alpha > 0.0;
+    flat_ += isFlat(a, b, c) ? 1 : 0;
     if (alpha > 0.0) {
         product_.multiply(alpha);
     }
@@ -64,6 +67,7 @@ void ShapeTally::into(MeshQuality &quality) const {
     quality.minAngle = angles_.min();
     quality.maxAngle = angles_.max();
     quality.worst = worst_;
+    quality.flat = flat_;
     quality.alphaHistogram = histogram_;
 }
 

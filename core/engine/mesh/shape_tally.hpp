@@ -30,7 +30,7 @@ class ShapeTally {
         bool flat_ = false;
     };
 
-    std::size_t count_ = 0;
+    std::size_t count_ = 0, flat_ = 0;
     LogProduct product_;
     AngleRange angles_;
     double sum_ = 0.0;

@@ -1,5 +1,7 @@
 #include "core/engine/mesh/verify.hpp"
 
+#include "core/engine/base/out_of_memory.hpp"
+#include "core/engine/geometry/flat.hpp"
 #include "core/engine/geometry/predicates.hpp"
 #include "core/engine/mesh/coverage.hpp"
 #include "core/engine/mesh/edge_table.hpp"
@@ -69,7 +71,7 @@ void checkFinite(const Mesh &mesh, FaultList &faults) {
 /// Adds a fault for each element that refers to a node twice, since its sides cannot be followed. Returns false if
 /// there are any.
 bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
-    const std::size_t before = faults.count();
+    const std::size_t before = faults.errors();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
         if (n[0] == n[1] || n[1] == n[2] || n[2] == n[0]) {
@@ -80,21 +82,26 @@ bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
                        mesh.nodes[index(twice)], {static_cast<std::uint32_t>(e)});
         }
     }
-    return faults.count() == before;
+    return faults.errors() == before;
 }
 
 void checkAreas(const Mesh &mesh, FaultList &faults) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
-        const int sign = orientation(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
-        if (sign > 0) {
+        const Vec2 a = mesh.nodes[index(n[0])], b = mesh.nodes[index(n[1])], c = mesh.nodes[index(n[2])];
+        if (!isFlat(a, b, c)) {
             continue;
         }
         const auto id = static_cast<std::uint32_t>(e);
+        const std::string name = "element " + std::to_string(e);
+        const int sign = orientation(a, b, c);
         if (sign < 0) {
-            faults.add("inverted-element", "element " + std::to_string(e) + " is clockwise", centroid(mesh, n), {id});
+            faults.add("inverted-element", name + " is clockwise", centroid(mesh, n), {id});
+        } else if (sign == 0) {
+            faults.add("zero-area", name + " has zero area", centroid(mesh, n), {id});
         } else {
-            faults.add("zero-area", "element " + std::to_string(e) + " has zero area", centroid(mesh, n), {id});
+            faults.warn("flat-element", name + " is flat: its area is not larger than what rounding its nodes changes",
+                        centroid(mesh, n), {id});
         }
     }
 }
@@ -236,9 +243,7 @@ void checkEuler(const Mesh &mesh, const EdgeTable &table, const std::vector<Half
     }
 }
 
-} // namespace
-
-Diagnostics verify(const Mesh &mesh, std::size_t limit) {
+Diagnostics verifyAlone(const Mesh &mesh, std::size_t limit) {
     FaultList faults(limit);
     checkIndices(mesh, faults);
     if (!faults.clean()) {
@@ -253,9 +258,9 @@ Diagnostics verify(const Mesh &mesh, std::size_t limit) {
     }
     checkAreas(mesh, faults);
     const EdgeTable table(mesh);
-    const std::size_t before = faults.count();
+    const std::size_t before = faults.errors();
     const std::vector<HalfEdge> boundary = checkEdges(mesh, table, faults);
-    const bool conforming = faults.count() == before;
+    const bool conforming = faults.errors() == before;
     checkTagged(mesh, table, faults);
     checkNodesUsed(mesh, faults);
     if (conforming) {
@@ -263,6 +268,12 @@ Diagnostics verify(const Mesh &mesh, std::size_t limit) {
         checkEuler(mesh, table, boundary, faults);
     }
     return faults.take();
+}
+
+} // namespace
+
+Diagnostics verify(const Mesh &mesh, std::size_t limit) {
+    return orOutOfMemory("to check the mesh", [&] { return verifyAlone(mesh, limit); });
 }
 
 } // namespace forefront

@@ -1,10 +1,13 @@
 #include "core/engine/mesh/verify_discrete.hpp"
 
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/verify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace forefront {
 
@@ -145,14 +148,58 @@ void checkPoints(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, co
     }
 }
 
-/// Compares the areas, both sums of rounded terms over the same nodes: 1e-11 of the terms' size is 10⁵ roundings.
+/// Sums cross products of vectors between nodes with extended precision, and bounds the error of the sum.
+///
+/// With u the unit roundoff of the terms, both differences of a product l are rounded, then l itself: l errs by 3u·|l|,
+/// and a term l - r by 4u·(|l| + |r|). Adding n terms errs by n·u times the sum of their magnitudes at most. Products
+/// of errors are far below the margin of one more u.
+class AreaSum {
+  public:
+    void add(Vec2 a, Vec2 b, Vec2 c, Vec2 d) { // (b - a) × (d - c)
+        using Real = long double;
+        const Real left = (Real(b.x) - a.x) * (Real(d.y) - c.y), right = (Real(b.y) - a.y) * (Real(d.x) - c.x);
+        sum_ += left - right;
+        products_ += std::abs(left) + std::abs(right);
+        terms_ += std::abs(left - right);
+        count_ += 1.0L;
+    }
+    /// Returns half the sum.
+    BoundedArea area() const {
+        constexpr long double kUnit = 0.5L * std::numeric_limits<long double>::epsilon();
+        const long double error = kUnit * (5.0L * products_ + count_ * terms_);
+        const auto rounded = static_cast<double>(0.5L * sum_);
+        return {rounded,
+                static_cast<double>(0.5L * error) + std::numeric_limits<double>::epsilon() * std::abs(rounded)};
+    }
+
+  private:
+    long double sum_ = 0.0L, products_ = 0.0L, terms_ = 0.0L, count_ = 0.0L;
+};
+
+/// Bounds the error of the areas of regions that discretise() sums in doubles: a term (a - o) × (b - a) errs by 5u
+/// times its products, as in AreaSum, for an origin o in the domain; each segment belongs to two regions at most. The
+/// sums are compensated; their results and the sum over the regions are rounded.
+double regionsError(const DiscreteDomain &domain) {
+    constexpr double kUnit = 0.5 * std::numeric_limits<double>::epsilon();
+    const Vec2 size = domain.bounds().size();
+    double products = 0.0, areas = 0.0;
+    for (const DiscreteSegment &s : domain.segments) {
+        const Vec2 d = domain.nodes[s.b] - domain.nodes[s.a];
+        products += size.x * std::abs(d.y) + size.y * std::abs(d.x);
+    }
+    for (const DiscreteRegion &region : domain.regions) {
+        areas += std::abs(region.area);
+    }
+    return kUnit * (5.0 * products + (static_cast<double>(domain.regions.size()) + 2.0) * areas);
+}
+
+/// Compares the areas within their rounding errors.
 void checkArea(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
-    const EnclosedArea enclosed = enclosedArea(domain);
-    const double is = meshArea(mesh);
-    for (const double must : {enclosed.area, domain.area()}) {
-        if (!(std::abs(is - must) <= 1e-11 * (enclosed.magnitude + std::abs(must)))) {
+    const BoundedArea is = meshArea(mesh), enclosed = enclosedArea(domain);
+    for (const BoundedArea &must : {enclosed, BoundedArea{domain.area(), regionsError(domain)}}) {
+        if (!(std::abs(is.area - must.area) <= is.error + must.error)) {
             char text[120];
-            std::snprintf(text, sizeof text, "the area of the mesh is %.17g instead of %.17g", is, must);
+            std::snprintf(text, sizeof text, "the area of the mesh is %.17g instead of %.17g", is.area, must.area);
             faults.add("area", text, mesh.bounds().centre());
             return;
         }
@@ -194,28 +241,26 @@ NodeId NodeFinder::find(Vec2 p) const {
     return it != sorted_.end() && mesh_->nodes[index(*it)] == p ? *it : kNoNode;
 }
 
-double meshArea(const Mesh &mesh) {
-    long double sum = 0.0L;
+BoundedArea meshArea(const Mesh &mesh) {
+    AreaSum sum;
     for (const Element &e : mesh.elements) {
         const Vec2 a = mesh.nodes[index(e[0])];
-        sum += cross(mesh.nodes[index(e[1])] - a, mesh.nodes[index(e[2])] - a);
+        sum.add(a, mesh.nodes[index(e[1])], a, mesh.nodes[index(e[2])]);
     }
-    return static_cast<double>(0.5L * sum);
+    return sum.area();
 }
 
-EnclosedArea enclosedArea(const DiscreteDomain &domain) {
+BoundedArea enclosedArea(const DiscreteDomain &domain) {
     const Vec2 centre = domain.bounds().centre();
-    long double sum = 0.0L, magnitude = 0.0L;
+    AreaSum sum;
     for (const DiscreteSegment &s : domain.segments) {
         const bool leftOut = s.leftRegion == kOutside, rightOut = s.rightRegion == kOutside;
-        if (leftOut == rightOut) {
-            continue;
+        if (leftOut != rightOut) {
+            const Vec2 a = domain.nodes[rightOut ? s.a : s.b], b = domain.nodes[rightOut ? s.b : s.a];
+            sum.add(centre, a, a, b); // not (a - c) × (b - c): the products would be larger by far
         }
-        const double term = cross(domain.nodes[s.a] - centre, domain.nodes[s.b] - centre);
-        sum += rightOut ? term : -term;
-        magnitude += std::abs(term);
     }
-    return {static_cast<double>(0.5L * sum), static_cast<double>(0.5L * magnitude)};
+    return sum.area();
 }
 
 void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
@@ -232,13 +277,17 @@ void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &fau
 }
 
 Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::size_t limit) {
-    Diagnostics own = verify(mesh, limit);
-    if (!own.empty()) {
-        return own;
-    }
-    FaultList faults(limit);
-    checkAgainst(mesh, domain, faults);
-    return faults.take();
+    return orOutOfMemory("to check the mesh", [&] {
+        const Diagnostics own = verify(mesh, limit);
+        if (hasErrors(own)) {
+            return own;
+        }
+        FaultList faults(limit);
+        checkAgainst(mesh, domain, faults);
+        Diagnostics found = faults.take();
+        found.insert(found.end(), own.begin(), own.end());
+        return found;
+    });
 }
 
 } // namespace forefront

@@ -29,14 +29,14 @@ bool carriesNoTags(const Mesh &mesh);
 /// Adds the deviations of a mesh from a discrete domain. The indices of the mesh must be valid.
 void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults);
 
-/// The area enclosed by the segments that have the outside on one side. `magnitude` is the sum of the sizes of its
-/// terms, which scales the rounding error.
-struct EnclosedArea {
+/// An area and a bound on its rounding error.
+struct BoundedArea {
     double area = 0.0;
-    double magnitude = 0.0;
+    double error = 0.0;
 };
-EnclosedArea enclosedArea(const DiscreteDomain &domain);
-/// Returns the sum of the element areas, from differences of coordinates.
-double meshArea(const Mesh &mesh);
+/// Returns the area enclosed by the segments that have the outside on one side.
+BoundedArea enclosedArea(const DiscreteDomain &domain);
+/// Returns the sum of the element areas.
+BoundedArea meshArea(const Mesh &mesh);
 
 } // namespace forefront

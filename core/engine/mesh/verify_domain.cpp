@@ -1,3 +1,5 @@
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/domain/curve_chains.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/geometry/polygon.hpp"
@@ -211,10 +213,29 @@ DomainPart partAt(const Domain &domain, Vec2 place) {
     return {DomainPartKind::ConstraintPoint, static_cast<std::uint32_t>(found - domain.points.begin())};
 }
 
-/// Returns the domain with its segments divided as the mesh divides them.
-DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains,
-                           const DiscreteDomain &given, double tolerance, FaultList &faults) {
-    DiscreteDomain cut;
+/// Bounds the area between a straight segment and a chain of mesh edges between its ends: its length times the maximum
+/// distance of the nodes. A distance c/|d|, with c a cross product of d and a vector no longer than d, errs by
+/// 5u·2·|d| (see AreaSum), and d itself by less.
+double areaBeside(const Mesh &mesh, const std::vector<NodeId> &nodes) {
+    const Vec2 a = mesh.nodes[index(nodes.front())];
+    const Vec2 d = mesh.nodes[index(nodes.back())] - a;
+    const double span = length(d);
+    double farthest = 0.0;
+    for (const NodeId node : nodes) {
+        farthest = std::max(farthest, std::abs(cross(d, mesh.nodes[index(node)] - a)));
+    }
+    return farthest + 6.0 * std::numeric_limits<double>::epsilon() * span * span;
+}
+
+/// The domain with its segments divided as the mesh divides them, and the area by which straight ones may differ.
+struct CutDomain {
+    DiscreteDomain domain;
+    double areaBeside = 0.0;
+};
+CutDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains, const DiscreteDomain &given,
+                      double tolerance, FaultList &faults) {
+    CutDomain result;
+    DiscreteDomain &cut = result.domain;
     cut.nodes = mesh.nodes;
     cut.regions = given.regions;
     const NodeFinder finder(mesh);
@@ -246,6 +267,8 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveCh
         if (nodes.empty()) {
             faults.add("missing-segment", name + " is not covered by edges of the mesh", midpoint(a, b), {s.source},
                        {aSegment(s.source)});
+        } else if (curved == nullptr) {
+            result.areaBeside += areaBeside(mesh, nodes);
         }
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
             DiscreteSegment piece = s;
@@ -263,34 +286,25 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveCh
             cut.points.push_back({static_cast<std::uint32_t>(node), point.tag});
         }
     }
-    return cut;
+    return result;
 }
 
-/// Returns how far rounding may move a node inserted into a segment, with a margin.
+/// Returns how far rounding may move a node inserted into a segment: a + t·(b - a) errs in x by u·(2·|b.x - a.x| + |x|)
+/// at most, which is 5u times the largest |x|, and likewise in y; so by 5·√2·u = 3.6ε times the largest coordinate.
+/// Other formulas, such as (1 - t)·a + t·b, err by as much.
 double roundingOf(const Box2 &bounds) {
     const double maxCoordinate =
         std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.max.x), std::abs(bounds.max.y)});
-    return 8.0 * std::numeric_limits<double>::epsilon() * maxCoordinate;
+    return 8.0 * std::numeric_limits<double>::epsilon() * maxCoordinate; // with a margin
 }
 
-/// Returns the maximum error of the area because nodes inserted into straight segments are rounded.
-double areaTolerance(const DiscreteDomain &domain, const EnclosedArea &enclosed) {
-    double perimeter = 0.0;
-    for (const DiscreteSegment &s : domain.segments) {
-        perimeter += distance(domain.nodes[s.a], domain.nodes[s.b]);
+Diagnostics verifyFilling(const Mesh &mesh, const Domain &domain, std::size_t limit) {
+    Diagnostics own = verify(mesh, limit);
+    if (hasErrors(own)) {
+        return own;
     }
-    return 1e-11 * (enclosed.magnitude + std::abs(enclosed.area)) + roundingOf(domain.bounds()) * perimeter;
-}
-
-} // namespace
-
-Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit) {
-    Diagnostics found = verify(mesh, limit);
-    if (found.empty()) {
-        found = validate(domain, limit);
-    }
-    if (hasErrors(found)) {
-        return found;
+    if (Diagnostics wrong = validate(domain, limit); hasErrors(wrong)) {
+        return wrong;
     }
     SpacingSpec spec;
     spec.size = domain.bounds().diagonal();
@@ -303,22 +317,27 @@ Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t li
         return given.faults();
     }
     FaultList faults(limit);
+    const auto withOwn = [&] {
+        Diagnostics found = faults.take();
+        found.insert(found.end(), own.begin(), own.end());
+        return found;
+    };
     const CurveChains chains = curveChains(domain);
     const double tolerance = std::max(1e-9 * domain.bounds().diagonal(), roundingOf(domain.bounds()));
-    DiscreteDomain cut = cutAsMeshed(mesh, domain, chains, *given, tolerance, faults);
+    CutDomain meshed = cutAsMeshed(mesh, domain, chains, *given, tolerance, faults);
+    DiscreteDomain &cut = meshed.domain;
     if (!faults.clean()) {
-        return faults.take();
+        return withOwn();
     }
-    const EnclosedArea whole = enclosedArea(*given);
+    const BoundedArea whole = enclosedArea(*given), is = meshArea(mesh);
+    double allowed = is.error + whole.error + meshed.areaBeside;
     // Along curves, the edges of the mesh cut off other areas than the chords of the domain.
-    double allowed = areaTolerance(*given, whole);
     for (const CurveChain &chain : chains.list) {
         allowed += CurveWalk(domain, chain, 0.0).areaBetween();
     }
-    if (!(std::abs(meshArea(mesh) - whole.area) <= allowed)) {
+    if (!(std::abs(is.area - whole.area) <= allowed)) {
         faults.add("area",
-                   "the area of the mesh is " + std::to_string(meshArea(mesh)) + " instead of " +
-                       std::to_string(whole.area),
+                   "the area of the mesh is " + numberText(is.area, 15) + " instead of " + numberText(whole.area, 15),
                    mesh.bounds().centre());
     }
     // Areas of faces are those of the cut domain from here on; the sum was compared above.
@@ -330,7 +349,13 @@ Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t li
         cut.regions[0].area = rest;
     }
     checkAgainst(mesh, cut, faults);
-    return faults.take();
+    return withOwn();
+}
+
+} // namespace
+
+Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit) {
+    return orOutOfMemory("to check the mesh", [&] { return verifyFilling(mesh, domain, limit); });
 }
 
 } // namespace forefront

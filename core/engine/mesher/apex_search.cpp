@@ -1,11 +1,12 @@
 #include "core/engine/mesher/apex_search.hpp"
 
+#include "core/engine/geometry/flat.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/clearance.hpp"
 #include "core/engine/mesher/instantiate.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace forefront {
 
@@ -49,11 +50,26 @@ Box2 ApexSearch<Grid, Trace>::reach(const Base &base, double radius) {
 
 template <class Grid, class Trace>
 void ApexSearch<Grid, Trace>::force(const Base &base, double radius, Candidate &apex) {
+    constexpr std::size_t kMaxSeen = 4096; // bounds the cost of bases that have no other choice
+    const GenerationFront &front = state_.front;
+    bool flat = front.prev(base.slotA) == front.next(base.slotB); // the last element of a loop
     do { // ends at the latest when the search covers all of Γ, see ClassicAdvancer
         radius *= 2.0;
-        FOREFRONT_ASSERT(radius < 1e6 * (base.rho + slack_ / std::numeric_limits<double>::epsilon()));
+        FOREFRONT_ASSERT(std::isfinite(radius));
         trace_.widen();
-    } while (!find(base, {radius, false}, apex));
+        flat = flat || neighbours_.size() > kMaxSeen || seenAll(base);
+    } while (!find(base, {radius, false, flat}, apex));
+}
+
+/// Returns true if the last search looked at all nodes of Γ.
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::seenAll(const Base &base) const {
+    const auto ofBase = std::count_if(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
+        return n.nodeA == base.nodeA || n.nodeA == base.nodeB;
+    });
+    const auto others = std::count_if(candidates_.begin(), candidates_.end(),
+                                      [](const Candidate &candidate) { return candidate.slot != kNoSlot; });
+    return static_cast<std::size_t>(ofBase + others) == state_.front.slots();
 }
 
 template <class Grid, class Trace>
@@ -62,7 +78,7 @@ bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candi
     rank(base, limits);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         trace_.beginTest(i);
-        const Verdict verdict = test(base, candidates_[i]);
+        const Verdict verdict = test(base, candidates_[i], limits.flat);
         trace_.endTest(verdict);
         if (verdict == Verdict::Accepted) {
             apex = candidates_[i];
@@ -94,7 +110,7 @@ void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
                 stamp = stamp_;
                 ++work_.delivered;
                 trace_.deliver(1);
-                if (near && segmentNearBox(front.start(id), front.end(id), box, slack_)) {
+                if (near && segmentNearBox(front.start(id), front.end(id), box)) {
                     found_.push_back(id);
                 }
             }
@@ -160,11 +176,13 @@ double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
            spacingConformity(distance(base.b, p), base.rho);
 }
 
-/// Tests a candidate (step 8).
+/// Tests a candidate (step 8). All tests are exact; unless `flat`, the area must be positive and nodes of Γ outside the
+/// element by more than rounding can explain.
 template <class Grid, class Trace>
-Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate) {
+Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate, bool flat) {
     const GenerationFront &front = state_.front;
-    if (orientation(base.a, base.b, candidate.position) <= 0) {
+    if (flat ? orientation(base.a, base.b, candidate.position) <= 0
+             : isFlat(base.a, base.b, candidate.position, kAvoidedFlatness)) {
         return Verdict::NotLeft;
     }
     if (!anglesAllow(base, candidate)) {
@@ -177,7 +195,7 @@ Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candida
         (!existsCB && crosses(base, base.b, base.nodeB, candidate))) {
         return Verdict::CrossesFront;
     }
-    return containsNode(base, candidate) ? Verdict::ContainsNode : Verdict::Accepted;
+    return containsNode(base, candidate, flat) ? Verdict::ContainsNode : Verdict::Accepted;
 }
 
 /// Returns true if AC and CB leave A, B and C on the unmeshed side. A side that is already a segment of Γ needs no
@@ -215,15 +233,20 @@ bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNo
     return false;
 }
 
+/// Returns true if a node of Γ lies in or on the element; unless `flat`, also if it lies beside a side but so close
+/// that the element left there would be flat.
 template <class Grid, class Trace>
-bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &candidate) {
+bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &candidate, bool flat) {
     Box2 box = boxOf(base.a, base.b);
     box.add(candidate.position);
+    box = box.grown(roundingMargin(box));
+    const Vec2 c = candidate.position;
     for (const Neighbour &n : neighbours_) {
         if (n.nodeA == base.nodeA || n.nodeA == base.nodeB || n.nodeA == candidate.node || !box.contains(n.a)) {
             continue;
         }
-        if (insideOrOn(base.a, base.b, candidate.position, n.a)) {
+        if (insideOrOn(base.a, base.b, c, n.a) ||
+            (!flat && (nearlyOnSegment(base.a, c, n.a) || nearlyOnSegment(base.b, c, n.a)))) {
             trace_.block(n.a, n.a);
             return true;
         }

@@ -63,10 +63,11 @@ class ApexSearch {
     struct Limits {
         double radius;
         bool newNodes;
+        bool flat = false; ///< accept flat elements, and sides that rounding cannot tell from touching a node of Γ
     };
 
-    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace &trace)
-        : state_(state), grid_(grid), spacing_(spacing), slack_(slack), trace_(trace) {}
+    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace)
+        : state_(state), grid_(grid), spacing_(spacing), trace_(trace) {}
 
     /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is the mean of its values at the midpoint of AB and at
     /// the ideal point that follows from the first.
@@ -75,7 +76,9 @@ class ApexSearch {
     static Box2 reach(const Base &base, double radius);
     /// Finds the apex within one search radius (steps 5 to 8). Returns false if no candidate passes.
     bool find(const Base &base, const Limits &limits, Candidate &apex);
-    /// Finds the apex among existing nodes only; doubles the radius until one passes, which cannot fail.
+    /// Finds the apex among existing nodes only; doubles the radius until one passes, which cannot fail. Takes a flat
+    /// element only where the search has found no other among thousands of segments or all of Γ, or where three
+    /// segments are left.
     void force(const Base &base, double radius, Candidate &apex);
 
     void startCounting() { work_ = {}; }
@@ -93,15 +96,15 @@ class ApexSearch {
     void rank(const Base &base, const Limits &limits);
     bool idealIsClear(const Base &base) const;
     double score(const Base &base, Vec2 p) const;
-    Verdict test(const Base &base, const Candidate &candidate);
+    bool seenAll(const Base &base) const;
+    Verdict test(const Base &base, const Candidate &candidate, bool flat);
     bool anglesAllow(const Base &base, const Candidate &candidate) const;
     bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to);
-    bool containsNode(const Base &base, const Candidate &candidate);
+    bool containsNode(const Base &base, const Candidate &candidate, bool flat);
 
     const FrontState &state_;
     const Grid &grid_;
     const SpacingField &spacing_;
-    double slack_;
     Trace &trace_;
 
     std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered

@@ -25,8 +25,8 @@ class ClassicAdvancer {
     /// count them as Nc. Measured: no difference from 3 to 6.
     static constexpr double kCellPerLength = 3.5;
 
-    ClassicAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
-        : state_(state), trace_(trace), search_(state, grid, spacing, slack, trace_), update_(state, grid, nullptr) {}
+    ClassicAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, Trace trace)
+        : state_(state), trace_(trace), search_(state, grid, spacing, trace_), update_(state, grid, nullptr) {}
     ClassicAdvancer(const ClassicAdvancer &) = delete; // its parts share one trace
     ClassicAdvancer &operator=(const ClassicAdvancer &) = delete;
 

@@ -1,5 +1,6 @@
 #include "core/engine/mesher/fan.hpp"
 
+#include "core/engine/geometry/flat.hpp"
 #include "core/engine/mesher/clearance.hpp"
 #include "core/engine/mesher/instantiate.hpp"
 
@@ -86,7 +87,7 @@ bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
         }
     }
     for (unsigned i = 0; i < fan.segments; ++i) {
-        if (orientation(fan.at[i], fan.at[i + 1], fan.apex) <= 0) {
+        if (isFlat(fan.at[i], fan.at[i + 1], fan.apex, kAvoidedFlatness)) {
             return false;
         }
     }
@@ -120,6 +121,7 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
     const GenerationFront &front = state_.front;
     Boxes boxes{reach, fan.box(), boxOf(fan.at[0], fan.apex), boxOf(fan.at[fan.segments], fan.apex)};
     boxes.fan.add(fan.apex);
+    boxes.fan = boxes.fan.grown(roundingMargin(boxes.fan));
     constexpr unsigned kMaxNear = 32;
     std::array<SlotId, kMaxNear> near;
     unsigned count = 0;
@@ -171,6 +173,9 @@ bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Boxes &boxes, const F
                     return true;
                 }
             }
+            if (nearlyOnSegment(fan.at[0], fan.apex, a) || nearlyOnSegment(fan.at[fan.segments], fan.apex, a)) {
+                return true; // the element left there would be flat
+            }
         }
     }
     const unsigned last = fan.segments;
@@ -196,10 +201,11 @@ bool FanBuilder<Grid, Trace>::meets(Vec2 from, NodeId fromNode, Vec2 to, NodeId 
 template <class Grid, class Trace>
 bool FanBuilder<Grid, Trace>::cornerClear(const Fan &corner, SearchWork &work) {
     const GenerationFront &front = state_.front;
-    if (!front.insideAngle(corner.slots[0], corner.at[2]) || !front.insideAngle(corner.slots[2], corner.at[0])) {
+    if (isFlat(corner.at[0], corner.at[1], corner.at[2], kAvoidedFlatness) ||
+        !front.insideAngle(corner.slots[0], corner.at[2]) || !front.insideAngle(corner.slots[2], corner.at[0])) {
         return false;
     }
-    const Box2 box = corner.box();
+    const Box2 box = corner.box().grown(roundingMargin(corner.box()));
     bool free = true;
     const std::uint32_t delivered = grid_.queryNear(
         front, box,
@@ -218,7 +224,8 @@ template <class Grid, class Trace>
 bool FanBuilder<Grid, Trace>::blocksCorner(const Fan &corner, const Box2 &box, const FrontSlot &n, SearchWork &work) {
     const auto end = corner.nodes.begin() + 3;
     if (box.contains(n.position) && std::find(corner.nodes.begin(), end, n.node) == end &&
-        insideOrOn(corner.at[0], corner.at[1], corner.at[2], n.position)) {
+        (insideOrOn(corner.at[0], corner.at[1], corner.at[2], n.position) ||
+         nearlyOnSegment(corner.at[0], corner.at[2], n.position))) { // else the element left there would be flat
         return true;
     }
     return boxOf(corner.at[0], corner.at[2]).overlaps(boxOf(n.position, state_.front.start(n.next))) &&

@@ -40,17 +40,17 @@ class FanBuilder {
     bool place(Fan &fan) const;
     /// Returns a box that meets everything that clear() depends on.
     static Box2 reach(const Fan &fan);
-    /// Returns true if the elements lie on the unmeshed side, meet no segment and enclose no node of Γ, and the apex
-    /// keeps its distance from both (as in step 7).
+    /// Returns true if the elements lie on the unmeshed side, meet no segment and enclose no node of Γ, no new side
+    /// comes within rounding of one, and the apex keeps its distance from both (as in step 7).
     bool clear(const Fan &fan, const Box2 &reach, SearchWork &work);
-    /// Returns true if the element X0X1X2 of a corner lies on the unmeshed side, and neither it nor its new third side
-    /// meets anything of Γ.
+    /// Returns true if the element X0X1X2 of a corner lies on the unmeshed side, is not flat, and neither it nor its
+    /// new third side meets anything of Γ, within rounding for nodes.
     bool cornerClear(const Fan &corner, SearchWork &work);
 
   private:
     bool anglesAllow(const Fan &fan) const;
     struct Boxes {
-        Box2 reach, fan, firstSide, lastSide;
+        Box2 reach, fan, firstSide, lastSide; ///< that of the fan with a margin for rounding
     };
     bool blocks(const Fan &fan, const Boxes &boxes, const FrontSlot &n, SearchWork &work);
     bool blocksCorner(const Fan &corner, const Box2 &box, const FrontSlot &n, SearchWork &work);

@@ -19,7 +19,7 @@ class GridMesher final : public Mesher {
     GridMesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
                const FrontCare &care, Grid grid)
         : Mesher(std::move(boundary), std::move(spacing), care), grid_(std::move(grid)),
-          slack_(gridSlack(boundary_->bounds())), advancer_(state_, grid_, *spacing_, slack_, NoTrace{}) {
+          advancer_(state_, grid_, *spacing_, NoTrace{}) {
         Advancer<Grid, NoTrace>::prepare(state_, *boundary_, *spacing_);
         insertFront();
     }
@@ -37,20 +37,22 @@ class GridMesher final : public Mesher {
         return done;
     }
 
-    bool advanceInParallel(unsigned threads, const Progress &progress, double estimatedElements) override {
+    bool advanceInParallel(unsigned threads, const Progress &progress, double estimatedElements,
+                           std::uint64_t maxElements) override {
         if constexpr (std::is_same_v<Grid, HierarchicalGrid> &&
                       std::is_same_v<Advancer<Grid, NoTrace>, FastAdvancer<Grid, NoTrace>>) {
             if (state_.strips->boxes.size() > 1) {
-                if (!runStrips(state_, *spacing_, slack_, threads, progress, estimatedElements)) {
+                if (!runStrips(state_, *spacing_, threads, progress, estimatedElements, maxElements)) {
                     return false;
                 }
-                grid_ = HierarchicalGrid(boundary_->bounds(), slack_, Advancer<Grid, NoTrace>::kCellPerLength);
+                grid_ = HierarchicalGrid(boundary_->bounds(), Advancer<Grid, NoTrace>::kCellPerLength);
                 insertFront();
             }
         } else {
             static_cast<void>(threads);
             static_cast<void>(progress);
             static_cast<void>(estimatedElements);
+            static_cast<void>(maxElements);
         }
         return true;
     }
@@ -59,7 +61,7 @@ class GridMesher final : public Mesher {
 
     AdvanceExplanation explainNext() override {
         AdvanceExplanation explanation;
-        Advancer<Grid, Recorder> recording(state_, grid_, *spacing_, slack_, Recorder{explanation});
+        Advancer<Grid, Recorder> recording(state_, grid_, *spacing_, Recorder{explanation});
         AdvanceDelta delta;
         recording.keepLog(true);
         if (recording.advance(delta)) {
@@ -95,7 +97,6 @@ class GridMesher final : public Mesher {
     }
 
     Grid grid_;
-    double slack_;
     Advancer<Grid, NoTrace> advancer_;
 };
 

@@ -37,8 +37,10 @@ class Mesher {
     virtual std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas = nullptr) = 0;
     /// Performs, before the first advance, all advances that threads can share. The mesh is the same, but these
     /// advances cannot be undone. Does nothing with the classic method, without the hierarchical grid, or where the
-    /// mesh will be small. Returns false when cancelled; the run is then unusable.
-    virtual bool advanceInParallel(unsigned threads, const Progress &progress, double estimatedElements) = 0;
+    /// mesh will be small. Returns false when cancelled or when there are more than `maxElements`; the run is then
+    /// unusable.
+    virtual bool advanceInParallel(unsigned threads, const Progress &progress, double estimatedElements,
+                                   std::uint64_t maxElements) = 0;
     /// Undoes the last advance.
     virtual void retreat(const AdvanceDelta &delta) = 0;
     /// Returns to a checkpoint of this run. `made` holds at least the nodes and elements made before it.

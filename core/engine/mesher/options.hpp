@@ -28,6 +28,11 @@ struct EnumWords<Method> {
     static constexpr std::array<std::string_view, 2> kList = {"fast", "classic"};
 };
 
+/// Maximum number of elements: half-edges, three per element, have ids of 31 bits.
+inline constexpr std::uint64_t kMaxElements = 700'000'000;
+/// Default of MeshingOptions::maxElements, which take about 8 GB while they are made.
+inline constexpr std::uint64_t kDefaultMaxElements = 50'000'000;
+
 /// Options for meshing a domain.
 struct MeshingOptions {
     Method method = Method::Fast;
@@ -38,6 +43,9 @@ struct MeshingOptions {
     /// Improvement once the front is closed. The fast method advances more carefully at higher levels, see FrontCare.
     ImproveLevel improve = ImproveLevel::Default;
     unsigned threads = 1; ///< the mesh does not depend on it; see also SpacingSpec::functionThreadSafe
+    /// A job that needs more elements is refused: by an estimate before the front starts or, where that was too low,
+    /// when the front exceeds it by a quarter. At most kMaxElements.
+    std::uint64_t maxElements = kDefaultMaxElements;
 
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };

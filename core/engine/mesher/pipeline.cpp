@@ -4,6 +4,7 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/cpu_clock.hpp"
 #include "core/engine/base/free_memory.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/boundary/estimate.hpp"
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/domain/validate.hpp"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <new>
 
@@ -42,9 +42,29 @@ Result<std::shared_ptr<const SpacingField>> spacingOf(const MeshingJob &job, con
     return job.shared ? job.shared->get(spec, job.domain, progress) : SpacingField::build(spec, job.domain, progress);
 }
 
+/// Returns the limit on the elements of a job.
+std::uint64_t limitOf(const MeshingOptions &options) {
+    return std::min(options.maxElements, kMaxElements);
+}
+
+/// Returns the error for a job that needs too many elements, with a size that would fit.
+Diagnostics tooManyElements(const std::string &what, double needed, double limit, const PreparedJob &prepared) {
+    // The number of elements falls with the square of the size. The margin is for the rounding and the estimate.
+    const double factor = 1.05 * std::sqrt(std::max(1.0, needed / limit));
+    const SpacingField &spacing = *prepared.spacing;
+    const bool uniform = spacing.minimum() == spacing.maximum();
+    std::string advice = uniform ? "choose an element size of at least " + numberText(factor * spacing.minimum(), 3)
+                                 : "choose element sizes at least " + numberText(factor, 3) + " times as large";
+    if (limit < static_cast<double>(kMaxElements)) {
+        advice += ", or raise the maximum number of elements";
+    }
+    return error("too-many-elements", what + "; expected at most " + numberText(limit, 9), std::move(advice));
+}
+
 /// Discretises the boundary with `spacing` and checks the number of elements.
 Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
-                                std::shared_ptr<const SpacingField> spacing, const Progress &progress) {
+                                std::shared_ptr<const SpacingField> spacing, std::uint64_t limit,
+                                const Progress &progress) {
     progress("discretising the boundary", 0.0);
     // Sizes that were asked for are kept everywhere, sizes chosen automatically only where they help.
     const bool automatic = job.spacing.usesAutomatic() && !job.spacing.maximum;
@@ -58,11 +78,11 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
     prepared.requestedElements = prepared.estimatedElements;
     prepared.spacing = std::move(spacing);
     prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
-    if (!(prepared.estimatedElements < kMaxElements)) {
-        char text[96];
-        std::snprintf(text, sizeof text, "the node spacing needs about %.2g elements; expected fewer than %.2g",
-                      prepared.estimatedElements, kMaxElements);
-        return error("too-many-elements", text, "choose a larger element size");
+    // Given segments may be far shorter than the spacing; each takes about one element.
+    const double needed = std::max(prepared.estimatedElements, static_cast<double>(prepared.boundary->segments.size()));
+    if (!(needed <= static_cast<double>(limit))) {
+        return tooManyElements("the node spacing needs about " + numberText(needed, 3) + " elements", needed,
+                               static_cast<double>(limit), prepared);
     }
     return prepared;
 }
@@ -103,8 +123,9 @@ std::vector<SizeSource> shortChords(const PreparedJob &prepared, const MeshingJo
 /// Discretises the boundary. Where curves cross, so that chords are taken as they are, the automatic spacing knows the
 /// lengths of whole curves only: short chords become sources, and the boundary is discretised again.
 Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFaces &faces,
-                                          std::shared_ptr<const SpacingField> spacing, const Progress &progress) {
-    Result<PreparedJob> prepared = discretised(job, faces, std::move(spacing), progress);
+                                          std::shared_ptr<const SpacingField> spacing, std::uint64_t limit,
+                                          const Progress &progress) {
+    Result<PreparedJob> prepared = discretised(job, faces, std::move(spacing), limit, progress);
     constexpr int kMaxRounds = 4; // finer pieces may cross elsewhere
     MeshingJob again;
     for (int round = 0; round < kMaxRounds && prepared && job.spacing.usesAutomatic(); ++round) {
@@ -119,7 +140,8 @@ Result<PreparedJob> discretisedWithChords(const MeshingJob &job, const DomainFac
         }
         std::ranges::move(sources, std::back_inserter(again.spacing.sources));
         Result<std::shared_ptr<const SpacingField>> finer = spacingOf(again, progress);
-        Result<PreparedJob> next = finer ? discretised(again, faces, std::move(*finer), progress) : finer.faults();
+        Result<PreparedJob> next =
+            finer ? discretised(again, faces, std::move(*finer), limit, progress) : finer.faults();
         if (!next && !progress.cancelled()) {
             break; // the mesh would be too large
         }
@@ -146,12 +168,13 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, dou
     if (!spacing) {
         return spacing.faults();
     }
-    Result<PreparedJob> prepared = discretisedWithChords(job, faces, std::move(*spacing), progress);
+    const std::uint64_t limit = std::isinf(budget) ? limitOf(job.options) : kMaxElements; // a preview is made coarser
+    Result<PreparedJob> prepared = discretisedWithChords(job, faces, std::move(*spacing), limit, progress);
     if (!prepared || prepared->estimatedElements <= budget) {
         return prepared;
     }
     const double requested = prepared->estimatedElements, factor = std::sqrt(requested / budget);
-    Result<PreparedJob> coarse = discretised(job, faces, scaledField(prepared->spacing, factor), progress);
+    Result<PreparedJob> coarse = discretised(job, faces, scaledField(prepared->spacing, factor), limit, progress);
     if (coarse) {
         coarse->requestedElements = requested;
         coarse->coarsening = factor;
@@ -179,11 +202,13 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     if (threads > 1) {
         releaseFreeMemory();
     }
-    if (threads > 1 && !mesher->advanceInParallel(threads, progress, prepared->estimatedElements)) {
-        return cancelled("meshing");
+    if (threads > 1 && !mesher->advanceInParallel(threads, progress, prepared->estimatedElements,
+                                                  elementsToStopAt(job.options))) {
+        return progress.cancelled() ? cancelled("meshing") : stoppedFront(*prepared, job.options);
     }
-    if (!advanceToEnd(*mesher, prepared->estimatedElements, "advancing the front", progress)) {
-        return cancelled("meshing");
+    if (Status faults = advanceToEnd(*mesher, *prepared, job.options, "advancing the front", progress);
+        !faults.empty()) {
+        return faults;
     }
     outcome.work = mesher->state().work;
     outcome.mesh = std::move(*mesher).takeMesh();
@@ -206,16 +231,33 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
 
 } // namespace
 
-bool advanceToEnd(Mesher &mesher, double estimatedElements, std::string_view stage, const Progress &progress) {
+std::uint64_t elementsToStopAt(const MeshingOptions &options) {
+    const std::uint64_t limit = limitOf(options); // estimates may be a fifth too low
+    return std::min(limit + limit / 4 + 1000, kMaxElements);
+}
+
+Diagnostics stoppedFront(const PreparedJob &prepared, const MeshingOptions &options) {
+    // How many elements the unmeshed part takes is unknown; assume as many.
+    const auto made = static_cast<double>(elementsToStopAt(options));
+    return tooManyElements("the front has made " + numberText(made, 3) + " elements and is not closed yet", 2.0 * made,
+                           static_cast<double>(limitOf(options)), prepared);
+}
+
+Status advanceToEnd(Mesher &mesher, const PreparedJob &prepared, const MeshingOptions &options, std::string_view stage,
+                    const Progress &progress) {
+    const std::uint64_t end = elementsToStopAt(options);
     while (!mesher.finished()) {
         mesher.advance(batchFor(mesher));
         if (progress.cancelled()) {
-            return false;
+            return cancelled("meshing");
         }
-        progress(stage,
-                 std::min(0.99, static_cast<double>(mesher.state().elements.size()) / (estimatedElements + 1.0)));
+        if (mesher.state().elements.size() > end) {
+            return stoppedFront(prepared, options);
+        }
+        progress(stage, std::min(0.99, static_cast<double>(mesher.state().elements.size()) /
+                                           (prepared.estimatedElements + 1.0)));
     }
-    return true;
+    return {};
 }
 
 Diagnostics outOfMemory() {

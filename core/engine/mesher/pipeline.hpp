@@ -17,9 +17,6 @@ namespace FOREFRONT_API forefront {
 
 class Mesher;
 
-/// Maximum number of elements: half-edges, three per element, have ids of 31 bits.
-inline constexpr double kMaxElements = 7e8;
-
 /// A job that passed validation, with its discretised boundary and spacing field.
 struct PreparedJob {
     std::shared_ptr<const DiscreteDomain> boundary;
@@ -31,9 +28,9 @@ struct PreparedJob {
 
 /// Validates the domain, builds the spacing and discretises the boundary. If the estimated number of elements exceeds
 /// `budget`, which must be positive, the spacing is multiplied by one factor that brings it down to the budget, for a
-/// preview of the mesh; given nodes and edges stay, so that there may be more. Where chords stand for curves that
-/// cross, sizes for the short ones among them are added to an automatic spacing. Errors: those of each step,
-/// "too-many-elements", "cancelled".
+/// preview of the mesh; given nodes and edges stay, so that there may be more. Without a budget, the estimate must not
+/// exceed MeshingOptions::maxElements. Where chords stand for curves that cross, sizes for the short ones among them
+/// are added to an automatic spacing. Errors: those of each step, "too-many-elements", "cancelled".
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {},
                             double budget = std::numeric_limits<double>::infinity());
 
@@ -50,10 +47,15 @@ struct MeshingOutcome {
     double secondsPrepare = 0.0; ///< CPU time of validation, spacing and discretisation
 };
 
+/// Returns the number of elements at which a front is stopped, since its estimate was too low.
+std::uint64_t elementsToStopAt(const MeshingOptions &options);
+/// Returns the error "too-many-elements" for a front that was stopped there.
+Diagnostics stoppedFront(const PreparedJob &prepared, const MeshingOptions &options);
 /// Returns the error "out-of-memory".
 Diagnostics outOfMemory();
-/// Advances until Γ = ∅ and reports progress as `stage`. Returns false when cancelled.
-bool advanceToEnd(Mesher &mesher, double estimatedElements, std::string_view stage, const Progress &progress);
+/// Advances until Γ = ∅ and reports progress as `stage`. Errors: "too-many-elements", "cancelled".
+Status advanceToEnd(Mesher &mesher, const PreparedJob &prepared, const MeshingOptions &options, std::string_view stage,
+                    const Progress &progress);
 
 /// Runs the whole pipeline: validates, builds the spacing, discretises, advances the front to its end, improves.
 /// Errors: those of prepare(), "out-of-memory", "cancelled".

@@ -49,10 +49,10 @@ constexpr int kBatch = 4096;
 
 class StripRunner {
   public:
-    StripRunner(FrontState &state, const SpacingField &spacing, double slack, unsigned threads,
-                const Progress &progress, double estimatedElements)
-        : state_(state), spacing_(spacing), slack_(slack), pool_(threads), progress_(progress),
-          estimatedElements_(estimatedElements), bounds_(boundsOf(state.nodes)) {}
+    StripRunner(FrontState &state, const SpacingField &spacing, unsigned threads, const Progress &progress,
+                double estimatedElements, std::uint64_t maxElements)
+        : state_(state), spacing_(spacing), pool_(threads), progress_(progress), estimatedElements_(estimatedElements),
+          maxElements_(maxElements), bounds_(boundsOf(state.nodes)) {}
 
     bool run() {
         const FrontStrips &strips = *state_.strips;
@@ -64,11 +64,11 @@ class StripRunner {
             pool_.run(runs.size(), [&](std::size_t task, unsigned thread) {
                 prepare(runs[task], slots[task], first + task, results.firstNew());
                 advance(runs[task], first + task, thread == 0);
-                if (!progress_.cancelled()) {
+                if (!stopped()) {
                     results.finished(task, *runs[task].state);
                 }
             });
-            if (progress_.cancelled()) {
+            if (stopped()) {
                 return false;
             }
             merge(runs, first, results);
@@ -81,6 +81,8 @@ class StripRunner {
     }
 
   private:
+    bool stopped() const { return progress_.cancelled() || made_ > maxElements_; }
+
     static Box2 boundsOf(const std::vector<Vec2> &nodes) {
         Box2 box;
         for (const Vec2 p : nodes) {
@@ -107,7 +109,7 @@ class StripRunner {
         }
         HierarchicalGrid grid({{std::max(box.min.x, bounds_.min.x), std::max(box.min.y, bounds_.min.y)},
                                {std::min(box.max.x, bounds_.max.x), std::min(box.max.y, bounds_.max.y)}},
-                              slack_, FastAdvancer<HierarchicalGrid, NoTrace>::kCellPerLength);
+                              FastAdvancer<HierarchicalGrid, NoTrace>::kCellPerLength);
         for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
             if (state.front.next(SlotId{i}) != kNoSlot) { // else its segment leads out of the part
                 grid.insert(state.front, SlotId{i});
@@ -115,10 +117,10 @@ class StripRunner {
         }
         state.walkOrder.clear(state.walkRules);
         offerAll(state.walkOrder, state.front, box);
-        FastAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, spacing_, slack_, NoTrace{});
+        FastAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, spacing_, NoTrace{});
         AdvanceDelta delta;
         bool going = true;
-        while (going && !progress_.cancelled()) {
+        while (going && !stopped()) {
             const std::size_t before = state.elements.size();
             for (int i = 0; i < kBatch && going; ++i) {
                 going = advancer.advance(delta);
@@ -146,19 +148,19 @@ class StripRunner {
 
     FrontState &state_;
     const SpacingField &spacing_;
-    double slack_;
     ThreadPool pool_;
     const Progress &progress_;
     double estimatedElements_;
+    std::uint64_t maxElements_;
     Box2 bounds_;
-    std::atomic<std::size_t> made_ = 0; ///< elements, in all strips so far
+    std::atomic<std::uint64_t> made_ = 0; ///< elements, in all strips so far
 };
 
 } // namespace
 
-bool runStrips(FrontState &state, const SpacingField &spacing, double slack, unsigned threads, const Progress &progress,
-               double estimatedElements) {
-    return StripRunner(state, spacing, slack, threads, progress, estimatedElements).run();
+bool runStrips(FrontState &state, const SpacingField &spacing, unsigned threads, const Progress &progress,
+               double estimatedElements, std::uint64_t maxElements) {
+    return StripRunner(state, spacing, threads, progress, estimatedElements, maxElements).run();
 }
 
 } // namespace forefront

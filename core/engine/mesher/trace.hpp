@@ -33,10 +33,10 @@ enum class Verdict : std::uint8_t {
     NotTried, ///< a better one was accepted first
     Accepted,
     Withdrawn,    ///< the ideal point: a front node or segment is too near
-    NotLeft,      ///< triangle ABC has no positive area (exact)
+    NotLeft,      ///< triangle ABC has no area on the left of AB, or is flat within rounding
     OutsideAngle, ///< AC or CB leaves the unmeshed side at A, B or C
     CrossesFront, ///< AC or CB meets a segment of Γ
-    ContainsNode  ///< a front node lies in or on ABC
+    ContainsNode  ///< a front node lies in ABC or, within rounding, on it
 };
 /// Returns a verdict as text, such as "crosses the front".
 const char *verdictText(Verdict verdict);

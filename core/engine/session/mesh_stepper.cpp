@@ -16,7 +16,7 @@ struct MeshStepper::Run : SteppedRun {
     /// Completes a move. Returns false if it was cancelled, which leaves the run at rest where it is.
     bool complete(TimelineTravel::Outcome outcome, const Progress &progress) {
         while (outcome != TimelineTravel::Outcome::Arrived) {
-            if (progress.cancelled()) {
+            if (progress.cancelled() || !excess().empty()) {
                 travel().rest();
                 return false;
             }

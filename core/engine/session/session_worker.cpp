@@ -183,6 +183,12 @@ void SessionWorker::beginMove() {
 }
 
 void SessionWorker::follow(Outcome outcome) {
+    if (outcome != Outcome::Still) {
+        if (Diagnostics excess = run_->excess(); !excess.empty()) {
+            fail(std::move(excess));
+            return;
+        }
+    }
     switch (outcome) {
     case Outcome::Still:
         break;

@@ -11,6 +11,11 @@ SteppedRun::SteppedRun(std::shared_ptr<const MeshingJob> job, PreparedJob prepar
     : job_(std::move(job)), prepared_(std::move(prepared)), number_(number),
       travel_(Mesher::create(prepared_.boundary, prepared_.spacing, job_->options)), builder_((number + 1) << 32U) {}
 
+Diagnostics SteppedRun::excess() const {
+    const bool exceeds = travel_.timeline().mesher().state().elements.size() > elementsToStopAt(job_->options);
+    return exceeds ? stoppedFront(prepared_, job_->options) : Diagnostics{};
+}
+
 bool SteppedRun::improve(const Progress &progress) {
     Mesh mesh = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
     if (job_->options.improve != ImproveLevel::None) {

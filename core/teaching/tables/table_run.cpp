@@ -31,8 +31,8 @@ Result<GridRun> advanceOnce(const TableGrid &grid, const MeshingJob &job, const 
     CpuClock clock;
     const std::unique_ptr<Mesher> mesher = Mesher::create(prepared.boundary, prepared.spacing, options);
     mesher->reserve(static_cast<std::uint64_t>(Mesher::kReserve * prepared.estimatedElements) + 1024);
-    if (!advanceToEnd(*mesher, prepared.estimatedElements, stage, progress)) {
-        return cancelled("running the tables");
+    if (Status faults = advanceToEnd(*mesher, prepared, options, stage, progress); !faults.empty()) {
+        return progress.cancelled() ? cancelled("running the tables") : faults;
     }
     run.work = mesher->state().work;
     run.mesh = std::move(*mesher).takeMesh();

@@ -2,6 +2,7 @@
 
 #include "core/drawing/arrangement/curves/snap_report.hpp"
 #include "core/drawing/arrangement/repair/repairer.hpp"
+#include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/domain/coordinate_range.hpp"
 
 #include <algorithm>
@@ -187,7 +188,7 @@ void Repairer::resolveRepeats() {
 }
 
 Result<Repaired> repair(const Domain &domain, double tolerance, std::stop_token stop) {
-    return Repairer(domain).run(tolerance, stop);
+    return orOutOfMemory("to repair the domain", [&] { return Repairer(domain).run(tolerance, stop); });
 }
 
 bool repairable(const Diagnostic &fault) {

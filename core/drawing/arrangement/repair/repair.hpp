@@ -32,7 +32,8 @@ struct Repaired {
 ///   the tag is that of the first boundary segment, or else of the first constraint.
 /// - Nodes keep their order. Nothing moves farther than the tolerance. With the tolerance 0, a domain whose segments
 ///   meet only at common ends keeps all its nodes. Open loops, invalid numbers and misplaced markers cannot be
-///   repaired; `validate` reports them afterwards. Errors: out-of-range, repair-failed, cancelled.
+///   repaired; `validate` reports them afterwards. Errors: out-of-range, repair-failed,
+///   out-of-memory, cancelled.
 Result<Repaired> repair(const Domain &domain, double tolerance = 0.0, std::stop_token stop = {});
 
 /// Returns true if `repair` removes faults of this kind.
