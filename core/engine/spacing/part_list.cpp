@@ -103,7 +103,7 @@ Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addBends(const PartInput &input, FieldParts &parts) {
-    addCurvatureSites(input.domain, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
+    addCurvatureSites(input.domain, input.faces, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
                       input.gradation, SpacingOrigin::Boundary, false, input.progress, parts.few);
     return {};
 }
@@ -114,8 +114,8 @@ Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
     if (spec.usesAutomatic() && !spec.background) {
         longest = std::min(longest, automaticMaximum(input.box));
     }
-    addGapSites(input.domain, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()), input.minimum,
-                input.gradation, input.progress, parts.few);
+    addGapSites(input.domain, input.faces, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()),
+                input.minimum, input.gradation, input.progress, parts.few);
     return {};
 }
 
@@ -123,7 +123,7 @@ Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     for (const RegionMarker &marker : input.domain.regionMarkers) {
         parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
     }
-    auto regions = RegionPart::build(input.domain, input.minimum);
+    auto regions = RegionPart::build(input.domain, input.faces, input.minimum);
     if (regions) {
         regions->addSites(input.gradation, input.givenGradation(), parts.few);
         parts.point<RegionPart>() = std::move(*regions);

@@ -26,12 +26,13 @@ constexpr double kPaintCellsPerSize = 4.0; ///< keeps the gradation within 2 %
 class FieldBuilder {
   public:
     FieldBuilder(const SpacingSpec &spec, const Domain &domain, const Progress &progress)
-        : spec_(spec), input_{spec,
-                              domain,
-                              spacingBox(domain),
-                              spec.minimum.value_or(0.0),
-                              spec.gradation.value_or(kDefaultGradation),
-                              progress} {
+        : spec_(spec), faces_(domain, progress.stop), input_{spec,
+                                                             domain,
+                                                             faces_,
+                                                             spacingBox(domain),
+                                                             spec.minimum.value_or(0.0),
+                                                             spec.gradation.value_or(kDefaultGradation),
+                                                             progress} {
         parts_.cap = std::numeric_limits<double>::infinity();
         parts_.minimum = input_.minimum;
         parts_.words.gradation = input_.gradation;
@@ -79,7 +80,7 @@ class FieldBuilder {
     }
     void addAutomatic() {
         AutomaticSpacing automatic =
-            automaticSpacing(input_.domain, input_.box, input_.minimum, input_.gradation,
+            automaticSpacing(input_.domain, faces_, input_.box, input_.minimum, input_.gradation,
                              spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
         auto &background = parts_.point<FilledBackground>();
         if (!background) {
@@ -165,6 +166,7 @@ class FieldBuilder {
     }
 
     const SpacingSpec &spec_;
+    LazyFaces faces_;
     PartInput input_;
     FieldParts parts_;
 };

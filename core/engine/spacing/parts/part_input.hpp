@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <limits>
@@ -12,8 +13,9 @@ namespace forefront {
 struct PartInput {
     const SpacingSpec &spec;
     const Domain &domain;
-    Box2 box;       ///< of the domain
-    double minimum; ///< the given minimum spacing; 0: none
+    const LazyFaces &faces; ///< of the domain
+    Box2 box;               ///< of the domain
+    double minimum;         ///< the given minimum spacing; 0: none
     /// Maximum gradation for parts that are always limited: the given one, or a default.
     double gradation;
     const Progress &progress;

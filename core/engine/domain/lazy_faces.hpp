@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/engine/domain/domain_graph.hpp"
+
+#include <optional>
+#include <stop_token>
+
+namespace forefront {
+
+/// The faces of a domain, found when they are first needed. The domain must outlive it. Not for several threads at once.
+class LazyFaces {
+  public:
+    explicit LazyFaces(const Domain &domain, std::stop_token stop = {}) : domain_(domain), stop_(std::move(stop)) {}
+
+    /// Returns the faces; null if segments cross, so that there are none, and after a stop request.
+    const DomainFaces *get() const;
+
+  private:
+    const Domain &domain_;
+    std::stop_token stop_;
+    mutable std::optional<DomainFaces> found_; ///< without faces if segments cross
+};
+
+} // namespace forefront
