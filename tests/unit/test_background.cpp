@@ -1,4 +1,5 @@
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/scaled_field.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/spacing_samples.hpp"
@@ -152,4 +153,50 @@ TEST_CASE("Background mesh: refuses invalid meshes with the place of the fault")
     bad.nodes[1].x = std::numeric_limits<double>::quiet_NaN();
     CHECK(refusal(bad).find("not finite") != std::string::npos);
     CHECK(refusal(BackgroundMesh{}).find("no triangles") != std::string::npos);
+}
+
+TEST_CASE("Background mesh: one that does not meet the domain is refused with both boxes") {
+    const auto even = [](Vec2) { return 0.2; };
+    SpacingSpec spec;
+    spec.background = lattice(200.0, 202.0, 2, 1.0, even);
+    const auto field = SpacingField::build(spec, squareDomain(10));
+    REQUIRE_FALSE(field.ok());
+    CHECK(field.faults().front().code == "bad-background");
+    CHECK(field.faults().front().message ==
+          "the background mesh does not meet the domain: the mesh lies from (200, 200) to (202, 202), the domain from "
+          "(0, 0) to (10, 10)");
+    spec.size = 0.5; // other sizes do not excuse it
+    CHECK_FALSE(SpacingField::build(spec, squareDomain(10)).ok());
+    CHECK(SpacingField::build(spec, Domain{}).ok()); // nothing is drawn yet
+}
+
+TEST_CASE("Background mesh: one within the box of the domain, but in its hole, does not meet it") {
+    DomainBuilder builder;
+    builder.loop({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 1);
+    builder.loop({{2, 2}, {2, 8}, {8, 8}, {8, 2}}, 2);
+    SpacingSpec spec;
+    spec.background = lattice(3.0, 7.0, 4, 1.0, [](Vec2) { return 0.2; });
+    CHECK_FALSE(SpacingField::build(spec, builder.domain).ok());
+    spec.background = lattice(1.0, 9.0, 1, 1.0, [](Vec2) { return 0.2; }); // its sides are inside, the middle is not
+    CHECK(SpacingField::build(spec, builder.domain).ok());
+    auto crossing = std::make_shared<BackgroundMesh>(); // neither has a node in the other
+    *crossing = {{{-5, 1}, {15, 0.8}, {15, 1.2}}, {{0, 1, 2}}, {0.2, 0.2, 0.2}};
+    spec.background = crossing;
+    CHECK(SpacingField::build(spec, builder.domain).ok());
+}
+
+TEST_CASE("Background mesh: a note tells how much of the domain it covers, if that is not all") {
+    const auto even = [](Vec2) { return 0.5; };
+    SpacingSpec spec;
+    spec.background = lattice(0.0, 10.0, 4, 1.0, even);
+    CHECK(fieldOf(spec, squareDomain(10))->notes().empty());
+    spec.background = lattice(0.0, 5.0, 4, 1.0, even);
+    const auto field = fieldOf(spec, squareDomain(10));
+    REQUIRE(field->notes().size() == 1);
+    const Diagnostic &note = field->notes().front();
+    CHECK(note.severity == Severity::Note);
+    CHECK(note.message == "the background mesh covers about 25 % of the domain: the mesh lies from (0, 0) to (5, 5), "
+                          "the domain from (0, 0) to (10, 10)");
+    CHECK(note.advice == "the rest gets automatic sizes");
+    CHECK(scaledField(field, 2.0)->notes().size() == 1);
 }

@@ -19,4 +19,11 @@ const DomainFaces *LazyFaces::get() const {
     return found_->sweep.droppedCount == 0 ? &*found_ : nullptr;
 }
 
+const InsideTest *LazyFaces::inside() const {
+    if (const DomainFaces *const found = inside_ ? nullptr : get()) {
+        inside_.emplace(*found);
+    }
+    return inside_ && !inside_->empty() ? &*inside_ : nullptr;
+}
+
 } // namespace forefront

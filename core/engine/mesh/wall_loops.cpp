@@ -22,7 +22,7 @@ std::vector<std::uint8_t> wallsOf(const Mesh &mesh, const MeshEdges &edges) {
     }
     const auto ends = [](const MeshEdge &edge) { return std::pair(index(edge.a), index(edge.b)); };
     for (const TaggedEdge &tagged : mesh.edges) {
-        const std::pair<std::uint32_t, std::uint32_t> key = std::minmax(index(tagged.a), index(tagged.b));
+        const std::pair<std::size_t, std::size_t> key = std::minmax(index(tagged.a), index(tagged.b));
         const auto found = std::ranges::lower_bound(edges.edges, key, {}, ends);
         if (found != edges.edges.end() && ends(*found) == key) {
             isWall[static_cast<std::size_t>(found - edges.edges.begin())] = 1;

@@ -3,6 +3,7 @@
 #include "core/engine/spacing/parts/automatic/automatic.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/engine/spacing/parts/automatic/gap_sites.hpp"
+#include "core/engine/spacing/parts/background/background_cover.hpp"
 #include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
 #include "core/engine/spacing/parts/node_sizes/node_size_sites.hpp"
 #include "core/engine/spacing/parts/part_sizes/part_size_sites.hpp"
@@ -29,7 +30,7 @@ Diagnostics addSize(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
-    auto expression = ExpressionSpacing::build(input.spec, input.domain, input.box);
+    auto expression = ExpressionSpacing::build(input.spec, input.domain, input.faces.inside(), input.box);
     if (!expression) {
         return expression.faults();
     }
@@ -63,6 +64,11 @@ Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
     if (!background) {
         return background.faults();
     }
+    Diagnostics remarks = compareCover(mesh, *background, input);
+    if (hasErrors(remarks)) {
+        return remarks;
+    }
+    parts.notes.insert(parts.notes.end(), remarks.begin(), remarks.end());
     parts.point<FilledBackground>().emplace(std::move(*background));
     if (const auto gradation = input.spec.gradation) {
         BackgroundPart::addBorderSites(mesh, input.minimum, *gradation, parts.few, input.progress);

@@ -60,6 +60,7 @@ Result<std::shared_ptr<const SpacingField>> ReplacedField::build(const SpacingSp
         return paint.faults();
     }
     std::shared_ptr<ReplacedField> field(new ReplacedField(*std::move(paint)));
+    field->addNotes((*around)->notes());
     field->others_ = *std::move(around);
     field->kept_ = *std::move(kept);
     field->largest_ = largestOf(spec.paint);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -140,6 +141,7 @@ class FieldBuilder {
         if (input_.progress.cancelled()) {
             return cancelled("preparing the spacing");
         }
+        const Diagnostics notes = std::exchange(parts_.notes, {});
         if (parts_.few.sites.size() > kFew) {
             SiteSet sources = takeSources();
             parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress, spreadOptions());
@@ -149,20 +151,24 @@ class FieldBuilder {
                 return cancelled("preparing the spacing");
             }
         }
+        std::shared_ptr<SpacingField> field = assembled();
+        field->addNotes(notes);
+        return std::shared_ptr<const SpacingField>(std::move(field));
+    }
+    std::shared_ptr<SpacingField> assembled() {
         if (parts_.tree || !parts_.few.sites.empty()) {
-            return std::shared_ptr<const SpacingField>(std::make_shared<CombinedField>(std::move(parts_), input_.box));
+            return std::make_shared<CombinedField>(std::move(parts_), input_.box);
         }
         if (!parts_.anyPoint()) {
-            return std::shared_ptr<const SpacingField>(
-                std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin));
+            return std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin);
         }
         auto &expression = parts_.point<ExpressionSpacing>();
         const auto given = [&](const SpacingPartKind &kind) { return kind.given(spec_, input_.domain); };
         const std::span<const SpacingPartKind> kinds = spacingPartKinds();
         if (expression && std::count_if(kinds.begin(), kinds.end(), given) == 1) { // its limits are its own
-            return std::shared_ptr<const SpacingField>(std::make_shared<ExpressionField>(std::move(*expression)));
+            return std::make_shared<ExpressionField>(std::move(*expression));
         }
-        return std::shared_ptr<const SpacingField>(std::make_shared<CombinedField>(std::move(parts_), input_.box));
+        return std::make_shared<CombinedField>(std::move(parts_), input_.box);
     }
 
     const SpacingSpec &spec_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kProbes = 64; ///< intervals of the probing grid along each side
 
-std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
+std::vector<Vec2> probePlaces(const Domain &domain, const InsideTest *inside, const Box2 &box) {
     std::vector<Vec2> places;
     for (const Vec2 node : domain.nodes) {
         if (box.contains(node)) {
@@ -19,7 +19,10 @@ std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
     }
     for (int j = 0; j <= kProbes; ++j) {
         for (int i = 0; i <= kProbes; ++i) {
-            places.push_back({box.min.x + box.size().x * i / kProbes, box.min.y + box.size().y * j / kProbes});
+            const Vec2 p{box.min.x + box.size().x * i / kProbes, box.min.y + box.size().y * j / kProbes};
+            if (inside == nullptr || inside->contains(p)) {
+                places.push_back(p);
+            }
         }
     }
     return places;
@@ -40,7 +43,8 @@ const char *faultOf(double value, const SpacingSpec &spec) {
 
 } // namespace
 
-Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain, const Box2 &box) {
+Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain,
+                                                   const InsideTest *inside, const Box2 &box) {
     auto program = compileExpression(*spec.expression, spec.names);
     if (!program) {
         return program.faults();
@@ -51,15 +55,15 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     spacing.floor_ = spec.minimum.value_or(1e-9 * box.diagonal());
     spacing.ceiling_ = spec.maximum.value_or(std::max(1e3 * box.diagonal(), spacing.floor_));
 
-    const std::vector<Vec2> places = probePlaces(domain, box);
+    const std::vector<Vec2> places = probePlaces(domain, inside, box);
     std::vector<double> values(places.size());
     spacing.program_.evaluateMany(places, values);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (const char *const fault = faultOf(values[i], spec)) {
-            Diagnostics faults = error(
-                "expression-value",
-                std::string("the spacing expression gives ") + fault + "; expected a number above 0",
-                "keep it above zero everywhere in the bounding box of the domain, for example with max(0.1, ...)");
+            Diagnostics faults =
+                error("expression-value",
+                      std::string("the spacing expression gives ") + fault + "; expected a number above 0",
+                      "keep it above zero everywhere in the domain, for example with max(0.1, ...)");
             faults.front().at = places[i];
             return faults;
         }
@@ -67,18 +71,23 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     spacing.atMany(places, values);
     spacing.minimum_ = *std::min_element(values.begin(), values.end());
     spacing.maximum_ = *std::max_element(values.begin(), values.end());
-    spacing.findBounds(box);
+    spacing.findBounds(inside, box);
     return spacing;
 }
 
-void ExpressionSpacing::findBounds(const Box2 &box) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = 0.0;
+void ExpressionSpacing::findBounds(const InsideTest *inside, const Box2 &box) {
+    double low = minimum_, high = maximum_;
     for (int j = 0; j < kProbes; ++j) {
         for (int i = 0; i < kProbes; ++i) {
             const Vec2 corner = box.min + Vec2{box.size().x * i / kProbes, box.size().y * j / kProbes};
-            const ValueRange range =
-                program_.range({corner, corner + Vec2{box.size().x / kProbes, box.size().y / kProbes}});
+            const Box2 part{corner, corner + Vec2{box.size().x / kProbes, box.size().y / kProbes}};
+            if (inside != nullptr && !inside->meets(part)) {
+                continue;
+            }
+            const ValueRange range = program_.range(part);
+            if ((range.undefined || !(range.low > 0.0)) && inside != nullptr && inside->boundaryMeets(part)) {
+                continue; // it may be so only outside
+            }
             if (range.undefined) {
                 return;
             }
