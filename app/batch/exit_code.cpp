@@ -16,12 +16,13 @@ namespace forefront {
 
 namespace {
 
-/// Translates advice to repair the domain into the options of the command line.
+/// Translates advice into the options of the command line.
 std::string inOptions(std::string advice) {
     constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
         {"repair the domain with a weld tolerance of", "add --repair --weld"},
         {"repair the domain", "add --repair"},
-        {"lower the weld tolerance", "lower --weld"}};
+        {"lower the weld tolerance", "lower --weld"},
+        {"set a gradation", "add --gradation G"}};
     for (const auto &[words, option] : kOptions) {
         if (const std::size_t at = advice.find(words); at != std::string::npos) {
             advice.replace(at, words.size(), option);

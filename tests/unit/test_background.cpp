@@ -1,4 +1,5 @@
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/parts/background/limit_gradation.hpp"
 #include "core/engine/spacing/scaled_field.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
@@ -199,4 +200,47 @@ TEST_CASE("Background mesh: a note tells how much of the domain it covers, if th
                           "the domain from (0, 0) to (10, 10)");
     CHECK(note.advice == "the rest gets automatic sizes");
     CHECK(scaledField(field, 2.0)->notes().size() == 1);
+}
+
+TEST_CASE("limitGradation: gives the largest spacing, not above the given one, within the gradation along every edge") {
+    RandomSource random(5);
+    BackgroundMesh mesh = *lattice(0.0, 12.0, 12, 1.3, [&](Vec2) { return random.between(0.01, 2.0); });
+    const std::vector<double> given = mesh.values;
+    CHECK(limitGradation(mesh, 0.4));
+    // Relaxation until nothing changes gives the same.
+    std::vector<double> relaxed = given;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const auto &element : mesh.elements) {
+            for (const std::uint32_t a : element) {
+                for (const std::uint32_t b : element) {
+                    const double limit = relaxed[a] + 0.4 * distance(mesh.nodes[a], mesh.nodes[b]);
+                    changed = changed || limit < relaxed[b];
+                    relaxed[b] = std::fmin(relaxed[b], limit);
+                }
+            }
+        }
+    }
+    CHECK(mesh.values == relaxed);
+    CHECK(mesh.values != given);
+}
+
+TEST_CASE("Background mesh: a step that elements cannot follow is limited, with a note, unless a gradation is given") {
+    const auto step = [](Vec2 p) { return p.x < 5.0 ? 0.1 : 3.0; };
+    SpacingSpec spec;
+    spec.background = lattice(0.0, 10.0, 40, 1.0, step);
+    const auto field = fieldOf(spec, squareDomain(10));
+    CHECK(field->at({4.0, 5.0}) == 0.1);
+    CHECK(field->at({6.75, 5.0}) == doctest::Approx(0.1 + 0.5 * 2.0));
+    CHECK(field->at({10.0, 5.0}) == doctest::Approx(0.1 + 0.5 * 5.25));
+    REQUIRE(field->notes().size() == 1);
+    CHECK(field->notes().front().message ==
+          "the background mesh changes by more than 0.5 per unit of distance, which elements cannot follow; limited to "
+          "0.5");
+    CHECK(field->notes().front().at);
+    Domain left = squareDomain(4); // the step is outside
+    CHECK(fieldOf(spec, left)->notes().empty());
+    spec.gradation = 20.0;
+    CHECK(fieldOf(spec, squareDomain(10))->at({6.75, 5.0}) == doctest::Approx(3.0));
+    CHECK(fieldOf(spec, squareDomain(10))->notes().empty());
 }

@@ -4,10 +4,12 @@
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/engine/spacing/parts/automatic/gap_sites.hpp"
 #include "core/engine/spacing/parts/background/background_cover.hpp"
+#include "core/engine/spacing/parts/background/limit_gradation.hpp"
 #include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
 #include "core/engine/spacing/parts/node_sizes/node_size_sites.hpp"
 #include "core/engine/spacing/parts/part_sizes/part_size_sites.hpp"
 #include "core/engine/spacing/parts/sources/source_sites.hpp"
+#include "core/engine/spacing/parts/steep_note.hpp"
 #include "core/engine/spacing/spec/spec_check.hpp"
 
 #include <algorithm>
@@ -34,8 +36,10 @@ Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
     if (!expression) {
         return expression.faults();
     }
-    if (input.spec.gradation) {
-        expression->addSteepSites(input.box, *input.spec.gradation, parts.few, input.progress);
+    const std::size_t before = parts.few.sites.size();
+    expression->addSteepSites(input, parts.few);
+    if (!input.spec.gradation && parts.few.sites.size() > before) {
+        parts.notes.push_back(steepNote("the spacing expression", parts.few.sites[before].a));
     }
     parts.point<ExpressionSpacing>() = std::move(*expression);
     return {};
@@ -64,6 +68,15 @@ Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
     if (!background) {
         return background.faults();
     }
+    if (const auto gentle = input.spec.gradation
+                                ? nullptr
+                                : withoutSteepEdges(mesh, input.minimum, kSteepestGradation, input.progress)) {
+        noteSteepMesh(*gentle, input, parts.notes);
+        background = BackgroundPart::build(*gentle, input.minimum, input.progress);
+        if (!background) {
+            return background.faults();
+        }
+    }
     Diagnostics remarks = compareCover(mesh, *background, input);
     if (hasErrors(remarks)) {
         return remarks;
@@ -80,6 +93,7 @@ Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
 Diagnostics addSources(const PartInput &input, FieldParts &parts) {
     addSourceSites(input.spec.sources, input.minimum, input.givenGradation(), parts.few);
     parts.point<GradedSources>() = GradedSources::build(input.spec.sources, input.givenGradation(), input.box);
+    noteSteepSources(input, parts.notes);
     parts.point<BoxSources>() = BoxSources::build(input.spec.sources, input.minimum, input.givenGradation(), input.box);
     for (const SizeSource &source : input.spec.sources) {
         parts.words.sources.push_back(source.name);
@@ -89,6 +103,7 @@ Diagnostics addSources(const PartInput &input, FieldParts &parts) {
 
 Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
     addPartSizeSites(input.domain, input.spec.partSizes, input.minimum, input.givenGradation(), parts.few);
+    noteSteepParts(input, parts.notes);
     for (const auto &[tag, size] : input.spec.partSizes) {
         parts.words.parts[static_cast<std::uint32_t>(tag)] = boundaryName(input.domain.boundaryNames, tag);
     }
@@ -97,6 +112,7 @@ Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
 
 Diagnostics addNodeSizes(const PartInput &input, FieldParts &parts) {
     addNodeSizeSites(input.domain.nodeSizes, input.minimum, input.givenGradation(), parts.few);
+    noteSteepNodes(input, parts.notes);
     for (const NodeSize &node : input.domain.nodeSizes) {
         parts.words.nodes.push_back(node.name);
     }
@@ -129,6 +145,7 @@ Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     for (const RegionMarker &marker : input.domain.regionMarkers) {
         parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
     }
+    noteSteepRegions(input, parts.notes);
     auto regions = RegionPart::build(input.domain, input.faces, input.minimum);
     if (regions) {
         regions->addSites(input.gradation, input.givenGradation(), parts.few);

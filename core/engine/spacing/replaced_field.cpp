@@ -66,7 +66,6 @@ Result<std::shared_ptr<const SpacingField>> ReplacedField::build(const SpacingSp
     field->largest_ = largestOf(spec.paint);
     field->farthest_ = beyond;
     const double gradation = spec.gradation.value_or(kOwnGradation);
-    field->words_.gradation = gradation;
     std::vector<SizeSite> sites;
     for (const PaintedPart::Border &border : PaintedPart::borderOf(spec.paint)) {
         const double rho = field->others_->at(border.at);

@@ -36,7 +36,6 @@ class FieldBuilder {
                                                              progress} {
         parts_.cap = std::numeric_limits<double>::infinity();
         parts_.minimum = input_.minimum;
-        parts_.words.gradation = input_.gradation;
         parts_.words.boundaryNames = domain.boundaryNames;
         parts_.words.segmentTags.reserve(domain.segments.size());
         for (const DomainSegment &segment : domain.segments) {

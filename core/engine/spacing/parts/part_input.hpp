@@ -20,7 +20,10 @@ struct PartInput {
     double gradation;
     const Progress &progress;
 
-    /// Returns the maximum gradation for the other parts: the given one, or infinity.
+    /// Returns the maximum gradation for expressions and background meshes: the given one, or the steepest that
+    /// elements can follow.
+    double steepest() const { return spec.gradation.value_or(kSteepestGradation); }
+    /// Returns the maximum gradation for parts with a growth of their own: the given one, or infinity.
     double givenGradation() const { return spec.gradation.value_or(std::numeric_limits<double>::infinity()); }
 };
 

@@ -8,8 +8,8 @@
 namespace forefront {
 namespace {
 
-constexpr int kCoverProbes = 64;           ///< intervals of the probing grid along each side
-constexpr double kCoverTolerance = 0.01;   ///< share of the domain that may be left out without a note
+constexpr int kCoverProbes = 64;         ///< intervals of the probing grid along each side
+constexpr double kCoverTolerance = 0.01; ///< share of the domain that may be left out without a note
 constexpr double kPercent = 100.0;
 
 std::string boxText(const Box2 &box) {
@@ -45,7 +45,8 @@ double coveredShare(const BackgroundPart &part, const Box2 &box, const InsideTes
     std::size_t all = 0, covered = 0;
     for (int j = 0; j < kCoverProbes; ++j) {
         for (int i = 0; i < kCoverProbes; ++i) {
-            const Vec2 p = box.min + Vec2{box.size().x * (i + 0.5) / kCoverProbes, box.size().y * (j + 0.5) / kCoverProbes};
+            const Vec2 p =
+                box.min + Vec2{box.size().x * (i + 0.5) / kCoverProbes, box.size().y * (j + 0.5) / kCoverProbes};
             if (inside.contains(p)) {
                 ++all;
                 covered += std::isfinite(part.at(p)) ? 1U : 0U;

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/domain/domain.hpp"
-#include "core/engine/domain/inside_test.hpp"
 #include "core/engine/spacing/parts/expression/expression_program.hpp"
+#include "core/engine/spacing/parts/part_input.hpp"
 #include "core/engine/spacing/sites/site_words.hpp"
-#include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <string>
 
@@ -27,9 +24,11 @@ class ExpressionSpacing {
     SpacingSample sample(Vec2 p, const SiteWords &) const {
         return {at(p), SpacingOrigin::Expression, 0, "expression " + text_};
     }
-    /// Adds the places from which the spacing grows by `gradation` because the formula is steeper. They are found on a
-    /// grid that is refined to a fraction of the spacing, so the limited spacing is within about 2 % of exact.
-    void addSteepSites(const Box2 &box, double gradation, SiteSet &sites, const Progress &progress) const;
+    /// Adds the places inside the domain from which the spacing grows by the gradation because the formula is steeper.
+    /// They are found on a grid that is refined to a fraction of the spacing, so that with a given gradation the
+    /// limited spacing is within about 2 % of exact. The default one is not searched for features finer than 1/1000 of
+    /// the box.
+    void addSteepSites(const PartInput &input, SiteSet &sites) const;
     /// Returns a lower bound over the domain, by interval arithmetic on those of 64 x 64 parts of its box that meet the
     /// inside, or the smallest probed value where that is undefined, or not positive beside the boundary.
     double minimum() const { return minimum_; }
