@@ -35,12 +35,12 @@
 /// | read drawings, maps and projects; repair a domain | drawing.hpp, in Forefront::drawing |
 ///
 /// A function that can fail returns a forefront::Result, which holds either the value or the diagnostics: what is
-/// wrong, where, and how to fix it. Using the value of a failed result prints its first diagnostic and aborts. Functions
-/// that take a forefront::Progress report how far they are and can be cancelled from another thread.
+/// wrong, where, and how to fix it. Using the value of a failed result prints its first diagnostic and aborts.
+/// Functions that take a forefront::Progress report how far they are and can be cancelled from another thread.
 ///
-/// Only two kinds of exceptions leave the library: std::bad_alloc, and only where "out-of-memory" is not among the listed
-/// errors; and what your callbacks throw (a size function, a Progress, a NodalField), which reaches the caller of the
-/// function that called them. A forefront::MeshingSession, whose caller is elsewhere, reports both as faults.
+/// Only two kinds of exceptions leave the library: std::bad_alloc, and only where "out-of-memory" is not among the
+/// listed errors; and what your callbacks throw (a size function, a Progress, a NodalField), which reaches the caller
+/// of the function that called them. A forefront::MeshingSession, whose caller is elsewhere, reports both as faults.
 #pragma once
 
 #include "core/engine/adapt/adaptive_meshing.hpp"

@@ -128,8 +128,8 @@ Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &do
         bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome =
-        adaptMesh(domain, std::move(mesh), *field, arguments.target, arguments.rounds, arguments.options(), progress, tell);
+    Result<AdaptOutcome> outcome = adaptMesh(domain, std::move(mesh), *field, arguments.target, arguments.rounds,
+                                             arguments.options(), progress, tell);
     bar.clear();
     if (!outcome) {
         return outcome.faults();

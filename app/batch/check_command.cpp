@@ -11,6 +11,7 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/mesh/mesh_domain.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
@@ -72,9 +73,8 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
     SpacingSpec spec;
     spec.size = arguments.size;
     spec.expression = arguments.expression;
-    Domain extent;
-    extent.nodes = mesh.nodes;
-    return SpacingField::build(spec, extent);
+    const Result<Domain> domain = domainOfMesh(mesh);
+    return domain ? SpacingField::build(spec, *domain) : domain.faults();
 }
 
 /// Adds the length of each boundary part, by tag, times a factor.

@@ -16,14 +16,15 @@ namespace forefront {
 
 namespace {
 
-/// Translates advice to repair the domain into the options of the command line.
+/// Translates advice into the options of the command line.
 std::string inOptions(std::string advice) {
     constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
         {"repair the domain with a weld tolerance of", "add --repair --weld"},
         {"repair the domain", "add --repair"},
         {"lower the weld tolerance", "lower --weld"},
         {"raise the maximum number of elements", "raise --max-elements"},
-        {"choose an element size of", "choose a --size of"}};
+        {"choose an element size of", "choose a --size of"},
+        {"set a gradation", "add --gradation G"}};
     for (const auto &[words, option] : kOptions) {
         if (const std::size_t at = advice.find(words); at != std::string::npos) {
             advice.replace(at, words.size(), option);

@@ -103,7 +103,10 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         ->type_name("FILE");
     spacing->require_option(0, 1);
     addPictureOptions(app, arguments.pictureSizes, arguments.pictureBox);
-    app.add_option("--gradation", arguments.gradation, "maximum change of edge length per unit of distance")
+    app.add_option(
+           "--gradation", arguments.gradation,
+           "maximum change of edge length per unit of distance; default: 0.25 where sizes spread from the boundary, "
+           "regions and paint, 0.5 for expressions and background meshes")
         ->check(positiveNumber())
         ->type_name("G");
     app.add_option("--segments-per-turn", arguments.segmentsPerTurn,

@@ -225,6 +225,9 @@ int runMesh(const MeshArguments &arguments) {
         const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
+    if (!arguments.quiet) {
+        printFaults(outcome->spacing->notes());
+    }
     const RunReport report = reportOf(*outcome, job->options);
     faults = writeResults(arguments, outcome->mesh, report, progress);
     bar.clear();

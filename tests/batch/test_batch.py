@@ -260,6 +260,25 @@ class Meshing(Case):
         self.call("mesh", "plate.poly", "-o", "b.ele", "-o", "c.ele", "--format", "triangle")
         self.assertEqual(self.read("b.ele"), self.read("c.ele"))
 
+    def test_a_spacing_file_elsewhere_is_refused_and_a_partial_one_is_noted(self):
+        grid = "ncols 2\nnrows 1\nxllcorner %s\nyllcorner 1\ncellsize 1\n0.2 %s\n"
+        self.write("outside.asc", grid % (200, 0.4))
+        fault = self.call("mesh", "plate.poly", "--spacing-file", "outside.asc", "--stats", "s.json", code=1).stderr
+        self.assertIn("does not meet the domain: the mesh lies from (200, 1) to (202, 2), the domain from (0, 0) to (4, 3)",
+                      fault)
+        self.write("partial.asc", grid % (2, 0.2))
+        done = self.call("mesh", "plate.poly", "--spacing-file", "partial.asc", "--stats", "s.json")
+        self.assertRegex(done.stderr, r"note: the background mesh covers about 1\d % of the domain")
+        self.assertNotIn("note", self.call("mesh", "plate.poly", "--spacing-file", "partial.asc", "--stats", "s.json",
+                                           "-q").stderr)
+
+    def test_a_spacing_may_vanish_in_a_hole(self):
+        self.call("mesh", "plate.poly", "--spacing", "0.2*dist(1.5, 1.5)", "-o", "a.msh")
+        self.assertIn("violated", self.call("check", "a.msh", "--spacing", "0.2*dist(1.5, 1.5)", "--min-delta", "0.99",
+                                            code=1).stdout)
+        fault = self.call("mesh", "plate.poly", "--spacing", "0.2*dist(2.5, 1.5)", "--stats", "s.json", code=1).stderr
+        self.assertIn("the spacing expression gives zero; expected a number above 0 at (2.5, 1.5)", fault)
+
     def test_a_grid_of_sizes_is_a_spacing(self):
         header = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\n"
         self.write("even.asc", header + "0.4 0.4\n0.4 0.4\n")

@@ -137,35 +137,6 @@ TEST_CASE("elementSpacing: elements at the minimum size do not make the rest eve
     }
 }
 
-TEST_CASE("limitGradation: gives the largest spacing, not above the given one, within the gradation along every edge") {
-    const Mesh mesh = samples::square(12, 9, 0.2);
-    samples::Random random(5);
-    std::vector<double> given(mesh.nodes.size());
-    for (double &h : given) {
-        h = random(0.01, 2.0);
-    }
-    std::vector<double> limited = given;
-    CHECK(limitGradation(mesh, 0.4, limited));
-    // Relaxation until nothing changes gives the same.
-    std::vector<double> relaxed = given;
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (const Element &element : mesh.elements) {
-            for (const NodeId a : element) {
-                for (const NodeId b : element) {
-                    const double limit = relaxed[index(a)] + 0.4 * distance(mesh.nodes[index(a)], mesh.nodes[index(b)]);
-                    if (limit < relaxed[index(b)]) {
-                        relaxed[index(b)] = limit;
-                        changed = true;
-                    }
-                }
-            }
-        }
-    }
-    CHECK(limited == relaxed);
-    CHECK(limited != given);
-}
-
 TEST_CASE("outlineOf: drops nodes that only divide a straight side, and keeps tags and names") {
     const Mesh mesh = samples::square(9, 4, 0.1, {3.0, 7.0});
     const Result<Domain> domain = outlineOf(mesh);

@@ -1,4 +1,6 @@
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/parts/background/limit_gradation.hpp"
+#include "core/engine/spacing/scaled_field.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/spacing_samples.hpp"
@@ -152,4 +154,93 @@ TEST_CASE("Background mesh: refuses invalid meshes with the place of the fault")
     bad.nodes[1].x = std::numeric_limits<double>::quiet_NaN();
     CHECK(refusal(bad).find("not finite") != std::string::npos);
     CHECK(refusal(BackgroundMesh{}).find("no triangles") != std::string::npos);
+}
+
+TEST_CASE("Background mesh: one that does not meet the domain is refused with both boxes") {
+    const auto even = [](Vec2) { return 0.2; };
+    SpacingSpec spec;
+    spec.background = lattice(200.0, 202.0, 2, 1.0, even);
+    const auto field = SpacingField::build(spec, squareDomain(10));
+    REQUIRE_FALSE(field.ok());
+    CHECK(field.faults().front().code == "bad-background");
+    CHECK(field.faults().front().message ==
+          "the background mesh does not meet the domain: the mesh lies from (200, 200) to (202, 202), the domain from "
+          "(0, 0) to (10, 10)");
+    spec.size = 0.5; // other sizes do not excuse it
+    CHECK_FALSE(SpacingField::build(spec, squareDomain(10)).ok());
+    CHECK(SpacingField::build(spec, Domain{}).ok()); // nothing is drawn yet
+}
+
+TEST_CASE("Background mesh: one within the box of the domain, but in its hole, does not meet it") {
+    DomainBuilder builder;
+    builder.loop({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 1);
+    builder.loop({{2, 2}, {2, 8}, {8, 8}, {8, 2}}, 2);
+    SpacingSpec spec;
+    spec.background = lattice(3.0, 7.0, 4, 1.0, [](Vec2) { return 0.2; });
+    CHECK_FALSE(SpacingField::build(spec, builder.domain).ok());
+    spec.background = lattice(1.0, 9.0, 1, 1.0, [](Vec2) { return 0.2; }); // its sides are inside, the middle is not
+    CHECK(SpacingField::build(spec, builder.domain).ok());
+    auto crossing = std::make_shared<BackgroundMesh>(); // neither has a node in the other
+    *crossing = {{{-5, 1}, {15, 0.8}, {15, 1.2}}, {{0, 1, 2}}, {0.2, 0.2, 0.2}};
+    spec.background = crossing;
+    CHECK(SpacingField::build(spec, builder.domain).ok());
+}
+
+TEST_CASE("Background mesh: a note tells how much of the domain it covers, if that is not all") {
+    const auto even = [](Vec2) { return 0.5; };
+    SpacingSpec spec;
+    spec.background = lattice(0.0, 10.0, 4, 1.0, even);
+    CHECK(fieldOf(spec, squareDomain(10))->notes().empty());
+    spec.background = lattice(0.0, 5.0, 4, 1.0, even);
+    const auto field = fieldOf(spec, squareDomain(10));
+    REQUIRE(field->notes().size() == 1);
+    const Diagnostic &note = field->notes().front();
+    CHECK(note.severity == Severity::Note);
+    CHECK(note.message == "the background mesh covers about 25 % of the domain: the mesh lies from (0, 0) to (5, 5), "
+                          "the domain from (0, 0) to (10, 10)");
+    CHECK(note.advice == "the rest gets automatic sizes");
+    CHECK(scaledField(field, 2.0)->notes().size() == 1);
+}
+
+TEST_CASE("limitGradation: gives the largest spacing, not above the given one, within the gradation along every edge") {
+    RandomSource random(5);
+    BackgroundMesh mesh = *lattice(0.0, 12.0, 12, 1.3, [&](Vec2) { return random.between(0.01, 2.0); });
+    const std::vector<double> given = mesh.values;
+    CHECK(limitGradation(mesh, 0.4));
+    // Relaxation until nothing changes gives the same.
+    std::vector<double> relaxed = given;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const auto &element : mesh.elements) {
+            for (const std::uint32_t a : element) {
+                for (const std::uint32_t b : element) {
+                    const double limit = relaxed[a] + 0.4 * distance(mesh.nodes[a], mesh.nodes[b]);
+                    changed = changed || limit < relaxed[b];
+                    relaxed[b] = std::fmin(relaxed[b], limit);
+                }
+            }
+        }
+    }
+    CHECK(mesh.values == relaxed);
+    CHECK(mesh.values != given);
+}
+
+TEST_CASE("Background mesh: a step that elements cannot follow is limited, with a note, unless a gradation is given") {
+    const auto step = [](Vec2 p) { return p.x < 5.0 ? 0.1 : 3.0; };
+    SpacingSpec spec;
+    spec.background = lattice(0.0, 10.0, 40, 1.0, step);
+    const auto field = fieldOf(spec, squareDomain(10));
+    CHECK(field->at({4.0, 5.0}) == 0.1);
+    CHECK(field->at({6.75, 5.0}) == doctest::Approx(0.1 + 0.5 * 2.0));
+    CHECK(field->at({10.0, 5.0}) == doctest::Approx(0.1 + 0.5 * 5.25));
+    REQUIRE(field->notes().size() == 1);
+    CHECK(field->notes().front().message ==
+          "the background mesh changes by more than 0.5 per unit of distance, which elements cannot follow; limited to "
+          "0.5");
+    CHECK(field->notes().front().at);
+    Domain left = squareDomain(4); // the step is outside
+    CHECK(fieldOf(spec, left)->notes().empty());
+    spec.gradation = 20.0;
+    CHECK(fieldOf(spec, squareDomain(10))->at({6.75, 5.0}) == doctest::Approx(3.0));
+    CHECK(fieldOf(spec, squareDomain(10))->notes().empty());
 }

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<Gap> gapsOf(const Domain &domain, double longest) {
     const SegmentIndex index(placedSegments(domain));
-    return GapFinder(domain, index, longest, 1e-4 * spacingBox(domain).diagonal(), {}).find();
+    return GapFinder(domain, LazyFaces(domain), index, longest, 1e-4 * spacingBox(domain).diagonal(), {}).find();
 }
 
 /// Returns the total length of the parts that face something.

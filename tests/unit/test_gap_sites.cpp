@@ -47,6 +47,28 @@ double fewestAcross(const Mesh &mesh) {
 const std::vector<Vec2> kBasins{{0, 0},    {40, 0},  {40, 15}, {60, 15}, {60, 0},  {100, 0},
                                 {100, 30}, {60, 30}, {60, 16}, {40, 16}, {40, 30}, {0, 30}};
 
+/// A plate of 10 x 5 with a layer of thickness 0.2 between two regions, or with an inclusion as thin. With `markers`,
+/// all lines are boundaries and holes are marked, as in a .poly file; else the inner ones are constraints.
+Domain layered(bool inclusion, bool markers) {
+    Domain domain;
+    domain.insideRule = markers ? InsideRule::HoleMarkers : InsideRule::EvenOdd;
+    const SegmentRole inner = markers ? SegmentRole::Boundary : SegmentRole::Constraint;
+    domain.regionMarkers = {{{5, 1}, 1}, {{5, 2.1}, 2}};
+    if (inclusion) {
+        addLoop(domain, std::vector<Vec2>{{0, 0}, {10, 0}, {10, 5}, {0, 5}});
+        addLoop(domain, std::vector<Vec2>{{2, 2}, {8, 2}, {8, 2.2}, {2, 2.2}});
+        for (std::size_t s = 4; s < 8; ++s) {
+            domain.segments[s].role = inner;
+        }
+        return domain;
+    }
+    addLoop(domain, std::vector<Vec2>{{0, 0}, {10, 0}, {10, 2}, {10, 2.2}, {10, 5}, {0, 5}, {0, 2.2}, {0, 2}});
+    domain.segments.push_back({7, 2, 5, inner});
+    domain.segments.push_back({6, 3, 6, inner});
+    domain.regionMarkers.push_back({{5, 4}, 3});
+    return domain;
+}
+
 /// A wedge of that angle, in degrees, whose sides are 20 long.
 Domain wedge(double degrees) {
     const double angle = degrees * 0.017453292519943295;
@@ -149,4 +171,50 @@ TEST_CASE("Elements across gaps: the mesh depends neither on the grid nor on the
     for (const unsigned threads : {2U, 3U}) {
         CHECK(meshHash(meshOf(domain, spec, {.threads = threads})) == hash);
     }
+}
+
+TEST_CASE("Elements across gaps: layers and inclusions between boundaries count as those between constraints") {
+    SpacingSpec given;
+    given.size = 1.0;
+    given.elementsAcross = 4.0;
+    for (const bool inclusion : {false, true}) {
+        CAPTURE(inclusion);
+        const Domain domain = layered(inclusion, true);
+        CHECK(fewestAcross(meshOf(domain, {})) >= 2.0);
+        CHECK(fewestAcross(meshOf(domain, given)) >= 4.0);
+        CHECK(meshHash(meshOf(domain, {})) == meshHash(meshOf(layered(inclusion, false), {})));
+        CHECK(meshHash(meshOf(domain, given)) == meshHash(meshOf(layered(inclusion, false), given)));
+    }
+}
+
+TEST_CASE("Elements across gaps: a hole and the inside of an inclusion with a hole marker stay outside") {
+    SpacingSpec given;
+    given.size = 1.0;
+    given.elementsAcross = 4.0;
+    Domain hole = layered(true, true);
+    hole.holeMarkers = {{5, 2.1}};
+    hole.regionMarkers.pop_back();
+    CHECK(fieldOf(given, hole)->at({5, 2.1}) == doctest::Approx(0.5)); // from the gap of 2 below the hole
+    CHECK(fieldOf(given, layered(true, true))->at({5, 2.1}) == doctest::Approx(0.05));
+}
+
+TEST_CASE("Elements across gaps: the measure counts across interfaces and constraints") {
+    SpacingSpec coarse;
+    coarse.size = 1.0;
+    for (const bool inclusion : {false, true}) {
+        for (const bool markers : {false, true}) {
+            Mesh mesh = meshOf(layered(inclusion, markers), coarse);
+            CHECK(fewestAcross(mesh) == 1.0);
+            mesh.regions.clear(); // the tagged edges remain
+            CHECK(fewestAcross(mesh) == 1.0);
+            mesh = meshOf(layered(inclusion, markers), coarse);
+            std::erase_if(mesh.edges, [](const TaggedEdge &edge) { return edge.tag > 1; }); // the regions remain
+            CHECK(fewestAcross(mesh) == 1.0);
+        }
+    }
+    Domain slit = outlineOf({{0, 0}, {10, 0}, {10, 8}, {0, 8}}); // a free end faces nothing
+    slit.nodes.insert(slit.nodes.end(), {{3, 4}, {7, 4}});
+    slit.segments.push_back({4, 5, 2, SegmentRole::Constraint});
+    coarse.size = 0.5;
+    CHECK(fewestAcross(meshOf(slit, coarse)) >= 5.0);
 }

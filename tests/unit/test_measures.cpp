@@ -247,7 +247,7 @@ TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places"
     across[MeshLimit::MinAcross] = 3.0; // nothing faces anything, which violates no limit
     CHECK(checkLimits(mesh, across, nullptr).front().met());
     CHECK(toString(checkLimits(mesh, across, nullptr).front()) ==
-          "minimum across gaps 3: met: no parts of the boundary face each other");
+          "minimum across gaps 3: met: nothing faces across a gap");
 }
 
 TEST_CASE("Limits: values outside their range are explained") {

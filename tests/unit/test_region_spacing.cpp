@@ -118,7 +118,7 @@ TEST_CASE("Region area: combined with other parts, the finest wins") {
 TEST_CASE("Region area: the smallest of several areas in a face applies") {
     Domain domain = twoSquares(0.01, 0.0);
     domain.regionMarkers.push_back({{0.2, 0.2}, 1, 0.002});
-    const auto part = RegionPart::build(domain, 0.0);
+    const auto part = RegionPart::build(domain, LazyFaces(domain), 0.0);
     REQUIRE(part.has_value());
     CHECK(part->at({0.5, 0.5}) == spacingForArea(0.002));
 }
@@ -143,7 +143,7 @@ TEST_CASE("Region area: every point gets the limit of its face") {
         builder.domain.regionMarkers.push_back({{i + 0.75, 1.0}, 1, i % 3 == 1 ? 0.0 : 0.01 * (i + 1)}); // below
         builder.domain.regionMarkers.push_back({{i + 0.25, 2.0}, 1, 0.001 * (i + 1)});                   // above
     }
-    const auto part = RegionPart::build(builder.domain, 0.0);
+    const auto part = RegionPart::build(builder.domain, LazyFaces(builder.domain), 0.0);
     REQUIRE(part.has_value());
     RandomSource random(5);
     for (int k = 0; k < 5000; ++k) {
@@ -166,8 +166,9 @@ TEST_CASE("Region area: every point gets the limit of its face") {
 TEST_CASE("Region area: crossing segments disable it; invalid areas are refused with their marker") {
     Domain crossed = twoSquares(0.01, 0.0);
     crossed.segments.push_back({0, 3, 1, SegmentRole::Constraint});
-    CHECK_FALSE(RegionPart::build(crossed, 0.0).has_value());
-    CHECK_FALSE(RegionPart::build(twoSquares(0.0, 0.0), 0.0).has_value());
+    CHECK_FALSE(RegionPart::build(crossed, LazyFaces(crossed), 0.0).has_value());
+    const Domain unlimited = twoSquares(0.0, 0.0);
+    CHECK_FALSE(RegionPart::build(unlimited, LazyFaces(unlimited), 0.0).has_value());
 
     const auto refused = SpacingField::build({}, twoSquares(0.01, -1.0));
     REQUIRE_FALSE(refused.ok());

@@ -1,3 +1,4 @@
+#include "core/engine/domain/add_loop.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/scaled_field.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
@@ -160,17 +161,115 @@ TEST_CASE("SpacingField: an expression without a positive value somewhere is ref
     CHECK(field.faults().front().at->x <= 0.25);
 }
 
-TEST_CASE("SpacingField: an expression without gradation is left exactly as given") {
+TEST_CASE("SpacingField: an expression has to be positive only inside the domain") {
+    Domain ring; // a square of side 4 with a square hole of side 2 about the origin
+    addLoop(ring, std::vector<Vec2>{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+    addLoop(ring, std::vector<Vec2>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+    Domain disc;
+    std::vector<Vec2> circle;
+    for (int k = 0; k < 60; ++k) {
+        circle.push_back({std::cos(0.10471975511965977 * k), std::sin(0.10471975511965977 * k)});
+    }
+    addLoop(disc, circle);
     SpacingSpec spec;
-    spec.expression = "max(0.1, 0.8*abs(dist(5, 5) - 3))";
+    for (const char *const text :
+         {"0.2*dist(0, 0)", "0.3*max(abs(x), abs(y)) - 0.29", "sqrt(max(abs(x), abs(y)) - 1)+0.1"}) {
+        CAPTURE(text);
+        spec.expression = text;
+        const auto field = fieldOf(spec, ring);
+        CHECK(field->at({0, 0}) > 0.0); // whatever it is there
+        CHECK(field->minimum() > 1e-3);
+    }
+    spec.expression = "1.2 - x^2 - y^2"; // negative in the corners of the box
+    CHECK(fieldOf(spec, disc)->at({0, 1}) == doctest::Approx(0.2));
+    const auto refusedAt = [&](const char *text, const Domain &domain) {
+        spec.expression = text;
+        const auto field = SpacingField::build(spec, domain);
+        REQUIRE_FALSE(field.ok());
+        CHECK(field.faults().front().code == "expression-value");
+        REQUIRE(field.faults().front().at);
+        return *field.faults().front().at;
+    };
+    CHECK(refusedAt("max(abs(x), abs(y)) - 1", ring).x == doctest::Approx(-1.0)); // zero on the boundary
+    CHECK(length(refusedAt("0.9 - x^2 - y^2", disc)) > 0.9);
+    CHECK(length(refusedAt("dist(0, 0)", disc)) < 0.05);
+    CHECK(refusedAt("x < 1.5 ? 1 : -1", ring).x >= 1.5);
+    CHECK(refusedAt("sqrt(1.5 - x)", ring).x > 1.5);
+}
+
+TEST_CASE("SpacingField: an expression that elements can follow is left exactly as given") {
+    SpacingSpec spec;
+    spec.expression = "max(0.1, 0.48*abs(dist(5, 5) - 3))";
     const auto field = fieldOf(spec, rectangle(10, 10, 1, 1));
     for (double x = 0.05; x < 10.0; x += 0.37) {
         CHECK(field->at({x, 4.2}) ==
-              doctest::Approx(std::max(0.1, 0.8 * std::fabs(distance({x, 4.2}, {5, 5}) - 3))).epsilon(1e-14));
+              doctest::Approx(std::max(0.1, 0.48 * std::fabs(distance({x, 4.2}, {5, 5}) - 3))).epsilon(1e-14));
     }
     CHECK(field->minimum() <= 0.1);
-    CHECK(field->maximum() >= 0.8 * (std::sqrt(50.0) - 3));
-    CHECK(field->maximum() <= 0.8 * (std::sqrt(50.0) - 3) * 1.1);
+    CHECK(field->maximum() >= 0.48 * (std::sqrt(50.0) - 3));
+    CHECK(field->maximum() <= 0.48 * (std::sqrt(50.0) - 3) * 1.1);
+    CHECK(field->notes().empty());
+}
+
+TEST_CASE(
+    "SpacingField: an expression that elements cannot follow is limited, with a note, unless a gradation is given") {
+    const Domain domain = rectangle(1, 1, 1, 1);
+    SpacingSpec spec;
+    spec.expression = "max(0.01, 2*sqrt((x-.5)^2+(y-.5)^2))";
+    const auto field = fieldOf(spec, domain);
+    for (const Vec2 p : {Vec2{0, 0}, Vec2{0.5, 0.9}, Vec2{0.1, 0.45}, Vec2{0.52, 0.5}}) {
+        const double expected = 0.01 + 0.5 * (distance(p, {0.5, 0.5}) - 0.005); // 0.01 within 0.005
+        CHECK(field->at(p) == doctest::Approx(expected).epsilon(0.03));
+    }
+    CHECK(field->at({0.5, 0.5}) == 0.01);
+    CHECK(field->sample({0.9, 0.9}).describe.starts_with("limited by gradation 0.5 from the expression at (0.50"));
+    REQUIRE(field->notes().size() == 1);
+    CHECK(field->notes().front().severity == Severity::Note);
+    CHECK(field->notes().front().message == "the spacing expression changes by more than 0.5 per unit of distance, "
+                                            "which elements cannot follow; limited to 0.5");
+    CHECK(field->notes().front().advice == "set a gradation for another limit");
+    spec.gradation = 2.5;
+    const auto steep = fieldOf(spec, domain);
+    CHECK(steep->at({0, 0}) == doctest::Approx(std::sqrt(2.0)));
+    CHECK(steep->notes().empty());
+}
+
+TEST_CASE("SpacingField: sizes outside the domain do not limit an expression inside") {
+    Domain ring;
+    addLoop(ring, std::vector<Vec2>{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+    addLoop(ring, std::vector<Vec2>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+    SpacingSpec spec;
+    spec.expression = "0.3*max(abs(x), abs(y)) - (max(abs(x), abs(y)) < 0.999 ? 0.299 : 0)"; // a step down in the hole
+    const auto field = fieldOf(spec, ring);
+    CHECK(field->notes().empty());
+    CHECK(field->at({1.5, 0.2}) == doctest::Approx(0.45));
+    CHECK(field->at({1, 0.2}) == doctest::Approx(0.3));
+    spec.expression = "0.1 + 5*(max(abs(x), abs(y)) - 1)"; // steep from the hole on
+    CHECK(fieldOf(spec, ring)->at({1.5, 0}) == doctest::Approx(0.1 + 0.5 * 0.5).epsilon(0.03));
+}
+
+TEST_CASE("SpacingField: a note tells of growths of sources and boundary parts that elements cannot follow") {
+    const Domain domain = rectangle(10, 10, 1, 1);
+    SpacingSpec spec;
+    spec.sources.push_back({SourceShape::Point, {5, 5}, {}, 0.0, 0.05, 2.0, "well"});
+    SizeSource gradient{SourceShape::Line, {0, 0}, {1, 0}, 0.0, 0.1, 0.0, ""};
+    gradient.endSize = 5.0;
+    gradient.plane = true;
+    spec.sources.push_back(gradient);
+    spec.partSizes = {{1, {0.2, 0.7}}};
+    const auto field = fieldOf(spec, domain);
+    CHECK(field->at({5, 5.1}) == doctest::Approx(0.25)); // as given
+    std::vector<std::string> messages;
+    for (const Diagnostic &note : field->notes()) {
+        messages.push_back(note.message);
+    }
+    const std::string end = " per unit of distance, which elements cannot follow; expected at most 0.5";
+    CHECK(messages == std::vector<std::string>{"size source 'well' grows by 2" + end,
+                                               "size source 1 grows by 4.9" + end,
+                                               "the size of 'boundary_1' grows by 0.7" + end});
+    spec.gradation = 3.0;
+    CHECK(fieldOf(spec, domain)->notes().empty());
+    CHECK(fieldOf(spec, domain)->at({5, 5.1}) == doctest::Approx(0.25));
 }
 
 TEST_CASE("SpacingField: a steep expression is limited by the gradation formula within 2 %") {
@@ -235,6 +334,7 @@ TEST_CASE("SpacingField: a minimum makes an expression that falls to zero valid,
     CHECK(fieldOf(spec, domain)->at({5, 5}) == 0.05);
     spec.expression = "1/x";
     spec.maximum = 2.0;
+    spec.gradation = 100.0; // or the slope would be limited before
     CHECK(fieldOf(spec, domain)->at({0, 5}) == 2.0);
     spec.expression = "sqrt(x - 1)";
     const auto refused = SpacingField::build(spec, domain);

@@ -41,7 +41,9 @@ void GradationRow::draw(Shell &context) {
     if (form::optionalField(context, "spacing/gradation", gradation, "auto", kField, "spacing/gradation")) {
         EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
     }
-    ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
+    ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep. auto: 0.25 "
+                            "where sizes spread from "
+                            "the boundary, regions and paint, 0.5 for expressions and background meshes");
     ImGui::SameLine(0, context.px(6));
     drawSlider(context);
 }

@@ -60,7 +60,7 @@ class HistogramPanel final : public Panel {
                                                              : "The elements have no values.";
         }
         return judgement.of.measure == Measure::Across
-                   ? "No parts of the boundary face each other."
+                   ? "Nothing faces across a gap."
                    : "This measure compares the mesh with the node spacing \xcf\x81, but there is none.";
     }
 

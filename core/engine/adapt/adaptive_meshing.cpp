@@ -163,16 +163,16 @@ Result<AdaptOutcome> meshOnce(const Domain &domain, const Mesh &mesh, const std:
 } // namespace
 
 Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                           int maxRounds, const MeshingOptions &options, const Progress &progress,
-                           const AdaptReport &report) {
+                               int maxRounds, const MeshingOptions &options, const Progress &progress,
+                               const AdaptReport &report) {
     return orOutOfMemory("to adapt the mesh", [&] {
         return meshInRounds(domain, std::move(mesh), field, target, maxRounds, options, progress, report);
     });
 }
 
 Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
-                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
-                               const AdaptReport &report) {
+                                   const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
+                                   const AdaptReport &report) {
     return orOutOfMemory("to adapt the mesh",
                          [&] { return meshOnce(domain, mesh, values, target, options, progress, report); });
 }

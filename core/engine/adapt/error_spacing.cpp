@@ -3,6 +3,7 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/paced_progress.hpp"
 #include "core/engine/mesh/topology.hpp"
+#include "core/engine/spacing/parts/background/limit_gradation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,42 +118,6 @@ std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> eleme
     return spacing;
 }
 
-bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing, const Progress &progress) {
-    const std::optional<NodeElements> around = nodeElements(mesh, progress);
-    if (!around) {
-        return false;
-    }
-    using Entry = std::pair<double, std::uint32_t>;
-    std::vector<Entry> entries;
-    entries.reserve(spacing.size());
-    for (std::uint32_t n = 0; n < spacing.size(); ++n) {
-        entries.emplace_back(spacing[n], n);
-    }
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue({}, std::move(entries));
-    // Most nodes leave the queue once, some of them again after being lowered further.
-    PacedProgress pace(progress, "limiting the gradation", spacing.size());
-    while (!queue.empty()) {
-        if (!pace.next()) {
-            return false;
-        }
-        const auto [value, node] = queue.top();
-        queue.pop();
-        if (value > spacing[node]) {
-            continue; // lowered since it was queued
-        }
-        for (std::uint32_t i = around->offsets[node]; i < around->offsets[node + 1]; ++i) {
-            for (const NodeId next : mesh.elements[index(around->elements[i])]) {
-                const double limit = value + gradation * distance(mesh.nodes[node], mesh.nodes[index(next)]);
-                if (limit < spacing[index(next)]) {
-                    spacing[index(next)] = limit;
-                    queue.emplace(limit, static_cast<std::uint32_t>(next));
-                }
-            }
-        }
-    }
-    return true;
-}
-
 Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
                                    const Progress &progress) {
     const Result<std::vector<double>> ofElements = elementSpacing(mesh, estimate, target, progress);
@@ -162,9 +127,6 @@ Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estima
     auto background = std::make_shared<BackgroundMesh>();
     background->nodes = mesh.nodes;
     background->values = nodalSpacing(mesh, *ofElements);
-    if (!limitGradation(mesh, target.gradation, background->values, progress)) {
-        return cancelled("choosing the node spacing");
-    }
     background->elements.reserve(mesh.elements.size());
     for (const Element &nodes : mesh.elements) {
         background->elements.push_back({static_cast<std::uint32_t>(nodes[0]), static_cast<std::uint32_t>(nodes[1]),

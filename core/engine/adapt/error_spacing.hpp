@@ -28,12 +28,8 @@ Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate
 /// Returns the spacing at nodes from that of elements: the mean of the density 1/h² around each node, weighted by area.
 std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> elementSpacing);
 
-/// Lowers nodal spacings so that they grow by at most `gradation` per unit of length along every edge. O(n log n).
-/// Returns false when cancelled.
-bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing, const Progress &progress = {});
-
-/// Calls the three functions above in turn and returns the node spacing with `mesh` as background mesh. Error:
-/// "cancelled".
+/// Calls the two functions above, limits the gradation, and returns the node spacing with `mesh` as background mesh.
+/// Error: "cancelled".
 Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
                                    const Progress &progress = {});
 

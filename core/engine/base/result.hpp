@@ -50,7 +50,6 @@ class [[nodiscard]] Result {
     T value_or(U &&fallback) && {
         return ok() ? std::move(*this).value() : static_cast<T>(std::forward<U>(fallback));
     }
-    const Diagnostics &faults() const { return std::get<Diagnostics>(content_); }
     const Diagnostics &faults() const {
         const Diagnostics *const faults = std::get_if<Diagnostics>(&content_);
         if (faults == nullptr) {

@@ -1,6 +1,6 @@
 #include "core/engine/mesh/elements_across.hpp"
 
-#include "core/engine/mesh/face_loops.hpp"
+#include "core/engine/mesh/wall_loops.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -8,14 +8,14 @@
 namespace forefront {
 namespace {
 
-/// The nearest boundary node of each node, by number of edges.
+/// The nearest node on a wall of each node, by number of edges.
 struct Nearest {
     std::vector<NodeId> origin;
     std::vector<std::uint32_t> edges;
 };
 
-/// Finds the nearest boundary nodes by a search that starts at all boundary nodes at once.
-Nearest nearestBoundary(const Mesh &mesh, const MeshEdges &edges, const FaceLoops &loops) {
+/// Finds the nearest nodes on walls by a search that starts at all of them at once.
+Nearest nearestWall(const Mesh &mesh, const MeshEdges &edges, const WallLoops &loops) {
     std::vector<std::uint32_t> offsets(mesh.nodes.size() + 1, 0);
     for (const MeshEdge &edge : edges.edges) {
         ++offsets[index(edge.a) + 1];
@@ -55,8 +55,8 @@ Nearest nearestBoundary(const Mesh &mesh, const MeshEdges &edges, const FaceLoop
 } // namespace
 
 std::vector<double> elementsAcross(const Mesh &mesh, const MeshEdges &edges) {
-    const FaceLoops loops(mesh, edges);
-    const Nearest nearest = nearestBoundary(mesh, edges, loops);
+    const WallLoops loops(mesh, edges);
+    const Nearest nearest = nearestWall(mesh, edges, loops);
     std::vector<double> values(edges.edges.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t k = 0; k < values.size(); ++k) {
         const MeshEdge &edge = edges.edges[k];

@@ -20,7 +20,7 @@ constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
     {"minimum \xce\xb4", "minDelta", Measure::Conformity, true, 0.0, 1.0,
      "Smallest spacing conformity \xce\xb4 = min(L/\xcf\x81, \xcf\x81/L) allowed; needs a spacing"},
     {"minimum across gaps", "minAcross", Measure::Across, true, 1.0, 1000.0,
-     "Smallest number of elements allowed between facing parts of the boundary"},
+     "Smallest number of elements allowed between facing parts of the boundary, interfaces and constraints"},
     {"maximum valence", "maxValence", Measure::Valence, false, 3.0, 1000.0,
      "Largest number of elements allowed around a node"},
 }};
@@ -112,7 +112,7 @@ std::string toString(const LimitVerdict &verdict) {
     const std::string head = std::string(info.name) + ' ' + valueText(verdict.limit, verdict.bound) + ": ";
     if (verdict.judged == 0) {
         return head + (verdict.limit == MeshLimit::MinDelta    ? "not checked: there is no spacing"
-                       : verdict.limit == MeshLimit::MinAcross ? "met: no parts of the boundary face each other"
+                       : verdict.limit == MeshLimit::MinAcross ? "met: nothing faces across a gap"
                                                                : "met: there is nothing to measure");
     }
     const std::string worst = "worst " + valueText(verdict.limit, verdict.worst);

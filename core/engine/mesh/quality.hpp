@@ -38,7 +38,8 @@ struct MeshQuality {
     std::size_t flat = 0;                    ///< elements of no area, within the rounding of their nodes
 };
 
-/// Returns the quality statistics of a mesh. δ is left out if `spacing` is null. Throws std::bad_alloc if memory runs out.
+/// Returns the quality statistics of a mesh. δ is left out if `spacing` is null. Throws std::bad_alloc if memory runs
+/// out.
 MeshQuality measureQuality(const Mesh &mesh, const SpacingField *spacing);
 
 /// Returns α of every element.

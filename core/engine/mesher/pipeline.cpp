@@ -202,8 +202,8 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     if (threads > 1) {
         releaseFreeMemory();
     }
-    if (threads > 1 && !mesher->advanceInParallel(threads, progress, prepared->estimatedElements,
-                                                  elementsToStopAt(job.options))) {
+    if (threads > 1 &&
+        !mesher->advanceInParallel(threads, progress, prepared->estimatedElements, elementsToStopAt(job.options))) {
         return progress.cancelled() ? cancelled("meshing") : stoppedFront(*prepared, job.options);
     }
     if (Status faults = advanceToEnd(*mesher, *prepared, job.options, "advancing the front", progress);

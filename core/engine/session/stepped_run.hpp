@@ -19,8 +19,8 @@ class SteppedRun {
     const TimelineTravel &travel() const { return travel_; }
     const PreparedJob &prepared() const { return prepared_; }
 
-    /// Returns the fault of a front that has exceeded the job's maximum number of elements, since the estimate was too low;
-    /// empty if it has not.
+    /// Returns the fault of a front that has exceeded the job's maximum number of elements, since the estimate was too
+    /// low; empty if it has not.
     Diagnostics excess() const;
     /// Returns true once improve() has made the final mesh.
     bool improved() const { return finalMesh_ != nullptr; }

@@ -91,6 +91,7 @@ struct FieldParts {
     std::optional<SiteTree> tree; ///< of the other sites where there are many
     std::vector<SiteLabel> treeLabels;
     SiteWords words;
+    Diagnostics notes; ///< see SpacingField::notes()
 
     /// Lowers the cap to `size` if that is less.
     void lowerCap(double size, SpacingOrigin origin);

@@ -3,10 +3,13 @@
 #include "core/engine/spacing/parts/automatic/automatic.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/engine/spacing/parts/automatic/gap_sites.hpp"
+#include "core/engine/spacing/parts/background/background_cover.hpp"
+#include "core/engine/spacing/parts/background/limit_gradation.hpp"
 #include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
 #include "core/engine/spacing/parts/node_sizes/node_size_sites.hpp"
 #include "core/engine/spacing/parts/part_sizes/part_size_sites.hpp"
 #include "core/engine/spacing/parts/sources/source_sites.hpp"
+#include "core/engine/spacing/parts/steep_note.hpp"
 #include "core/engine/spacing/sites/steep_sites.hpp"
 #include "core/engine/spacing/spec/spec_check.hpp"
 
@@ -30,14 +33,16 @@ Diagnostics addSize(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
-    auto expression = ExpressionSpacing::build(input.spec, input.domain, input.box);
+    auto expression = ExpressionSpacing::build(input.spec, input.domain, input.faces.inside(), input.box);
     if (!expression) {
         return expression.faults();
     }
-    if (input.spec.gradation) {
-        addSteepSites([&](std::span<const Vec2> points, std::span<double> rho) { expression->atMany(points, rho); },
-                      {SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0}, input.box, *input.spec.gradation,
-                      parts.few, input.progress);
+    const std::size_t before = parts.few.sites.size();
+    addSteepSites([&](std::span<const Vec2> points, std::span<double> rho) { expression->atMany(points, rho); },
+                  {SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0}, input.steepSearch(), parts.few,
+                  input.progress);
+    if (!input.spec.gradation && parts.few.sites.size() > before) {
+        parts.notes.push_back(steepNote("the spacing expression", parts.few.sites[before].a));
     }
     parts.point<ExpressionSpacing>() = std::move(*expression);
     return {};
@@ -57,14 +62,16 @@ void checkFunction(const SpacingSpec &spec, const Domain &, Diagnostics &faults)
 }
 
 Diagnostics addFunction(const PartInput &input, FieldParts &parts) {
-    auto function = FunctionSpacing::build(input.spec, input.domain, input.box);
+    auto function = FunctionSpacing::build(input.spec, input.domain, input.faces.inside(), input.box);
     if (!function) {
         return function.faults();
     }
-    if (input.spec.gradation) {
-        addSteepSites([&](std::span<const Vec2> points, std::span<double> rho) { function->atMany(points, rho); },
-                      {SpacingOrigin::Function, SiteReason::FunctionEdge, 0}, input.box, *input.spec.gradation,
-                      parts.few, input.progress);
+    const std::size_t before = parts.few.sites.size();
+    addSteepSites([&](std::span<const Vec2> points, std::span<double> rho) { function->atMany(points, rho); },
+                  {SpacingOrigin::Function, SiteReason::FunctionEdge, 0}, input.steepSearch(), parts.few,
+                  input.progress);
+    if (!input.spec.gradation && parts.few.sites.size() > before) {
+        parts.notes.push_back(steepNote("the size function", parts.few.sites[before].a));
     }
     parts.point<FunctionSpacing>() = std::move(*function);
     return {};
@@ -93,6 +100,20 @@ Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
     if (!background) {
         return background.faults();
     }
+    if (const auto gentle = input.spec.gradation
+                                ? nullptr
+                                : withoutSteepEdges(mesh, input.minimum, kSteepestGradation, input.progress)) {
+        noteSteepMesh(*gentle, input, parts.notes);
+        background = BackgroundPart::build(*gentle, input.minimum, input.progress);
+        if (!background) {
+            return background.faults();
+        }
+    }
+    Diagnostics remarks = compareCover(mesh, *background, input);
+    if (hasErrors(remarks)) {
+        return remarks;
+    }
+    parts.notes.insert(parts.notes.end(), remarks.begin(), remarks.end());
     parts.point<FilledBackground>().emplace(std::move(*background));
     if (const auto gradation = input.spec.gradation) {
         BackgroundPart::addBorderSites(mesh, input.minimum, *gradation, parts.few, input.progress);
@@ -104,6 +125,7 @@ Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
 Diagnostics addSources(const PartInput &input, FieldParts &parts) {
     addSourceSites(input.spec.sources, input.minimum, input.givenGradation(), parts.few);
     parts.point<GradedSources>() = GradedSources::build(input.spec.sources, input.givenGradation(), input.box);
+    noteSteepSources(input, parts.notes);
     parts.point<BoxSources>() = BoxSources::build(input.spec.sources, input.minimum, input.givenGradation(), input.box);
     for (const SizeSource &source : input.spec.sources) {
         parts.words.sources.push_back(source.name);
@@ -113,6 +135,7 @@ Diagnostics addSources(const PartInput &input, FieldParts &parts) {
 
 Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
     addPartSizeSites(input.domain, input.spec.partSizes, input.minimum, input.givenGradation(), parts.few);
+    noteSteepParts(input, parts.notes);
     for (const auto &[tag, size] : input.spec.partSizes) {
         parts.words.parts[static_cast<std::uint32_t>(tag)] = boundaryName(input.domain.boundaryNames, tag);
     }
@@ -121,6 +144,7 @@ Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
 
 Diagnostics addNodeSizes(const PartInput &input, FieldParts &parts) {
     addNodeSizeSites(input.domain.nodeSizes, input.minimum, input.givenGradation(), parts.few);
+    noteSteepNodes(input, parts.notes);
     for (const NodeSize &node : input.domain.nodeSizes) {
         parts.words.nodes.push_back(node.name);
     }
@@ -133,7 +157,7 @@ Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addBends(const PartInput &input, FieldParts &parts) {
-    addCurvatureSites(input.domain, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
+    addCurvatureSites(input.domain, input.faces, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
                       input.gradation, SpacingOrigin::Boundary, false, input.progress, parts.few);
     return {};
 }
@@ -144,8 +168,8 @@ Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
     if (spec.usesAutomatic() && !spec.background) {
         longest = std::min(longest, automaticMaximum(input.box));
     }
-    addGapSites(input.domain, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()), input.minimum,
-                input.gradation, input.progress, parts.few);
+    addGapSites(input.domain, input.faces, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()),
+                input.minimum, input.gradation, input.progress, parts.few);
     return {};
 }
 
@@ -153,7 +177,8 @@ Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     for (const RegionMarker &marker : input.domain.regionMarkers) {
         parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
     }
-    auto regions = RegionPart::build(input.domain, input.minimum);
+    noteSteepRegions(input, parts.notes);
+    auto regions = RegionPart::build(input.domain, input.faces, input.minimum);
     if (regions) {
         regions->addSites(input.gradation, input.givenGradation(), parts.few);
         parts.point<RegionPart>() = std::move(*regions);

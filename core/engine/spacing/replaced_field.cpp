@@ -60,12 +60,12 @@ Result<std::shared_ptr<const SpacingField>> ReplacedField::build(const SpacingSp
         return paint.faults();
     }
     std::shared_ptr<ReplacedField> field(new ReplacedField(*std::move(paint)));
+    field->addNotes((*around)->notes());
     field->others_ = *std::move(around);
     field->kept_ = *std::move(kept);
     field->largest_ = largestOf(spec.paint);
     field->farthest_ = beyond;
     const double gradation = spec.gradation.value_or(kOwnGradation);
-    field->words_.gradation = gradation;
     std::vector<SizeSite> sites;
     for (const PaintedPart::Border &border : PaintedPart::borderOf(spec.paint)) {
         const double rho = field->others_->at(border.at);

@@ -36,7 +36,6 @@ class ReplacedField final : public SpacingField {
     std::optional<SiteTree> border_; ///< from which the spacing around the paint limits it
     double largest_ = 0.0;           ///< painted value
     double farthest_ = 0.0;          ///< size of kept_ where it has no rule
-    SiteWords words_;
 };
 
 } // namespace forefront

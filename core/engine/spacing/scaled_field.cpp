@@ -9,7 +9,9 @@ namespace {
 
 class ScaledField final : public SpacingField {
   public:
-    ScaledField(std::shared_ptr<const SpacingField> field, double factor) : field_(std::move(field)), factor_(factor) {}
+    ScaledField(std::shared_ptr<const SpacingField> field, double factor) : field_(std::move(field)), factor_(factor) {
+        addNotes(field_->notes());
+    }
 
     double at(Vec2 p) const override { return factor_ * field_->at(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -26,15 +27,15 @@ constexpr double kPaintCellsPerSize = 4.0; ///< keeps the gradation within 2 %
 class FieldBuilder {
   public:
     FieldBuilder(const SpacingSpec &spec, const Domain &domain, const Progress &progress)
-        : spec_(spec), input_{spec,
-                              domain,
-                              spacingBox(domain),
-                              spec.minimum.value_or(0.0),
-                              spec.gradation.value_or(kDefaultGradation),
-                              progress} {
+        : spec_(spec), faces_(domain, progress.stop), input_{spec,
+                                                             domain,
+                                                             faces_,
+                                                             spacingBox(domain),
+                                                             spec.minimum.value_or(0.0),
+                                                             spec.gradation.value_or(kDefaultGradation),
+                                                             progress} {
         parts_.cap = std::numeric_limits<double>::infinity();
         parts_.minimum = input_.minimum;
-        parts_.words.gradation = input_.gradation;
         parts_.words.boundaryNames = domain.boundaryNames;
         parts_.words.segmentTags.reserve(domain.segments.size());
         for (const DomainSegment &segment : domain.segments) {
@@ -79,7 +80,7 @@ class FieldBuilder {
     }
     void addAutomatic() {
         AutomaticSpacing automatic =
-            automaticSpacing(input_.domain, input_.box, input_.minimum, input_.gradation,
+            automaticSpacing(input_.domain, faces_, input_.box, input_.minimum, input_.gradation,
                              spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
         auto &background = parts_.point<FilledBackground>();
         if (!background) {
@@ -139,6 +140,7 @@ class FieldBuilder {
         if (input_.progress.cancelled()) {
             return cancelled("preparing the spacing");
         }
+        const Diagnostics notes = std::exchange(parts_.notes, {});
         if (parts_.few.sites.size() > kFew) {
             SiteSet sources = takeSources();
             parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress, spreadOptions());
@@ -148,23 +150,28 @@ class FieldBuilder {
                 return cancelled("preparing the spacing");
             }
         }
+        std::shared_ptr<SpacingField> field = assembled();
+        field->addNotes(notes);
+        return std::shared_ptr<const SpacingField>(std::move(field));
+    }
+    std::shared_ptr<SpacingField> assembled() {
         if (parts_.tree || !parts_.few.sites.empty()) {
-            return std::shared_ptr<const SpacingField>(std::make_shared<CombinedField>(std::move(parts_), input_.box));
+            return std::make_shared<CombinedField>(std::move(parts_), input_.box);
         }
         if (!parts_.anyPoint()) {
-            return std::shared_ptr<const SpacingField>(
-                std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin));
+            return std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin);
         }
         auto &expression = parts_.point<ExpressionSpacing>();
         const auto given = [&](const SpacingPartKind &kind) { return kind.given(spec_, input_.domain); };
         const std::span<const SpacingPartKind> kinds = spacingPartKinds();
         if (expression && std::count_if(kinds.begin(), kinds.end(), given) == 1) { // its limits are its own
-            return std::shared_ptr<const SpacingField>(std::make_shared<ExpressionField>(std::move(*expression)));
+            return std::make_shared<ExpressionField>(std::move(*expression));
         }
-        return std::shared_ptr<const SpacingField>(std::make_shared<CombinedField>(std::move(parts_), input_.box));
+        return std::make_shared<CombinedField>(std::move(parts_), input_.box);
     }
 
     const SpacingSpec &spec_;
+    LazyFaces faces_;
     PartInput input_;
     FieldParts parts_;
 };

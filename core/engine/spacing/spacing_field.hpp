@@ -35,6 +35,14 @@ class SpacingField {
     virtual double minimum() const = 0;
     /// Returns an upper bound of ρ over the domain's box.
     virtual double maximum() const = 0;
+
+    /// Returns notes on parts of the specification that are not followed everywhere in the domain, such as a background
+    /// mesh that covers only a part of it.
+    const Diagnostics &notes() const { return notes_; }
+    void addNotes(const Diagnostics &notes) { notes_.insert(notes_.end(), notes.begin(), notes.end()); }
+
+  private:
+    Diagnostics notes_;
 };
 
 } // namespace forefront

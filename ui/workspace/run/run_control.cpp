@@ -42,6 +42,11 @@ std::string resultText(const SessionSnapshot &s) {
                       s.quality.alphaMin, s.quality.alphaMean);
 }
 
+/// Returns what of the specified spacing is not followed.
+Diagnostics notesOf(const SessionSnapshot &s) {
+    return s.spacing ? s.spacing->notes() : Diagnostics();
+}
+
 std::string previewText(const SessionSnapshot &s) {
     return ui::format("Preview of %llu triangles; the full mesh will have about %.2g",
                       static_cast<unsigned long long>(s.quality.elements), s.requestedElements);
@@ -71,9 +76,10 @@ void RunControl::log(const SessionSnapshot &s) {
         if (s.coarsening > 1.0) {
             liveResult_ = {previewText(s), {}, start->second.revision};
         } else if (isLive) {
-            liveResult_ = {resultText(s), {}, start->second.revision};
+            liveResult_ = {resultText(s), notesOf(s), start->second.revision};
         } else {
             log_.note(resultText(s));
+            logNotes(notesOf(s), starts_[s.run].revision);
         }
     }
 }
@@ -149,8 +155,20 @@ void RunControl::logLive(bool faulty) {
     const LiveResult result = *std::exchange(liveResult_, std::nullopt);
     if (!result.note.empty()) {
         log_.note(result.note, "live mesh of step " + document_.step());
+        logNotes(result.diagnostics, result.revision);
     } else if (!faulty) {
-        log_.add(result.refusal, result.revision);
+        log_.add(result.diagnostics, result.revision);
+    }
+}
+
+void RunControl::logNotes(const Diagnostics &notes, std::uint64_t revision) {
+    std::string text;
+    for (const Diagnostic &note : notes) {
+        text += toString(note) + '\n';
+    }
+    if (text != notesLogged_) { // a live mesh would repeat them with every change
+        log_.add(notes, revision);
+        notesLogged_ = std::move(text);
     }
 }
 

@@ -134,6 +134,8 @@ class RunControl {
     bool startIfNeeded();
     void log(const SessionSnapshot &snapshot);
     void logLive(bool faulty);
+    /// Logs notes unless they are the last ones logged.
+    void logNotes(const Diagnostics &notes, std::uint64_t revision);
 
     DocumentStore &document_;
     MessageLog &log_;
@@ -154,14 +156,15 @@ class RunControl {
     };
     /// The result of the last live run; logged when the gesture is over.
     struct LiveResult {
-        std::string note;    ///< empty: refused
-        Diagnostics refusal; ///< why
+        std::string note;        ///< empty: refused
+        Diagnostics diagnostics; ///< why it was refused, or notes on the spacing
         std::uint64_t revision = 0;
     };
     std::map<std::uint64_t, Start> starts_; ///< by run number, from the one shown to the last
     std::uint64_t lastStart_ = 0;
     Start shown_;
     std::uint64_t refusalLogged_ = 0; ///< run number
+    std::string notesLogged_;         ///< the last notes on the spacing, as text
     std::uint64_t followed_ = 0;      ///< newest revision that live meshing has started or skipped
     bool resting_ = false;            ///< no gesture is under way, and the drawing has no faults
     bool gestureOver_ = false;

@@ -27,7 +27,7 @@ ProbeLimits ProbeLimits::of(const SpacingSpec &spec, const Box2 &box) {
     return {floor, spec.maximum.value_or(std::max(1e3 * box.diagonal(), floor))};
 }
 
-std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
+std::vector<Vec2> probePlaces(const Domain &domain, const InsideTest *inside, const Box2 &box) {
     std::vector<Vec2> places;
     for (const Vec2 node : domain.nodes) {
         if (box.contains(node)) {
@@ -36,7 +36,10 @@ std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
     }
     for (int j = 0; j <= kProbes; ++j) {
         for (int i = 0; i <= kProbes; ++i) {
-            places.push_back({box.min.x + box.size().x * i / kProbes, box.min.y + box.size().y * j / kProbes});
+            const Vec2 p{box.min.x + box.size().x * i / kProbes, box.min.y + box.size().y * j / kProbes};
+            if (inside == nullptr || inside->contains(p)) {
+                places.push_back(p);
+            }
         }
     }
     return places;

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/inside_test.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <span>
@@ -25,8 +26,9 @@ struct ProbeLimits {
 
 inline constexpr int kProbes = 64; ///< intervals of the probing grid along each side
 
-/// Returns the places where a formula or function must give a size: the domain's nodes, and 65 x 65 places of its box.
-std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box);
+/// Returns the places where a formula or function must give a size: the domain's nodes, and those of 65 x 65 places of
+/// its box that are inside; all of them if `inside` is null, because it is not known what is inside.
+std::vector<Vec2> probePlaces(const Domain &domain, const InsideTest *inside, const Box2 &box);
 
 /// Returns the fault of the first value that is no size: NaN, a value <= 0 without a minimum, or infinity without a
 /// maximum. `what`: the part, such as "spacing expression"; `advice`: how to mend it.

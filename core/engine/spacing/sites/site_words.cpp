@@ -66,8 +66,7 @@ SpacingSample sampleSite(const SizeSite &site, const SiteLabel &label, const Sit
     const Vec2 from = site.nearest(p);
     if (const std::string origin = reachedFrom(label, words); !origin.empty()) {
         return {site.at(p), SpacingOrigin::Gradation, label.index,
-                "limited by gradation " + numberText(words.gradation, 4) + " from " + origin + " at " +
-                    placeText(from)};
+                "limited by gradation " + numberText(site.growth, 4) + " from " + origin + " at " + placeText(from)};
     }
     const char *const prefix = label.origin == SpacingOrigin::Automatic ? "automatic: " : "";
     return {site.at(p), label.origin, label.index, prefix + describe(label, words, from)};

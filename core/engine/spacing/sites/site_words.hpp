@@ -12,7 +12,6 @@ namespace forefront {
 
 /// Names that descriptions of sites refer to.
 struct SiteWords {
-    double gradation = 0.0;                            ///< in effect
     std::vector<std::string> sources;                  ///< by index into SpacingSpec::sources; may be empty strings
     std::vector<std::string> regions;                  ///< by index into Domain::regionMarkers
     std::vector<std::string> nodes;                    ///< names, by index into Domain::nodeSizes

@@ -12,31 +12,34 @@ constexpr int kRoots = 128;        ///< cells along the longer side to start wit
 constexpr int kDeepest = 24;       ///< halvings of those
 constexpr double kAccuracy = 0.03; ///< side of the finest cells times gradation, relative to the spacing there
 constexpr std::size_t kMaxCells = 3'000'000;
+constexpr int kSureDepth = 3; ///< halvings after which slopes between samples are believed, unless a gradation is given
 
 /// Looks for the foot of every steep slope: a place that is not steeply above any neighbour but is steeply below one.
 class SlopeSearch {
   public:
-    SlopeSearch(const SizesAt &rho, const SiteLabel &label, const Box2 &box, double gradation, SiteSet &sites)
-        : rho_(rho), label_(label), box_(box), gradation_(gradation), sites_(sites) {}
+    SlopeSearch(const SizesAt &rho, const SiteLabel &label, const SteepSearch &search, SiteSet &sites)
+        : rho_(rho), label_(label), box_(search.box), inside_(search.inside), gradation_(search.gradation),
+          thorough_(search.thorough), sites_(sites) {}
 
     void run(const Progress &progress) {
         const double size = std::max(box_.size().x, box_.size().y) / kRoots;
-        std::vector<Vec2> cells;
+        std::vector<Cell> cells;
         for (int j = 0; j * size < box_.size().y || j == 0; ++j) {
             for (int i = 0; i * size < box_.size().x || i == 0; ++i) {
-                cells.push_back(box_.min + size * Vec2{static_cast<double>(i), static_cast<double>(j)});
+                cells.push_back({box_.min + size * Vec2{static_cast<double>(i), static_cast<double>(j)}});
             }
         }
         std::size_t seen = 0;
         double side = size;
         for (int depth = 0; depth <= kDeepest && !cells.empty(); ++depth, side *= 0.5) {
-            std::vector<Vec2> next;
+            std::vector<Cell> next;
             const bool last = depth == kDeepest || seen + 4 * cells.size() > kMaxCells;
-            for (const Vec2 corner : cells) {
+            doubt_ = thorough_ || depth < kSureDepth ? 2.0 : 0.0;
+            for (const Cell &cell : cells) {
                 if ((++seen & 255U) == 0 && progress.cancelled()) {
                     return;
                 }
-                searchCell(corner, side, last, next);
+                searchCell(cell, side, last, next);
             }
             cells.swap(next);
         }
@@ -45,6 +48,10 @@ class SlopeSearch {
   private:
     static constexpr std::size_t kSamples = 9;
     using Samples = std::array<double, kSamples>; ///< 3 x 3, row by row
+    struct Cell {
+        Vec2 corner;
+        bool within = false; ///< known to be inside the domain as a whole
+    };
 
     /// Minimum and maximum slope seen in a cell, and how much it may change within it.
     struct Slopes {
@@ -69,9 +76,22 @@ class SlopeSearch {
         return slopes;
     }
 
-    void searchCell(Vec2 corner, double side, bool last, std::vector<Vec2> &next) {
-        if (!box_.overlaps({corner, corner + Vec2{side, side}})) {
-            return;
+    bool isInside(Vec2 p) const { return box_.contains(p) && (inside_ == nullptr || inside_->contains(p)); }
+    /// Returns true if a cell lies inside the domain as a whole.
+    bool isWithin(const Box2 &cell) const {
+        const Box2 inner{box_.min + 1e-9 * box_.size(), box_.max - 1e-9 * box_.size()};
+        return inner.contains(cell.min) && inner.contains(cell.max) &&
+               (inside_ == nullptr || !inside_->boundaryMeets(cell));
+    }
+
+    void searchCell(Cell cell, double side, bool last, std::vector<Cell> &next) {
+        const Vec2 corner = cell.corner;
+        const Box2 extent{corner, corner + Vec2{side, side}};
+        if (!cell.within) {
+            if (!box_.overlaps(extent) || (inside_ != nullptr && !inside_->meets(extent))) {
+                return;
+            }
+            cell.within = isWithin(extent);
         }
         std::array<Vec2, kSamples> places;
         Samples values{};
@@ -79,26 +99,29 @@ class SlopeSearch {
             places[n] = corner + 0.5 * side * Vec2{static_cast<double>(n % 3), static_cast<double>(n / 3)};
         }
         rho_(places, values);
-        const auto lowest = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
         const Slopes slopes = slopesOf(values, 0.5 * side);
-        if (slopes.maximum + 2.0 * slopes.change < 1.005 * gradation_) {
+        if (slopes.maximum + doubt_ * slopes.change < 1.005 * gradation_) {
             return; // gentle all over; a slope that equals the gradation must not be searched to the last cell
         }
-        const Box2 inner{box_.min + 1e-9 * box_.size(), box_.max - 1e-9 * box_.size()};
-        const bool inside = inner.contains(corner) && inner.contains(corner + Vec2{side, side});
-        if (inside && slopes.minimum - 2.0 * slopes.change > gradation_) {
-            return; // downhill all over: no foot of a slope, but where it leaves the box
+        if (cell.within && slopes.minimum - 2.0 * slopes.change > gradation_) {
+            return; // downhill all over: no foot of a slope, but where it leaves the domain
         }
+        for (std::size_t n = 0; n < kSamples && !cell.within; ++n) {
+            values[n] = isInside(places[n]) ? values[n] : std::numeric_limits<double>::infinity();
+        }
+        const auto lowest = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
         // A foot may be half a cell off its true place, and the next one is a cell away.
-        const bool fine = side * gradation_ <= kAccuracy * values[lowest];
+        const double least = std::min(values[lowest], at(places[kSamples / 2]));
+        const bool fine = side * gradation_ <= kAccuracy * least;
         if (!last && !fine) {
             for (std::uint32_t child = 0; child < 4; ++child) {
-                next.push_back(corner +
-                               0.5 * side * Vec2{static_cast<double>(child & 1U), static_cast<double>(child >> 1)});
+                next.push_back(
+                    {corner + 0.5 * side * Vec2{static_cast<double>(child & 1U), static_cast<double>(child >> 1)},
+                     cell.within});
             }
             return;
         }
-        if (isFoot(places[lowest], values[lowest], 1.5 * side)) {
+        if (std::isfinite(values[lowest]) && isFoot(places[lowest], values[lowest], 1.5 * side)) {
             const Vec2 foot = descended(places[lowest], 0.25 * side);
             sites_.add(SizeSite::point(foot, at(foot), gradation_), label_);
         }
@@ -109,7 +132,7 @@ class SlopeSearch {
         double value = at(p);
         for (int round = 0; round < 6; ++round, step *= 0.5) {
             for (const Vec2 way : {Vec2{step, 0}, Vec2{-step, 0}, Vec2{0, step}, Vec2{0, -step}}) {
-                if (box_.contains(p + way) && at(p + way) < value) {
+                if (isInside(p + way) && at(p + way) < value) {
                     p += way;
                     value = at(p);
                 }
@@ -123,7 +146,7 @@ class SlopeSearch {
         for (int n = 0; n < 8; ++n) {
             const double angle = 0.78539816339744831 * n;
             const Vec2 q = p + step * Vec2{std::cos(angle), std::sin(angle)};
-            const double other = box_.contains(q) ? at(q) : value;
+            const double other = isInside(q) ? at(q) : value;
             if (other + gradation_ * step < value * (1.0 - 1e-9)) {
                 return false;
             }
@@ -141,15 +164,18 @@ class SlopeSearch {
     const SizesAt &rho_;
     SiteLabel label_;
     Box2 box_;
+    const InsideTest *inside_; ///< null: all of the box is inside
     double gradation_;
+    bool thorough_;
+    double doubt_ = 0.0; ///< how many times the change of the slope within a cell may be hidden between samples
     SiteSet &sites_;
 };
 
 } // namespace
 
-void addSteepSites(const SizesAt &rho, const SiteLabel &label, const Box2 &box, double gradation, SiteSet &sites,
+void addSteepSites(const SizesAt &rho, const SiteLabel &label, const SteepSearch &search, SiteSet &sites,
                    const Progress &progress) {
-    SlopeSearch(rho, label, box, gradation, sites).run(progress);
+    SlopeSearch(rho, label, search, sites).run(progress);
 }
 
 } // namespace forefront

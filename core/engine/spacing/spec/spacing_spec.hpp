@@ -74,6 +74,10 @@ struct PaintedSpacing {
     std::map<std::pair<std::int32_t, std::int32_t>, std::shared_ptr<const Tile>> tiles;
 };
 
+/// Maximum |∇ρ| of expressions and background meshes where none is given. Elements cannot follow a spacing that changes
+/// faster: at this one, the areas of neighbours already differ by a factor of more than two.
+inline constexpr double kSteepestGradation = 0.5;
+
 /// Nodal spacing on a triangle mesh; undefined outside the mesh.
 struct BackgroundMesh {
     std::vector<Vec2> nodes;
@@ -122,9 +126,10 @@ struct SpacingSpec {
     std::optional<double> minimum; ///< > 0
     std::optional<double> maximum; ///< > 0
     /// Maximum |∇ρ|, > 0; absent: 0.25 for painted, boundary, region and automatic parts (0.18 for the automatic part
-    /// of domains with curves, which leaves better shapes beside bends), no limit for the others. The limited spacing
-    /// is within 1 % of exact for sources (see GradedSources for the exception) and boundary lengths, within 2 % for
-    /// paint, expression, function and mesh.
+    /// of domains with curves, which leaves better shapes beside bends), kSteepestGradation for expressions, functions
+    /// and background meshes, with a note where they are steeper, and no limit for parts with a growth of their own.
+    /// The limited spacing is within 1 % of exact for sources (see GradedSources for the exception) and boundary
+    /// lengths, within 2 % for paint, expression, function and mesh.
     std::optional<double> gradation;
 
     /// Returns true if no part is given, so that the spacing is automatic.

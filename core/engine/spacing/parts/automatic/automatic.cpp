@@ -64,8 +64,9 @@ std::vector<PlacedSegment> thingsOf(const Domain &domain) {
 /// Adds the sites of the automatic spacing. Each step frees its own data, which takes more memory than the sites.
 class AutomaticSites {
   public:
-    AutomaticSites(const Domain &domain, double minimum, double maximum, double gradation, SiteSet &sites)
-        : domain_(domain), chains_(curveChains(domain)), minimum_(minimum), maximum_(maximum),
+    AutomaticSites(const Domain &domain, const LazyFaces &faces, double minimum, double maximum, double gradation,
+                   SiteSet &sites)
+        : domain_(domain), faces_(faces), chains_(curveChains(domain)), minimum_(minimum), maximum_(maximum),
           gradation_(chains_.list.empty() ? gradation : std::min(gradation, kCurvedGradation)), sites_(sites) {}
 
     void addLengths() {
@@ -82,8 +83,8 @@ class AutomaticSites {
     }
 
     void addCurvature(double segmentsPerTurn, const Progress &progress) {
-        addCurvatureSites(domain_, chains_, segmentsPerTurn, minimum_, gradation_, SpacingOrigin::Automatic, true,
-                          progress, sites_);
+        addCurvatureSites(domain_, faces_, chains_, segmentsPerTurn, minimum_, gradation_, SpacingOrigin::Automatic,
+                          true, progress, sites_);
     }
 
     /// Adds the sites of corners and lone points, and with `channels` those of narrow places.
@@ -91,7 +92,7 @@ class AutomaticSites {
         std::vector<PlacedSegment> placed = thingsOf(domain_);
         applyCurveLengths(domain_, chains_, placed);
         const SegmentIndex things(std::move(placed));
-        const GapFinder finder(domain_, things, maximum_, kFinestGap * box.diagonal(), progress);
+        const GapFinder finder(domain_, faces_, things, maximum_, kFinestGap * box.diagonal(), progress);
         std::vector<Gap> gaps = finder.find();
         if (!channels) {
             std::erase_if(gaps, [](const Gap &gap) { return !gap.corner; });
@@ -126,6 +127,7 @@ class AutomaticSites {
     }
 
     const Domain &domain_;
+    const LazyFaces &faces_;
     CurveChains chains_;
     double minimum_, maximum_, gradation_;
     SiteSet &sites_;
@@ -137,11 +139,11 @@ double automaticMaximum(const Box2 &box) {
     return box.diagonal() / kAcross;
 }
 
-AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
-                                  double segmentsPerTurn, bool channels, const Progress &progress) {
+AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, const Box2 &box, double minimum,
+                                  double gradation, double segmentsPerTurn, bool channels, const Progress &progress) {
     AutomaticSpacing automatic;
     automatic.maximum = automaticMaximum(box);
-    AutomaticSites sites(domain, minimum, automatic.maximum, gradation, automatic.sites);
+    AutomaticSites sites(domain, faces, minimum, automatic.maximum, gradation, automatic.sites);
     sites.addLengths();
     if (segmentsPerTurn > 0.0) {
         sites.addCurvature(segmentsPerTurn, progress);

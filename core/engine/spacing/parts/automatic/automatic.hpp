@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/progress.hpp"
-#include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/spacing/sites/site_set.hpp"
 
 namespace forefront {
@@ -18,7 +18,8 @@ double automaticMaximum(const Box2 &box);
 /// Chooses a graded spacing that leaves short segments and curves undivided, makes the domain about 45 elements across,
 /// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require). It is finer at sharp
 /// corners and lone points, and with `channels` in narrow places, too.
-AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
-                                  double segmentsPerTurn, bool channels = true, const Progress &progress = {});
+AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, const Box2 &box, double minimum,
+                                  double gradation, double segmentsPerTurn, bool channels = true,
+                                  const Progress &progress = {});
 
 } // namespace forefront

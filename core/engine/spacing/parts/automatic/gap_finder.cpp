@@ -116,9 +116,9 @@ BoxTree treeOf(const std::vector<PlacedSegment> &segments) {
 
 SegmentIndex::SegmentIndex(std::vector<PlacedSegment> placed) : segments(std::move(placed)), tree(treeOf(segments)) {}
 
-GapFinder::GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
-                     const Progress &progress, GapRules rules)
-    : domain_(domain), index_(index), places_(chainPlaces(domain, index.segments)), longest_(longest),
+GapFinder::GapFinder(const Domain &domain, const LazyFaces &faces, const SegmentIndex &index, double longest,
+                     double shortest, const Progress &progress, GapRules rules)
+    : domain_(domain), faces_(faces), index_(index), places_(chainPlaces(domain, index.segments)), longest_(longest),
       shortest_(shortest), box_(spacingBox(domain)),
       rounding_(kRounding *
                 std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x), std::fabs(box_.max.y)})),
@@ -373,8 +373,29 @@ std::vector<std::uint32_t> GapFinder::chainFrom(std::uint32_t first, const Conti
     return chain;
 }
 
-/// Decides for every segment on which sides of it the domain lies, by one ray for each chain, from its longest segment.
+std::vector<GapFinder::Sides> GapFinder::sidesByFaces(const DomainFaces &found) const {
+    std::vector<std::uint32_t> edgeOf(domain_.segments.size(), kNoIndex);
+    for (std::uint32_t e = 0; e < found.graph.segment.size(); ++e) {
+        edgeOf[found.graph.segment[e]] = e;
+    }
+    std::vector<Sides> sides(index_.segments.size());
+    for (std::uint32_t i = 0; i < index_.segments.size(); ++i) {
+        if (const std::uint32_t e = isPoint(index_.segments[i]) ? kNoIndex : edgeOf[index_.segments[i].index];
+            e != kNoIndex) {
+            sides[i] = {found.labels.inside[found.faces.left[e]] != 0, found.labels.inside[found.faces.right[e]] != 0};
+        }
+    }
+    return sides;
+}
+
+/// Decides for every segment on which sides of it the domain lies.
 std::vector<GapFinder::Sides> GapFinder::findSides() const {
+    const DomainFaces *const found = domain_.insideRule == InsideRule::HoleMarkers ? faces_.get() : nullptr;
+    return found != nullptr ? sidesByFaces(*found) : sidesByCounting();
+}
+
+/// Counts the walls that one ray for each chain, from its longest segment, crosses.
+std::vector<GapFinder::Sides> GapFinder::sidesByCounting() const {
     const Continuations continuations = findContinuations();
     std::vector<Direction> directions(index_.segments.size(), Direction::Unknown);
     std::vector<Sides> sides(index_.segments.size());

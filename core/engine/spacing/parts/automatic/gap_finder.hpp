@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/engine/spacing/parts/automatic/chain_places.hpp"
@@ -46,16 +47,17 @@ struct GapRules {
 /// For each part of a boundary or constraint, looks for the part of the domain that faces it within GapRules::across
 /// times the longest useful element, at most 60 degrees off the normal. Sides that open like a corner of 60 degrees or
 /// more, however many segments there are between them, do not face each other. Divides parts until the width along each
-/// varies by at most 5 % (beside curves 20 %), or they are no longer than that width or `shortest`. Decides inside and
-/// outside by even-odd counting in floating point, once per chain, which is good enough for sizes under either inside
-/// rule. Leaves out long gaps, and tips of corners below 20 degrees, that are narrower than 1/32 of the longest useful
-/// element: finer elements would add to their number, not to their quality. With GapRules::everywhere, it leaves out
-/// only corners of 20 degrees or more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
+/// varies by at most 5 % (beside curves 20 %), or they are no longer than that width or `shortest`. Under the even-odd
+/// rule, decides inside and outside by counting in floating point, once per chain, which is good enough for sizes; with
+/// hole markers by the faces of the domain, since the roles of segments then do not tell. Leaves out long gaps, and
+/// tips of corners below 20 degrees, that are narrower than 1/32 of the longest useful element: finer elements would
+/// add to their number, not to their quality. With GapRules::everywhere, it leaves out only corners of 20 degrees or
+/// more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; parts shorter than `shortest` are not divided. `index` holds the segments,
     /// then the lone points, whose `index` continues that of the segments.
-    GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
+    GapFinder(const Domain &domain, const LazyFaces &faces, const SegmentIndex &index, double longest, double shortest,
               const Progress &progress, GapRules rules = {});
 
     /// Returns all gaps; after cancelling, those found so far.
@@ -84,6 +86,8 @@ class GapFinder {
     Continuations findContinuations() const;
     std::vector<std::uint32_t> chainFrom(std::uint32_t first, const Continuations &continuations,
                                          std::vector<Direction> &directions) const;
+    std::vector<Sides> sidesByFaces(const DomainFaces &found) const;
+    std::vector<Sides> sidesByCounting() const;
     std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;
@@ -100,6 +104,7 @@ class GapFinder {
     void divide(std::uint32_t position, double from, double to, double reach, Sides sides, Found &found) const;
 
     const Domain &domain_;
+    const LazyFaces &faces_;
     const SegmentIndex &index_;
     std::vector<ChainPlace> places_; ///< per segment of the index
     double longest_;

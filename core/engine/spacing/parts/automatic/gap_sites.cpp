@@ -6,14 +6,14 @@
 
 namespace forefront {
 
-void addGapSites(const Domain &domain, double across, double longest, double minimum, double gradation,
-                 const Progress &progress, SiteSet &sites) {
+void addGapSites(const Domain &domain, const LazyFaces &faces, double across, double longest, double minimum,
+                 double gradation, const Progress &progress, SiteSet &sites) {
     const CurveChains chains = curveChains(domain);
     std::vector<PlacedSegment> placed = placedSegments(domain); // points are no walls
     applyCurveLengths(domain, chains, placed);
     const SegmentIndex index(std::move(placed));
     const double finest = kFinestGap * spacingBox(domain).diagonal();
-    const GapFinder finder(domain, index, longest, finest, progress, {.across = across, .everywhere = true});
+    const GapFinder finder(domain, faces, index, longest, finest, progress, {.across = across, .everywhere = true});
     for (const Gap &gap : finder.find()) {
         // The size holds up to the middle of the gap, so that it does not grow between the sides.
         const SizeSite site = SizeSite::segment(gap.a, gap.b, gap.width / across, gradation, 0.5 * gap.width);

@@ -1,6 +1,5 @@
 #include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
 
-#include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/geometry/polygon.hpp"
 
 #include <algorithm>
@@ -18,15 +17,13 @@ constexpr double kUneven = 2.0;           ///< ratio of the radii of the halves 
 constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
 
 /// Returns the area inside, from the chords; std::nullopt if segments cross, or after a stop request.
-std::optional<double> areaInside(const Domain &domain, const Progress &progress) {
+std::optional<double> areaInside(const Domain &domain, const LazyFaces &lazy, const Progress &progress) {
     progress("measuring the domain", 0.0);
-    const DomainGraph graph = graphOf(domain);
-    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, progress.stop);
-    if (sweep.droppedCount != 0 || progress.cancelled()) {
+    const DomainFaces *const found = lazy.get();
+    if (found == nullptr) {
         return std::nullopt;
     }
-    const Faces faces = findFaces(graph.points, graph.edges, sweep);
-    const FaceLabels labels = labelFaces(domain, graph, faces);
+    const auto &[graph, sweep, faces, labels] = *found;
     const Vec2 origin = domain.bounds().centre();
     CompensatedSum twice;
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
@@ -41,13 +38,14 @@ std::optional<double> areaInside(const Domain &domain, const Progress &progress)
 
 /// Returns the distance between edges and curves that is too small to see. An edge of length c cuts off c³κ/12; with c²
 /// = 8 δ / κ that is 2δ/3 for each unit of length.
-double invisibleDistance(const Domain &domain, const CurveChains &chains, const Progress &progress) {
+double invisibleDistance(const Domain &domain, const LazyFaces &faces, const CurveChains &chains,
+                         const Progress &progress) {
     double along = 0.0;
     for (const CurveChain &chain : chains.list) {
         along += domain.curves[chain.curve].length(chain.t0, chain.t1);
     }
     const double distance = kVisible * domain.bounds().diagonal();
-    const std::optional<double> area = areaInside(domain, progress);
+    const std::optional<double> area = areaInside(domain, faces, progress);
     return area && *area > 0.0 ? std::min(distance, 1.5 * kAreaError * *area / along) : distance;
 }
 
@@ -79,14 +77,14 @@ void forEachBend(const Curve &curve, CurveStretch stretch, double shortest, cons
 
 } // namespace
 
-void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
-                       double gradation, SpacingOrigin origin, bool visibleOnly, const Progress &progress,
-                       SiteSet &sites) {
+void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const CurveChains &chains, double segmentsPerTurn,
+                       double minimum, double gradation, SpacingOrigin origin, bool visibleOnly,
+                       const Progress &progress, SiteSet &sites) {
     if (chains.list.empty()) {
         return;
     }
     const double shortest = kVisible * domain.bounds().diagonal();
-    const double invisible = visibleOnly ? invisibleDistance(domain, chains, progress) : 0.0;
+    const double invisible = visibleOnly ? invisibleDistance(domain, faces, chains, progress) : 0.0;
     for (const CurveChain &chain : chains.list) {
         if (progress.cancelled()) {
             return;

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/domain/curve_chains.hpp"
+#include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/spacing/sites/site_set.hpp"
 
 namespace forefront {
@@ -16,8 +17,8 @@ inline constexpr double kSegmentsPerTurn = 40.0;
 /// With `visibleOnly`, where that would be needlessly fine, the spacing is such that edges leave at most a small
 /// fraction of the diagonal between them and the curve, and all curves together at most a small part of the area. Bends
 /// that this makes invisible, such as a barely rounded corner, count as corners. Incomplete after a stop request.
-void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
-                       double gradation, SpacingOrigin origin, bool visibleOnly, const Progress &progress,
-                       SiteSet &sites);
+void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const CurveChains &chains, double segmentsPerTurn,
+                       double minimum, double gradation, SpacingOrigin origin, bool visibleOnly,
+                       const Progress &progress, SiteSet &sites);
 
 } // namespace forefront

@@ -7,7 +7,8 @@
 
 namespace forefront {
 
-Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain, const Box2 &box) {
+Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain,
+                                                   const InsideTest *inside, const Box2 &box) {
     auto program = compileExpression(*spec.expression, spec.names);
     if (!program) {
         return program.faults();
@@ -17,30 +18,34 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     spacing.text_ = *spec.expression;
     spacing.limits_ = ProbeLimits::of(spec, box);
 
-    const std::vector<Vec2> places = probePlaces(domain, box);
+    const std::vector<Vec2> places = probePlaces(domain, inside, box);
     std::vector<double> values(places.size());
     spacing.program_.evaluateMany(places, values);
-    if (Diagnostics faults = probeFaults(
-            places, values, spec, "expression-value", "spacing expression",
-            "keep it above zero everywhere in the bounding box of the domain, for example with max(0.1, ...)");
+    if (Diagnostics faults = probeFaults(places, values, spec, "expression-value", "spacing expression",
+                                         "keep it above zero everywhere in the domain, for example with max(0.1, ...)");
         !faults.empty()) {
         return faults;
     }
     spacing.atMany(places, values);
     spacing.minimum_ = *std::min_element(values.begin(), values.end());
     spacing.maximum_ = *std::max_element(values.begin(), values.end());
-    spacing.findBounds(box);
+    spacing.findBounds(inside, box);
     return spacing;
 }
 
-void ExpressionSpacing::findBounds(const Box2 &box) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = 0.0;
+void ExpressionSpacing::findBounds(const InsideTest *inside, const Box2 &box) {
+    double low = minimum_, high = maximum_;
     for (int j = 0; j < kProbes; ++j) {
         for (int i = 0; i < kProbes; ++i) {
             const Vec2 corner = box.min + Vec2{box.size().x * i / kProbes, box.size().y * j / kProbes};
-            const ValueRange range =
-                program_.range({corner, corner + Vec2{box.size().x / kProbes, box.size().y / kProbes}});
+            const Box2 part{corner, corner + Vec2{box.size().x / kProbes, box.size().y / kProbes}};
+            if (inside != nullptr && !inside->meets(part)) {
+                continue;
+            }
+            const ValueRange range = program_.range(part);
+            if ((range.undefined || !(range.low > 0.0)) && inside != nullptr && inside->boundaryMeets(part)) {
+                continue; // it may be so only outside
+            }
             if (range.undefined) {
                 return;
             }

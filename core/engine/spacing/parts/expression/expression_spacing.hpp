@@ -1,12 +1,10 @@
 #pragma once
 
-#include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/inside_test.hpp"
 #include "core/engine/spacing/parts/expression/expression_program.hpp"
 #include "core/engine/spacing/parts/probes.hpp"
 #include "core/engine/spacing/sites/site_words.hpp"
-#include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <string>
 
@@ -15,23 +13,25 @@ namespace forefront {
 /// An expression as spacing: always finite and > 0, even where the formula is not at places between the probes.
 class ExpressionSpacing {
   public:
-    /// Compiles `spec.expression` and evaluates it at 65 x 65 places of the box and at the domain's nodes. Errors:
+    /// Compiles `spec.expression` and evaluates it at the domain's nodes and at those of 65 x 65 places of the box that
+    /// are inside the domain; at all of them if `inside` is null, because it is not known what is inside. Errors:
     /// expression-syntax; expression-value at the first place with NaN, a value <= 0 without a minimum, or infinity
     /// without a maximum.
-    static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
+    static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const InsideTest *inside,
+                                           const Box2 &box);
 
     double at(Vec2 p) const { return limits_.clamped(program_.evaluate(p)); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const;
     SpacingSample sample(Vec2 p, const SiteWords &) const {
         return {at(p), SpacingOrigin::Expression, 0, "expression " + text_};
     }
-    /// Returns a lower bound over the box, by interval arithmetic on 64 x 64 parts of it, or the smallest probed value
-    /// where that is undefined.
+    /// Returns a lower bound over the domain, by interval arithmetic on those of 64 x 64 parts of its box that meet the
+    /// inside, or the smallest probed value where that is undefined, or not positive beside the boundary.
     double minimum() const { return minimum_; }
     double maximum() const { return maximum_; }
 
   private:
-    void findBounds(const Box2 &box);
+    void findBounds(const InsideTest *inside, const Box2 &box);
 
     ExpressionProgram program_;
     std::string text_;

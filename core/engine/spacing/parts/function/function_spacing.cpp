@@ -5,13 +5,14 @@
 
 namespace forefront {
 
-Result<FunctionSpacing> FunctionSpacing::build(const SpacingSpec &spec, const Domain &domain, const Box2 &box) {
+Result<FunctionSpacing> FunctionSpacing::build(const SpacingSpec &spec, const Domain &domain, const InsideTest *inside,
+                                               const Box2 &box) {
     FunctionSpacing spacing;
     spacing.one_ = spec.function;
     spacing.many_ = spec.bulkFunction;
     spacing.limits_ = ProbeLimits::of(spec, box);
 
-    const std::vector<Vec2> places = probePlaces(domain, box);
+    const std::vector<Vec2> places = probePlaces(domain, inside, box);
     std::vector<double> values(places.size());
     spacing.call(places, values);
     if (Diagnostics faults = probeFaults(places, values, spec, "function-value", "size function",

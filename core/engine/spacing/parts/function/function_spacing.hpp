@@ -15,9 +15,11 @@ namespace forefront {
 /// probes. What the function throws leaves every member that calls it.
 class FunctionSpacing {
   public:
-    /// Calls the function of `spec` at 65 x 65 places of the box and at the domain's nodes. Error: function-value at the
-    /// first place with NaN, a value <= 0 without a minimum, or infinity without a maximum.
-    static Result<FunctionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
+    /// Calls the function of `spec` at the domain's nodes and at those of 65 x 65 places of the box that are inside the
+    /// domain; at all of them if `inside` is null. Error: function-value at the first place with NaN, a value <= 0
+    /// without a minimum, or infinity without a maximum.
+    static Result<FunctionSpacing> build(const SpacingSpec &spec, const Domain &domain, const InsideTest *inside,
+                                         const Box2 &box);
 
     double at(Vec2 p) const;
     void atMany(std::span<const Vec2> points, std::span<double> rho) const;

@@ -1,7 +1,6 @@
 #include "core/engine/spacing/parts/regions/region_part.hpp"
 
 #include "core/engine/base/number_text.hpp"
-#include "core/engine/domain/domain_graph.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,16 +67,15 @@ std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionMarker> 
     return limitOf;
 }
 
-std::optional<RegionPart> RegionPart::build(const Domain &domain, double minimum) {
+std::optional<RegionPart> RegionPart::build(const Domain &domain, const LazyFaces &lazy, double minimum) {
     if (!std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(), limitsSpacing)) {
         return std::nullopt;
     }
-    const DomainGraph graph = graphOf(domain);
-    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
-    if (sweep.droppedCount > 0) {
+    const DomainFaces *const found = lazy.get();
+    if (found == nullptr) {
         return std::nullopt;
     }
-    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    const auto &[graph, sweep, faces, labels] = *found;
     RegionPart part;
     part.raised_ = minimum;
     const std::vector<std::uint32_t> limitOf =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/spacing/sites/site_words.hpp"
 
@@ -23,7 +23,7 @@ class RegionPart {
     /// Returns the part, or std::nullopt if no face has a size or a maximum area, or if segments cross so that there
     /// are no faces. Spacings are raised to `minimum`. Of several markers in one face, the smallest size and the
     /// smallest area count.
-    static std::optional<RegionPart> build(const Domain &domain, double minimum);
+    static std::optional<RegionPart> build(const Domain &domain, const LazyFaces &faces, double minimum);
 
     /// Returns the spacing of the face that contains p; infinity if it has none.
     double at(Vec2 p) const {

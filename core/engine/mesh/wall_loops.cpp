@@ -1,4 +1,4 @@
-#include "core/engine/mesh/face_loops.hpp"
+#include "core/engine/mesh/wall_loops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,31 +6,51 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace forefront {
 namespace {
 
 constexpr double kBeyond = 4.0; // larger than any angle in radians
 
+/// Marks the edges of a mesh that are walls.
+std::vector<std::uint8_t> wallsOf(const Mesh &mesh, const MeshEdges &edges) {
+    std::vector<std::uint8_t> isWall(edges.edges.size(), 0);
+    for (std::size_t k = 0; k < isWall.size(); ++k) {
+        const auto [first, second] = edges.edges[k].elements;
+        isWall[k] = second == kNoElement || mesh.region(index(first)) != mesh.region(index(second)) ? 1 : 0;
+    }
+    const auto ends = [](const MeshEdge &edge) { return std::pair(index(edge.a), index(edge.b)); };
+    for (const TaggedEdge &tagged : mesh.edges) {
+        const std::pair<std::size_t, std::size_t> key = std::minmax(index(tagged.a), index(tagged.b));
+        const auto found = std::ranges::lower_bound(edges.edges, key, {}, ends);
+        if (found != edges.edges.end() && ends(*found) == key) {
+            isWall[static_cast<std::size_t>(found - edges.edges.begin())] = 1;
+        }
+    }
+    return isWall;
+}
+
 } // namespace
 
-double FaceLoops::directionOf(NodeId from, NodeId to) const {
+double WallLoops::directionOf(NodeId from, NodeId to) const {
     const Vec2 along = mesh_.nodes[index(to)] - mesh_.nodes[index(from)];
     return std::atan2(along.y, along.x);
 }
 
-FaceLoops::FaceLoops(const Mesh &mesh, const MeshEdges &edges) : mesh_(mesh) {
+WallLoops::WallLoops(const Mesh &mesh, const MeshEdges &edges) : mesh_(mesh) {
     std::vector<Side> sides = sidesOf(edges);
     join(sides);
     followAll(sides);
     sortPasses();
 }
 
-std::vector<FaceLoops::Side> FaceLoops::sidesOf(const MeshEdges &edges) const {
+std::vector<WallLoops::Side> WallLoops::sidesOf(const MeshEdges &edges) const {
+    const std::vector<std::uint8_t> isWall = wallsOf(mesh_, edges);
     std::vector<Side> sides;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (edges.edges[edges.ofElement[e][k]].elements[1] == kNoElement) {
+            if (isWall[edges.ofElement[e][k]] != 0) {
                 sides.push_back({mesh_.elements[e][k], mesh_.elements[e][(k + 1) % 3]});
             }
         }
@@ -38,9 +58,9 @@ std::vector<FaceLoops::Side> FaceLoops::sidesOf(const MeshEdges &edges) const {
     return sides;
 }
 
-/// Finds the successor of each side. Where the boundary touches itself, it is the first side clockwise: the two bound
+/// Finds the successor of each side. Where walls touch, it is the first side clockwise: the two bound
 /// the same elements around the node.
-void FaceLoops::join(std::vector<Side> &sides) const {
+void WallLoops::join(std::vector<Side> &sides) const {
     struct Leaving {
         NodeId node;
         double angle;
@@ -67,7 +87,7 @@ void FaceLoops::join(std::vector<Side> &sides) const {
 }
 
 /// Follows open chains (found only in inconsistent meshes) from their starts, then closed loops.
-void FaceLoops::followAll(const std::vector<Side> &sides) {
+void WallLoops::followAll(const std::vector<Side> &sides) {
     std::vector<char> hasPrevious(sides.size(), 0), visited(sides.size(), 0);
     for (const Side &side : sides) {
         if (side.next != kNoIndex) {
@@ -83,7 +103,7 @@ void FaceLoops::followAll(const std::vector<Side> &sides) {
     }
 }
 
-void FaceLoops::follow(const std::vector<Side> &sides, std::uint32_t start, std::vector<char> &visited) {
+void WallLoops::follow(const std::vector<Side> &sides, std::uint32_t start, std::vector<char> &visited) {
     const auto loop = static_cast<std::uint32_t>(lengths_.size());
     double length = 0.0;
     std::uint32_t last = start;
@@ -100,7 +120,7 @@ void FaceLoops::follow(const std::vector<Side> &sides, std::uint32_t start, std:
     lengths_.push_back(closed ? length : std::numeric_limits<double>::infinity());
 }
 
-void FaceLoops::sortPasses() {
+void WallLoops::sortPasses() {
     std::stable_sort(passes_.begin(), passes_.end(),
                      [](const Pass &a, const Pass &b) { return index(a.node) < index(b.node); });
     first_.assign(mesh_.nodes.size() + 1, 0);
@@ -110,11 +130,11 @@ void FaceLoops::sortPasses() {
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
-std::span<const FaceLoops::Pass> FaceLoops::passes(NodeId node) const {
+std::span<const WallLoops::Pass> WallLoops::passes(NodeId node) const {
     return std::span(passes_).subspan(first_[index(node)], first_[index(node) + 1] - first_[index(node)]);
 }
 
-bool FaceLoops::facing(NodeId a, NodeId b) const {
+bool WallLoops::facing(NodeId a, NodeId b) const {
     constexpr double kDetour = 4.0;
     const double straight = distance(mesh_.nodes[index(a)], mesh_.nodes[index(b)]);
     for (const Pass &one : passes(a)) {

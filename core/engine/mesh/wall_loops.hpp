@@ -8,21 +8,22 @@
 
 namespace forefront {
 
-/// The boundary of a mesh as loops that keep their elements on the left, and the distance of each node along its loop.
-/// A node where parts of the boundary touch lies on several loops, or occurs several times on one.
-class FaceLoops {
+/// The walls of a mesh as loops that keep their elements on the left, and the distance of each node along its loop.
+/// Walls are its boundary, the interfaces of its regions and its tagged edges; those inside have a loop on either side.
+/// A node where walls touch lies on several loops, or occurs several times on one.
+class WallLoops {
   public:
-    FaceLoops(const Mesh &mesh, const MeshEdges &edges);
+    WallLoops(const Mesh &mesh, const MeshEdges &edges);
 
-    /// Returns true if a node lies on the boundary.
+    /// Returns true if a node lies on a wall.
     bool holds(NodeId node) const { return first_[index(node)] != first_[index(node) + 1]; }
 
-    /// Returns true if two boundary nodes face each other: they lie on different loops, or much farther apart along the
-    /// boundary than in a straight line.
+    /// Returns true if two nodes on walls face each other: they lie on different loops, or much farther apart along the
+    /// walls than in a straight line.
     bool facing(NodeId a, NodeId b) const;
 
   private:
-    /// A boundary edge directed so that its element is on the left.
+    /// A side of a wall, directed so that its element is on the left.
     struct Side {
         NodeId from, to;
         std::uint32_t next = kNoIndex; ///< the side that follows; kNoIndex at the end of an open chain

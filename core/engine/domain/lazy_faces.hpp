@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/domain/inside_test.hpp"
+
+#include <optional>
+#include <stop_token>
+
+namespace forefront {
+
+/// The faces of a domain, found when they are first needed. The domain must outlive it. Not for several threads at
+/// once.
+class LazyFaces {
+  public:
+    explicit LazyFaces(const Domain &domain, std::stop_token stop = {}) : domain_(domain), stop_(std::move(stop)) {}
+
+    /// Returns the faces; null if segments cross, so that there are none, and after a stop request.
+    const DomainFaces *get() const;
+    /// Returns a test of what is inside; null where there are no faces, or if all of them are outside.
+    const InsideTest *inside() const;
+
+  private:
+    const Domain &domain_;
+    std::stop_token stop_;
+    mutable std::optional<DomainFaces> found_; ///< without faces if segments cross
+    mutable std::optional<InsideTest> inside_;
+};
+
+} // namespace forefront
