@@ -1,6 +1,7 @@
 #include "ui/editor/state_file.hpp"
 
 #include "core/engine/base/hash.hpp"
+#include "core/files/source/source.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/parts/shell.hpp"
 
@@ -73,6 +74,9 @@ void writeStateFile(const std::filesystem::path &file, Editor &editor) {
     };
     // Not writeFileAtomically: it flushes to disk, which is too slow for every frame.
     const std::filesystem::path temporary = file.string() + ".next";
+    if (!notRegular(temporary).empty()) {
+        return; // writing to a pipe could wait for ever
+    }
     std::ofstream(temporary) << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
     std::error_code ignored;
     std::filesystem::rename(temporary, file, ignored);

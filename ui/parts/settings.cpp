@@ -1,12 +1,12 @@
 #include "ui/parts/settings.hpp"
 
 #include "core/files/files.hpp"
+#include "core/files/source/source.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
 namespace forefront {
@@ -129,15 +129,38 @@ void readMaps(const Json &json, Settings &settings) {
 
 } // namespace
 
+namespace {
+
+constexpr std::size_t kMaxSettings = std::size_t{64} << 20; ///< bytes
+
+/// Keeps a copy of settings that cannot be read, since the next change of a setting replaces the file. Returns the
+/// warning.
+Diagnostics badSettings(const std::filesystem::path &file, const std::string &why) {
+    std::filesystem::path copy = file;
+    copy += ".old";
+    std::error_code failed;
+    const bool kept = std::filesystem::is_regular_file(file, failed) &&
+                      std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing, failed);
+    Diagnostics warning = error("bad-settings", "cannot use the settings: " + why + "; using the default settings",
+                                kept ? "repair the copy in " + copy.string() : "");
+    warning.front().severity = Severity::Warning;
+    warning.front().file = file.string();
+    return warning;
+}
+
+} // namespace
+
 Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     Settings settings;
-    std::ifstream stream(file);
-    const bool there = stream.good();
-    const Json json = there ? Json::parse(stream, nullptr, false) : Json();
+    std::error_code none;
+    if (!std::filesystem::exists(file, none)) {
+        return settings;
+    }
+    const Result<std::string> text = readRegularFile(file, kMaxSettings);
+    const Json json = text ? Json::parse(*text, nullptr, false) : Json();
     if (!json.is_object()) {
-        if (there && faults != nullptr) {
-            *faults = error("bad-settings", file.string() + " is not valid JSON; using the default settings");
-            faults->front().severity = Severity::Warning;
+        if (faults != nullptr) {
+            *faults = badSettings(file, text ? "is not valid JSON" : text.faults().front().message);
         }
         return settings;
     }
@@ -219,6 +242,9 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
                           {"width", place.width},
                           {"height", place.height},
                           {"maximised", place.maximised}};
+    }
+    if (!notRegular(file).empty()) {
+        return; // writing to a pipe could wait for ever
     }
     std::error_code ignored;
     std::filesystem::create_directories(file.parent_path(), ignored);
