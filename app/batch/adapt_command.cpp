@@ -179,8 +179,13 @@ int runAdapt(const AdaptArguments &arguments) {
                    interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
-    const Diagnostics written =
-        writeOutputs(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+    FileSet files;
+    Diagnostics written =
+        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+    if (!hasErrors(written)) {
+        const Status committed = files.commit();
+        written = committed.empty() ? written : committed;
+    }
     bar.clear();
     if (hasErrors(written)) {
         return refuse(written, interrupt);
