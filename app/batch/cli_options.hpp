@@ -47,13 +47,14 @@ void addInputFormatOption(CLI::App &app, const std::string &input, std::string &
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
                               std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges);
 
-/// Adds --set, which may be repeated: expressions for parameters of a project, by name.
+/// Adds --set, which may be repeated with other names: expressions for parameters of a project.
 void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters);
 
 /// How a drawing or map is read; see ImportOptions.
 struct DrawingArguments {
     std::optional<double> weldTolerance; ///< absent: the default of the input's format
-    OverlapRule overlap = OverlapRule::Later;
+    std::optional<OverlapRule> overlap;  ///< of a map
+    DegreeRule degrees = DegreeRule::Warn;
     std::optional<std::string> layer, nameProperty; ///< of a map
     bool beyondPage = false;
     bool dropLines = false;
@@ -61,10 +62,12 @@ struct DrawingArguments {
     bool shapeRegions = false;
 
     void applyTo(ImportOptions &options) const;
+    /// Returns the name of the first option given, such as "--weld"; empty if none is.
+    std::string firstGiven() const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
-/// Adds the options --weld, --overlap, --layer, --name-property, --beyond-page, --drop-lines, --stroke-areas and
-/// --shape-regions.
+/// Adds the options --weld, --overlap, --layer, --name-property, --projection, --allow-degrees, --beyond-page,
+/// --drop-lines, --stroke-areas and --shape-regions.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after

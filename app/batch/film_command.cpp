@@ -37,6 +37,7 @@ struct FilmArguments {
     std::filesystem::path input;
     std::string inputFormat;
     std::map<std::string, std::string> parameters; ///< expressions by name, from --set
+    DrawingArguments drawing;
     std::optional<Method> method;
     std::optional<GridKind> grid;
     std::optional<double> size;
@@ -111,6 +112,7 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
     app.add_option("IN", arguments.input, "project, drawing or domain; -: standard input")->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addParameterOption(app, arguments.parameters);
+    addDrawingOptions(app, arguments.drawing);
     app.add_option("-o,--output", arguments.plan.output,
                    "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
@@ -158,9 +160,12 @@ int filmCommand(int argc, const char *const *argv) {
     if (!input) {
         return refuse(input.faults(), interrupt);
     }
-    if (const std::string wrong = setParameters(*input, arguments.parameters); !wrong.empty()) {
+    std::string wrong = checkDrawingOptions(arguments.drawing, *input, false);
+    wrong = wrong.empty() ? setParameters(*input, arguments.parameters) : wrong;
+    if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }
+    arguments.drawing.applyTo(input->options);
     Result<MeshingJob> job = readJob(arguments, *input);
     if (!job) {
         return refuse(job.faults(), interrupt);

@@ -10,9 +10,9 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
-#include <stb_image_write.h>
 #include <iterator>
 #include <memory>
+#include <stb_image_write.h>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -39,7 +39,8 @@ double sideOf(const Document &document) {
     return document.shapes[0]->nodes[1].x;
 }
 
-/// A window with a project that it has opened and then changed: a square of side 3 in the file, of side 5 in the window.
+/// A window with a project that it has opened and then changed: a square of side 3 in the file, of side 5 in the
+/// window.
 class ChangedWindow : public Draughtsman {
   public:
     explicit ChangedWindow(EditorSetup setup = {}) : Draughtsman(std::move(setup)) {

@@ -1,4 +1,4 @@
-#include "core/io/files.hpp"
+#include "core/files/files.hpp"
 #include "core/files/text/file_set.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/mesh_samples.hpp"
@@ -30,7 +30,7 @@ class LimitedFiles {
   public:
     explicit LimitedFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
         REQUIRE(::getrlimit(RLIMIT_FSIZE, &before_) == 0);
-        const struct rlimit limit{bytes, before_.rlim_max};
+        const struct rlimit limit { bytes, before_.rlim_max };
         REQUIRE(::setrlimit(RLIMIT_FSIZE, &limit) == 0);
     }
     ~LimitedFiles() {
@@ -142,7 +142,8 @@ TEST_CASE("Triangle: files of different meshes are not read as one") {
     REQUIRE(writeMesh(folder / "b.node", samples::square(3, 3), "triangle").empty());
     REQUIRE(readMesh(folder / "a.node").ok());
     for (const char *extension : {"ele", "edge"}) {
-        std::filesystem::copy_file(folder / "a.node", folder / "c.node", std::filesystem::copy_options::overwrite_existing);
+        std::filesystem::copy_file(folder / "a.node", folder / "c.node",
+                                   std::filesystem::copy_options::overwrite_existing);
         for (const char *each : {"ele", "edge"}) {
             const std::string from = std::string(each == std::string_view(extension) ? "b." : "a.") + each;
             std::filesystem::copy_file(folder / from, folder / (std::string("c.") + each),
@@ -193,7 +194,7 @@ TEST_CASE("AtomicFile: temporary files of killed programs are removed, those of 
     const std::string dead = std::to_string(endedProcess()), alive = std::to_string(::getppid());
     const std::vector<std::string> names{"a.msh." + dead + "-0.tmp", "a.msh." + dead + "-3.tmp.old.tmp"};
     const std::vector<std::string> kept{"a.msh." + alive + "-0.tmp", "b.msh." + dead + "-0.tmp", "a.msh.tmp",
-                       "a.msh." + dead + "-0.txt", "a.msh.old-1.tmp"};
+                                        "a.msh." + dead + "-0.txt", "a.msh.old-1.tmp"};
     for (const std::string &name : names) {
         std::ofstream(folder / name) << "half";
     }

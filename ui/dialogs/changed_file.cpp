@@ -23,10 +23,9 @@ void askAboutChange(Shell &context, const FileStamp &now, std::function<void(She
     if (!missing) {
         answers.push_back({"reload", "Reload", false, reloadDocument});
     }
-    answers.push_back({"overwrite", missing ? "Save" : "Overwrite", missing,
-                       [then](Shell &c) { overwriteDocument(c, then); }});
-    answers.push_back({"saveAs", "Save as\xe2\x80\xa6", !missing,
-                       [then](Shell &c) { saveDocumentAs(c, then); }});
+    answers.push_back(
+        {"overwrite", missing ? "Save" : "Overwrite", missing, [then](Shell &c) { overwriteDocument(c, then); }});
+    answers.push_back({"saveAs", "Save as\xe2\x80\xa6", !missing, [then](Shell &c) { saveDocumentAs(c, then); }});
     const std::string text =
         missing ? "Another program has deleted or moved " + name + ". Save it there again?"
                 : "Another program has changed " + name +

@@ -33,8 +33,8 @@ class FileSet {
     bool ok() const { return status_.empty(); }
     /// Returns the faults so far.
     const Status &status() const { return status_; }
-    /// Gives all files their names. Faults: cannot-write, cancelled; no file is then replaced, as far as the file system
-    /// can take back what it has renamed.
+    /// Gives all files their names. Faults: cannot-write, cancelled; no file is then replaced, as far as the file
+    /// system can take back what it has renamed.
     Status commit();
 
   private:

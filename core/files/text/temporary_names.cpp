@@ -46,8 +46,8 @@ int createTemporary(const std::filesystem::path &target, std::string &name) {
     constexpr int kAttempts = 1000;
     constexpr mode_t kNewFileMode = 0666;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        name = target.string() + '.' + std::to_string(::getpid()) + '-' + std::to_string(attempt) +
-               std::string(kEnding);
+        name =
+            target.string() + '.' + std::to_string(::getpid()) + '-' + std::to_string(attempt) + std::string(kEnding);
         const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kNewFileMode);
         if (descriptor >= 0) {
             ::flock(descriptor, LOCK_EX | LOCK_NB); // where the file system can
