@@ -173,11 +173,19 @@ int filmCommand(int argc, const char *const *argv) {
     interrupt.deferToStop();
     Progress progress;
     progress.stop = interrupt.token();
-    const Result<int> written = writeFilm(std::move(*job), plan, progress);
+    const bool gridless = job->options.grid == GridKind::None && !arguments.layers.empty();
+    if (gridless && plan.layers.shown[static_cast<std::size_t>(FilmLayer::Grid)]) {
+        return wrongUsage(app.get_name(), "--layers: the run has no background grid to show; add --grid");
+    }
+    const Result<WrittenFilm> written = writeFilm(std::move(*job), plan, progress);
     if (!written) {
         return refuse(written.faults(), interrupt);
     }
-    std::printf("wrote %s: %d %s\n", plan.output.c_str(), *written, *written == 1 ? "frame" : "frames");
+    if (plan.steps && written->last - written->first < *plan.steps) {
+        std::fprintf(stderr, "note: the run ends at advance %llu, before --steps %llu are shown\n",
+                     static_cast<unsigned long long>(written->last), static_cast<unsigned long long>(*plan.steps));
+    }
+    std::printf("wrote %s: %d %s\n", plan.output.c_str(), written->frames, written->frames == 1 ? "frame" : "frames");
     return kDone;
 }
 

@@ -85,7 +85,7 @@ class Filming {
         last_ = std::min(end, plan_.steps ? from_ + std::min(*plan_.steps, end) : end);
         return plan_.output.extension() == ".gif" ? writeGif() : plan_.numbered() ? writeSequence() : writeMoment();
     }
-    int written() const { return written_; }
+    WrittenFilm written() const { return {written_, from_, last_}; }
 
   private:
     static Status cancelled() { return error("cancelled", "the film was cancelled"); }
@@ -179,7 +179,7 @@ std::string outputFault(const FilmPlan &plan) {
     return {};
 }
 
-Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
+Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
     try {
         Filming filming(plan, progress);
         if (Status status = filming.film(std::move(job)); !status.empty()) {
