@@ -36,14 +36,17 @@ Examples:
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
+constexpr int kRounds = 8; ///< maximum number of new meshes by default
+
 struct AdaptArguments {
     std::filesystem::path mesh; ///< "-": standard input
     std::string inputFormat;
     std::optional<std::string> field, expression;
     AdaptTarget target;
-    int rounds = 8;
+    std::optional<int> rounds;
     std::optional<double> maxElements;
     std::optional<std::filesystem::path> domain;
+    DrawingArguments drawing; ///< of the domain
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
     std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
@@ -128,8 +131,8 @@ Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &do
         bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome = adaptMesh(domain, std::move(mesh), *field, arguments.target, arguments.rounds,
-                                             arguments.options(), progress, tell);
+    Result<AdaptOutcome> outcome = adaptMesh(domain, std::move(mesh), *field, arguments.target,
+                                             arguments.rounds.value_or(kRounds), arguments.options(), progress, tell);
     bar.clear();
     if (!outcome) {
         return outcome.faults();
@@ -154,10 +157,17 @@ int runAdapt(const AdaptArguments &arguments) {
     progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
     bar.show("reading", 0.0);
     const Result<Input> file = openInput(arguments.mesh, arguments.inputFormat);
-    const Result<Input> domainFile = arguments.domain ? openInput(*arguments.domain) : Input{};
+    Result<Input> domainFile = arguments.domain ? openInput(*arguments.domain) : Input{};
     if (!file || !domainFile) {
         bar.clear();
         return refuse(file ? domainFile.faults() : file.faults(), interrupt);
+    }
+    if (arguments.domain) {
+        if (const std::string wrong = checkDrawingOptions(arguments.drawing, *domainFile, false); !wrong.empty()) {
+            bar.clear();
+            return wrongUsage("forefront adapt", wrong);
+        }
+        arguments.drawing.applyTo(domainFile->options);
     }
     Result<MeshField> input = readInput(arguments, *file);
     if (!input) {
@@ -186,8 +196,13 @@ int runAdapt(const AdaptArguments &arguments) {
                    interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
-    const Diagnostics written =
-        writeOutputs(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+    FileSet files;
+    Diagnostics written =
+        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+    if (!hasErrors(written)) {
+        const Status committed = files.commit();
+        written = committed.empty() ? written : committed;
+    }
     bar.clear();
     if (hasErrors(written)) {
         return refuse(written, interrupt);
@@ -197,6 +212,18 @@ int runAdapt(const AdaptArguments &arguments) {
         printWritten(arguments.outputs, arguments.messages());
     }
     return kDone;
+}
+
+/// Returns the error for an option that has no effect with the others; empty if there is none.
+std::string unusedAdaptOption(const AdaptArguments &arguments) {
+    if (arguments.rounds && arguments.field) {
+        return "--rounds: a field is known only on its own mesh, so that one new mesh is made; leave out --rounds, or "
+               "give --expression";
+    }
+    if (!arguments.domain && !arguments.drawing.firstGiven().empty()) {
+        return arguments.drawing.firstGiven() + ": tells how to read the domain; add --domain";
+    }
+    return {};
 }
 
 void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
@@ -229,6 +256,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
     addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--domain", arguments.domain, "domain to mesh; default: the area of the mesh, with its tags")
         ->type_name("IN");
+    addDrawingOptions(app, arguments.drawing);
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
 }
 
@@ -246,6 +274,9 @@ int adaptCommand(int argc, const char *const *argv) {
     std::string wrong = checkFormats(arguments.outputs, arguments.formats);
     if (wrong.empty()) {
         wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
+    }
+    if (wrong.empty()) {
+        wrong = unusedAdaptOption(arguments);
     }
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);

@@ -121,7 +121,7 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         hint.code = "default-options";
         hint.message = "the domain was read with the default options";
         hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
-                      "--beyond-page, --drop-lines, --stroke-areas, --shape-regions or --repair";
+                      "--projection, --beyond-page, --drop-lines, --stroke-areas, --shape-regions or --repair";
         faults.push_back(std::move(hint));
     }
     if (!acceptsInnerEdges(arguments.mesh)) {
@@ -241,6 +241,10 @@ int checkCommand(int argc, const char *const *argv) {
     }
     if (!arguments.parameters.empty() && !arguments.domain && !arguments.savedLimits) {
         return wrongUsage(app.get_name(), "--set: only projects have parameters; add --domain or --limits");
+    }
+    if (!arguments.domain && (arguments.repair || !arguments.drawing.firstGiven().empty())) {
+        return wrongUsage(app.get_name(), (arguments.repair ? "--repair" : arguments.drawing.firstGiven()) +
+                                              ": tells how to read the domain; add --domain");
     }
     const bool spaced = arguments.size || arguments.expression || arguments.savedLimits;
     if (arguments.limits[MeshLimit::MinDelta] && !spaced) {

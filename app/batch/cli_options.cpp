@@ -233,7 +233,9 @@ void addParameterOption(CLI::App &app, std::map<std::string, std::string> &param
                    if (cut == std::string::npos || cut == 0 || cut + 1 == setting.size()) {
                        throw CLI::ValidationError("--set", "expected NAME=EXPRESSION, got '" + setting + "'");
                    }
-                   parameters[setting.substr(0, cut)] = setting.substr(cut + 1);
+                   if (!parameters.emplace(setting.substr(0, cut), setting.substr(cut + 1)).second) {
+                       throw CLI::ValidationError("--set", "parameter '" + setting.substr(0, cut) + "' is set twice");
+                   }
                }
            },
            "set a parameter of the project, such as r=0.5 or gap=2*r; can be repeated")
@@ -242,7 +244,8 @@ void addParameterOption(CLI::App &app, std::map<std::string, std::string> &param
 
 void DrawingArguments::applyTo(ImportOptions &options) const {
     options.weldTolerance = weldTolerance;
-    options.overlap = overlap;
+    options.overlap = overlap.value_or(options.overlap);
+    options.degrees = degrees;
     options.layer = layer;
     options.nameProperty = nameProperty;
     options.beyondPage = beyondPage;
@@ -251,7 +254,44 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
     options.shapeRegions = shapeRegions;
 }
 
+std::string DrawingArguments::firstGiven() const {
+    const std::pair<bool, const char *> given[] = {{weldTolerance.has_value(), "--weld"},
+                                                   {overlap.has_value(), "--overlap"},
+                                                   {layer.has_value(), "--layer"},
+                                                   {nameProperty.has_value(), "--name-property"},
+                                                   {degrees == DegreeRule::Local, "--projection"},
+                                                   {degrees == DegreeRule::Keep, "--allow-degrees"},
+                                                   {beyondPage, "--beyond-page"},
+                                                   {dropLines, "--drop-lines"},
+                                                   {strokeAreas, "--stroke-areas"},
+                                                   {shapeRegions, "--shape-regions"}};
+    const auto *const first =
+        std::find_if(std::begin(given), std::end(given), [](const auto &one) { return one.first; });
+    return first == std::end(given) ? std::string() : first->second;
+}
+
+namespace {
+
+/// Adds the options for maps in longitudes and latitudes.
+void addDegreeOptions(CLI::App &app, DegreeRule &rule) {
+    static constexpr std::string_view kProjections[] = {"local"};
+    auto *const projection =
+        app.add_option_function<std::string>(
+               "--projection", [&rule](const std::string &) { rule = DegreeRule::Local; },
+               "convert the longitudes and latitudes of a map to metres. local: azimuthal equidistant about the middle "
+               "of the map; distances from there are true")
+            ->check(oneOf(kProjections))
+            ->type_name("NAME");
+    app.add_flag_callback(
+           "--allow-degrees", [&rule] { rule = DegreeRule::Keep; },
+           "take the longitudes and latitudes of a map for coordinates in the plane, without a warning")
+        ->excludes(projection);
+}
+
+} // namespace
+
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
+    addDegreeOptions(app, arguments.degrees);
     app.add_option(
            "--weld", arguments.weldTolerance,
            "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps, less "

@@ -53,13 +53,14 @@ void addMaxElementsOption(CLI::App &app, std::optional<double> &maxElements);
 /// Sets the limit that was given, if any.
 void applyMaxElements(std::optional<double> maxElements, MeshingOptions &options);
 
-/// Adds --set, which may be repeated: expressions for parameters of a project, by name.
+/// Adds --set, which may be repeated with other names: expressions for parameters of a project.
 void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters);
 
 /// How a drawing or map is read; see ImportOptions.
 struct DrawingArguments {
     std::optional<double> weldTolerance; ///< absent: the default of the input's format
-    OverlapRule overlap = OverlapRule::Later;
+    std::optional<OverlapRule> overlap;  ///< of a map
+    DegreeRule degrees = DegreeRule::Warn;
     std::optional<std::string> layer, nameProperty; ///< of a map
     bool beyondPage = false;
     bool dropLines = false;
@@ -67,10 +68,12 @@ struct DrawingArguments {
     bool shapeRegions = false;
 
     void applyTo(ImportOptions &options) const;
+    /// Returns the name of the first option given, such as "--weld"; empty if none is.
+    std::string firstGiven() const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
-/// Adds the options --weld, --overlap, --layer, --name-property, --beyond-page, --drop-lines, --stroke-areas and
-/// --shape-regions.
+/// Adds the options --weld, --overlap, --layer, --name-property, --projection, --allow-degrees, --beyond-page,
+/// --drop-lines, --stroke-areas and --shape-regions.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 
 /// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after

@@ -37,6 +37,7 @@ struct FilmArguments {
     std::filesystem::path input;
     std::string inputFormat;
     std::map<std::string, std::string> parameters; ///< expressions by name, from --set
+    DrawingArguments drawing;
     std::optional<Method> method;
     std::optional<GridKind> grid;
     std::optional<double> size;
@@ -113,6 +114,7 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
     app.add_option("IN", arguments.input, "project, drawing or domain; -: standard input")->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addParameterOption(app, arguments.parameters);
+    addDrawingOptions(app, arguments.drawing);
     app.add_option("-o,--output", arguments.plan.output,
                    "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
@@ -161,9 +163,12 @@ int filmCommand(int argc, const char *const *argv) {
     if (!input) {
         return refuse(input.faults(), interrupt);
     }
-    if (const std::string wrong = setParameters(*input, arguments.parameters); !wrong.empty()) {
+    std::string wrong = checkDrawingOptions(arguments.drawing, *input, false);
+    wrong = wrong.empty() ? setParameters(*input, arguments.parameters) : wrong;
+    if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }
+    arguments.drawing.applyTo(input->options);
     Result<MeshingJob> job = readJob(arguments, *input);
     if (!job) {
         return refuse(job.faults(), interrupt);
@@ -171,11 +176,19 @@ int filmCommand(int argc, const char *const *argv) {
     interrupt.deferToStop();
     Progress progress;
     progress.stop = interrupt.token();
-    const Result<int> written = writeFilm(std::move(*job), plan, progress);
+    const bool gridless = job->options.grid == GridKind::None && !arguments.layers.empty();
+    if (gridless && plan.layers.shown[static_cast<std::size_t>(FilmLayer::Grid)]) {
+        return wrongUsage(app.get_name(), "--layers: the run has no background grid to show; add --grid");
+    }
+    const Result<WrittenFilm> written = writeFilm(std::move(*job), plan, progress);
     if (!written) {
         return refuse(written.faults(), interrupt);
     }
-    std::printf("wrote %s: %d %s\n", plan.output.c_str(), *written, *written == 1 ? "frame" : "frames");
+    if (plan.steps && written->last - written->first < *plan.steps) {
+        std::fprintf(stderr, "note: the run ends at advance %llu, before --steps %llu are shown\n",
+                     static_cast<unsigned long long>(written->last), static_cast<unsigned long long>(*plan.steps));
+    }
+    std::printf("wrote %s: %d %s\n", plan.output.c_str(), written->frames, written->frames == 1 ? "frame" : "frames");
     return kDone;
 }
 

@@ -17,15 +17,7 @@ const FileFormat *Input::format() const {
     if (!options.formatId.empty()) {
         return allFormats().withId(options.formatId);
     }
-    std::error_code none;
-    if (options.content != nullptr) {
-        return allFormats().detect({}, *options.content);
-    }
-    if (std::filesystem::is_regular_file(path, none)) {
-        return allFormats().detect(path);
-    }
-    const std::vector<const FileFormat *> named = allFormats().withExtensionOf(path); // a pipe can be read only once
-    return named.empty() ? nullptr : named.front();
+    return options.content != nullptr ? allFormats().detect({}, *options.content) : allFormats().detect(path);
 }
 
 bool Input::isProject() const {
@@ -48,11 +40,29 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
                " files are read unchanged; add --repair to join nearby nodes and segments";
     }
     const std::string_view id = format->id;
+    const bool isMap = id == "topojson" || id == "geojson", isDrawing = id == "svg";
     if (drawing.layer && id != "topojson") {
         return "--layer: only TopoJSON files have layers";
     }
-    if (drawing.nameProperty && id != "topojson" && id != "geojson") {
+    if (drawing.nameProperty && !isMap) {
         return "--name-property: only the features of GeoJSON and TopoJSON files have properties";
+    }
+    if (drawing.overlap && !isMap) {
+        return "--overlap: applies only to the polygons of GeoJSON and TopoJSON files";
+    }
+    if (drawing.degrees != DegreeRule::Warn && !isMap) {
+        return std::string(drawing.degrees == DegreeRule::Local ? "--projection" : "--allow-degrees") +
+               ": only GeoJSON and TopoJSON files have longitudes and latitudes";
+    }
+    if (drawing.dropLines && !format->arranges) {
+        return "--drop-lines: applies only to drawings and maps";
+    }
+    for (const auto &[given, option] :
+         {std::pair(drawing.beyondPage, "--beyond-page"), std::pair(drawing.strokeAreas, "--stroke-areas"),
+          std::pair(drawing.shapeRegions, "--shape-regions")}) {
+        if (given && !isDrawing) {
+            return std::string(option) + ": applies only to SVG drawings";
+        }
     }
     return {};
 }
@@ -102,9 +112,11 @@ std::string checkInputs(std::initializer_list<std::optional<std::filesystem::pat
 }
 
 void printNotes(const ImportNotes &notes, bool quiet) {
-    if (!quiet) {
-        printFaults(notes.diagnostics());
+    Diagnostics list = notes.diagnostics();
+    if (quiet) {
+        std::erase_if(list, [](const Diagnostic &note) { return note.severity == Severity::Note; });
     }
+    printFaults(list);
 }
 
 } // namespace forefront

@@ -46,14 +46,14 @@ std::string checkInputs(std::initializer_list<std::optional<std::filesystem::pat
 /// Sets the values of --set. Returns what is wrong if the input has no parameters; empty if it is a project.
 std::string setParameters(Input &input, const std::map<std::string, std::string> &parameters);
 
-/// Returns what is wrong with options that the format of an input does not have: a weld tolerance where parts are not
-/// joined, a layer, a property for names; empty if they are valid. `repairs` is true if --repair is given.
+/// Returns what is wrong with options that have no effect on the format of an input, such as a weld tolerance where
+/// parts are not joined; empty if they are valid. `repairs` is true if --repair is given.
 std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &input, bool repairs);
 
 /// Returns the ids of the formats that can be read, as --input-format accepts them, separated by commas.
 std::string inputFormatIds();
 
-/// Prints the notes of a reader to stderr, one per line; prints nothing if `quiet`.
+/// Prints the notes of a reader to stderr, one per line; only the warnings if `quiet`.
 void printNotes(const ImportNotes &notes, bool quiet);
 
 } // namespace forefront

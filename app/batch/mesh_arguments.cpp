@@ -144,6 +144,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     if (wrong.empty() && arguments.printsStatistics() && usesStandardOutput(arguments.outputs)) {
         wrong = "-o - and --stats - both write to standard output; give one of them a file";
     }
+    if (wrong.empty() && arguments.innerEdges && arguments.outputs.empty()) {
+        wrong = "--inner-edges: no mesh is written; add -o OUT";
+    }
     if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
         wrong = "no output; add -o OUT or --stats FILE.json";
     }

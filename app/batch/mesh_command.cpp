@@ -151,16 +151,21 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     return {};
 }
 
-/// Writes the meshes and the statistics. Returns the errors or, if there are none, notes on what the formats changed.
+/// Writes the meshes and the statistics, all of them or none. Returns the errors or, if there are none, notes on what
+/// the formats changed.
 Diagnostics writeResults(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
                          const Progress &progress) {
+    FileSet files;
     Diagnostics notes =
-        writeOutputs(pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
-    if (!hasErrors(notes) && arguments.statistics && !arguments.printsStatistics()) {
-        const Diagnostics faults = writeFileAtomically(*arguments.statistics, statisticsJson(report));
-        notes.insert(notes.end(), faults.begin(), faults.end());
+        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+    if (hasErrors(notes)) {
+        return notes;
     }
-    return notes;
+    if (arguments.statistics && !arguments.printsStatistics()) {
+        files.write(*arguments.statistics, statisticsJson(report));
+    }
+    const Status written = files.commit();
+    return written.empty() ? notes : written;
 }
 
 Status printResult(const MeshArguments &arguments, const RunReport &report) {

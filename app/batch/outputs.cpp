@@ -122,9 +122,9 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs) {
 
 namespace {
 
-Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &progress) {
+Diagnostics writeOutput(FileSet &files, const Output &output, const Mesh &mesh, const Progress &progress) {
     if (!isStandardStream(output.path)) {
-        Status written = writeMesh(output.path, mesh, output.format, progress);
+        Status written = writeMesh(files, output.path, mesh, output.format, progress);
         return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
     }
     StandardOutput sink;
@@ -146,8 +146,8 @@ Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
 
 } // namespace
 
-Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, std::optional<InnerEdges> innerEdges,
-                         const Progress &progress) {
+Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const Mesh &mesh,
+                         std::optional<InnerEdges> innerEdges, const Progress &progress) {
     const auto drops = [&](const Output &output) {
         return innerEdges ? *innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
     };
@@ -155,7 +155,7 @@ Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, s
     const Mesh outline = anyDrops ? withoutInnerEdges(mesh) : Mesh();
     Diagnostics notes;
     for (const Output &output : outputs) {
-        Diagnostics faults = writeOutput(output, drops(output) ? outline : mesh, progress);
+        Diagnostics faults = writeOutput(files, output, drops(output) ? outline : mesh, progress);
         if (hasErrors(faults)) {
             return faults;
         }

@@ -5,6 +5,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/files/inner_edges.hpp"
+#include "core/files/text/file_set.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -41,11 +42,11 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
 /// Returns true if one of the outputs is standard output, which then receives nothing else.
 bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 
-/// Writes a mesh to files and to standard output. Stops at the first error. Returns the errors or, if there are none,
-/// the notes of exportNotes(). Where `innerEdges` is absent, inner edges are left out of the formats that do not accept
-/// them, with a note.
-Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, std::optional<InnerEdges> innerEdges,
-                         const Progress &progress);
+/// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first
+/// error. Returns the errors or, if there are none, the notes of exportNotes(). Where `innerEdges` is absent, inner
+/// edges are left out of the formats that do not accept them, with a note.
+Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const Mesh &mesh,
+                         std::optional<InnerEdges> innerEdges, const Progress &progress);
 
 /// Prints "wrote PATH" for each output that is a file.
 void printWritten(const std::vector<std::filesystem::path> &outputs, std::FILE *stream);

@@ -2,8 +2,7 @@
 
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
-
-#include <nlohmann/json.hpp>
+#include "core/files/json/json_writer.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -83,50 +82,43 @@ Diagnostics flatElements(const MeshQuality &quality) {
 
 std::string statisticsJson(const RunReport &report) {
     const MeshQuality &q = report.quality;
-    nlohmann::ordered_json json;
-    json["nodes"] = q.nodes;
-    json["elements"] = q.elements;
-    json["area"] = q.area;
-    json["parts"] = report.extent.parts;
-    json["holes"] = report.extent.holes;
-    json["regions"] = nlohmann::ordered_json::array();
-    for (const RegionExtent &region : report.extent.regions) {
-        json["regions"].push_back(
-            {{"tag", region.tag}, {"name", region.name}, {"elements", region.elements}, {"area", region.area}});
-    }
-    json["alpha_mean"] = q.alphaMean;
-    json["alpha_geometric_mean"] = q.alphaGeometricMean;
-    json["alpha_min"] = q.alphaMin;
-    json["flat_elements"] = q.flat;
-    json["delta_mean"] = q.deltaMean;
-    json["min_angle_deg"] = q.minAngle;
-    json["max_angle_deg"] = q.maxAngle;
-    json["min_angle_elsewhere_deg"] = report.sharp.minAngleElsewhere;
-    json["sharp_corners"] = nlohmann::ordered_json::array();
-    for (const SharpCorner &corner : report.sharp.corners) {
-        json["sharp_corners"].push_back({{"x", corner.at.x}, {"y", corner.at.y}, {"angle_deg", corner.angle}});
-    }
-    json["narrow_places"] = nlohmann::ordered_json::array();
-    for (const NarrowPlace &place : report.sharp.narrow) {
-        json["narrow_places"].push_back(
-            {{"x", place.at.x}, {"y", place.at.y}, {"width", place.width}, {"elements", place.elements}});
-    }
-    json["front_mean"] = report.work.frontMean();
-    json["neighbours_mean"] = report.work.neighboursMean();
-    json["tests_mean"] = report.work.testsMean();
     const auto perElement = [&](std::uint64_t sum) {
         return report.work.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(report.work.elements);
     };
-    json["cells_mean"] = perElement(report.work.cellsVisited);
-    json["candidates_mean"] = perElement(report.work.candidates);
-    json["forced_mean"] = perElement(report.work.forced);
-    json["improve"] = wordOf(report.improve);
-    json["seconds_prepare"] = report.secondsPrepare;
-    json["seconds_mesh"] = report.secondsMesh;
-    json["seconds_improve"] = report.secondsImprove;
-    json["peak_bytes"] = report.peakBytes;
-    json["hash"] = toHex(report.hash);
-    return json.dump(2) + '\n';
+    JsonWriter json(JsonWriter::Layout::Indented);
+    json.beginObject();
+    json.member("nodes", q.nodes).member("elements", q.elements).member("area", q.area);
+    json.member("parts", report.extent.parts).member("holes", report.extent.holes);
+    json.key("regions").beginArray();
+    for (const RegionExtent &region : report.extent.regions) {
+        json.beginObject().member("tag", region.tag).member("name", region.name);
+        json.member("elements", region.elements).member("area", region.area).endObject();
+    }
+    json.endArray();
+    json.member("alpha_mean", q.alphaMean).member("alpha_geometric_mean", q.alphaGeometricMean);
+    json.member("alpha_min", q.alphaMin).member("flat_elements", q.flat).member("delta_mean", q.deltaMean);
+    json.member("min_angle_deg", q.minAngle).member("max_angle_deg", q.maxAngle);
+    json.member("min_angle_elsewhere_deg", report.sharp.minAngleElsewhere);
+    json.key("sharp_corners").beginArray();
+    for (const SharpCorner &corner : report.sharp.corners) {
+        json.beginObject().member("x", corner.at.x).member("y", corner.at.y);
+        json.member("angle_deg", corner.angle).endObject();
+    }
+    json.endArray();
+    json.key("narrow_places").beginArray();
+    for (const NarrowPlace &place : report.sharp.narrow) {
+        json.beginObject().member("x", place.at.x).member("y", place.at.y);
+        json.member("width", place.width).member("elements", place.elements).endObject();
+    }
+    json.endArray();
+    json.member("front_mean", report.work.frontMean()).member("neighbours_mean", report.work.neighboursMean());
+    json.member("tests_mean", report.work.testsMean()).member("cells_mean", perElement(report.work.cellsVisited));
+    json.member("candidates_mean", perElement(report.work.candidates));
+    json.member("forced_mean", perElement(report.work.forced)).member("improve", wordOf(report.improve));
+    json.member("seconds_prepare", report.secondsPrepare).member("seconds_mesh", report.secondsMesh);
+    json.member("seconds_improve", report.secondsImprove).member("peak_bytes", report.peakBytes);
+    json.member("hash", toHex(report.hash));
+    return json.endObject().text();
 }
 
 std::string extentLine(double area, const MeshExtent &extent) {

@@ -84,13 +84,14 @@ int runTables(const TablesArguments &arguments) {
         rows.push_back(std::move(*figures));
     }
     std::fputs(tableNotes(rows).c_str(), stdout);
-    const auto write = [](const std::optional<std::filesystem::path> &path, const std::string &text) {
-        return path ? writeFileAtomically(*path, text) : Status{};
-    };
-    Status written = write(arguments.csv, tableCsv(rows));
-    if (!hasErrors(written)) {
-        written = write(arguments.svg, toSvg(tablePlot(rows)));
+    FileSet files;
+    if (arguments.csv) {
+        files.write(*arguments.csv, tableCsv(rows));
     }
+    if (arguments.svg) {
+        files.write(*arguments.svg, toSvg(tablePlot(rows)));
+    }
+    const Status written = files.commit();
     return hasErrors(written) ? refuse(written, interrupt) : static_cast<int>(kDone);
 }
 

@@ -46,7 +46,7 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
     return engineFormats().readSpacing(path, options, notes);
 }
 
-Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
+Status writeMesh(FileSet &files, const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
                  const Progress &progress) {
     const Format *format = meshFormat(path, formatId);
     if (format == nullptr) {
@@ -59,15 +59,24 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
     }
     try {
         if (format->writeFiles != nullptr) {
-            return named(format->writeFiles(path, mesh, progress), path);
+            format->writeFiles(files, path, mesh, progress);
+            return files.status();
         }
         constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
-        return writeTextFile(
+        files.write(
             path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
             1 + mesh.nodes.size() * kBytesPerNode + mesh.elements.size() * kBytesPerElement);
+        return files.status();
     } catch (const std::bad_alloc &) {
         return named(error("out-of-memory", "not enough memory to write the file"), path);
     }
+}
+
+Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
+                 const Progress &progress) {
+    FileSet files;
+    Status status = writeMesh(files, path, mesh, formatId, progress);
+    return status.empty() ? files.commit() : status;
 }
 
 Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId) {
@@ -135,7 +144,7 @@ Status checkPlace(const std::filesystem::path &path) {
         return error("cannot-write", "cannot write the file: folder " + folder.string() + " not found",
                      "create it, or choose another");
     }
-    return {};
+    return checkReplaceable(path);
 }
 
 } // namespace forefront

@@ -7,6 +7,7 @@
 #include "core/engine/mesh/mesh.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/text/atomic_file.hpp"
+#include "core/files/text/file_set.hpp"
 
 #include <filesystem>
 #include <string_view>
@@ -37,8 +38,12 @@ Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {}
 Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 
 /// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: writes
-/// a temporary file beside it, then renames that. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
+/// a temporary file beside it, then renames that. Triangle: PATH.node, PATH.ele and PATH.edge, all of them or none. SVG
+/// draws the mesh.
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
+                 const Progress &progress = {});
+/// Does the same for a file, or several, that get their names with the set. Returns the faults of the set.
+Status writeMesh(FileSet &files, const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 /// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
 /// formats of several files; cannot-write.
@@ -58,7 +63,8 @@ std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path
 /// beside a .poly file that contains no nodes.
 std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
 /// Returns the reason why no file can be written at this path, as far as can be determined without trying: the path has
-/// no file name, is a folder, or lies in a folder that does not exist. The fault does not name the file.
+/// no file name, is a folder, lies in a folder that does not exist, or is write-protected. The fault does not name the
+/// file.
 Status checkPlace(const std::filesystem::path &path);
 
 } // namespace forefront

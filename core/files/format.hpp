@@ -3,6 +3,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/source/source.hpp"
+#include "core/files/text/file_set.hpp"
 #include "core/files/text/text_writer.hpp"
 
 #include <filesystem>
@@ -26,8 +27,8 @@ struct Format {
     void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
     /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
     Diagnostics (*noteChanges)(const Mesh &) = nullptr;
-    /// Writes a mesh for formats of several files; else null.
-    Status (*writeFiles)(const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
+    /// Writes a mesh for formats of several files, which become complete with the set; else null.
+    void (*writeFiles)(FileSet &, const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
 
     bool canReadDomain() const { return readDomain != nullptr || readMesh != nullptr; }
     bool canWriteMesh() const { return writeMesh != nullptr || writeFiles != nullptr; }

@@ -39,6 +39,9 @@ const FileFormat *FormatList::withId(std::string_view id) const {
 }
 
 const FileFormat *FormatList::detect(const std::filesystem::path &path) const {
+    if (!notRegular(path).empty()) {
+        return detect(path, {}); // a pipe can be read only once, and could wait for ever
+    }
     std::string head(kHeadBytes, '\0');
     std::ifstream stream(path, std::ios::binary);
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -55,7 +55,7 @@ class FormatList {
     /// Returns the formats with the extension of a path, in the order of preference.
     std::vector<const FileFormat *> withExtensionOf(const std::filesystem::path &path) const;
     /// Returns the format of a file by its first bytes, else by its extension; null if neither identifies it. Reads all
-    /// of a JSON file if its first bytes do not show what it is.
+    /// of a JSON file if its first bytes do not show what it is, and nothing of a pipe or device.
     const FileFormat *detect(const std::filesystem::path &path) const;
     /// Returns the format of a file with this content, or else by its extension; null if neither identifies it.
     const FileFormat *detect(const std::filesystem::path &path, std::string_view content) const;

@@ -21,7 +21,8 @@ Result<T> readFile(const FormatList &list, const std::filesystem::path &path, co
     try {
         std::string loaded;
         if (options.content == nullptr) {
-            Result<std::string> bytes = readFileBytes(path, options.maxBytes, options.progress);
+            Result<std::string> bytes = options.regularFile ? readRegularFile(path, options.maxBytes, options.progress)
+                                                            : readFileBytes(path, options.maxBytes, options.progress);
             if (!bytes) {
                 return bytes.faults();
             }

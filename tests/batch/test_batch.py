@@ -13,6 +13,7 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import signal
 import struct
 import subprocess
@@ -544,6 +545,51 @@ class Imports(Case):
         self.assertIn("expected a number of at least 0, got '-1'",
                       self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "-1", code=2).stderr)
 
+    def test_maps_in_degrees_are_reported_and_can_be_projected(self):
+        cell = '{"type": "Polygon", "coordinates": [[[24, 60], [25, 60], [25, 61], [24, 61], [24, 60]]]}'
+        self.write("lake.geojson", cell)
+        warned = self.call("mesh", "lake.geojson", "-o", "a.msh", "-q").stderr
+        self.assertEqual(warned, "lake.geojson:1:1: warning: longitudes and latitudes in degrees are taken for coordinates in "
+                                 "the plane: at latitude 60.5, lengths from west to east are 2.031 times too long; "
+                                 "--projection local converts them to metres, --allow-degrees accepts them [degrees]\n")
+        self.assertEqual(self.call("mesh", "lake.geojson", "-o", "b.msh", "--allow-degrees").stderr, "")
+        self.assertEqual(self.read("a.msh"), self.read("b.msh"))
+        self.assertIn("[degrees]; --projection", self.call("mesh", "lake.geojson", "-o", "a.msh", "--strict", code=1).stderr)
+        done = self.call("mesh", "lake.geojson", "-o", "c.msh", "--projection", "local")
+        self.assertIn("projected to metres about longitude 24.5, latitude 60.5 [projected]", done.stderr)
+        area = float(re.search(r"area ([\d.e+]+),", done.stdout)[1])
+        self.assertAlmostEqual(area / 6.088e9, 1, delta=1e-3)
+        self.call("check", "c.msh", "--domain", "lake.geojson", "--projection", "local")
+        self.assertIn("--projection", self.call("check", "c.msh", "--domain", "lake.geojson", code=1).stderr)
+        self.call("film", "lake.geojson", "-o", "a.svg", "--projection", "local")
+        self.call("adapt", "c.msh", "--expression", "x", "--error", "0.5", "--domain", "lake.geojson", "--projection",
+                  "local", "-o", "d.msh")
+        self.assertIn("only GeoJSON and TopoJSON files have longitudes and latitudes",
+                      self.call("mesh", "plate.poly", "-o", "a.msh", "--projection", "local", code=2).stderr)
+
+    def test_options_without_effect_are_refused(self):
+        self.write("a.svg", '<svg viewBox="0 0 4 3"><rect width="4" height="3"/></svg>')
+        self.write("plate.json", PROJECT)
+        self.call("mesh", "plate.poly", "-o", "a.msh", "-q")
+        for command, file, options in (
+                ("mesh", "plate.poly", ["--overlap", "later"]), ("mesh", "a.svg", ["--overlap", "smaller"]),
+                ("mesh", "plate.poly", ["--drop-lines"]), ("mesh", "plate.json", ["--drop-lines"]),
+                ("mesh", "plate.poly", ["--beyond-page"]), ("mesh", "plate.poly", ["--stroke-areas"]),
+                ("mesh", "plate.poly", ["--shape-regions"]), ("mesh", "a.svg", ["--allow-degrees"]),
+                ("film", "plate.poly", ["--layer", "x"])):
+            output = "a.gif" if command == "film" else "b.msh"
+            self.assertIn(f"{options[0]}: ", self.call(command, file, "-o", output, *options, code=2).stderr)
+        for options in (["--repair"], ["--weld", "1"], ["--projection", "local"], ["--drop-lines"]):
+            self.assertIn(f"{options[0]}: tells how to read the domain; add --domain",
+                          self.call("check", "a.msh", *options, code=2).stderr)
+        adapt = ["adapt", "a.msh", "-o", "b.msh", "--error", "0.1"]
+        self.assertIn("--rounds: ", self.call(*adapt, "--field", "t", "--rounds", "3", code=2).stderr)
+        self.assertIn("--layer: tells how", self.call(*adapt, "--expression", "x", "--layer", "a", code=2).stderr)
+        self.assertIn("--inner-edges: no mesh is written",
+                      self.call("mesh", "plate.poly", "--stats", "-", "--inner-edges", "drop", code=2).stderr)
+        self.assertIn("parameter 'r' is set twice",
+                      self.call("mesh", "plate.json", "-o", "b.msh", "--set", "r=1", "--set", "r=2", code=2).stderr)
+
     def test_a_layer_of_a_map_can_be_selected(self):
         self.write("atlas.json", '''{"type": "Topology", "arcs": [[[0, 0], [4, 0], [4, 3], [0, 0]], [[6, 0], [8, 0], [8, 1], [6, 0]]],
             "objects": {"counties": {"type": "Polygon", "arcs": [[0]], "properties": {"name": "A"}},
@@ -790,6 +836,43 @@ class Refusing(Case):
         self.assertIn("folder gone not found", tables.stderr)
         self.assertEqual(tables.stdout, "")
 
+    def test_outputs_replace_earlier_files_together_or_not_at_all(self):
+        before = {}
+        for name in ("a.node", "a.ele", "a.edge", "a.msh", "a.json"):
+            self.write(name, "old")
+            before[name] = "old"
+
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # writing then fails, as on a full disc
+            resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
+
+        done = subprocess.run([PROGRAM, "mesh", "plate.poly", "--size", "0.08", "-o", "a.node", "-o", "a.msh", "--stats",
+                               "a.json", "-q"], cwd=self.path, capture_output=True, text=True, preexec_fn=limit,
+                              restore_signals=False)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("File too large; the other files that belong to it were not replaced either", done.stderr)
+        self.assertEqual({name: self.read(name) for name in before}, before)
+        self.assertEqual(len(os.listdir(self.path)), 1 + len(before))
+        self.call("mesh", "plate.poly", "--size", "0.08", "-o", "a.node", "-o", "a.msh", "--stats", "a.json", "-q")
+        self.call("check", "a.node", "--domain", "plate.poly")
+        self.call("mesh", "plate.poly", "--size", "0.5", "-o", "b.node", "-q")
+        os.replace(self.path / "b.ele", self.path / "a.ele")
+        self.assertIn("[mixed-files]", self.call("check", "a.node", code=1).stderr)
+
+    def test_links_are_followed_and_write_protected_files_refused(self):
+        os.symlink("target.msh", self.path / "link.msh")
+        self.call("mesh", "plate.poly", "-o", "link.msh", "-q")
+        self.assertTrue((self.path / "link.msh").is_symlink())
+        self.call("check", "target.msh", "--domain", "plate.poly")
+        self.write("kept.msh", "mine")
+        os.chmod(self.path / "kept.msh", 0o444)
+        for words in (["-o", "kept.msh"], ["--stats", "kept.msh"], ["-o", "a.msh", "-o", "kept.msh"]):
+            self.assertEqual(self.call("mesh", "plate.poly", *words, code=1).stderr,
+                             "kept.msh: error: cannot write the file: it is write-protected [cannot-write]; allow writing "
+                             "with chmod u+w, or choose another name\n")
+        self.assertEqual(self.read("kept.msh"), "mine")
+        self.assertFalse((self.path / "a.msh").exists())
+
     def test_two_outputs_do_not_go_to_one_file(self):
         for words in (["-o", "a.msh", "-o", "./a.msh"], ["-o", "a.msh", "--stats", "a.msh"]):
             self.assertIn("two outputs", self.call("mesh", "plate.poly", *words, code=1).stderr)
@@ -1035,6 +1118,14 @@ class Films(Case):
         sizes, _ = self.frames("tall.gif")
         self.assertEqual({width for width, height in sizes}, {200})
         self.assertLess(max(height for width, height in sizes), 450)
+
+    def test_a_film_that_is_shorter_than_asked_for_says_so(self):
+        film = ["film", "plate.poly", "-o", "run.gif", "--size", "1", "--width", "100"]
+        self.assertIn("before --steps 1000000 are shown", self.call(*film, "--steps", "1000000").stderr)
+        self.assertEqual(self.call(*film, "--steps", "3").stderr, "")
+        self.assertIn("no background grid to show",
+                      self.call(*film, "--grid", "none", "--layers", "mesh,grid", code=2).stderr)
+        self.call(*film, "--grid", "hierarchical", "--layers", "mesh,grid")
 
     def test_a_moment_shows_the_layers_asked_for(self):
         words = ("film", "plate.poly", "-o", "m.svg", "--method", "classic", "--size", "1", "--from", "3", "--steps", "1")

@@ -20,6 +20,12 @@ std::vector<ActionCase> fileCases() {
             {"file.samples", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "gallery"); }},
             {"file.save", drawTriangle, [](D &d, const B &) { return dialogIs(d, "save"); }},
             {"file.saveAs", drawTriangle, [](D &d, const B &) { return dialogIs(d, "save"); }},
+            {"file.reload",
+             [](D &d) {
+                 d.rectangle({1, 1}, {9, 8});
+                 d.context().document.markSaved("/no/such/folder/bay.forefront");
+             },
+             [](D &d, const B &) { return d.logHas("cannot-read"); }},
             {"file.import", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "import"); }},
             {"file.importSpacing", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "importspacing"); }},
             {"file.addPicture", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "picture"); }},

@@ -88,7 +88,7 @@ void offerRecovery(Driver &driver) {
     static const testing::TemporaryFolder place;
     const std::filesystem::path folder = place / "recovery";
     RecoveryJournal journal(folder, projectText);
-    journal.record(driver.context().document.current(), {}, "Old harbour");
+    journal.record(driver.context().document.current(), {.savedAt = {}, .title = "Old harbour"});
     journal.flush();
     const std::filesystem::path file = journal.file();
     std::filesystem::copy_file(file, folder / ("0" + file.filename().string()),

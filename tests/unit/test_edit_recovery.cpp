@@ -124,7 +124,7 @@ TEST_CASE("RecoveryJournal: the file holds the newest document, however long it 
         return std::string(300000, document.nextId % 2 == 0 ? 'a' : 'b') + std::to_string(document.nextId);
     });
     for (std::uint32_t k = 1; k < 20; ++k) {
-        journal.record(numbered(k), "/tmp/x.forefront");
+        journal.record(numbered(k), {"/tmp/x.forefront", "", 77});
         journal.flush();
         std::ifstream file(journal.file(), std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -132,6 +132,7 @@ TEST_CASE("RecoveryJournal: the file holds the newest document, however long it 
         REQUIRE(content.text.has_value());
         CHECK(content.text->substr(300000) == std::to_string(k));
         CHECK(content.path == "/tmp/x.forefront");
+        CHECK(content.savedHash == 77);
         CHECK(bytes.size() < 3000000);
     }
     CHECK(folder.fileCount() == 1);
@@ -161,7 +162,7 @@ TEST_CASE("RecoveryJournal: a killed program loses at most the last second, whet
         if (child == 0) {
             RecoveryJournal journal(folder.path, words);
             for (std::uint32_t k = 1; k <= 50; ++k) {
-                journal.record(numbered(k), savedAt);
+                journal.record(numbered(k), {savedAt});
                 std::this_thread::sleep_for(1ms);
             }
             const char byte = 1;

@@ -84,8 +84,8 @@ TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties a
     REQUIRE(readGeoJson(source).ok());
     CHECK(codesOf(notes) == "crs 1 bad-tag 1 no-geometry 1 height 4 properties 1 members 2 ");
     const Diagnostics list = notes.diagnostics();
-    CHECK(toString(list[0]) == "lake.geojson:2:9: note: the coordinate reference system 'EPSG:32632' is ignored: "
-                               "coordinates are used as they are [crs]");
+    CHECK(toString(list[0]) == "lake.geojson:2:9: note: coordinates in the reference system 'EPSG:32632' are used as "
+                               "they are [crs]");
     CHECK(list[4].message == "properties other than \"name\" and \"tag\" are ignored: 'depth'");
     CHECK(list[5].message == "members that have no meaning here are ignored: 'id', 'title' (2 times)");
 }

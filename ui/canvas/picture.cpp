@@ -5,9 +5,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <new>
 #include <stb_image.h>
 #include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <utility>
 
 namespace forefront {
@@ -28,9 +31,26 @@ Diagnostics fault(const std::filesystem::path &file, std::string code, const std
     return faults;
 }
 
-Diagnostics missing(const std::filesystem::path &file) {
-    return fault(file, "missing-picture", "cannot read picture " + nameOf(file) + ": " + std::strerror(errno),
+Diagnostics missing(const std::filesystem::path &file, const std::string &why) {
+    return fault(file, "missing-picture", "cannot read picture " + nameOf(file) + ": " + why,
                  "put the file there, or choose another one with File > Add background picture");
+}
+
+/// Opens a picture. Refuses all but regular files: a pipe would wait for ever for its other end.
+Result<File> openPicture(const std::filesystem::path &path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) {
+        return missing(path, std::strerror(errno));
+    }
+    struct stat status {};
+    const bool regular = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    File file(regular ? ::fdopen(descriptor, "rb") : nullptr, std::fclose);
+    if (!file) {
+        const std::string why = regular ? std::strerror(errno) : "it is not a regular file";
+        ::close(descriptor);
+        return missing(path, why);
+    }
+    return file;
 }
 
 Diagnostics damaged(const std::filesystem::path &file) {
@@ -129,23 +149,24 @@ bool isPictureName(const std::filesystem::path &file) {
 }
 
 Result<PixelSize> readPictureSize(const std::filesystem::path &path) {
-    const File file(std::fopen(path.c_str(), "rb"), std::fclose);
-    return file ? checkedSize(path, file.get()) : missing(path);
+    const Result<File> file = openPicture(path);
+    return file ? checkedSize(path, file->get()) : file.faults();
 }
 
 Result<std::shared_ptr<const Picture>> readPicture(const std::filesystem::path &path) {
-    const File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    const FileStamp stamp = stampOf(path);
+    const Result<File> file = openPicture(path);
     if (!file) {
-        return missing(path);
+        return file.faults();
     }
-    const Result<PixelSize> size = checkedSize(path, file.get());
+    const Result<PixelSize> size = checkedSize(path, file->get());
     if (!size) {
         return size.faults();
     }
-    Picture picture{.file = path, .size = *size};
+    Picture picture{.file = path, .stamp = stamp, .size = *size};
     int channels = 0;
     const std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
-        stbi_load_from_file(file.get(), &picture.columns, &picture.rows, &channels, 4), stbi_image_free);
+        stbi_load_from_file(file->get(), &picture.columns, &picture.rows, &channels, 4), stbi_image_free);
     if (!pixels) {
         return damaged(path);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
+#include "core/files/source/file_stamp.hpp"
 #include "ui/input/pixels.hpp"
 
 #include <cstdint>
@@ -14,6 +15,7 @@ namespace forefront {
 /// A decoded picture.
 struct Picture {
     std::filesystem::path file;
+    FileStamp stamp;                ///< of the file before it was read
     PixelSize size;                 ///< in the file
     int columns = 0, rows = 0;      ///< of `rgba`: fewer than in the file if that is large
     std::vector<std::uint8_t> rgba; ///< row by row from the top
@@ -24,7 +26,8 @@ inline constexpr double kMaxPicturePixels = 100e6;
 
 /// Returns true if the name of a file is that of a picture that can be read.
 bool isPictureName(const std::filesystem::path &file);
-/// Returns the size of a PNG or JPEG file, from its header. Faults: "missing-picture", "bad-picture", "large-picture".
+/// Returns the size of a PNG or JPEG file, from its header. Faults: "missing-picture", also for pipes and devices;
+/// "bad-picture", "large-picture".
 Result<PixelSize> readPictureSize(const std::filesystem::path &file);
 /// Reads a PNG or JPEG file. Faults as for readPictureSize(). May be called on any thread.
 Result<std::shared_ptr<const Picture>> readPicture(const std::filesystem::path &file);

@@ -118,13 +118,17 @@ void openDropped(Shell &context, const std::filesystem::path &file) {
 
 void followPicture(Shell &context) {
     context.pictures.follow(*context.document.current(), context.document.loads());
-    Diagnostics faults;
-    if (context.pictures.refresh(faults)) {
+    Diagnostics news;
+    if (context.pictures.refresh(news)) {
         context.animate();
     }
-    for (Diagnostic &fault : faults) {
-        fault.severity = Severity::Warning; // the drawing itself is complete
-        context.log.add(std::move(fault));
+    for (Diagnostic &item : news) {
+        if (item.severity == Severity::Note) {
+            context.log.announce(item.message);
+        } else {
+            item.severity = Severity::Warning; // the drawing itself is complete
+            context.log.add(std::move(item));
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/clipboard_actions.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/gallery_dialog.hpp"
@@ -99,6 +100,10 @@ void addFileActions(ActionRegistry &actions) {
                  .title = "Save as\xe2\x80\xa6",
                  .shortcuts = {{'S', kControlShift}},
                  .run = [](Shell &c) { saveDocumentAs(c); }});
+    actions.add(
+        {.id = "file.reload", .menu = "File", .title = "Reload", .run = reloadDocument, .enabled = [](const Shell &c) {
+             return !c.document.path().empty();
+         }});
     actions.add({.id = "file.import",
                  .menu = "File",
                  .title = "Import drawing\xe2\x80\xa6",

@@ -201,6 +201,9 @@ void exportMesh(Shell &context, std::string_view proposed) {
     request.folder = document.parent_path();
     request.name = (document.empty() ? context.document.title() : document.stem().string()) +
                    request.filters[request.filter].extensions.front();
+    request.writes = [](const std::filesystem::path &file, const FileFilter &filter) {
+        return filesOfMesh(file, filter.id);
+    };
     const auto keepsInnerEdges = std::make_shared<bool>(true);
     request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         c.settings.exportFormat = filter.id;

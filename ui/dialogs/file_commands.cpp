@@ -5,6 +5,8 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
+#include "core/files/source/source.hpp"
+#include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/picture_spacing.hpp"
@@ -33,10 +35,14 @@ std::vector<FileFilter> drawings() {
 }
 
 Status save(Shell &context, const std::filesystem::path &file) {
-    if (Status status = writeProject(file, *context.document.current()); !status.empty()) {
+    if (Status fault = notRegular(file); !fault.empty()) {
+        return fault; // writing to a pipe could wait for ever
+    }
+    const std::string text = projectFileText(file, *context.document.current());
+    if (Status status = writeFileAtomically(file, text); !status.empty()) {
         return status;
     }
-    context.document.markSaved(file);
+    context.document.markSaved(file, stampOfContent(text));
     rememberFile(context, file);
     context.log.announce("Saved " + file.string());
     return {};
@@ -49,14 +55,14 @@ bool isProject(const FileFormat *format) {
 /// Opens a project after asking about unsaved changes. Returns the faults of a file that cannot be read.
 Diagnostics openProject(Shell &context, const std::filesystem::path &file) {
     const auto notes = std::make_shared<ImportNotes>();
-    const auto read = std::make_shared<Result<Document>>(readDocument(file, {}, notes.get()));
+    const auto read = std::make_shared<Result<StampedDocument>>(readStamped(file, notes.get()));
     if (!*read) {
         return read->faults();
     }
     context.dialogs.dismissPreviews(context); // whether there are unsaved changes depends on it
     afterUnsaved(context, [file, read, notes, asked = context.document.dirty()](Shell &c) {
         if (asked && !c.document.dirty()) {
-            *read = readDocument(file); // read again: it may just have been saved
+            *read = readStamped(file, nullptr); // read again: it may just have been saved
         }
         if (!*read) {
             c.log.add(read->faults());
@@ -79,7 +85,7 @@ void openForeign(Shell &context, const std::filesystem::path &file, const std::s
             if (!read) {
                 return read.faults();
             }
-            const auto opened = std::make_shared<const Document>(*std::move(read));
+            const auto opened = std::make_shared<const StampedDocument>(StampedDocument{*std::move(read), {}});
             return BackgroundTask::Finish([&context, file, opened, notes, loads] {
                 if (!replacedWhileReading(context, file, loads)) {
                     afterUnsaved(context, [file, opened, notes](Shell &c) { showOpened(c, *opened, *notes, file); });
@@ -119,15 +125,9 @@ std::shared_ptr<const FileOutcome> importSpacingOf(Shell &context, const std::fi
     return outcome;
 }
 
-/// Returns the format of a file, without reading it if it is a pipe, which could wait for ever.
-const FileFormat *formatWithoutWaiting(const std::filesystem::path &file) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(file, ignored) ? allFormats().detect(file) : allFormats().detect(file, {});
-}
-
 /// Returns true for files that may be large: all but projects, and those whose format is unknown.
 bool opensInBackground(const std::filesystem::path &file) {
-    const FileFormat *const format = formatWithoutWaiting(file);
+    const FileFormat *const format = allFormats().detect(file);
     return format != nullptr && !isProject(format);
 }
 
@@ -183,7 +183,15 @@ std::filesystem::path startFolder(const Shell &context) {
     return folderFor(context, [](const std::filesystem::path &) { return true; });
 }
 
-void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
+Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNotes *notes) {
+    const FileStamp stamp = stampOf(file); // before reading: later changes are then found
+    ImportOptions options;
+    options.regularFile = true;
+    Result<Document> read = readDocument(file, options, notes);
+    return read ? Result<StampedDocument>(StampedDocument{*std::move(read), stamp}) : read.faults();
+}
+
+void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file) {
     const FileFormat *const format = allFormats().detect(file);
     const bool project = isProject(format);
     const std::vector<Sample> gallery = samples();
@@ -191,8 +199,8 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
     // Saving must not overwrite a sample or an imported drawing.
     const bool own = project && sample == gallery.end();
     rememberView(context);
-    context.document.load(document, own ? file : std::filesystem::path(), false,
-                          sample != gallery.end() ? sample->title : file.stem().string());
+    context.document.load(read.document, own ? file : std::filesystem::path(), false,
+                          sample != gallery.end() ? sample->title : file.stem().string(), read.stamp);
     context.run.clear();
     restoreColours(context);
     context.examiner.abandon();
@@ -201,15 +209,16 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
     showLastView(context);
     context.animate();
     if (!project && format != nullptr) {
-        const std::size_t count = document.shapes.size();
+        const std::size_t count = read.document.shapes.size();
         context.log.announce(file.filename().string() + " (" + format->name + ") opened as a new drawing with " +
                              ui::count(count) + (count == 1 ? " shape" : " shapes") +
                              "; save it as a project to keep your changes");
     }
 }
 
-void showOpened(Shell &context, const Document &document, const ImportNotes &notes, const std::filesystem::path &file) {
-    showDocument(context, document, file);
+void showOpened(Shell &context, const StampedDocument &read, const ImportNotes &notes,
+                const std::filesystem::path &file) {
+    showDocument(context, read, file);
     context.log.add(notes.diagnostics());
     rememberFile(context, file);
 }
@@ -298,7 +307,16 @@ void openDocument(Shell &context, const std::filesystem::path &file) {
 void saveDocument(Shell &context, std::function<void(Shell &)> then) {
     if (context.document.path().empty()) {
         saveDocumentAs(context, std::move(then));
-    } else if (const Status faults = save(context, context.document.path()); !faults.empty()) {
+    } else if (const FileStamp now = stampOf(context.document.path(), context.document.stamp());
+               changedOnDisk(context, now)) {
+        askAboutChange(context, now, std::move(then));
+    } else {
+        overwriteDocument(context, then);
+    }
+}
+
+void overwriteDocument(Shell &context, const std::function<void(Shell &)> &then) {
+    if (const Status faults = save(context, context.document.path()); !faults.empty()) {
         context.log.add(faults);
     } else if (then) {
         then(context);
@@ -357,7 +375,7 @@ void importSpacing(Shell &context) {
         {"All files", {}, "any"}};
     request.folder = startFolder(context);
     request.reads = [](Shell &c, const std::filesystem::path &file) {
-        const FileFormat *const format = formatWithoutWaiting(file);
+        const FileFormat *const format = allFormats().detect(file);
         const bool picture = format != nullptr && std::string_view(format->id) == "png";
         return picture ? importPictureSpacing(c, file) : importSpacingOf(c, file);
     };

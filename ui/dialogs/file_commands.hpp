@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/files/source/file_stamp.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -12,6 +14,14 @@ class ActionRegistry;
 class ImportNotes;
 struct Shell;
 
+/// A document with the stamp of its file from before it was read; unknown if it is not saved back to that file.
+struct StampedDocument {
+    Document document;
+    FileStamp stamp;
+};
+/// Reads a document from a regular file.
+Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNotes *notes);
+
 // The commands of the File menu. They report faults in the log.
 
 /// Runs `then` after asking whether to save unsaved changes.
@@ -22,9 +32,12 @@ void openDocument(Shell &context);
 /// Opens a file after asking about unsaved changes. Other files than projects may be large: they are read first, as the
 /// background task of the shell, which Esc cancels.
 void openDocument(Shell &context, const std::filesystem::path &file);
-/// Saves the document to its file, or asks for one. Runs `then` once it is saved.
+/// Saves the document to its file, or asks for one. If another program has changed the file, asks what to do. Runs
+/// `then` once it is saved.
 void saveDocument(Shell &context, std::function<void(Shell &)> then = {});
 void saveDocumentAs(Shell &context, std::function<void(Shell &)> then = {});
+/// Saves the document to its file, whatever that holds by now. Runs `then`, if not empty, once it is saved.
+void overwriteDocument(Shell &context, const std::function<void(Shell &)> &then);
 /// Adds the drawing of a file to the current one.
 void importDrawing(Shell &context);
 /// Imports the spacing of a project, of a mesh with nodal values, of a grid of sizes or of a picture.
@@ -44,9 +57,10 @@ void exportFilm(Shell &context);
 /// Returns the folder that a file dialog starts in: that of the document or of the last file.
 std::filesystem::path startFolder(const Shell &context);
 /// Makes a document read from `file` the open one, without asking. Only projects are saved back to their file.
-void showDocument(Shell &context, const Document &document, const std::filesystem::path &file);
+void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file);
 /// Does the same for a document that a user opened: logs the notes of its reader, and remembers the file.
-void showOpened(Shell &context, const Document &document, const ImportNotes &notes, const std::filesystem::path &file);
+void showOpened(Shell &context, const StampedDocument &read, const ImportNotes &notes,
+                const std::filesystem::path &file);
 /// Registers the actions of files and editing.
 void addEditActions(ActionRegistry &actions);
 /// Remembers which part of the plane is in view, for when the open file is opened again.

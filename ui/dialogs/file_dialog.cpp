@@ -1,6 +1,7 @@
 #include "ui/dialogs/file_dialog.hpp"
 
 #include "core/files/files.hpp"
+#include "core/files/source/source.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -204,6 +205,23 @@ void FileDialog::followExtension(const std::string &name) {
     }
 }
 
+std::string FileDialog::replacedBy(const std::filesystem::path &file) const {
+    const std::vector<std::filesystem::path> written =
+        request_.writes ? request_.writes(file, filter()) : std::vector<std::filesystem::path>{file};
+    std::vector<std::string> names;
+    for (const std::filesystem::path &each : written) {
+        std::error_code ignored;
+        if (std::filesystem::exists(each, ignored)) {
+            names.push_back(each.filename().string());
+        }
+    }
+    std::string list;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        list += (k == 0 ? "" : k + 1 < names.size() ? ", " : " and ") + names[k];
+    }
+    return names.empty() ? list : list + (names.size() == 1 ? " already exists" : " already exist");
+}
+
 bool FileDialog::choose(Shell &context) {
     if (request_.name.empty()) {
         return false;
@@ -223,9 +241,15 @@ bool FileDialog::choose(Shell &context) {
             file.replace_filename(withExtension(file.filename().string(), filter(), request_.filters));
             faults = checkPlace(file);
         }
-        if (faults.empty() && std::filesystem::exists(file, ignored) && replace_ != file) {
-            replace_ = file;
-            return false;
+        if (faults.empty()) {
+            faults = notRegular(file); // writing to a pipe could wait for ever
+        }
+        if (faults.empty() && replace_ != file) {
+            replaced_ = replacedBy(file);
+            if (!replaced_.empty()) {
+                replace_ = file;
+                return false;
+            }
         }
     } else if (!std::filesystem::exists(file, ignored)) {
         fault_ = file.filename().string() + " not found";
@@ -285,7 +309,10 @@ void FileDialog::drawReading(Shell &context) {
 }
 
 std::string FileDialog::warning() const {
-    return !fault_.empty() ? fault_ : replace_ ? replace_->filename().string() + " already exists" : std::string();
+    if (!fault_.empty() || !replace_) {
+        return fault_;
+    }
+    return replaced_;
 }
 
 /// Width of each of the two buttons and the gap between them, in design pixels; the warning is to their left.

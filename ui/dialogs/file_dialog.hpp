@@ -38,6 +38,8 @@ struct FileRequest {
     std::vector<FilePreset> presets; ///< a row of buttons above the name; may be empty
     std::filesystem::path folder;    ///< initial folder; empty: the working folder
     std::string name;                ///< suggested name
+    /// Returns the files that a choice writes, for those that need more than the chosen one; may be empty.
+    std::function<std::vector<std::filesystem::path>(const std::filesystem::path &, const FileFilter &)> writes = {};
     /// Called with the chosen file. The dialog closes if it returns no faults; otherwise it stays open and shows the
     /// first.
     std::function<Diagnostics(Shell &, const std::filesystem::path &, const FileFilter &)> chosen;
@@ -91,6 +93,8 @@ class FileDialog : public Dialog {
     /// Sets the chosen name and clears the faults of the previous one.
     void suggest(std::string name);
     bool choose(Shell &context);
+    /// Returns which files saving to `file` replaces, such as "bay.node and bay.ele already exist"; empty: none.
+    std::string replacedBy(const std::filesystem::path &file) const;
     /// Logs the faults of the chosen file and shows the first. Returns true if there are none.
     bool show(Shell &context, const Diagnostics &faults);
     /// Switches to the filter that the extension of a typed name belongs to.
@@ -102,7 +106,8 @@ class FileDialog : public Dialog {
     std::vector<FileEntry> entries_;
     std::string fault_;
     std::shared_ptr<const FileOutcome> reading_;   ///< of the file being read; null: none
-    std::optional<std::filesystem::path> replace_; ///< asked whether to replace this file
+    std::optional<std::filesystem::path> replace_; ///< asked whether to replace this file, or what comes with it
+    std::string replaced_;                         ///< says which files are replaced then
     bool focusName_ = true;
     bool entered_ = false; ///< Enter was pressed in this frame, outside all fields
     bool newFolder_ = false;

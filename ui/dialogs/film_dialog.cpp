@@ -140,8 +140,8 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
         Progress progress;
         progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
         progress.stop = std::move(stop);
-        const Result<int> written = writeFilm(job, plan, progress);
-        *frames = written ? *written : 0;
+        const Result<WrittenFilm> written = writeFilm(job, plan, progress);
+        *frames = written ? written->frames : 0;
         return written ? Diagnostics() : written.faults();
     };
     const auto done = [plan, frames](Shell &c) {

@@ -127,6 +127,9 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     if (!dialog->faults_.empty()) {
         return std::move(dialog->faults_);
     }
+    if (has(dialog->notes_, kDegreesWarning)) {
+        dialog->projectIfPossible(progress);
+    }
     const FileFormat *const format = allFormats().detect(file);
     dialog->arranges_ = format != nullptr && format->arranges;
     dialog->hasFeatures_ = dialog->arranges_ && std::string_view(format->id) != "svg";
@@ -146,6 +149,16 @@ void ImportDialog::read(const Progress &progress) {
         drawing_ = std::move(reading->drawing);
         notes_ = std::move(reading->notes);
         contents_ = reading->contents;
+    }
+}
+
+/// Projects a map that degrees distort, unless it is too large: its mesh would have other angles on the ground.
+void ImportDialog::projectIfPossible(const Progress &progress) {
+    options_.degrees = DegreeRule::Local;
+    read(progress);
+    if (!faults_.empty()) {
+        options_.degrees = DegreeRule::Keep;
+        read(progress);
     }
 }
 
@@ -220,6 +233,17 @@ void ImportDialog::drawMap(Shell &context) {
         if (ui::combo(context, "dialog/importoptions/layer", contents_.layers, choice, kChoices)) {
             readLayer(contents_.layers[static_cast<std::size_t>(choice)]);
         }
+    }
+    if (contents_.degrees) {
+        ui::rowLabel(context, "Coordinates", kLabels);
+        static constexpr std::array<const char *, 2> kDegrees{"project to metres", "keep degrees"};
+        int choice = options_.degrees == DegreeRule::Local ? 0 : 1;
+        if (ui::segmented(context, "dialog/importoptions/degrees", kDegrees, choice, kChoices)) {
+            options_.degrees = choice == 0 ? DegreeRule::Local : DegreeRule::Keep;
+            read();
+        }
+        ui::rowTooltip(context, "The map has longitudes and latitudes. Projected, distances from its middle are true; "
+                                "in degrees, it is stretched from west to east.");
     }
     if (!contents_.properties.empty()) {
         std::vector<std::string> labels{"automatic"};

@@ -25,7 +25,8 @@ void Recovery::follow(Shell &context) {
     const bool dirty = context.document.dirty();
     if (revision != revision_ || dirty != dirty_) {
         if (dirty) {
-            journal_.record(context.document.current(), context.document.path(), context.document.title());
+            journal_.record(context.document.current(),
+                            {context.document.path(), context.document.title(), context.document.stamp().hash});
         } else {
             journal_.recordSaved();
         }
@@ -41,7 +42,12 @@ bool Recovery::recover(OrphanedJournal &orphan, Shell &context) {
         context.log.add(document.faults());
         return false;
     }
-    context.document.load(std::move(document).value(), orphan.savedAt(), true, orphan.title());
+    FileStamp stamp; // by which changes since the crash are found
+    if (orphan.savedHash() != 0) {
+        stamp.kind = FileStamp::Kind::File;
+        stamp.hash = orphan.savedHash();
+    }
+    context.document.load(std::move(document).value(), orphan.savedAt(), true, orphan.title(), stamp);
     context.selection.clear();
     context.run.clear();
     restoreColours(context);

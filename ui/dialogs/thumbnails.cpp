@@ -47,7 +47,9 @@ void addFineness(const Mesh &mesh, const SpacingField &spacing, Thumbnail &thumb
 
 std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &project, const std::stop_token &stop) {
     auto thumbnail = std::make_shared<Thumbnail>();
-    const Result<Document> document = readDocument(project);
+    ImportOptions options;
+    options.regularFile = true;
+    const Result<Document> document = readDocument(project, options);
     if (!document) {
         return thumbnail;
     }

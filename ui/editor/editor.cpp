@@ -2,6 +2,7 @@
 
 #include "core/drawing_files/documents.hpp"
 #include "core/files/files.hpp"
+#include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/recovery.hpp"
@@ -210,18 +211,19 @@ bool Editor::needsFrame() const {
         (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
            c.run.canFollow() || previewed || c.sides.hasNews() || c.adaptation.hasNews() || c.task.hasNews() ||
-           c.pictures.hasNews() || c.judge.latest() != c.judgement || (parts_->drewBusy && !c.run.busy()) ||
-           !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
+           c.pictures.hasNews() || c.fileWatch.hasNews() || c.judge.latest() != c.judgement ||
+           (parts_->drewBusy && !c.run.busy()) || !(c.platform.framebufferSize() == parts_->size) ||
+           (parts_->reportedBusy && settled());
 }
 
 bool Editor::open(const std::filesystem::path &file) {
     ImportNotes notes;
-    const Result<Document> document = readDocument(file, {}, &notes);
-    if (!document) {
-        parts_->context.log.add(document.faults());
+    const Result<StampedDocument> read = readStamped(file, &notes);
+    if (!read) {
+        parts_->context.log.add(read.faults());
         return false;
     }
-    showOpened(parts_->context, *document, notes, file);
+    showOpened(parts_->context, *read, notes, file);
     return true;
 }
 
@@ -273,6 +275,7 @@ void Editor::Parts::takeResults(bool cancels) {
         context.animate();
     }
     followPicture(context);
+    followFile(context);
     // A gesture or a dialog may belong to the document that the result replaces.
     if (context.task.ready() && !ImGui::IsAnyMouseDown() && !context.dialogs.any()) {
         context.task.finish();
@@ -339,6 +342,10 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
     for (const InputEvent &event : events) {
         if (event.kind == InputKind::Close) {
             context.closeRequested = true;
+        } else if (event.kind == InputKind::Focus && event.pressed) {
+            context.fileWatch.lookNow();
+            context.pictures.lookNow();
+            canvasInput.dispatch(event, context);
         } else if (event.kind == InputKind::Drop) {
             for (const std::string &path : event.paths) {
                 openDropped(context, path);

@@ -1,11 +1,12 @@
 #include "ui/editor/state_file.hpp"
 
 #include "core/engine/base/hash.hpp"
+#include "core/files/json/json_writer.hpp"
+#include "core/files/source/source.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/parts/shell.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -38,42 +39,37 @@ const char *stateName(RunState state) {
 } // namespace
 
 void writeStateFile(const std::filesystem::path &file, Editor &editor) {
-    using Json = nlohmann::json;
     Shell &c = editor.context();
     const SessionSnapshot &run = c.run.now();
-    Json widgets = Json::object();
-    for (const auto &[name, widget] : c.widgets.all()) {
-        widgets[name] = {std::lround(widget.rect.x), std::lround(widget.rect.y), std::lround(widget.rect.width),
-                         std::lround(widget.rect.height), widget.enabled ? 1 : 0};
-    }
     const Camera &camera = c.view.camera;
-    const Json json{
-        {"frame", editor.frames()},
-        {"settled", editor.settled()},
-        {"tool", c.tools.current().id()},
-        {"dialog", c.dialogs.top() != nullptr ? c.dialogs.top()->id() : ""},
-        {"revision", c.document.revision()},
-        {"shapes", c.document.current()->shapes.size()},
-        {"paintedTiles", c.document.current()->spacing.paint.tiles.size()},
-        {"dirty", c.document.dirty()},
-        {"outOfDate", c.run.outOfDate()},
-        {"camera", {camera.centre.x, camera.centre.y, camera.zoom}},
-        {"run",
-         {{"number", run.run},
-          {"state", stateName(run.state)},
-          {"advance", run.advance},
-          {"known", run.known},
-          {"complete", run.complete},
-          {"elements", run.quality.elements},
-          {"stateHash", toHex(run.stateHash)},
-          {"meshHash", toHex(run.meshHash)}}},
-        {"messages", c.log.entries().size()},
-        {"lastMessage", c.log.entries().empty() ? "" : c.log.entries().back().diagnostic.message},
-        {"widgets", widgets},
-    };
+    JsonWriter json(JsonWriter::Layout::OneLine);
+    json.beginObject();
+    json.member("frame", editor.frames()).member("settled", editor.settled());
+    json.member("tool", c.tools.current().id())
+        .member("dialog", c.dialogs.top() != nullptr ? c.dialogs.top()->id() : "");
+    json.member("revision", c.document.revision()).member("shapes", c.document.current()->shapes.size());
+    json.member("paintedTiles", c.document.current()->spacing.paint.tiles.size());
+    json.member("dirty", c.document.dirty()).member("outOfDate", c.run.outOfDate());
+    json.key("camera").values(std::array{camera.centre.x, camera.centre.y, camera.zoom});
+    json.key("run").beginObject().member("number", run.run).member("state", stateName(run.state));
+    json.member("advance", run.advance).member("known", run.known).member("complete", run.complete);
+    json.member("elements", run.quality.elements);
+    json.member("stateHash", toHex(run.stateHash)).member("meshHash", toHex(run.meshHash)).endObject();
+    json.member("messages", c.log.entries().size());
+    json.member("lastMessage", c.log.entries().empty() ? "" : c.log.entries().back().diagnostic.message);
+    json.key("widgets").beginObject();
+    for (const auto &[name, widget] : c.widgets.all()) {
+        json.key(name).values(std::array{std::lround(widget.rect.x), std::lround(widget.rect.y),
+                                         std::lround(widget.rect.width), std::lround(widget.rect.height),
+                                         widget.enabled ? 1L : 0L});
+    }
+    json.endObject().endObject();
     // Not writeFileAtomically: it flushes to disk, which is too slow for every frame.
     const std::filesystem::path temporary = file.string() + ".next";
-    std::ofstream(temporary) << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    if (!notRegular(temporary).empty()) {
+        return; // writing to a pipe could wait for ever
+    }
+    std::ofstream(temporary) << json.text();
     std::error_code ignored;
     std::filesystem::rename(temporary, file, ignored);
 }

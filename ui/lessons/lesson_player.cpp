@@ -142,7 +142,7 @@ void showPage(Shell &context) {
 } // namespace
 
 Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file) {
-    const Result<std::string> bytes = readFileBytes(file, kMaxBytes);
+    const Result<std::string> bytes = readRegularFile(file, kMaxBytes);
     if (!bytes) {
         return bytes.faults();
     }
@@ -156,7 +156,11 @@ Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &fil
         }
     }
     names.widgets = highlightNames(context);
-    names.document = [folder = file.parent_path()](const std::string &name) { return readDocument(folder / name); };
+    names.document = [folder = file.parent_path()](const std::string &name) {
+        ImportOptions options;
+        options.regularFile = true;
+        return readDocument(folder / name, options);
+    };
     SourceText source;
     source.text = *bytes;
     source.name = file.string();

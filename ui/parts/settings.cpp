@@ -1,74 +1,75 @@
 #include "ui/parts/settings.hpp"
 
-#include "core/files/files.hpp"
-
-#include <nlohmann/json.hpp>
+#include "core/files/json/json.hpp"
+#include "core/files/json/json_writer.hpp"
+#include "core/files/source/source.hpp"
+#include "core/files/text/atomic_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace forefront {
 
 namespace {
 
-using Json = nlohmann::json;
-
-double numberIn(const Json &json, const char *name, double fallback, double minimum, double maximum) {
+double numberIn(const JsonValue &json, const char *name, double fallback, double minimum, double maximum) {
     const auto found = json.find(name);
-    return found != json.end() && found->is_number() ? std::clamp(found->get<double>(), minimum, maximum) : fallback;
+    const auto number = found ? found->number() : std::nullopt;
+    return number ? std::clamp(*number, minimum, maximum) : fallback;
+}
+
+bool boolIn(const JsonValue &json, const char *name, bool fallback) {
+    const auto found = json.find(name);
+    const bool flag = found && (found->is(JsonKind::True) || found->is(JsonKind::False));
+    return flag ? found->is(JsonKind::True) : fallback;
 }
 
 /// Returns the saved position of the window; empty if it is missing or invalid.
-std::optional<WindowPlace> placeIn(const Json &json) {
+std::optional<WindowPlace> placeIn(const JsonValue &json) {
     const auto found = json.find("window");
-    if (found == json.end() || !found->is_object()) {
+    if (!found) {
         return std::nullopt;
     }
     const auto whole = [&](const char *name, double minimum) {
         return static_cast<int>(numberIn(*found, name, 0.0, minimum, 100000.0));
     };
-    const auto maximised = found->find("maximised");
     const WindowPlace place{.x = whole("x", -100000.0),
                             .y = whole("y", -100000.0),
                             .width = whole("width", 0.0),
                             .height = whole("height", 0.0),
-                            .maximised = maximised != found->end() && *maximised == true};
+                            .maximised = boolIn(*found, "maximised", false)};
     return place.width > 0 && place.height > 0 ? std::optional(place) : std::nullopt;
 }
 
-bool boolIn(const Json &json, const char *name, bool fallback) {
+std::string textIn(const JsonValue &json, const char *name) {
     const auto found = json.find(name);
-    return found != json.end() && found->is_boolean() ? found->get<bool>() : fallback;
-}
-
-std::string textIn(const Json &json, const char *name) {
-    const auto found = json.find(name);
-    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+    return found ? found->string() : std::string();
 }
 
 /// Returns a number if it is given and above 0, or 0 where that is allowed.
-std::optional<double> sizeIn(const Json &json, const char *name, bool zero = false) {
+std::optional<double> sizeIn(const JsonValue &json, const char *name, bool zero = false) {
     const auto found = json.find(name);
-    const bool number = found != json.end() && found->is_number();
-    const double value = number ? found->get<double>() : -1.0;
+    const double value = found ? found->number().value_or(-1.0) : -1.0;
     return std::isfinite(value) && (value > 0.0 || (zero && value == 0.0)) ? std::optional(value) : std::nullopt;
 }
 
 template <class Enum>
-Enum choiceIn(const Json &json, const char *name, Enum fallback) {
+Enum choiceIn(const JsonValue &json, const char *name, Enum fallback) {
     return fromWord<Enum>(textIn(json, name)).value_or(fallback);
 }
 
 /// Returns the texts of an array, at most `limit` of them.
-std::vector<std::string> textsIn(const Json &json, const char *name, std::size_t limit) {
+std::vector<std::string> textsIn(const JsonValue &json, const char *name, std::size_t limit) {
     std::vector<std::string> texts;
     const auto array = json.find(name);
-    if (array != json.end() && array->is_array()) {
-        for (const Json &entry : *array) {
-            if (entry.is_string() && texts.size() < limit) {
-                texts.push_back(entry.get<std::string>());
+    if (array && array->is(JsonKind::Array)) {
+        for (const JsonValue entry : *array) {
+            if (entry.is(JsonKind::String) && texts.size() < limit) {
+                texts.push_back(entry.string());
             }
         }
     }
@@ -77,72 +78,106 @@ std::vector<std::string> textsIn(const Json &json, const char *name, std::size_t
 
 /// Calls take(key, value) for each member of an object.
 template <class Take>
-void forMembers(const Json &json, const char *name, Take take) {
+void forMembers(const JsonValue &json, const char *name, Take take) {
     const auto object = json.find(name);
-    if (object != json.end() && object->is_object()) {
-        for (const auto &[key, value] : object->items()) {
-            take(key, value);
+    if (object && object->is(JsonKind::Object)) {
+        for (auto member = object->begin(); !(member == object->end()); ++member) {
+            take(member.key(), *member);
         }
     }
 }
 
-/// Reads the members that are objects. Entries of another type are left out.
-void readMaps(const Json &json, Settings &settings) {
-    forMembers(json, "keys", [&](const std::string &action, const Json &keys) {
-        if (keys.is_string()) {
-            settings.keys[action] = keys.get<std::string>();
-        }
-    });
-    forMembers(json, "layers", [&](const std::string &layer, const Json &visible) {
-        if (visible.is_boolean()) {
-            settings.layers[layer] = visible.get<bool>();
-        }
-    });
-    forMembers(json, "folded", [&](const std::string &panel, const Json &folded) {
-        if (folded.is_boolean()) {
-            settings.folded[panel] = folded.get<bool>();
-        }
-    });
-    forMembers(json, "lessons", [&](const std::string &lesson, const Json &progress) {
-        if (!progress.is_object()) {
-            return;
-        }
-        LessonProgress &to = settings.lessons[lesson];
-        to.page = static_cast<std::size_t>(numberIn(progress, "page", 0.0, 0.0, 1000.0));
-        const auto answered = progress.find("answered");
-        if (answered != progress.end() && answered->is_array()) {
-            for (const Json &page : *answered) {
-                if (page.is_number_unsigned() && page.get<std::uint64_t>() < 1000) {
-                    to.answered.insert(page.get<std::size_t>());
-                }
+/// Reads how far a lesson has been done.
+LessonProgress lessonIn(const JsonValue &json) {
+    constexpr std::int64_t kMaxPages = 1000;
+    LessonProgress progress;
+    progress.page = static_cast<std::size_t>(numberIn(json, "page", 0.0, 0.0, static_cast<double>(kMaxPages)));
+    const auto answered = json.find("answered");
+    if (answered && answered->is(JsonKind::Array)) {
+        for (const JsonValue page : *answered) {
+            if (const auto number = page.integer(); number && *number >= 0 && *number < kMaxPages) {
+                progress.answered.insert(static_cast<std::size_t>(*number));
             }
         }
+    }
+    return progress;
+}
+
+/// Reads the members that are objects. Entries of another type are left out.
+void readMaps(const JsonValue &json, Settings &settings) {
+    const auto flags = [&json](const char *name, auto &to) {
+        forMembers(json, name, [&](const std::string &key, const JsonValue &value) {
+            if (value.is(JsonKind::True) || value.is(JsonKind::False)) {
+                to[key] = value.is(JsonKind::True);
+            }
+        });
+    };
+    flags("layers", settings.layers);
+    flags("folded", settings.folded);
+    forMembers(json, "keys", [&](const std::string &action, const JsonValue &keys) {
+        if (keys.is(JsonKind::String)) {
+            settings.keys[action] = keys.string();
+        }
     });
-    forMembers(json, "views", [&](const std::string &file, const Json &view) {
-        const bool numbers = view.is_array() && view.size() == 3 &&
-                             std::all_of(view.begin(), view.end(), [](const Json &n) { return n.is_number(); });
-        if (numbers && view[2].get<double>() > 0.0) {
-            settings.views[file] = {{view[0].get<double>(), view[1].get<double>()}, view[2].get<double>()};
+    forMembers(json, "lessons", [&](const std::string &lesson, const JsonValue &progress) {
+        if (progress.is(JsonKind::Object)) {
+            settings.lessons[lesson] = lessonIn(progress);
+        }
+    });
+    forMembers(json, "views", [&](const std::string &file, const JsonValue &view) {
+        std::vector<double> numbers;
+        for (const JsonValue number : view) {
+            numbers.push_back(number.number().value_or(std::numeric_limits<double>::quiet_NaN()));
+        }
+        const bool valid = view.is(JsonKind::Array) && numbers.size() == 3 && isFinite({numbers[0], numbers[1]});
+        if (valid && numbers[2] > 0.0) {
+            settings.views[file] = {{numbers[0], numbers[1]}, numbers[2]};
         }
     });
 }
 
 } // namespace
 
+namespace {
+
+constexpr std::size_t kMaxSettings = std::size_t{64} << 20; ///< bytes
+
+/// Keeps a copy of settings that cannot be read, since the next change of a setting replaces the file. Returns the
+/// warning.
+Diagnostics badSettings(const std::filesystem::path &file, const std::string &why) {
+    std::filesystem::path copy = file;
+    copy += ".old";
+    std::error_code failed;
+    const bool kept = std::filesystem::is_regular_file(file, failed) &&
+                      std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing, failed);
+    Diagnostics warning = error("bad-settings", "cannot use the settings: " + why + "; using the default settings",
+                                kept ? "repair the copy in " + copy.string() : "");
+    warning.front().severity = Severity::Warning;
+    warning.front().file = file.string();
+    return warning;
+}
+
+} // namespace
+
 Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     Settings settings;
-    std::ifstream stream(file);
-    const bool there = stream.good();
-    const Json json = there ? Json::parse(stream, nullptr, false) : Json();
-    if (!json.is_object()) {
-        if (there && faults != nullptr) {
-            *faults = error("bad-settings", file.string() + " is not valid JSON; using the default settings");
-            faults->front().severity = Severity::Warning;
+    std::error_code none;
+    if (!std::filesystem::exists(file, none)) {
+        return settings;
+    }
+    const Result<std::string> text = readRegularFile(file, kMaxSettings);
+    SourceText source;
+    source.name = file.string();
+    source.text = text ? std::string_view(*text) : std::string_view();
+    const Result<JsonDocument> parsed = text ? JsonDocument::parse(source) : text.faults();
+    if (!parsed || !parsed->root().is(JsonKind::Object)) {
+        if (faults != nullptr) {
+            *faults = badSettings(file, parsed ? "expected a JSON object" : parsed.faults().front().message);
         }
         return settings;
     }
-    const auto theme = json.find("theme");
-    settings.theme = theme != json.end() && *theme == "light" ? ThemeKind::Light : ThemeKind::Dark;
+    const JsonValue json = parsed->root();
+    settings.theme = textIn(json, "theme") == "light" ? ThemeKind::Light : ThemeKind::Dark;
     settings.scale = numberIn(json, "scale", settings.scale, 0.75, 3.0);
     settings.panelWidth = numberIn(json, "panelWidth", settings.panelWidth, 240.0, 640.0);
     settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, kMinTabs, kMaxTabs);
@@ -174,56 +209,60 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
 }
 
 void saveSettings(const std::filesystem::path &file, const Settings &settings) {
-    Json json{{"theme", settings.theme == ThemeKind::Light ? "light" : "dark"},
-              {"scale", settings.scale},
-              {"panelWidth", settings.panelWidth},
-              {"tabsHeight", settings.tabsHeight},
-              {"hints", settings.hints},
-              {"rulers", settings.rulers},
-              {"live", settings.live},
-              {"liveBudget", settings.liveBudget},
-              {"panels", settings.panels},
-              {"tab", settings.tab},
-              {"hiddenTabs", settings.hiddenTabs},
-              {"tabOrder", settings.tabOrder},
-              {"exportFormat", settings.exportFormat},
-              {"newMethod", wordOf(settings.newMethod)},
-              {"newImprove", wordOf(settings.newImprove)},
-              {"snapToDrawing", settings.snapping.toDrawing},
-              {"snapToGrid", settings.snapping.toGrid},
-              {"snapReach", settings.snapping.reach},
-              {"gridStep", settings.snapping.gridStep},
-              {"angleStep", settings.snapping.angleStep},
-              {"keys", settings.keys},
-              {"layers", settings.layers},
-              {"folded", settings.folded},
-              {"views", Json::object()},
-              {"recentFiles", settings.recentFiles}};
+    JsonWriter json(JsonWriter::Layout::Indented);
+    const auto map = [&json](const char *name, const auto &entries) {
+        json.key(name).beginObject();
+        for (const auto &[key, value] : entries) {
+            json.member(key, value);
+        }
+        json.endObject();
+    };
+    json.beginObject();
+    json.member("theme", settings.theme == ThemeKind::Light ? "light" : "dark").member("scale", settings.scale);
+    json.member("panelWidth", settings.panelWidth).member("tabsHeight", settings.tabsHeight);
+    json.member("hints", settings.hints).member("rulers", settings.rulers);
+    json.member("live", settings.live).member("liveBudget", settings.liveBudget);
+    json.member("panels", settings.panels).member("tab", settings.tab);
+    json.key("hiddenTabs").values(settings.hiddenTabs).key("tabOrder").values(settings.tabOrder);
+    json.member("exportFormat", settings.exportFormat);
+    json.member("newMethod", wordOf(settings.newMethod)).member("newImprove", wordOf(settings.newImprove));
+    json.member("snapToDrawing", settings.snapping.toDrawing).member("snapToGrid", settings.snapping.toGrid);
+    json.member("snapReach", settings.snapping.reach).member("gridStep", settings.snapping.gridStep);
+    json.member("angleStep", settings.snapping.angleStep);
     for (const auto &[name, number] :
          {std::pair("newSize", settings.newSize), std::pair("newGradation", settings.newGradation),
           std::pair("newPerTurn", settings.newPerTurn), std::pair("newAcross", settings.newAcross)}) {
         if (number) {
-            json[name] = *number;
+            json.member(name, *number);
         }
     }
+    map("keys", settings.keys);
+    map("layers", settings.layers);
+    map("folded", settings.folded);
+    json.key("views").beginObject();
     for (const auto &[name, view] : settings.views) {
-        json["views"][name] = {view.centre.x, view.centre.y, view.zoom};
+        json.key(name).values(std::array{view.centre.x, view.centre.y, view.zoom});
     }
+    json.endObject().key("lessons").beginObject();
     for (const auto &[name, progress] : settings.lessons) {
-        json["lessons"][name] = {{"page", progress.page}, {"answered", progress.answered}};
+        json.key(name).beginObject().member("page", progress.page);
+        json.key("answered").values(progress.answered).endObject();
     }
+    json.endObject().key("recentFiles").values(settings.recentFiles);
     if (settings.window) {
         const WindowPlace &place = *settings.window;
-        json["window"] = {{"x", place.x},
-                          {"y", place.y},
-                          {"width", place.width},
-                          {"height", place.height},
-                          {"maximised", place.maximised}};
+        json.key("window").beginObject().member("x", place.x).member("y", place.y);
+        json.member("width", place.width).member("height", place.height);
+        json.member("maximised", place.maximised).endObject();
+    }
+    json.endObject();
+    if (!notRegular(file).empty()) {
+        return; // writing to a pipe could wait for ever
     }
     std::error_code ignored;
     std::filesystem::create_directories(file.parent_path(), ignored);
     // A lost setting is not worth an error message; a full disk is reported when documents are saved.
-    static_cast<void>(writeFileAtomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
+    static_cast<void>(writeFileAtomically(file, json.text()));
 }
 
 } // namespace forefront

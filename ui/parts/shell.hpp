@@ -9,6 +9,7 @@
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/workspace/background/background_task.hpp"
+#include "ui/workspace/background/file_watch.hpp"
 #include "ui/workspace/run/adaptation.hpp"
 #include "ui/workspace/run/side_by_side.hpp"
 #include "ui/workspace/view/lesson_room.hpp"
@@ -59,6 +60,8 @@ struct Shell : Workspace {
     bool closeRequested = false; ///< the user closed the window; "file.quit" decides
     Adaptation adaptation{[this] { platform.wake(); }};
     BackgroundTask task{[this] { platform.wake(); }}; ///< reading a file
+    FileWatch fileWatch{[this] { platform.wake(); }}; ///< on the file of the document
+    std::uint64_t watchedUse = 0;                     ///< the DocumentStore::fileUses() that it watches
 
     using Workspace::Workspace;
 

@@ -59,6 +59,12 @@ std::string encodeRecord(JournalRecord kind, std::string_view payload) {
     return record;
 }
 
+std::string encodeHash(std::uint64_t hash) {
+    std::string payload;
+    putWord(payload, hash);
+    return payload;
+}
+
 std::string encodeDelta(std::string_view before, std::string_view after) {
     const std::size_t common = std::min(before.size(), after.size());
     const auto head = static_cast<std::size_t>(
@@ -100,6 +106,9 @@ JournalContent readJournal(std::string_view bytes) {
             break;
         case static_cast<std::uint64_t>(JournalRecord::Title):
             content.title = payload;
+            break;
+        case static_cast<std::uint64_t>(JournalRecord::SavedHash):
+            content.savedHash = word(payload, 0);
             break;
         case static_cast<std::uint64_t>(JournalRecord::FullText):
             text = payload;

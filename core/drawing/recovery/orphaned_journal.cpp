@@ -37,7 +37,8 @@ bool stillNamed(int descriptor, const std::filesystem::path &file, struct stat &
 OrphanedJournal::OrphanedJournal(std::filesystem::path file, int descriptor, JournalContent content,
                                  std::time_t written)
     : file_(std::move(file)), savedAt_(std::move(content.path)), descriptor_(descriptor),
-      title_(std::move(content.title)), text_(std::move(content.text).value_or(std::string())), written_(written) {}
+      title_(std::move(content.title)), text_(std::move(content.text).value_or(std::string())),
+      savedHash_(content.savedHash), written_(written) {}
 
 OrphanedJournal::~OrphanedJournal() {
     if (descriptor_ >= 0) {
@@ -48,7 +49,7 @@ OrphanedJournal::~OrphanedJournal() {
 OrphanedJournal::OrphanedJournal(OrphanedJournal &&other) noexcept
     : file_(std::move(other.file_)), savedAt_(std::move(other.savedAt_)),
       descriptor_(std::exchange(other.descriptor_, -1)), title_(std::move(other.title_)), text_(std::move(other.text_)),
-      written_(other.written_) {}
+      savedHash_(other.savedHash_), written_(other.written_) {}
 
 OrphanedJournal &OrphanedJournal::operator=(OrphanedJournal &&other) noexcept {
     std::swap(file_, other.file_);
@@ -56,6 +57,7 @@ OrphanedJournal &OrphanedJournal::operator=(OrphanedJournal &&other) noexcept {
     std::swap(descriptor_, other.descriptor_);
     std::swap(title_, other.title_);
     std::swap(text_, other.text_);
+    std::swap(savedHash_, other.savedHash_);
     std::swap(written_, other.written_);
     return *this;
 }

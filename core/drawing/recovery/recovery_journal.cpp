@@ -75,10 +75,9 @@ RecoveryJournal::~RecoveryJournal() {
     }
 }
 
-void RecoveryJournal::record(std::shared_ptr<const Document> document, std::filesystem::path savedAt,
-                             std::string title) {
+void RecoveryJournal::record(std::shared_ptr<const Document> document, Place place) {
     const std::lock_guard lock(mutex_);
-    pending_ = std::make_unique<Entry>(Entry{std::move(document), std::move(savedAt), std::move(title)});
+    pending_ = std::make_unique<Entry>(Entry{std::move(document), std::move(place)});
     changed_.notify_all();
 }
 
@@ -124,8 +123,9 @@ void RecoveryJournal::work(const std::stop_token &stop) {
     }
 }
 
-std::string RecoveryJournal::nameRecords(const Entry &entry) {
-    return encodeRecord(JournalRecord::Path, entry.savedAt.string()) + encodeRecord(JournalRecord::Title, entry.title);
+std::string RecoveryJournal::placeRecords(const Place &place) {
+    return encodeRecord(JournalRecord::Path, place.savedAt.string()) + encodeRecord(JournalRecord::Title, place.title) +
+           encodeRecord(JournalRecord::SavedHash, encodeHash(place.savedHash));
 }
 
 void RecoveryJournal::write(const Entry &entry) {
@@ -143,14 +143,13 @@ void RecoveryJournal::write(const Entry &entry) {
         return;
     }
     std::string bytes;
-    if (!hasText_ || entry.savedAt != savedAt_ || entry.title != title_) {
-        bytes += nameRecords(entry);
+    if (!hasText_ || entry.place != place_) {
+        bytes += placeRecords(entry.place);
     }
     bytes += hasText_ ? encodeRecord(JournalRecord::Delta, encodeDelta(text_, text))
                       : encodeRecord(JournalRecord::FullText, text);
     text_ = std::move(text);
-    savedAt_ = entry.savedAt;
-    title_ = entry.title;
+    place_ = entry.place;
     const bool tooLarge = size_ + bytes.size() > kCompactFactor * text_.size() + kCompactSlack;
     hasText_ = descriptor_ < 0 ? create() && append(bytes) : tooLarge ? compact(entry) : append(bytes);
     failed_ = failed_ && !hasText_;
@@ -209,7 +208,7 @@ bool RecoveryJournal::compact(const Entry &entry) {
     std::filesystem::path temporary = file_;
     temporary.replace_extension(".new");
     const std::string bytes =
-        std::string(kJournalMagic) + nameRecords(entry) + encodeRecord(JournalRecord::FullText, text_);
+        std::string(kJournalMagic) + placeRecords(entry.place) + encodeRecord(JournalRecord::FullText, text_);
     const int descriptor = createLocked(temporary);
     if (descriptor < 0 || !writeAll(descriptor, bytes) || ::rename(temporary.c_str(), file_.c_str()) != 0) {
         fail(std::strerror(errno));

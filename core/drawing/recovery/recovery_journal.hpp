@@ -35,8 +35,15 @@ class RecoveryJournal {
     RecoveryJournal(const RecoveryJournal &) = delete;
     RecoveryJournal &operator=(const RecoveryJournal &) = delete;
 
-    /// Records the current document, the path it was saved at (empty: never saved) and its title. Returns immediately.
-    void record(std::shared_ptr<const Document> document, std::filesystem::path savedAt, std::string title = {});
+    /// Where a document belongs.
+    struct Place {
+        std::filesystem::path savedAt; ///< empty: never saved
+        std::string title;
+        std::uint64_t savedHash = 0; ///< of the file at `savedAt`; 0: unknown
+        friend bool operator==(const Place &, const Place &) = default;
+    };
+    /// Records the current document and its place. Returns immediately.
+    void record(std::shared_ptr<const Document> document, Place place);
     /// Records that the document was saved or discarded: there is nothing to recover until the next record().
     void recordSaved();
     /// Waits until everything recorded is on disk.
@@ -49,11 +56,10 @@ class RecoveryJournal {
   private:
     struct Entry {
         std::shared_ptr<const Document> document; ///< null: saved
-        std::filesystem::path savedAt;
-        std::string title;
+        Place place;
     };
     void work(const std::stop_token &stop);
-    static std::string nameRecords(const Entry &entry);
+    static std::string placeRecords(const Place &place);
     void write(const Entry &entry);
     bool create();
     bool append(const std::string &bytes);
@@ -73,8 +79,7 @@ class RecoveryJournal {
     // Used only by the thread.
     int descriptor_ = -1;
     std::string text_; ///< the text that the journal encodes
-    std::filesystem::path savedAt_;
-    std::string title_;
+    Place place_;
     bool hasText_ = false, failed_ = false;
     std::uint64_t size_ = 0;
 
@@ -94,6 +99,8 @@ class OrphanedJournal {
     const std::filesystem::path &savedAt() const { return savedAt_; }
     /// Returns the title of the document; empty if it had none.
     const std::string &title() const { return title_; }
+    /// Returns the hash of the file at savedAt() when it was last read or saved; 0: unknown.
+    std::uint64_t savedHash() const { return savedHash_; }
     /// Returns the text of the newest document.
     const std::string &text() const { return text_; }
     /// Returns the time of the last write.
@@ -105,6 +112,7 @@ class OrphanedJournal {
     std::filesystem::path file_, savedAt_;
     int descriptor_ = -1;
     std::string title_, text_;
+    std::uint64_t savedHash_ = 0;
     std::time_t written_ = 0;
 };
 

@@ -21,28 +21,13 @@ class GeoJsonReader {
             survey(text);
         }
         for (const JsonValue text : texts) {
-            noteReferenceSystem(text);
+            map_.readReferenceSystem(text);
             anything(text, {});
         }
         return map_.finish(*texts.begin());
     }
 
   private:
-    /// RFC 7946 knows only longitude and latitude; older files name other systems. Either way the numbers are used as
-    /// they are, as coordinates in the plane.
-    void noteReferenceSystem(const JsonValue &root) {
-        const auto crs = root.find("crs");
-        if (!crs || crs->is(JsonKind::Null)) {
-            return;
-        }
-        const auto properties = crs->find("properties");
-        const auto name = properties ? properties->find("name") : std::nullopt;
-        source_.note("crs",
-                     "the coordinate reference system" + (name ? ' ' + inQuotes(name->string()) : std::string()) +
-                         " is ignored: coordinates are used as they are",
-                     crs->offset());
-    }
-
     void survey(const JsonValue &text) {
         const auto features = text.find("features");
         if (!features) {

@@ -1,14 +1,19 @@
 #include "core/drawing_files/geojson/map_reader.hpp"
 
+#include "core/drawing_files/geojson/local_projection.hpp"
+#include "core/drawing_files/geojson/map_degrees.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/geometry/polygon.hpp"
 #include "core/engine/geometry/predicates.hpp"
 #include "core/files/common/names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -109,6 +114,23 @@ MapReader::MapReader(const SourceText &source)
 void MapReader::setLayers(std::vector<std::string> names, std::string read) {
     contents_.layers = std::move(names);
     contents_.layer = std::move(read);
+}
+
+void MapReader::readReferenceSystem(const JsonValue &root) {
+    const auto crs = root.find("crs");
+    if (!crs || crs->is(JsonKind::Null)) {
+        return;
+    }
+    const auto properties = crs->find("properties");
+    const auto name = properties ? properties->find("name") : std::nullopt;
+    if (name && isGeographic(name->string())) {
+        return; // as if it were not named
+    }
+    planar_ = true;
+    source_.note("crs",
+                 "coordinates in the reference system" + (name ? ' ' + inQuotes(name->string()) : std::string()) +
+                     " are used as they are",
+                 crs->offset());
 }
 
 void MapReader::survey(const JsonValue &feature) {
@@ -256,6 +278,101 @@ void MapReader::noteJumps() const {
     }
 }
 
+/// Returns the bounds of all that is read.
+Box2 MapReader::bounds() const {
+    Box2 box;
+    for (const Polygon &polygon : polygons_) {
+        for (const MapPath &ring : polygon.rings) {
+            std::for_each(ring.nodes.begin(), ring.nodes.end(), [&](Vec2 node) { box.add(node); });
+        }
+    }
+    for (const Line &line : lines_) {
+        std::for_each(line.path.nodes.begin(), line.path.nodes.end(), [&](Vec2 node) { box.add(node); });
+    }
+    for (const Point &point : points_) {
+        box.add(point.place);
+    }
+    return box;
+}
+
+/// Does with longitudes and latitudes what the options say.
+void MapReader::settleDegrees(const JsonValue &whole) {
+    const Box2 box = bounds();
+    const DegreeRule rule = source_.options.degrees;
+    contents_.degrees = !planar_ && maybeDegrees(box);
+    if (!contents_.degrees) {
+        if (rule == DegreeRule::Local) {
+            check_.fault(whole, "not-degrees",
+                         planar_
+                             ? "the coordinates are not longitudes and latitudes, since the file names another "
+                               "coordinate reference system"
+                             : "the coordinates are not longitudes and latitudes in degrees, since some lie outside "
+                               "-180 to 360 and -90 to 90",
+                         "leave out --projection");
+        }
+        return;
+    }
+    if (rule == DegreeRule::Local) {
+        project(whole, box);
+        return;
+    }
+    constexpr double kNoticed = 1.01; // nearer to the equator, small plans are more likely
+    const double distortion = degreeDistortion(box);
+    if (rule == DegreeRule::Warn && distortion > kNoticed) {
+        std::array<char, 200> text{};
+        std::snprintf(text.data(), text.size(),
+                      "longitudes and latitudes in degrees are taken for coordinates in the plane: at latitude %.4g, "
+                      "lengths from west to east are %.4g times too long",
+                      box.centre().y, distortion);
+        const std::string message = text.data();
+        const std::string advice = "--projection local converts them to metres, --allow-degrees accepts them";
+        if (source_.options.strict) {
+            check_.fault(whole, kDegreesWarning, message, advice);
+        } else {
+            source_.warn(kDegreesWarning, message + "; " + advice, whole.offset());
+        }
+    }
+}
+
+/// Projects everything to metres about the middle of its bounds.
+void MapReader::project(const JsonValue &whole, const Box2 &box) {
+    constexpr double kNoticed = 1.01, kFarthest = std::numbers::pi / 2; // the latter a quarter of the globe away
+    const Vec2 centre = box.centre();
+    const LocalProjection projection(centre);
+    double stretch = 1.0;
+    const auto move = [&](Vec2 &place) {
+        place = projection(place);
+        stretch = std::max(stretch, LocalProjection::stretch(place));
+    };
+    for (Polygon &polygon : polygons_) {
+        for (MapPath &ring : polygon.rings) {
+            std::for_each(ring.nodes.begin(), ring.nodes.end(), move);
+        }
+    }
+    for (Line &line : lines_) {
+        std::for_each(line.path.nodes.begin(), line.path.nodes.end(), move);
+    }
+    for (Point &point : points_) {
+        move(point.place);
+    }
+    if (stretch > kFarthest) {
+        check_.fault(whole, "large-map", "the map spans more than half of the globe; a local projection would tear it",
+                     "project the map in another program, or keep degrees with --allow-degrees");
+        return;
+    }
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(),
+                  "longitudes and latitudes are projected to metres about longitude %.9g, latitude %.9g", centre.x,
+                  centre.y);
+    std::string message = text.data();
+    if (stretch > kNoticed) {
+        std::snprintf(text.data(), text.size(),
+                      "; at the rim, lengths across the direction of the centre are %.3g times too long", stretch);
+        message += text.data();
+    }
+    source_.note("projected", message, whole.offset());
+}
+
 Result<Domain> MapReader::finish(const JsonValue &whole) {
     contents_.properties = names_.keys();
     if (check_.faults().empty() && !names_.found()) {
@@ -275,6 +392,10 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
         return check_.faults();
     }
     noteJumps();
+    settleDegrees(whole);
+    if (!check_.faults().empty()) {
+        return check_.faults();
+    }
     buildPolygons();
     const bool mixed = !polygons_.empty() && !lines_.empty();
     const bool drops = source_.options.dropLines && mixed;

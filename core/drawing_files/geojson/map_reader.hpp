@@ -38,6 +38,9 @@ class MapReader {
 
     /// Records the layers of the file, and which of them is read.
     void setLayers(std::vector<std::string> names, std::string read);
+    /// Reads the coordinate reference system that a text may name. RFC 7946 knows only longitude and latitude; in the
+    /// systems of older files, coordinates are used as they are.
+    void readReferenceSystem(const JsonValue &root);
     /// Looks at the properties of a feature: keeps its tag from being given to others, and finds out where names are.
     /// To be called for all features before anything is added.
     void survey(const JsonValue &feature);
@@ -86,6 +89,9 @@ class MapReader {
         void add(const std::string &key, std::size_t offset);
     };
 
+    Box2 bounds() const;
+    void settleDegrees(const JsonValue &whole);
+    void project(const JsonValue &whole, const Box2 &box);
     void noteOuterHoles(Polygon &polygon);
     void noteJumps() const;
     void noteUnused() const;
@@ -95,7 +101,8 @@ class MapReader {
     const SourceText &source_;
     JsonCheck check_;
     FeatureNames names_;
-    bool named_ = false; ///< a feature has a name
+    bool named_ = false;  ///< a feature has a name
+    bool planar_ = false; ///< the coordinates are not in degrees
     TagAllocator boundaries_, regions_;
     std::vector<Polygon> polygons_;
     std::vector<Line> lines_;

@@ -25,6 +25,7 @@ class TopoJsonReader {
             check_.fault(*type, "bad-field", "expected the type \"Topology\"");
         }
         map_.noteMembers(topology, {"transform", "arcs", "objects"});
+        map_.readReferenceSystem(topology);
         if (const auto transform = topology.find("transform")) {
             readTransform(*transform);
         }

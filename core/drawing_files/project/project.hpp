@@ -23,7 +23,10 @@ bool looksLikeProject(std::string_view head);
 /// Writes a project file, versioned JSON, atomically. The path of the background picture becomes relative to its
 /// folder. Faults: cannot-write; not-storable (a size function).
 Status writeProject(const std::filesystem::path &path, const Document &document);
-/// Returns the JSON text of a project, without a size function; for the recovery journal and tests.
+/// Returns the text that writeProject() writes to a file.
+std::string projectFileText(const std::filesystem::path &path, const Document &document);
+/// Returns the JSON text of a project, without a size function, with the absolute path of the background picture; for
+/// the recovery journal and tests.
 std::string projectText(const Document &document);
 /// Reads the JSON text of a project; `fileName` appears in faults.
 Result<Document> parseProject(std::string_view text, const std::string &fileName);

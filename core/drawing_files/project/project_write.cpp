@@ -152,12 +152,16 @@ class ProjectWriter {
 
 } // namespace
 
-std::string projectText(const Document &document) {
+std::string projectFileText(const std::filesystem::path &path, const Document &document) {
     StringSink sink;
     TextWriter out(sink);
-    ProjectWriter(out).write(document);
+    ProjectWriter(out, path).write(document);
     out.flush();
     return std::move(sink.text);
+}
+
+std::string projectText(const Document &document) {
+    return projectFileText({}, document);
 }
 
 Status writeProject(const std::filesystem::path &path, const Document &document) {

@@ -12,7 +12,7 @@ Result<std::unique_ptr<Companion>> readCompanion(const SourceText &source, const
             faultAt(source, 0, "cannot-read", std::string("a ") + extension + " file beside this one is missing")};
     }
     path.replace_extension(extension);
-    auto bytes = readFileBytes(path, source.options.maxBytes);
+    auto bytes = readRegularFile(path, source.options.maxBytes);
     if (!bytes) {
         return bytes.faults();
     }

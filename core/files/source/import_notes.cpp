@@ -71,7 +71,7 @@ struct NoteKind {
 } // namespace
 
 void ImportNotes::add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
-                      std::size_t offset, std::size_t count) {
+                      std::size_t offset, std::size_t count, Severity severity) {
     constexpr std::size_t kMaxEntries = 200; // then, notes that differ in their message alone are counted together
     const bool full = entries_.size() >= kMaxEntries;
     const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const ImportNote &note) {
@@ -82,7 +82,7 @@ void ImportNotes::add(std::string_view code, const std::string &message, const s
         return;
     }
     const TextPlace place = placeOf(text, offset);
-    entries_.push_back({std::string(code), message, count, file, place.line, place.column});
+    entries_.push_back({std::string(code), message, count, file, place.line, place.column, severity});
 }
 
 Diagnostics ImportNotes::diagnostics() const {
@@ -105,7 +105,7 @@ Diagnostics ImportNotes::diagnostics() const {
             continue;
         }
         Diagnostic entry;
-        entry.severity = Severity::Note;
+        entry.severity = note.severity;
         entry.code = note.code;
         entry.message = note.message;
         if (kind.joined()) {

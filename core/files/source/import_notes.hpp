@@ -18,6 +18,7 @@ struct ImportNote {
     std::string file; ///< where it occurs first
     int line = 0;
     int column = 0;
+    Severity severity = Severity::Note; ///< Warning: the result may not be what the user expects
 };
 
 /// What an SVG drawing or map holds that import options change.
@@ -28,6 +29,7 @@ struct DrawingContents {
     std::string layer = {};               ///< the one that was read
     /// Those of features with text or a number, which ImportOptions::nameProperty takes; sorted.
     std::vector<std::string> properties = {};
+    bool degrees = false; ///< its coordinates are longitudes and latitudes, which ImportOptions::degrees concerns
 };
 
 /// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.
@@ -36,7 +38,7 @@ class ImportNotes {
     /// Counts `count` more of the note with this code and message; `text`, `offset` and `file` give the first place.
     /// After 200 different ones, the first with this code is counted instead.
     void add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
-             std::size_t offset, std::size_t count = 1);
+             std::size_t offset, std::size_t count = 1, Severity severity = Severity::Note);
     void setContents(const DrawingContents &contents) { contents_ = contents; }
     const std::vector<ImportNote> &entries() const { return entries_; }
     const DrawingContents &contents() const { return contents_; }

@@ -6,6 +6,7 @@
 #include "core/files/source/picture_sizes.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,6 +19,16 @@ inline constexpr char kPageNote[] = "svg-page";
 /// The code of the note that strokes were read as lines.
 inline constexpr char kStrokeNote[] = "svg-stroke";
 
+/// The code of the warning that longitudes and latitudes were read as coordinates in the plane.
+inline constexpr char kDegreesWarning[] = "degrees";
+
+/// What becomes of a map whose coordinates are longitudes and latitudes in degrees.
+enum class DegreeRule : std::uint8_t {
+    Warn, ///< they are coordinates in the plane, with a warning; refused if ImportOptions::strict is set
+    Keep, ///< they are coordinates in the plane
+    Local ///< they are projected to metres; see LocalProjection
+};
+
 /// Options for reading a file.
 struct ImportOptions {
     /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
@@ -27,6 +38,7 @@ struct ImportOptions {
     /// as they are.
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later; ///< between features of a map
+    DegreeRule degrees = DegreeRule::Warn;    ///< for longitudes and latitudes of a map
     /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one.
     std::optional<std::string> layer = {};
     /// The property of a map's features to take names of boundaries and regions from, text or numbers; "id" also uses
@@ -44,6 +56,7 @@ struct ImportOptions {
     /// all shapes are one region.
     bool shapeRegions = false;
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
+    bool regularFile = false;                    ///< refuse pipes and devices, on which reading could wait for ever
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};
     /// Expressions that replace those of a project's parameters, by name; unused for other formats.

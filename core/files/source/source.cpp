@@ -48,7 +48,8 @@ Diagnostics readFault(const std::string &name, const std::string &why) {
 
 class OpenFile {
   public:
-    explicit OpenFile(const std::filesystem::path &path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    explicit OpenFile(const std::filesystem::path &path, int flags = 0)
+        : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags)) {}
     ~OpenFile() {
         if (descriptor_ >= 0) {
             ::close(descriptor_);
@@ -122,6 +123,27 @@ Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t
         return cancelled("reading"); // opening a pipe waits for its other end
     }
     const OpenFile file(path);
+    return readDescriptor(file.descriptor(), path.string(), maxBytes, progress);
+}
+
+Status notRegular(const std::filesystem::path &path) {
+    std::error_code none;
+    const auto kind = std::filesystem::status(path, none).type();
+    const bool other = kind == std::filesystem::file_type::fifo || kind == std::filesystem::file_type::socket ||
+                       kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::block;
+    if (!other) {
+        return {};
+    }
+    const bool device = kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::block;
+    return readFault(path.string(), device ? "it is a device; expected a regular file"
+                                           : "it is a pipe or socket; expected a regular file");
+}
+
+Result<std::string> readRegularFile(const std::filesystem::path &path, std::size_t maxBytes, const Progress &progress) {
+    if (Status fault = notRegular(path); !fault.empty()) {
+        return fault;
+    }
+    const OpenFile file(path, O_NONBLOCK); // does not wait if it has become a pipe meanwhile
     return readDescriptor(file.descriptor(), path.string(), maxBytes, progress);
 }
 

@@ -29,6 +29,12 @@ struct SourceText {
             notes->add(code, message, name, text, offset, count);
         }
     }
+    /// Reports something at byte `offset` that may make the result other than the user expects.
+    void warn(std::string_view code, const std::string &message, std::size_t offset) const {
+        if (notes != nullptr) {
+            notes->add(code, message, name, text, offset, 1, Severity::Warning);
+        }
+    }
     /// Reports what a drawing or map holds.
     void found(const DrawingContents &contents) const {
         if (notes != nullptr) {
@@ -48,6 +54,12 @@ std::string inQuotes(std::string_view token);
 /// cannot-read with the text of errno, too-large, cancelled.
 Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes,
                                   const Progress &progress = {});
+/// Does the same for a regular file, and refuses anything else, such as a pipe, on which reading could wait for ever.
+Result<std::string> readRegularFile(const std::filesystem::path &path, std::size_t maxBytes,
+                                    const Progress &progress = {});
+/// Returns why a path that must be a regular file is something else that can be read, such as a pipe or a device; empty
+/// for files, and also for folders and missing files, which reading refuses. Fault: cannot-read.
+Status notRegular(const std::filesystem::path &path);
 /// Returns everything on standard input up to its end, without a byte order mark. Faults as for readFileBytes().
 Result<std::string> readStandardInput(std::size_t maxBytes);
 

@@ -1,6 +1,7 @@
 #include "core/files/text/atomic_file.hpp"
 
 #include "core/engine/base/cancelled.hpp"
+#include "core/files/text/temporary_names.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -13,30 +14,40 @@ namespace forefront {
 
 namespace {
 
-/// Opens a file with an unused name beside `target` and default permissions.
-int createBeside(const std::filesystem::path &target, std::string &name) {
-    constexpr int kAttempts = 1000;
-    constexpr mode_t kNewFileMode = 0666;
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        name = target.string() + '.' + std::to_string(::getpid()) + '-' + std::to_string(attempt) + ".tmp";
-        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kNewFileMode);
-        if (descriptor >= 0 || errno != EEXIST) {
-            return descriptor;
+/// Follows links up to a file, which need not exist. Returns the path itself if the links form a circle.
+std::filesystem::path followLinks(const std::filesystem::path &path) {
+    constexpr int kMostLinks = 40; // as in Linux
+    std::filesystem::path file = path;
+    std::error_code failed;
+    for (int k = 0; k < kMostLinks && std::filesystem::is_symlink(file, failed); ++k) {
+        const std::filesystem::path next = std::filesystem::read_symlink(file, failed);
+        if (failed) {
+            return path;
         }
+        file = next.is_absolute() ? next : file.parent_path() / next;
     }
-    return -1;
+    return std::filesystem::is_symlink(file, failed) ? path : file;
 }
 
-/// Makes the new name itself durable; failure is ignored, since some file systems cannot do that.
-void syncFolder(const std::filesystem::path &folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor >= 0) {
-        ::fsync(descriptor);
-        ::close(descriptor);
-    }
+bool isPlainOrMissing(std::filesystem::file_type kind) {
+    return kind == std::filesystem::file_type::not_found || kind == std::filesystem::file_type::regular ||
+           kind == std::filesystem::file_type::none;
 }
 
 } // namespace
+
+Status checkReplaceable(const std::filesystem::path &path) {
+    constexpr mode_t kWriteBits = 0222; // which do not bind the superuser, who may not have meant it either
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+        return {};
+    }
+    const bool allowed =
+        (status.st_mode & kWriteBits) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+    return allowed ? Status()
+                   : error("cannot-write", "cannot write the file: it is write-protected",
+                           "allow writing with chmod u+w, or choose another name");
+}
 
 AtomicFile::AtomicFile(const std::filesystem::path &path, const Progress &progress, std::size_t expectedBytes)
     : path_(path), target_(path), progress_(progress), expectedBytes_(expectedBytes) {
@@ -46,20 +57,18 @@ AtomicFile::AtomicFile(const std::filesystem::path &path, const Progress &progre
         fail("write", EISDIR);
         return;
     }
-    if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular &&
-        kind != std::filesystem::file_type::none) {
-        descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-        if (descriptor_ < 0) {
-            fail("open", errno);
-        }
+    if (!isPlainOrMissing(kind)) {
+        openDirectly();
         return;
     }
-    if (std::filesystem::is_symlink(path, ignored)) {
-        std::error_code resolved;
-        const auto canonical = std::filesystem::weakly_canonical(path, resolved);
-        target_ = resolved ? path : canonical;
+    status_ = checkReplaceable(path);
+    if (!status_.empty()) {
+        status_.front().file = path.string();
+        return;
     }
-    descriptor_ = createBeside(target_, temporary_);
+    target_ = followLinks(path);
+    removeStaleTemporaries(target_);
+    descriptor_ = createTemporary(target_, temporary_);
     if (descriptor_ < 0) {
         const int number = errno;
         temporary_.clear();
@@ -72,12 +81,23 @@ AtomicFile::AtomicFile(const std::filesystem::path &path, const Progress &progre
     }
 }
 
+/// Opens a device or pipe, which cannot be replaced.
+void AtomicFile::openDirectly() {
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) {
+        fail("open", errno);
+    }
+}
+
 AtomicFile::~AtomicFile() {
     if (descriptor_ >= 0) {
         ::close(descriptor_);
     }
     if (!temporary_.empty()) {
         ::unlink(temporary_.c_str());
+    }
+    if (!previous_.empty()) {
+        ::unlink(previous_.c_str());
     }
 }
 
@@ -106,6 +126,18 @@ bool AtomicFile::write(std::string_view bytes) {
 }
 
 Status AtomicFile::commit() {
+    if (finish().empty() && !temporary_.empty()) {
+        if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+            fail("rename the finished file to", errno);
+        } else {
+            temporary_.clear();
+            syncFolder(folderOf(target_));
+        }
+    }
+    return status_;
+}
+
+Status AtomicFile::finish() {
     if (status_.empty() && !temporary_.empty() && ::fsync(descriptor_) != 0 && errno != EINVAL) {
         fail("flush", errno);
     }
@@ -113,18 +145,46 @@ Status AtomicFile::commit() {
         fail("close", errno);
     }
     descriptor_ = -1;
-    if (status_.empty() && !temporary_.empty()) {
-        if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
-            fail("rename the finished file to", errno);
-        } else {
-            temporary_.clear();
-            syncFolder(target_.has_parent_path() ? target_.parent_path() : std::filesystem::path("."));
-        }
-    }
     if (status_.empty() && expectedBytes_ > 0) {
         progress_("writing", 1.0);
     }
     return status_;
+}
+
+Status AtomicFile::publish() {
+    if (!status_.empty() || temporary_.empty()) {
+        return status_;
+    }
+    previous_ = temporary_ + ".old.tmp";
+    if (::link(target_.c_str(), previous_.c_str()) != 0) {
+        previous_.clear(); // nothing is replaced, or the file system knows no second names
+    }
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+        fail("rename the finished file to", errno);
+        return status_;
+    }
+    temporary_.clear();
+    published_ = true;
+    return status_;
+}
+
+void AtomicFile::withdraw() {
+    if (!published_) {
+        return;
+    }
+    if (previous_.empty()) {
+        ::unlink(target_.c_str());
+    } else if (::rename(previous_.c_str(), target_.c_str()) == 0) {
+        previous_.clear();
+    }
+    published_ = false;
+}
+
+void AtomicFile::release() {
+    if (!previous_.empty()) {
+        ::unlink(previous_.c_str());
+        previous_.clear();
+    }
 }
 
 void AtomicFile::fail(const std::string &action, int number) {

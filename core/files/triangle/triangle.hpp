@@ -5,6 +5,7 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/files/source/source.hpp"
+#include "core/files/text/file_set.hpp"
 
 #include <array>
 #include <filesystem>
@@ -17,8 +18,9 @@ Result<Mesh> readTriangle(const SourceText &source);
 Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges);
 /// Extensions of the files that writeTriangle writes side by side: nodes, elements, tagged edges.
 inline constexpr std::array<const char *, 3> kTriangleExtensions{".node", ".ele", ".edge"};
-/// Writes PATH.node, PATH.ele and PATH.edge, each atomically.
-Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress);
+/// Adds PATH.node, PATH.ele and PATH.edge to a set of files. A comment in each names the mesh, so that files of
+/// different meshes are not read as one.
+void writeTriangle(FileSet &files, const std::filesystem::path &path, const Mesh &mesh, const Progress &progress);
 
 /// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes.
 Result<Domain> readPoly(const SourceText &source);

@@ -1,3 +1,4 @@
+#include "core/engine/base/hash.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/node_labels.hpp"
 #include "core/files/common/planar_mesh.hpp"
@@ -8,10 +9,40 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace forefront {
 
 namespace {
+
+/// Returns a text that differs between meshes, also if they differ in the numbers of their nodes alone.
+std::string numberingOf(const Mesh &mesh) {
+    Hash64 hash;
+    for (const Vec2 node : mesh.nodes) {
+        hash.add(node.x);
+        hash.add(node.y);
+    }
+    for (const Element &element : mesh.elements) {
+        for (const NodeId node : element) {
+            hash.add(static_cast<std::uint64_t>(index(node)));
+        }
+    }
+    return toHex(hash.value());
+}
+
+/// Begins the comment that names the mesh of a file.
+constexpr std::string_view kMeshComment = "# mesh ";
+
+/// Returns the name in the comment of a file; empty if it has none.
+std::string_view meshOf(std::string_view text) {
+    const std::size_t at = text.rfind(kMeshComment);
+    if (at == std::string_view::npos || (at > 0 && text[at - 1] != '\n')) {
+        return {};
+    }
+    const std::string_view line = text.substr(at + kMeshComment.size());
+    return line.substr(0, line.find_first_of("\r\n"));
+}
 
 void writeNodes(const Mesh &mesh, TextWriter &out) {
     out << mesh.nodes.size() << " 2 0 1\n";
@@ -48,19 +79,19 @@ void writeEdges(const Mesh &mesh, TextWriter &out) {
 
 /// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the
 /// tagged edges.
-Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
+void writeTriangle(FileSet &files, const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
     using Write = void (*)(const Mesh &, TextWriter &);
     static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};
+    const std::string id = numberingOf(mesh);
     for (std::size_t i = 0; i < kWrites.size(); ++i) {
         std::filesystem::path file = path;
         file.replace_extension(kTriangleExtensions[i]);
-        const Status status = writeTextFile(
-            file, [&](TextWriter &out) { kWrites[i](mesh, out); }, progress, 1 + mesh.elements.size() * 32);
-        if (!status.empty()) {
-            return status;
-        }
+        const auto fill = [&](TextWriter &out) {
+            kWrites[i](mesh, out);
+            out << kMeshComment << id << '\n';
+        };
+        files.write(file, fill, progress, 1 + mesh.elements.size() * 32);
     }
-    return {};
 }
 
 namespace {
@@ -162,7 +193,32 @@ class TriangleMeshReader {
 
 } // namespace
 
+namespace {
+
+/// Returns the fault of a file that belongs to another mesh than the nodes do, such as after a copy that was cut short.
+Diagnostics otherMesh(const SourceText &nodes, const SourceText &other) {
+    const std::string_view ours = meshOf(nodes.text), theirs = meshOf(other.text);
+    if (ours.empty() || theirs.empty() || ours == theirs) {
+        return {};
+    }
+    Diagnostics fault = error("mixed-files",
+                              "the file belongs to mesh " + std::string(theirs) + ", but " + nodes.name + " to mesh " +
+                                  std::string(ours),
+                              "write the mesh again, or put the files of one mesh together");
+    fault.front().file = other.name;
+    return fault;
+}
+
+} // namespace
+
 Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges) {
+    Diagnostics mixed = otherMesh(nodes, elements);
+    if (mixed.empty() && edges != nullptr) {
+        mixed = otherMesh(nodes, *edges);
+    }
+    if (!mixed.empty()) {
+        return mixed;
+    }
     TriangleMeshReader reader;
     if (!reader.readNodes(nodes) || !reader.readElements(elements) || (edges != nullptr && !reader.readEdges(*edges))) {
         return reader.faults();

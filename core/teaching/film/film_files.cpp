@@ -2,6 +2,7 @@
 
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/files/text/atomic_file.hpp"
+#include "core/files/text/file_set.hpp"
 #include "core/teaching/film/film_picture.hpp"
 #include "core/teaching/film/gif_writer.hpp"
 #include "core/teaching/film/png_writer.hpp"
@@ -47,7 +48,7 @@ class Filming {
         last_ = std::min(end, plan_.steps ? from_ + std::min(*plan_.steps, end) : end);
         return plan_.output.extension() == ".gif" ? writeGif() : plan_.numbered() ? writeSequence() : writeMoment();
     }
-    int written() const { return written_; }
+    WrittenFilm written() const { return {written_, from_, last_}; }
 
     static Status cancelled() { return error("cancelled", "the film was cancelled"); }
 
@@ -90,9 +91,14 @@ class Filming {
         gif.finish();
         return file.commit();
     }
+    /// Writes the frames as a set, so that those of an earlier film never mix with new ones.
     Status writeSequence() {
-        return forFrames(
-            [&](const FilmScene &scene, int number) { return writePicture(frameName(plan_.output, number), scene); });
+        FileSet files;
+        Status status = forFrames([&](const FilmScene &scene, int number) {
+            files.write(frameName(plan_.output, number), pictureOf(plan_.output, scene));
+            return files.status();
+        });
+        return status.empty() ? files.commit() : status;
     }
     Status writeMoment() {
         const FilmScene scene = sceneAt(last_);
@@ -100,10 +106,11 @@ class Filming {
             return cancelled();
         }
         written_ = 1;
-        return writePicture(plan_.output, scene);
+        return writeFileAtomically(plan_.output, pictureOf(plan_.output, scene));
     }
-    static Status writePicture(const std::filesystem::path &file, const FilmScene &scene) {
-        return writeFileAtomically(file, file.extension() == ".png" ? pngOf(paintScene(scene)) : svgOf(scene));
+    /// Returns the bytes of a frame in the format of an output.
+    static std::string pictureOf(const std::filesystem::path &output, const FilmScene &scene) {
+        return output.extension() == ".png" ? pngOf(paintScene(scene)) : svgOf(scene);
     }
 
     FilmScene sceneAt(std::uint64_t advance) {
@@ -138,7 +145,7 @@ std::string outputFault(const FilmPlan &plan) {
     return {};
 }
 
-Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
+Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
     try {
         Result<MeshStepper> stepper = MeshStepper::create(std::move(job), {{}, progress.stop});
         if (!stepper) {

@@ -35,8 +35,15 @@ std::filesystem::path frameName(const std::filesystem::path &pattern, int frame)
 /// Returns the error in the name of the output; empty if there is none.
 std::string outputFault(const FilmPlan &plan);
 
-/// Runs a job and writes its film, reporting progress by frame. Returns the number of frames written. Faults: those of
-/// the job, bad-range (the run ends before the film begins), cannot-write, cancelled, out-of-memory.
-Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
+/// What a film shows.
+struct WrittenFilm {
+    int frames = 0;
+    std::uint64_t first = 0, last = 0; ///< numbers of advances done at its start and end
+};
+
+/// Runs a job and writes its film, reporting progress by frame. The film is shorter than the plan if the run ends
+/// before. Faults: those of the job, bad-range (the run ends before the film begins), cannot-write, cancelled,
+/// out-of-memory.
+Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
 
 } // namespace forefront

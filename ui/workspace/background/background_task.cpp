@@ -12,7 +12,7 @@ void BackgroundTask::start(std::string purpose, Work work) {
     cancel();
     purpose_ = std::move(purpose);
     now_ = {.name = purpose_};
-    worker_.start(now_, wake_, [work = std::move(work)](StateWorker<State> &worker, const std::stop_token &stop) {
+    worker_.start(now_, wake_, [work = std::move(work)](WorkerState<State> &worker, const std::stop_token &stop) {
         Progress progress;
         progress.stop = stop;
         progress.report = [&worker](std::string_view stage, double fraction) {

@@ -10,11 +10,13 @@
 namespace forefront {
 
 /// A long task of the window on a separate thread, such as reading a file. At most one result is awaited: another start
-/// cancels the earlier task. Call all members from one thread; none of them waits, except the destructor.
+/// cancels the earlier task. Call all members from one thread; none of them waits, except the destructor, which leaves
+/// a thread behind that hangs in reading a file.
 class BackgroundTask {
   public:
     /// Uses the result, on the thread that calls finish(); empty: nothing to do.
     using Finish = std::function<void()>;
+    /// Runs on the thread of the task, and may use only what it owns or shares; see LeavableThread.
     using Work = std::function<Finish(const Progress &)>;
 
     /// `wake` is called from the thread of the task when there is news.
@@ -52,7 +54,7 @@ class BackgroundTask {
     std::function<void()> wake_;
     std::string purpose_;
     State now_; ///< of this frame
-    RetiringWorker<State> worker_;
+    RetiringWorker<State> worker_{LeavableThread::kPatience};
 };
 
 } // namespace forefront

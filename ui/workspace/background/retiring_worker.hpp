@@ -1,35 +1,27 @@
 #pragma once
 
+#include "ui/workspace/background/leavable_thread.hpp"
+
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 #include <utility>
 #include <vector>
 
 namespace forefront {
 
-/// A state that a thread changes and another one reads. The thread ends with the function that it runs.
+/// A state that a thread changes and another one reads. The thread shares it, since its reader may leave it behind.
 template <class State>
-class StateWorker {
+class WorkerState {
   public:
-    using Run = std::function<void(StateWorker &, const std::stop_token &)>;
+    /// `wake` is called from the thread after each change, until close().
+    WorkerState(State initial, std::function<void()> wake) : wake_(std::move(wake)), state_(std::move(initial)) {}
 
-    /// `wake` is called from the thread after each change.
-    StateWorker(State initial, std::function<void()> wake, Run run)
-        : wake_(std::move(wake)), state_(std::move(initial)),
-          thread_([this, work = std::move(run)](const std::stop_token &stop) {
-              work(*this, stop);
-              ended_ = true;
-          }) {}
-
-    void stop() { thread_.request_stop(); }
-    /// Returns true once the destructor no longer has to wait.
-    bool ended() const { return ended_; }
     /// Returns the number of changes so far.
     std::uint64_t version() const { return version_; }
     State state() const {
@@ -46,16 +38,49 @@ class StateWorker {
             }
             ++version_;
         }
-        wake_();
+        const std::lock_guard lock(wakeMutex_);
+        if (wake_) {
+            wake_();
+        }
+    }
+    /// Never calls `wake` again; what it uses may be gone.
+    void close() {
+        const std::lock_guard lock(wakeMutex_);
+        wake_ = {};
     }
 
   private:
-    std::function<void()> wake_;
+    std::mutex wakeMutex_;
+    std::function<void()> wake_; ///< guarded by wakeMutex_
     mutable std::mutex mutex_;
-    State state_; ///< guarded by the mutex
+    State state_; ///< guarded by mutex_
     std::atomic<std::uint64_t> version_ = 0;
-    std::atomic<bool> ended_ = false;
-    std::jthread thread_; ///< last, so that it ends before what it uses
+};
+
+/// A thread with its state. The thread ends with the function that it runs.
+template <class State>
+class StateWorker {
+  public:
+    using Run = std::function<void(WorkerState<State> &, const std::stop_token &)>;
+
+    /// `patience`: how long the destructor waits for the thread; see LeavableThread.
+    StateWorker(State initial, std::function<void()> wake, Run run, std::chrono::milliseconds patience)
+        : shared_(std::make_shared<WorkerState<State>>(std::move(initial), std::move(wake))),
+          thread_([shared = shared_, work = std::move(run)](const std::stop_token &stop) { work(*shared, stop); },
+                  patience) {}
+    ~StateWorker() { shared_->close(); }
+    StateWorker(const StateWorker &) = delete;
+    StateWorker &operator=(const StateWorker &) = delete;
+
+    void stop() { thread_.requestStop(); }
+    /// Returns true once the destructor no longer has to wait.
+    bool ended() const { return thread_.ended(); }
+    std::uint64_t version() const { return shared_->version(); }
+    State state() const { return shared_->state(); }
+
+  private:
+    std::shared_ptr<WorkerState<State>> shared_;
+    LeavableThread thread_;
 };
 
 /// The worker whose state is awaited, and earlier ones that were told to stop and end by themselves, since joining
@@ -63,10 +88,12 @@ class StateWorker {
 template <class State>
 class RetiringWorker {
   public:
+    /// `patience`: how long the destructor waits for each thread; see LeavableThread.
+    explicit RetiringWorker(std::chrono::milliseconds patience) : patience_(patience) {}
     /// Stops the worker, if there is one, and starts another.
     void start(State initial, std::function<void()> wake, typename StateWorker<State>::Run run) {
         retire();
-        worker_ = std::make_unique<StateWorker<State>>(std::move(initial), std::move(wake), std::move(run));
+        worker_ = std::make_unique<StateWorker<State>>(std::move(initial), std::move(wake), std::move(run), patience_);
     }
     /// Stops the worker, which may still report.
     void stop() {
@@ -95,6 +122,7 @@ class RetiringWorker {
     }
 
   private:
+    std::chrono::milliseconds patience_;
     std::unique_ptr<StateWorker<State>> worker_; ///< null: none
     std::vector<std::unique_ptr<StateWorker<State>>> retired_;
     std::uint64_t seen_ = 0; ///< version of the state fetched last

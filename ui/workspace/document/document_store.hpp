@@ -4,6 +4,7 @@
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
+#include "core/files/source/file_stamp.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -36,6 +37,8 @@ class DocumentStore {
         carryFormulas(*current(), next);
         return tell(history_.commit(std::move(label), std::move(next), stroke));
     }
+    /// Makes `next` the current document as it is, as one command that can be undone. Returns false if nothing changed.
+    bool replace(Document next, std::string label) { return tell(history_.commit(std::move(label), std::move(next))); }
     void endStroke() { history_.endStroke(); }
     void abandonStroke(std::string_view stroke) {
         history_.abandonStroke(stroke);
@@ -54,8 +57,9 @@ class DocumentStore {
 
     /// Opens another document with a new history. `path` is empty if the document has no file yet. `dirty` marks it
     /// unsaved although it was not edited (recovered, imported). `title` names it while it has no file; empty:
-    /// "Untitled 2" or the like.
-    void load(Document document, std::filesystem::path path, bool dirty = false, std::string title = {}) {
+    /// "Untitled 2" or the like. `stamp`: of the file when it was read; unknown: changes of the file do not matter.
+    void load(Document document, std::filesystem::path path, bool dirty = false, std::string title = {},
+              const FileStamp &stamp = {}) {
         const bool fresh = path.empty() && title.empty();
         const bool unused = untitled() && history_.size() == 1 && !history_.dirty(); // leaves its name to the next one
         if (fresh && !unused) {
@@ -66,6 +70,7 @@ class DocumentStore {
         history_ = History(std::move(document), "Open");
         dirty ? history_.markUnsaved() : history_.markSaved();
         path_ = std::move(path);
+        setStamp(stamp);
         title_ = fresh && unused ? title_ : std::move(title);
         ++loads_;
         tell(true);
@@ -85,10 +90,16 @@ class DocumentStore {
     /// Returns a number that changes when another document is opened.
     std::uint64_t loads() const { return loads_; }
     bool dirty() const { return history_.dirty(); }
-    void markSaved(std::filesystem::path path) {
+    /// Marks the current document as that of the file; `stamp`: of the file, as for load().
+    void markSaved(std::filesystem::path path, const FileStamp &stamp = {}) {
         path_ = std::move(path);
+        setStamp(stamp);
         history_.markSaved();
     }
+    /// Returns the stamp of the file when it was last read or written.
+    const FileStamp &stamp() const { return stamp_; }
+    /// Returns a number that changes when the file is read or written.
+    std::uint64_t fileUses() const { return fileUses_; }
 
     /// Returns where the spacing field of the current document is built, once for the preview and the mesh.
     const std::shared_ptr<SharedSpacing> &spacing() const { return spacing_; }
@@ -103,6 +114,10 @@ class DocumentStore {
         return number == 1 ? "Untitled" : "Untitled " + std::to_string(number);
     }
     bool untitled() const { return path_.empty() && title_.starts_with("Untitled"); }
+    void setStamp(const FileStamp &stamp) {
+        stamp_ = stamp;
+        ++fileUses_;
+    }
     bool tell(bool changed) {
         if (changed) {
             spacing_ = std::make_shared<SharedSpacing>();
@@ -115,6 +130,8 @@ class DocumentStore {
 
     History history_;
     std::filesystem::path path_;
+    FileStamp stamp_;
+    std::uint64_t fileUses_ = 0;
     int untitled_ = 1; ///< documents that got a name of their own, counting the first
     std::string title_ = untitledName(1);
     std::uint64_t loads_ = 1;

@@ -3,6 +3,7 @@
 #include "core/drawing/document/document.hpp"
 #include "ui/canvas/picture.hpp"
 #include "ui/workspace/background/background_task.hpp"
+#include "ui/workspace/background/file_watch.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -11,36 +12,43 @@
 
 namespace forefront {
 
-/// Keeps the pixels of the document's background picture, which are read on a separate thread.
+/// Keeps the pixels of the document's background picture, which are read on a separate thread, and again when another
+/// program has changed the file.
 class PictureStore {
   public:
     /// `wake` is called from that thread when the picture is there.
-    explicit PictureStore(std::function<void()> wake) : task_(std::move(wake)) {}
+    explicit PictureStore(const std::function<void()> &wake) : task_(wake), watch_(wake) {}
 
     /// Reads the picture of a document unless that has been done. `loads` identifies the opened document, see
     /// DocumentStore::loads(): a file that was missing is looked for again when its document is opened again.
     void follow(const Document &document, std::uint64_t loads);
     /// Uses a picture that was read elsewhere.
     void accept(std::shared_ptr<const Picture> picture);
-    /// Takes the result of the other thread. Returns true if there is one; the reasons why the picture cannot be shown
-    /// are added to `faults`.
-    bool refresh(Diagnostics &faults);
+    /// Takes the result of the other thread. Returns true if there is one. Adds to `news` the reasons why the picture
+    /// cannot be shown, and notes that its file has changed.
+    bool refresh(Diagnostics &news);
+    /// Looks at once whether the file has changed.
+    void lookNow() { watch_.lookNow(); }
 
     /// Returns the picture of the document; null if it has none, or its pixels are missing.
     const std::shared_ptr<const Picture> &shown() const { return shown_; }
     /// Returns true if the document has a picture that cannot be read.
     bool failed() const { return failed_; }
     bool busy() const { return task_.busy(); }
-    bool hasNews() const { return task_.hasNews(); }
+    bool hasNews() const { return task_.hasNews() || watch_.hasNews(); }
 
   private:
+    void startReading();
+    void takeChange(Diagnostics &news);
+
     BackgroundTask task_;
+    FileWatch watch_;
     std::shared_ptr<const Picture> read_; ///< the last one read, so that undo and redo do not read it again
     std::shared_ptr<const Picture> shown_;
     std::string file_; ///< of the document's picture; empty: none
     std::uint64_t loads_ = 0;
     bool failed_ = false;
-    Diagnostics faults_; ///< not taken yet
+    Diagnostics news_; ///< not taken yet
 };
 
 } // namespace forefront

@@ -10,7 +10,9 @@ namespace {
 struct OptionHint {
     std::string_view option, words;
 };
-constexpr OptionHint kHints[] = {{"--drop-lines", "\"Leave out lines\""},
+constexpr OptionHint kHints[] = {{"--allow-degrees", "\"Keep degrees\""},
+                                 {"--projection local", "\"Project to metres\""},
+                                 {"--drop-lines", "\"Leave out lines\""},
                                  {"--layer", "\"Layer\""},
                                  {"--name-property", "\"Names from\""},
                                  {"--shape-regions", "\"Make every filled shape a region\""},

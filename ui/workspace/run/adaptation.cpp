@@ -31,7 +31,7 @@ Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &pr
 
 namespace {
 
-using AdaptWorker = StateWorker<AdaptProgress>;
+using AdaptWorker = WorkerState<AdaptProgress>;
 
 template <class Apply>
 void changeProgress(AdaptWorker &worker, Apply apply) {

@@ -90,7 +90,7 @@ class Adaptation {
 
     std::function<void()> wake_;
     Work work_;
-    RetiringWorker<AdaptProgress> worker_;
+    RetiringWorker<AdaptProgress> worker_{LeavableThread::kForever};
     AdaptProgress now_;
     AdaptRequest request_;
     mutable std::shared_ptr<const Document> compared_; ///< the last drawing that fits() was called with

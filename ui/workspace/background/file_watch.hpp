@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/files/source/file_stamp.hpp"
+#include "ui/workspace/background/leavable_thread.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace forefront {
+
+/// Watches a file for changes by other programs. A thread of its own looks at it every few seconds, since the disc may
+/// be slow or no longer answer. Call all members from one thread; none of them waits.
+class FileWatch {
+  public:
+    /// `wake` is called from the thread when the file has changed.
+    explicit FileWatch(std::function<void()> wake) : wake_(std::move(wake)) {}
+    ~FileWatch() { forget(); }
+    FileWatch(const FileWatch &) = delete;
+    FileWatch &operator=(const FileWatch &) = delete;
+
+    /// Watches `file`, which held `known` when it was last read or written, in place of the earlier one.
+    void watch(const std::filesystem::path &file, const FileStamp &known);
+    /// Watches nothing.
+    void forget();
+    const std::filesystem::path &file() const { return file_; }
+    /// Looks at the file at once, such as when the window gets the focus.
+    void lookNow();
+    bool hasNews() const;
+    /// Returns what the file holds now if another program has changed or deleted it since the last call.
+    std::optional<FileStamp> takeNews();
+
+    static constexpr std::chrono::milliseconds kPeriod{2000};
+
+  private:
+    /// What the thread and its owner share.
+    struct Shared {
+        std::mutex mutex;
+        std::condition_variable_any changed;
+        std::filesystem::path file;
+        FileStamp known;
+        std::optional<FileStamp> news;
+        std::function<void()> wake;
+        std::uint64_t watched = 0; ///< counts the calls of watch()
+        bool look = false;
+    };
+    static void run(Shared &shared, const std::stop_token &stop);
+
+    std::function<void()> wake_;
+    std::filesystem::path file_;
+    std::shared_ptr<Shared> shared_;
+    std::unique_ptr<LeavableThread> thread_; ///< null: nothing is watched
+};
+
+} // namespace forefront
