@@ -102,7 +102,7 @@ class BoundaryLayer final : public Layer {
         if (stretch.curve < domain.curves.size()) {
             const Curve &curve = domain.curves[stretch.curve];
             const std::vector<double> ends = curve.flattenWithin(detailed_, tolerance, stretch.t0, stretch.t1);
-            partial_ = partial_ || !holds(detailed_, curve.bounds(stretch.t0, stretch.t1));
+            partial_ = partial_ || !detailed_.containsHalfOpen(curve.bounds(stretch.t0, stretch.t1));
             for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
                 points.push_back(curve.point(ends[k]));
             }

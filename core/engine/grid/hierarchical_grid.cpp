@@ -97,7 +97,7 @@ bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
     const Box2 box = table.layout.cellBox(place.i, place.j).grown(-table.slack);
     const Box2 grown = boxOf(a, b).grown(table.slack);
     const double minLength = table.layout.cellWidth / (2.0 * cellPerLength_);
-    return box.contains(a) && box.contains(b) && holds(table.inner, grown) &&
+    return box.contains(a) && box.contains(b) && table.inner.containsHalfOpen(grown) &&
            distanceSquared(a, b) >= minLength * minLength && cells_[place.cell].table == kLeaf;
 }
 
