@@ -162,7 +162,7 @@ TEST_CASE("RecoveryJournal: a killed program loses at most the last second, whet
         if (child == 0) {
             RecoveryJournal journal(folder.path, words);
             for (std::uint32_t k = 1; k <= 50; ++k) {
-                journal.record(numbered(k), {savedAt});
+                journal.record(numbered(k), {savedAt, {}, 0});
                 std::this_thread::sleep_for(1ms);
             }
             const char byte = 1;
