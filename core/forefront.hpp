@@ -5,13 +5,13 @@
 /// Forefront fills a planar domain with triangles by the advancing front technique. The same input gives the same mesh
 /// bit for bit, for any number of threads.
 ///
-/// Ten lines mesh a rectangle and write it for Gmsh:
+/// Nine lines mesh a rectangle and write it for Gmsh:
 /// @code{.cpp}
 /// #include <forefront/forefront.hpp>
 ///
 /// int main() {
 ///     forefront::MeshingJob job;
-///     forefront::addLoop(job.domain, std::vector<forefront::Vec2>{{0, 0}, {4, 0}, {4, 3}, {0, 3}});
+///     forefront::addLoop(job.domain, {{0, 0}, {4, 0}, {4, 3}, {0, 3}});
 ///     job.spacing.expression = "0.05 + 0.1*x";
 ///     const auto outcome = forefront::meshDomain(job);
 ///     return outcome && !hasErrors(forefront::writeMesh("rectangle.msh", outcome->mesh)) ? 0 : 1;
@@ -23,18 +23,23 @@
 /// | describe or read a domain | forefront::Domain, forefront::addLoop, forefront::readDomain |
 /// | give it exact curves | forefront::Curve, forefront::CurveStretch |
 /// | check it | forefront::validate |
-/// | set the element size | forefront::SpacingSpec |
+/// | set the element size, also by a function | forefront::SpacingSpec, forefront::SizeGrid |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
-/// | step through a run, forward and back | forefront::MeshingSession |
+/// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
+/// | use the mesh as plain arrays | forefront::coordinates, forefront::connectivity |
+/// | find boundary parts and interfaces | forefront::edgesWithTag, forefront::edgeSides |
 /// | check a mesh | forefront::verify, forefront::verifyAgainst |
-/// | measure its quality | forefront::measure, forefront::measureValues, forefront::judge |
-/// | adapt a mesh to a field | forefront::adapt |
+/// | measure its quality | forefront::measureQuality, forefront::measureValues, forefront::checkLimits |
+/// | adapt a mesh to a field | forefront::adaptMesh |
 /// | read and write meshes | forefront::readMesh, forefront::writeMesh |
 /// | read drawings, maps and projects; repair a domain | drawing.hpp, in Forefront::drawing |
 ///
-/// Nothing throws. A function that can fail returns a forefront::Result, which holds either the value or the
-/// diagnostics: what is wrong, where, and how to fix it. Functions that take a forefront::Progress report how far they
-/// are and can be cancelled from another thread.
+/// A function that can fail returns a forefront::Result, which holds either the value or the diagnostics: what is
+/// wrong, where, and how to fix it. The library itself throws nothing but std::bad_alloc, and only where
+/// "out-of-memory" is not among the listed errors. What your callbacks throw (a size function, a Progress, a
+/// NodalField) reaches the caller of the function that called them; a forefront::MeshingSession, whose caller is
+/// elsewhere, reports it as a fault. Functions that take a forefront::Progress report how far they are and can be
+/// cancelled from another thread.
 #pragma once
 
 #include "core/engine/adapt/adaptive_meshing.hpp"
@@ -43,8 +48,11 @@
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/mesh_access.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
+#include "core/engine/spacing/spec/size_grid.hpp"
 #include "core/files/files.hpp"

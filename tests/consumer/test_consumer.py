@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The library as its users meet it: installed as a static and as a shared library, and used by the README's example
-through find_package, pkg-config and add_subdirectory. All six programs must write the same file.
+through find_package, pkg-config and add_subdirectory. All six programs must write the same file. The examples of
+usual tasks are built against the installed library and run, too.
 
     test_consumer.py CMAKE REPOSITORY BUILD_FOLDER
 """
@@ -27,6 +28,7 @@ target_link_libraries(consumer Forefront::core)
 STRICT = "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
 # Our own warnings must not reach users: each of them would report this line.
 CARELESS = "static int unused(double given) { int given2; { int given2 = given; } return 3.5 * given; }\n"
+EXAMPLES = REPOSITORY / "tests" / "consumer" / "examples"
 [EXAMPLE] = re.findall(r"^```cpp\n(.*?)^```$", (REPOSITORY / "README.md").read_text(), re.M | re.S)
 
 
@@ -139,6 +141,26 @@ def by_add_subdirectory(folder):
         yield kind, result(made / "build" / "consumer", made)
 
 
+def user_lines(text):
+    """Returns the lines of an example that its user writes: all but blank lines, comments, includes and main() itself."""
+    frame = r"\s*$|\s*//|#include|int main\(\) \{|\}"
+    return [line for line in text.splitlines() if not re.match(frame, line)]
+
+
+def check_examples(prefix, folder):
+    """Builds the examples as one project and runs each: they must succeed, and stay short."""
+    made = folder / "examples"
+    shutil.copytree(EXAMPLES, made)
+    sources = sorted(made.glob("*.cpp"))
+    check(len(sources) == 10, f"{len(sources)} examples instead of 10")
+    run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}", folder=made)
+    run(CMAKE, "--build", "build", folder=made)
+    for source in sources:
+        lines = len(user_lines(source.read_text()))
+        check(0 < lines <= 15, f"{source.name} has {lines} lines; expected at most 15")
+        run(made / "build" / source.stem, folder=made)
+
+
 def check_warnings_stay_warnings(folder):
     made = source_folder(folder, "werror", EXAMPLE)
     (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
@@ -154,6 +176,8 @@ with tempfile.TemporaryDirectory() as name:
         prefix = installed(kind, top)
         results[f"find_package, {kind}"] = by_find_package(kind, prefix, top)
         results[f"pkg-config, {kind}"] = by_pkg_config(kind, prefix, top)
+        if kind == "static":
+            check_examples(prefix, top)
         if kind == "shared":
             check_shared_object(prefix)
             check_other_versions_are_refused(prefix, top)

@@ -1,6 +1,6 @@
-#include "core/engine/domain/add_loop.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mesher/pipeline.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"

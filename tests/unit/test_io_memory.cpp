@@ -34,11 +34,12 @@ TEST_CASE("Files in memory: every format that can be written to a stream is read
 }
 
 TEST_CASE("Files in memory: a domain by its content alone, and a grid of sizes") {
-    const Result<Domain> domain = allFormats().readDomain(MemoryFile{R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 0]]]})"});
+    const Result<Domain> domain = allFormats().readDomain(
+        MemoryFile{R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 0]]]})"});
     REQUIRE(domain);
     CHECK(domain->segments.size() == 3);
-    const Result<SpacingSpec> spacing = readSpacing(
-        MemoryFile{"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n", "depth.asc"});
+    const Result<SpacingSpec> spacing =
+        readSpacing(MemoryFile{"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n", "depth.asc"});
     REQUIRE(spacing);
     CHECK(spacing->background->values.size() == 16);
 }

@@ -132,9 +132,15 @@ TEST_CASE("MeshStepper: steps by events and layers, and stops at conditions") {
     stepper.finish();
     CHECK(stepper.seekStop(false));
     CHECK(stepper.position() == joined);
+    stepper.seek(0);
+    CHECK_FALSE(stepper.seekBirth({0.1, 0.1}, 0.0)); // it is made by this move
+    const std::uint64_t made = stepper.position();
+    CHECK(made > 0);
+    stepper.finish();
     const std::optional<Birth> birth = stepper.seekBirth({0.1, 0.1}, 0.0);
     REQUIRE(birth);
-    CHECK(stepper.position() == birth->advance);
+    CHECK(birth->advance == made);
+    CHECK(stepper.position() == made);
 }
 
 TEST_CASE("MeshStepper: a refused job says why, and cancelling keeps the position") {

@@ -11,8 +11,8 @@ namespace FOREFRONT_API forefront {
 
 /// Returns the coordinates of the nodes as one array: x and y of each in turn. Valid as long as the mesh is unchanged.
 std::span<const double> coordinates(const Mesh &mesh);
-/// Returns the nodes of the elements as one array: three indices of each in turn, counter-clockwise. Valid as long as the
-/// mesh is unchanged.
+/// Returns the nodes of the elements as one array: three indices of each in turn, counter-clockwise. Valid as long as
+/// the mesh is unchanged.
 std::span<const std::uint32_t> connectivity(const Mesh &mesh);
 
 /// Returns the tagged edges that carry a tag, as ascending indices into Mesh::edges.
@@ -29,9 +29,9 @@ struct EdgeSides {
     friend bool operator==(const EdgeSides &, const EdgeSides &) = default;
 };
 
-/// Returns the sides of each tagged edge, in the order of Mesh::edges. On the boundary of a mesh that this library made,
-/// the mesh is on the left. The indices of the mesh must be valid, see verify(). An edge that is not in the mesh has no
-/// sides.
+/// Returns the sides of each tagged edge, in the order of Mesh::edges. On the boundary of a mesh that this library
+/// made, the mesh is on the left. The indices of the mesh must be valid, see verify(). An edge that is not in the mesh
+/// has no sides.
 std::vector<EdgeSides> edgeSides(const Mesh &mesh);
 
 } // namespace forefront

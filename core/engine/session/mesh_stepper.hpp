@@ -16,12 +16,12 @@
 
 namespace FOREFRONT_API forefront {
 
-/// A meshing run that moves forward and back, one advance of the front at a time. Every call does its work on the calling
-/// thread and returns when it is done; MeshingSession does the same on a thread of its own.
+/// A meshing run that moves forward and back, one advance of the front at a time. Every call does its work on the
+/// calling thread and returns when it is done; MeshingSession does the same on a thread of its own.
 ///
 /// The state at a position does not depend on the way there, and a finished run has the mesh of meshDomain(). Use each
-/// stepper from one thread at a time. If a callback of the job or of a Progress throws, the exception reaches the caller
-/// and the run is discarded: the stepper is then empty(), and its other members must not be called.
+/// stepper from one thread at a time. If a callback of the job or of a Progress throws, the exception reaches the
+/// caller and the run is discarded: the stepper is then empty(), and its other members must not be called.
 class MeshStepper {
   public:
     /// Prepares a run before its first advance. A job of more than about `budget` elements is coarsened to it, see

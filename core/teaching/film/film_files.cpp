@@ -1,10 +1,10 @@
 #include "core/teaching/film/film_files.hpp"
 
+#include "core/engine/session/mesh_stepper.hpp"
+#include "core/files/text/atomic_file.hpp"
 #include "core/teaching/film/film_picture.hpp"
 #include "core/teaching/film/gif_writer.hpp"
 #include "core/teaching/film/png_writer.hpp"
-#include "core/files/text/atomic_file.hpp"
-#include "core/engine/session/mesh_stepper.hpp"
 
 #include <algorithm>
 #include <new>

@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:core/engine/spacing/parts/expression/expression_reach.cpp
-#include "core/engine/spacing/parts/expression/expression_spacing.hpp"
-========
 #include "core/engine/spacing/sites/steep_sites.hpp"
->>>>>>>> 19363077 (Take the element size from a function of the caller):core/engine/spacing/sites/steep_sites.cpp
 
 #include <algorithm>
 #include <array>

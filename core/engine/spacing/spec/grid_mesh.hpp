@@ -18,8 +18,8 @@ struct GridMesh {
     static constexpr std::uint32_t kAbsent = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// Makes a node of each value > 0 and divides each rectangle of four nodes into two triangles; one with three nodes is a
-/// single triangle. `values`: row by row from the bottom, fewer than 2³² - 1.
+/// Makes a node of each value > 0 and divides each rectangle of four nodes into two triangles; one with three nodes is
+/// a single triangle. `values`: row by row from the bottom, fewer than 2³² - 1.
 GridMesh gridMesh(std::span<const double> x, std::span<const double> y, std::span<const double> values);
 
 } // namespace forefront

@@ -15,8 +15,8 @@ namespace forefront {
 /// probes. What the function throws leaves every member that calls it.
 class FunctionSpacing {
   public:
-    /// Calls the function of `spec` at 65 x 65 places of the box and at the domain's nodes. Error: function-value at the
-    /// first place with NaN, a value <= 0 without a minimum, or infinity without a maximum.
+    /// Calls the function of `spec` at 65 x 65 places of the box and at the domain's nodes. Error: function-value at
+    /// the first place with NaN, a value <= 0 without a minimum, or infinity without a maximum.
     static Result<FunctionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
 
     double at(Vec2 p) const;
