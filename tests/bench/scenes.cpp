@@ -57,7 +57,7 @@ Scene ramp(double triangles) {
     addLoop(scene.job.domain, rectangle(1.0, 0.05), 1);
     const double s = std::sqrt(0.05 * (1e8 - 1.0) / (8.0 * std::numbers::ln10 * kTriangle * triangles));
     scene.job.spacing.expression = std::to_string(s) + "*10^(4*x-4)";
-    scene.job.spacing.gradation = 100.0; // steeper at its coarse end than spacing is by default
+    scene.job.spacing.gradation = 1e9; // steeper at its coarse end than spacing is by default
     return scene;
 }
 

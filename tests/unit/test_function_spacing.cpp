@@ -44,7 +44,7 @@ MeshingJob rectangleJob() {
     return job;
 }
 
-std::uint64_t hashOf(const MeshingJob &job) {
+std::uint64_t runHash(const MeshingJob &job) {
     const Result<MeshingOutcome> outcome = meshDomain(job);
     REQUIRE(outcome);
     return meshHash(outcome->mesh);
@@ -56,13 +56,13 @@ TEST_CASE("Function spacing: a function, a bulk function and an expression of th
     MeshingJob job = rectangleJob();
     job.spacing.expression = "0.05 + 0.1*abs(x - 2)";
     job.spacing.gradation = 0.3;
-    const std::uint64_t expected = hashOf(job);
+    const std::uint64_t expected = runHash(job);
     job.spacing.expression.reset();
     job.spacing.function = sizeAt;
-    CHECK(hashOf(job) == expected);
+    CHECK(runHash(job) == expected);
     job.spacing.function = nullptr;
     job.spacing.bulkFunction = sizesAt;
-    CHECK(hashOf(job) == expected);
+    CHECK(runHash(job) == expected);
 }
 
 TEST_CASE("Function spacing: is combined by minimum, limited and explained like an expression") {
@@ -150,14 +150,14 @@ TEST_CASE("Function spacing: only the calling thread calls it unless it is threa
         callers.insert(std::this_thread::get_id());
         return 0.15 * sizeAt(p);
     };
-    const std::uint64_t expected = hashOf(job);
+    const std::uint64_t expected = runHash(job);
     job.options.threads = 3;
     CHECK(job.usableThreads() == 1);
-    CHECK(hashOf(job) == expected);
+    CHECK(runHash(job) == expected);
     CHECK(callers == std::set{std::this_thread::get_id()});
     job.spacing.functionThreadSafe = true;
     CHECK(job.usableThreads() == 3);
-    CHECK(hashOf(job) == expected);
+    CHECK(runHash(job) == expected);
 }
 
 TEST_CASE("Function spacing: what a function throws reaches the caller, from any thread and at any moment") {
@@ -170,7 +170,7 @@ TEST_CASE("Function spacing: what a function throws reaches the caller, from any
             ++calls;
             return 0.15 * sizeAt(p);
         };
-        CHECK(hashOf(job) != 0);
+        CHECK(runHash(job) != 0);
         const std::uint64_t all = calls;
         for (const std::uint64_t last : {std::uint64_t{1}, std::uint64_t{4000}, all / 20, all / 4, all / 2}) {
             CAPTURE(last);
@@ -210,7 +210,7 @@ TEST_CASE("Function spacing: a session reports what the function throws, and can
     job->spacing.function = [&](Vec2 p) {
         return ++calls == last ? throw std::runtime_error("no more") : 0.3 * sizeAt(p);
     };
-    REQUIRE(hashOf(*job) != 0);
+    REQUIRE(runHash(*job) != 0);
     last = calls / 2; // well after the preparation
     calls = 0;
     MeshingSession session;
@@ -223,7 +223,7 @@ TEST_CASE("Function spacing: a session reports what the function throws, and can
     auto good = std::make_shared<MeshingJob>(rectangleJob());
     good->spacing.function = sizeAt;
     session.start(good, StartMode::Run);
-    CHECK(session.wait()->meshHash == hashOf(*good));
+    CHECK(session.wait()->meshHash == runHash(*good));
 
     calls = 0;
     Result<MeshStepper> stepper = MeshStepper::create(*job);

@@ -52,7 +52,8 @@ std::vector<std::uint64_t> nodeHashes(const std::vector<Vec2> &nodes) {
 
 std::uint64_t meshHash(const Mesh &mesh) {
     const std::vector<std::uint64_t> node = nodeHashes(mesh.nodes);
-    const auto at = [&](NodeId id) { return node[index(id)]; };
+    // Meshes of files may refer to nodes that do not exist.
+    const auto at = [&](NodeId id) { return index(id) < node.size() ? node[index(id)] : std::uint64_t{0}; };
     // Sums do not depend on the order of the parts.
     std::uint64_t sum = std::accumulate(node.begin(), node.end(), std::uint64_t{0});
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
