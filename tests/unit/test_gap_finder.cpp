@@ -107,3 +107,43 @@ TEST_CASE("GapFinder: finds gaps only inside the domain, for any order and direc
         CHECK(narrow == doctest::Approx(6.0).epsilon(0.05)); // both sides of the strip below the slot
     }
 }
+
+TEST_CASE("GapFinder: a line that ends on a finely divided outline at 70 degrees or more is beside no gap") {
+    for (const double degrees : {70.0, 80.0, 90.0, 110.0}) {
+        for (const bool turned : {false, true}) {
+            CAPTURE(degrees);
+            Domain domain; // a square whose lower side consists of short segments
+            std::vector<Vec2> outline;
+            for (int k = 0; k <= 40; ++k) {
+                outline.push_back({2.5 * k, 0.0});
+            }
+            outline.insert(outline.end(), {{100, 100}, {0, 100}});
+            addLoop(domain, outline);
+            const double angle = degrees * 0.017453292519943295;
+            domain.nodes.push_back({50 + 40 * std::cos(angle), 40 * std::sin(angle)});
+            const auto tip = static_cast<std::uint32_t>(domain.nodes.size() - 1);
+            domain.segments.push_back({20, tip, 2, SegmentRole::Constraint});
+            if (turned) {
+                reverse(domain);
+            }
+            CHECK(gapsOf(domain, 10.0).empty());
+            // A second line beside the first one, which does not end on the outline, leaves a gap.
+            domain.nodes.insert(domain.nodes.end(), {domain.nodes[tip] + Vec2{1, 0},
+                                                     lerp(Vec2{51, 0}, domain.nodes[tip] + Vec2{1, 0}, 0.5)});
+            domain.segments.push_back({tip + 1, tip + 2, 2, SegmentRole::Constraint});
+            CHECK(lengthOf(gapsOf(domain, 10.0)) > 20.0);
+        }
+    }
+}
+
+TEST_CASE("GapFinder: the outline on both sides of a place where a line ends is beside no gap") {
+    Domain domain; // a regular polygon with a line from its centre to a corner
+    std::vector<Vec2> outline;
+    for (int k = 0; k < 60; ++k) {
+        outline.push_back({50 * std::cos(0.10471975511965977 * k), 50 * std::sin(0.10471975511965977 * k)});
+    }
+    addLoop(domain, outline);
+    domain.nodes.push_back({0, 0});
+    domain.segments.push_back({60, 7, 2, SegmentRole::Constraint});
+    CHECK(gapsOf(domain, 5.0).empty()); // farther away, the outline turns back
+}

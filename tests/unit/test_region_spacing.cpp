@@ -186,3 +186,44 @@ TEST_CASE("Region area: project files keep it") {
     CHECK(read->regionMarkers == document.regionMarkers);
     CHECK(projectText(document).find("\"maxArea\": 0.125") != std::string::npos);
 }
+
+TEST_CASE("Region area: an area larger than the automatic one is the size where it is given") {
+    DomainBuilder builder; // 100 x 60, divided at x = 60
+    builder.loop({{0, 0}, {60, 0}, {100, 0}, {100, 60}, {60, 60}, {0, 60}}, 1);
+    builder.segment(1, 4, 2, SegmentRole::Constraint);
+    Domain &domain = builder.domain;
+    domain.regionNames[1] = "soil";
+    const double automatic = domain.bounds().diagonal() / 45.0;
+    for (const double byArea : {0.0, 1.0}) {
+        domain.regionMarkers = {{{30, 30}, 1, byArea * 50.0}, {{80, 30}, 2}};
+        const double size = spacingForArea(50.0);
+        REQUIRE(size > 2.0 * automatic);
+        domain.regionMarkers[0].size = (1.0 - byArea) * size;
+        const auto field = SpacingField::build({}, domain);
+        REQUIRE(field.ok());
+        CHECK((*field)->at({20, 30}) == doctest::Approx(size));
+        CHECK((*field)->sample({20, 30}).describe ==
+              (byArea > 0.0 ? "maximum area 50 of region 'soil'" : "size of region 'soil'"));
+        CHECK((*field)->at({80, 30}) == doctest::Approx(automatic));
+        CHECK((*field)->sample({80, 30}).describe == "automatic: size of the domain");
+        CHECK((*field)->at({58, 30}) == doctest::Approx(automatic + 0.25 * 2.0));
+        CHECK((*field)->sample({58, 30}).describe == "limited by gradation 0.25 from the automatic sizes at (60, 30)");
+        CHECK((*field)->maximum() == doctest::Approx(size));
+        auto regions = areasByRegion({domain, {}, {}});
+        const double mean = 3600.0 / static_cast<double>(regions[1].count);
+        CHECK(regions[1].largest <= kTolerance * 50.0);
+        CHECK(mean > 12.0); // 4 without the region
+        CHECK(2400.0 / static_cast<double>(regions[2].count) < 6.0);
+    }
+    // What the boundary forces stays: a channel of width 1, and short segments.
+    DomainBuilder narrow;
+    narrow.loop({{0, 0}, {100, 0}, {100, 30}, {140, 30}, {140, 31}, {100, 31}, {100, 60}, {0, 60}}, 1);
+    narrow.domain.regionMarkers = {{{30, 30}, 1, 50.0}};
+    const auto field = SpacingField::build({}, narrow.domain);
+    REQUIRE(field.ok());
+    CHECK((*field)->at({120, 30.5}) < 0.8);
+    CHECK((*field)->at({30, 30}) == doctest::Approx(spacingForArea(50.0)));
+    SpacingSpec maximum; // a given maximum still limits all
+    maximum.maximum = 2.0;
+    CHECK((*SpacingField::build(maximum, narrow.domain))->at({30, 30}) == 2.0);
+}

@@ -166,7 +166,7 @@ Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
     const SpacingSpec &spec = input.spec;
     double longest = std::min(parts.cap, spec.maximum.value_or(parts.cap));
     if (spec.usesAutomatic() && !spec.background) {
-        longest = std::min(longest, automaticMaximum(input.box));
+        longest = std::min(longest, std::max(automaticMaximum(input.box), largestRegionSize(input.domain)));
     }
     addGapSites(input.domain, input.faces, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()),
                 input.minimum, input.gradation, input.progress, parts.few);

@@ -79,12 +79,18 @@ class FieldBuilder {
         }
     }
     void addAutomatic() {
-        AutomaticSpacing automatic =
-            automaticSpacing(input_.domain, faces_, input_.box, input_.minimum, input_.gradation,
-                             spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
         auto &background = parts_.point<FilledBackground>();
+        auto &regions = parts_.point<RegionPart>();
+        const double largest = regions && !background ? regions->largest() : 0.0;
+        AutomaticSpacing automatic =
+            automaticSpacing(input_.domain, faces_, input_.box, input_.minimum, input_.gradation, largest,
+                             spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
         if (!background) {
-            parts_.lowerCap(automatic.maximum, SpacingOrigin::Automatic);
+            if (largest > automatic.maximum) { // a region that may be coarser is
+                regions->limitOthers(automatic.maximum, input_.gradation, parts_.few);
+            } else {
+                parts_.lowerCap(automatic.maximum, SpacingOrigin::Automatic);
+            }
             for (std::size_t i = 0; i < automatic.sites.sites.size(); ++i) {
                 parts_.few.add(automatic.sites.sites[i], automatic.sites.labels[i]);
             }

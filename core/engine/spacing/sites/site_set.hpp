@@ -24,7 +24,8 @@ enum class SiteReason : std::uint8_t {
     Bend,           ///< curvature; index: of the domain segment
     Channel,        ///< narrow gap across from the domain segment
     Corner,         ///< beside a sharp corner of the domain segment
-    LonePoint       ///< index: of the domain node
+    LonePoint,      ///< index: of the domain node
+    AutomaticEdge   ///< edge of faces with automatic spacing beside a face with a size of its own
 };
 
 /// The part of the specification that a site comes from, and the reason for it.

@@ -19,6 +19,8 @@ std::string reachedFrom(const SiteLabel &label, const SiteWords &words) {
         return "the size function";
     case SiteReason::RegionEdge:
         return "region '" + words.regions[label.index] + "'";
+    case SiteReason::AutomaticEdge:
+        return "the automatic sizes";
     default:
         return {};
     }

@@ -95,6 +95,7 @@ struct BackgroundMesh {
 /// covers the whole domain (no size, expression, function, gradient, source or boundary lengths), automatic spacing
 /// applies: from boundary lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint,
 /// sizes of parts and regions, region areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
+/// In regions with a size or a maximum area, that stands in place of the domain size, so that they may be coarser.
 struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"

@@ -140,10 +140,11 @@ double automaticMaximum(const Box2 &box) {
 }
 
 AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, const Box2 &box, double minimum,
-                                  double gradation, double segmentsPerTurn, bool channels, const Progress &progress) {
+                                  double gradation, double largest, double segmentsPerTurn, bool channels,
+                                  const Progress &progress) {
     AutomaticSpacing automatic;
     automatic.maximum = automaticMaximum(box);
-    AutomaticSites sites(domain, faces, minimum, automatic.maximum, gradation, automatic.sites);
+    AutomaticSites sites(domain, faces, minimum, std::max(automatic.maximum, largest), gradation, automatic.sites);
     sites.addLengths();
     if (segmentsPerTurn > 0.0) {
         sites.addCurvature(segmentsPerTurn, progress);

@@ -17,9 +17,10 @@ double automaticMaximum(const Box2 &box);
 
 /// Chooses a graded spacing that leaves short segments and curves undivided, makes the domain about 45 elements across,
 /// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require). It is finer at sharp
-/// corners and lone points, and with `channels` in narrow places, too.
+/// corners and lone points, and with `channels` in narrow places, too. Where regions have sizes of up
+/// to `largest`, which may exceed the automatic maximum, the rules of the boundary hold for these.
 AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, const Box2 &box, double minimum,
-                                  double gradation, double segmentsPerTurn, bool channels = true,
+                                  double gradation, double largest, double segmentsPerTurn, bool channels = true,
                                   const Progress &progress = {});
 
 } // namespace forefront

@@ -56,16 +56,22 @@ class Chains {
             node = otherEnd(first, node);
         }
         const bool closed = beyond(first, node) != kNoIndex;
+        const std::uint32_t begin = node;
         std::vector<std::uint32_t> members;
         double length = 0.0;
         for (std::uint32_t i = first; i != kNoIndex && places_[i].chain == kNoIndex; i = beyond(i, node)) {
-            places_[i] = {chain, length, 0.0, ends(i).a == node};
+            places_[i] = {chain, length, 0.0, ends(i).a == node, 0.0, kNoIndex, kNoIndex};
             members.push_back(i);
             length += segments_[i].length();
             node = otherEnd(i, node);
         }
         for (const std::uint32_t i : members) {
             places_[i].loop = closed ? length : 0.0;
+            places_[i].length = length;
+            if (!closed) {
+                places_[i].first = begin;
+                places_[i].last = node;
+            }
         }
     }
 

@@ -164,15 +164,15 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
 }
 
 bool GapFinder::openLikeCorner(std::uint32_t position, std::uint32_t other, Vec2 p, Vec2 q) const {
-    const ChainPlace &own = places_[position], &far = places_[other];
-    const PlacedSegment &segment = index_.segments[position], &wall = index_.segments[other];
-    if (own.chain != far.chain || own.chain == kNoIndex) {
-        return false;
-    }
-    // The base of a triangle with an angle of 60 degrees or more is at least half of the other two sides together.
-    const double way = distanceAlong(own, own.at(segment, p), far.at(wall, q));
-    const Vec2 u = own.direction(segment), v = far.direction(wall);
-    return kAlmost * distance(p, q) >= 0.5 * way && -dot(u, v) < kAlmost * kFacing * length(u) * length(v);
+    bool open = false;
+    forEachWay(places_[position], index_.segments[position], p, places_[other], index_.segments[other], q,
+               [&](const ChainWay &way) {
+                   // The base of a triangle with an angle of 60 degrees or more is at least half of the other two sides
+                   // together.
+                   open = open || (kAlmost * distance(p, q) >= 0.5 * way.length &&
+                                   -dot(way.from, way.to) < kAlmost * kFacing * length(way.from) * length(way.to));
+               });
+    return open;
 }
 
 GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides,

@@ -46,13 +46,13 @@ struct GapRules {
 ///
 /// For each part of a boundary or constraint, looks for the part of the domain that faces it within GapRules::across
 /// times the longest useful element, at most 60 degrees off the normal. Sides that open like a corner of 60 degrees or
-/// more, however many segments there are between them, do not face each other. Divides parts until the width along each
-/// varies by at most 5 % (beside curves 20 %), or they are no longer than that width or `shortest`. Under the even-odd
-/// rule, decides inside and outside by counting in floating point, once per chain, which is good enough for sizes; with
-/// hole markers by the faces of the domain, since the roles of segments then do not tell. Leaves out long gaps, and
-/// tips of corners below 20 degrees, that are narrower than 1/32 of the longest useful element: finer elements would
-/// add to their number, not to their quality. With GapRules::everywhere, it leaves out only corners of 20 degrees or
-/// more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
+/// more, however many segments there are between them, also where a third line ends, do not face each other. Divides
+/// parts until the width along each varies by at most 5 % (beside curves 20 %), or they are no longer than that width
+/// or `shortest`. Under the even-odd rule, decides inside and outside by counting in floating point, once per chain,
+/// which is good enough for sizes; with hole markers by the faces of the domain, since the roles of segments then do
+/// not tell. Leaves out long gaps, and tips of corners below 20 degrees, that are narrower than 1/32 of the longest
+/// useful element: finer elements would add to their number, not to their quality. With GapRules::everywhere, it leaves
+/// out only corners of 20 degrees or more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; parts shorter than `shortest` are not divided. `index` holds the segments,
@@ -91,7 +91,8 @@ class GapFinder {
     std::vector<Sides> findSides() const;
     /// Returns the longest useful element at a segment.
     double reachOf(const PlacedSegment &segment) const;
-    /// Returns true for two walls with closest points `p` and `q` that a chain connects and that open like a corner.
+    /// Returns true for two walls with closest points `p` and `q` that open like a corner: a chain connects them, or
+    /// they are on chains that end at the same node.
     bool openLikeCorner(std::uint32_t position, std::uint32_t other, Vec2 p, Vec2 q) const;
     /// Finds what faces the part of the segment from a to b at the smallest distance. `likely`: position of a segment
     /// that probably does, such as the one that faced the part before, or kNoIndex; it only speeds up the search.

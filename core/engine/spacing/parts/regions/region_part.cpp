@@ -9,7 +9,7 @@ namespace forefront {
 namespace {
 
 /// Part of the maximum area that the equilateral triangle of the spacing has; see spacingForArea().
-constexpr double kAreaShare = 0.6;
+constexpr double kAreaShare = 0.55;
 
 /// Returns the height of the segment from a to b (a.x < b.x) at x; exact at a.
 double heightAt(Vec2 a, Vec2 b, double x) {
@@ -37,6 +37,14 @@ double spacingForArea(double maxArea) {
     return std::sqrt(kAreaShare * maxArea * 4.0 / std::sqrt(3.0));
 }
 
+double largestRegionSize(const Domain &domain) {
+    double largest = 0.0;
+    for (const RegionMarker &marker : domain.regionMarkers) {
+        largest = std::max({largest, marker.size, spacingForArea(marker.maxArea)});
+    }
+    return largest;
+}
+
 /// Collects the limits of the faces from the markers in them. Returns the limit of each face, or kNoIndex.
 std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionMarker> markers,
                                                   std::span<const std::uint32_t> faceOfMarker, std::size_t faces) {
@@ -62,6 +70,7 @@ std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionMarker> 
             limitOf[face] = static_cast<std::uint32_t>(limits_.size());
             limits_.push_back(limit);
             minimum_ = std::min(minimum_, limit.least);
+            largest_ = std::max(largest_, limit.least);
         }
     }
     return limitOf;
@@ -87,6 +96,8 @@ std::optional<RegionPart> RegionPart::build(const Domain &domain, const LazyFace
         if (wall.above == wall.below) {
             continue;
         }
+        const auto isOpen = [&](std::uint32_t face) { return labels.inside[face] != 0 && limitOf[face] == kNoIndex; };
+        wall.open = isOpen(faces.left[e]) || isOpen(faces.right[e]);
         if (wall.b.x < wall.a.x) {
             std::swap(wall.a, wall.b);
             std::swap(wall.above, wall.below);
@@ -132,7 +143,11 @@ SpacingRunnerUp RegionPart::described(const Rule &rule, bool size, const SiteWor
 }
 
 SpacingSample RegionPart::sample(Vec2 p, const SiteWords &words) const {
-    const Limit &limit = limits_[faceAt(p)];
+    const std::uint32_t face = faceAt(p);
+    if (face == kNoIndex) {
+        return {others_, SpacingOrigin::Automatic, 0, "automatic: size of the domain"};
+    }
+    const Limit &limit = limits_[face];
     const bool bySize = limit.size.size <= limit.area.size;
     const Rule &rule = bySize ? limit.size : limit.area, &other = bySize ? limit.area : limit.size;
     SpacingSample sample{limit.least, SpacingOrigin::Region, rule.marker, described(rule, bySize, words).describe};
@@ -140,6 +155,17 @@ SpacingSample RegionPart::sample(Vec2 p, const SiteWords &words) const {
         sample.runnerUp = described(other, !bySize, words);
     }
     return sample;
+}
+
+void RegionPart::limitOthers(double size, double gradation, SiteSet &sites) {
+    others_ = std::max(size, raised_);
+    minimum_ = std::min(minimum_, others_);
+    for (const Wall &wall : walls_) {
+        if (wall.open) {
+            sites.add(SizeSite::segment(wall.a, wall.b, others_, gradation),
+                      {SpacingOrigin::Automatic, SiteReason::AutomaticEdge, 0});
+        }
+    }
 }
 
 void RegionPart::addSites(double gradation, double givenGradation, SiteSet &sites) const {

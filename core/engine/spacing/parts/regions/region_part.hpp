@@ -4,6 +4,7 @@
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/spacing/sites/site_words.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -12,10 +13,13 @@
 
 namespace forefront {
 
-/// Returns the spacing whose triangles stay below a maximum area: the side of an equilateral triangle of 0.6 times that
-/// area, since the largest triangles of a mesh have about 1.65 times the area that the spacing implies. A test requires
-/// that they stay within `maxArea`.
+/// Returns the spacing whose triangles stay below a maximum area: the side of an equilateral triangle of 0.55 times
+/// that area, since the largest triangles of a mesh have up to about 1.85 times the area that the spacing implies. A
+/// test requires that they stay within `maxArea`.
 double spacingForArea(double maxArea);
+
+/// Returns the largest size that a region of the domain has or that its maximum area implies; 0 if none has one.
+double largestRegionSize(const Domain &domain);
 
 /// The sizes and maximum element areas of a domain's regions as spacing: constant in each face that has one.
 class RegionPart {
@@ -25,15 +29,21 @@ class RegionPart {
     /// smallest area count.
     static std::optional<RegionPart> build(const Domain &domain, const LazyFaces &faces, double minimum);
 
-    /// Returns the spacing of the face that contains p; infinity if it has none.
+    /// Returns the spacing of the face that contains p, which is infinite for faces without a rule unless limitOthers()
+    /// was called.
     double at(Vec2 p) const {
         const std::uint32_t face = faceAt(p);
-        return face == kNoIndex ? std::numeric_limits<double>::infinity() : limits_[face].least;
+        return face == kNoIndex ? others_ : limits_[face].least;
     }
-    /// Returns the spacing at p and the name of its region, which must have a size or a maximum area.
+    /// Returns the finite spacing at p and the name of its region.
     SpacingSample sample(Vec2 p, const SiteWords &words) const;
     double minimum() const { return minimum_; }
-    double maximum() const { return std::numeric_limits<double>::infinity(); }
+    double maximum() const { return std::max(largest_, others_); }
+    /// Returns the largest spacing of a face that has a rule.
+    double largest() const { return largest_; }
+
+    /// Gives the faces without a rule the automatic spacing `size`, which grows by `gradation` into the others.
+    void limitOthers(double size, double gradation, SiteSet &sites);
 
     /// Adds the edges of the faces, from which the spacing grows into their surroundings: that of a maximum area by
     /// `gradation`, a size by its own growth, at most `givenGradation` (infinity: no limit).
@@ -61,6 +71,7 @@ class RegionPart {
         Vec2 b;
         std::uint32_t above = kNoIndex; ///< index into limits_
         std::uint32_t below = kNoIndex;
+        bool open = false; ///< a side is inside the domain and has no limit
     };
     std::uint32_t faceAt(Vec2 p) const;
 
@@ -68,7 +79,9 @@ class RegionPart {
     std::vector<Wall> walls_;
     BoxTree tree_; ///< of the walls
     double minimum_ = std::numeric_limits<double>::infinity();
-    double raised_ = 0.0; ///< the minimum spacing that others are raised to
+    double largest_ = 0.0;
+    double others_ = std::numeric_limits<double>::infinity(); ///< in faces without a limit
+    double raised_ = 0.0;                                     ///< the minimum spacing that others are raised to
 };
 
 } // namespace forefront
