@@ -120,6 +120,30 @@ class Meshing(Case):
         graded = self.stats("plate.poly", "--spacing", "0.02 + 0.9*max(0, x + y - 0.2)", "--gradation", "0.1")
         self.assertGreater(graded["elements"], 2 * steep["elements"])
 
+    def test_more_elements_than_the_limit_are_refused_with_a_size_that_fits(self):
+        refusal = self.call("mesh", "plate.poly", "--size", "0.01", "--max-elements", "1e3", "--stats", "-", code=1)
+        self.assertIn("[too-many-elements]", refusal.stderr)
+        self.assertIn("expected at most 1000", refusal.stderr)
+        self.assertIn("raise --max-elements", refusal.stderr)
+        size = re.search(r"choose a --size of at least ([\d.]+)", refusal.stderr)[1]
+        self.assertLess(self.stats("plate.poly", "--size", size, "--max-elements", "1000")["elements"], 1250)
+        self.write("few.json", PROJECT.replace('"shapes"', '"options": {"maxElements": 50}, "shapes"'))
+        self.assertIn("expected at most 50", self.call("mesh", "few.json", "--stats", "-", code=1).stderr)
+        self.call("mesh", "few.json", "--stats", "-", "--max-elements", "5000")
+        self.call("film", "few.json", "-o", "few.svg", code=1)
+        self.call("mesh", "plate.poly", "--stats", "-", "--max-elements", "0", code=2)
+
+    def test_long_kept_segments_give_no_flat_elements(self):
+        steps = [(x, 0.0) for x in range(10)] + [(10.0, y) for y in range(6)] + [(x, 6.0) for x in range(10, 0, -1)] + [
+            (0.0, y) for y in range(6, 0, -1)]
+        self.write("steps.poly", poly([steps]))
+        for method in ["fast", "classic"]:
+            stats = self.stats("steps.poly", "-o", "steps.msh", "--keep-boundary", "--size", "0.1", "--no-improve",
+                               "--method", method)
+            self.assertEqual(stats["flat_elements"], 0)
+            self.assertGreater(stats["min_angle_deg"], 0.001)
+            self.assertEqual(self.call("check", "steps.msh").stderr, "")
+
     def test_curves_are_divided_by_their_bend(self):
         (self.path / "disc.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
                                             '<circle cx="10" cy="10" r="5"/></svg>')
