@@ -52,11 +52,13 @@ TEST_CASE("Import: a small plan near the origin stays as it is, and large coordi
     driver.click("dialog/importoptions/ok");
     driver.settle();
     CHECK(boundsOf(driver.document()) == Box2{{0, 0}, {4, 3}});
-    importMap(driver, place.path / "basin.geojson", "[687123,5312345],[687923,5312345],[687923,5312945],[687123,5312345]");
+    importMap(driver, place.path / "basin.geojson",
+              "[687123,5312345],[687923,5312345],[687923,5312945],[687123,5312345]");
     CHECK_FALSE(driver.has("dialog/importoptions/degrees/keep degrees"));
 }
 
-TEST_CASE("Open: a map in longitudes and latitudes is opened as it is, with a warning that names the way to project it") {
+TEST_CASE(
+    "Open: a map in longitudes and latitudes is opened as it is, with a warning that names the way to project it") {
     const TemporaryFolder place;
     std::ofstream(place.path / "lake.geojson") << R"({"type": "Polygon", "coordinates": [[)" << kNorth << "]]}";
     Draughtsman driver;

@@ -93,7 +93,8 @@ TEST_CASE("Maps: longitudes and latitudes are reported with the factor of their 
     REQUIRE(read.domain.ok());
     CHECK(read.domain->bounds() == Box2{{24, 60}, {25, 61}});
     CHECK(read.has("degrees", Severity::Warning));
-    CHECK(read.text().find("at latitude 60.5, lengths from west to east are 2.031 times too long") != std::string::npos);
+    CHECK(read.text().find("at latitude 60.5, lengths from west to east are 2.031 times too long") !=
+          std::string::npos);
     CHECK(read.text().find("--projection local") != std::string::npos);
     CHECK(read.text().find("--allow-degrees") != std::string::npos);
     CHECK(read.notes.contents().degrees);

@@ -58,5 +58,6 @@ TEST_CASE("JsonWriter: bytes that are not UTF-8 are replaced, in names and in va
 TEST_CASE("JsonWriter: an indented text has a member a line, and plain lists stay in one") {
     JsonWriter json(JsonWriter::Layout::Indented);
     json.beginObject().member("a", 1).key("b").values(std::vector<int>{1, 2}).key("c").beginObject().member("d", 2.5);
-    CHECK(json.endObject().endObject().text() == "{\n  \"a\": 1,\n  \"b\": [1,2],\n  \"c\": {\n    \"d\": 2.5\n  }\n}\n");
+    CHECK(json.endObject().endObject().text() ==
+          "{\n  \"a\": 1,\n  \"b\": [1,2],\n  \"c\": {\n    \"d\": 2.5\n  }\n}\n");
 }

@@ -35,8 +35,7 @@ class JsonWriter {
         return *this;
     }
     template <std::integral Integer>
-        requires(!std::same_as<Integer, bool>)
-    JsonWriter &value(Integer number) {
+    requires(!std::same_as<Integer, bool>) JsonWriter &value(Integer number) {
         begin();
         out_ << number;
         return *this;
@@ -72,7 +71,7 @@ class JsonWriter {
     StringSink sink_;
     TextWriter out_;
     std::size_t depth_ = 0;
-    bool first_ = true;    ///< nothing is in the innermost object or array yet
+    bool first_ = true;     ///< nothing is in the innermost object or array yet
     bool afterKey_ = false; ///< the value of a member follows
 };
 
