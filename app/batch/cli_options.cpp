@@ -101,6 +101,10 @@ std::string parseFault(const CLI::App &app, const CLI::ParseError &error) {
     if (error.get_name() == "ArgumentMismatch" && text.ends_with(" missing") && colon != std::string::npos) {
         return text.substr(0, colon) + ": missing value";
     }
+    constexpr std::string_view kOnce = "At Most 1 required but received ";
+    if (const std::size_t at = text.find(kOnce); at != std::string::npos && colon != std::string::npos) {
+        return text.substr(0, colon) + ": given " + text.substr(at + kOnce.size()) + " times; expected once";
+    }
     const std::string fault = error.get_name() == "RequiredError" ? groupFault(app) : std::string();
     return fault.empty() ? text : fault;
 }

@@ -611,6 +611,8 @@ class Imports(Case):
         self.assertIn("--layer: tells how", self.call(*adapt, "--expression", "x", "--layer", "a", code=2).stderr)
         self.assertIn("--inner-edges: no mesh is written",
                       self.call("mesh", "plate.poly", "--stats", "-", "--inner-edges", "drop", code=2).stderr)
+        self.assertIn("--size: given 2 times; expected once",
+                      self.call("mesh", "plate.poly", "-o", "b.msh", "--size", "1", "--size", "2", code=2).stderr)
         self.assertIn("parameter 'r' is set twice",
                       self.call("mesh", "plate.json", "-o", "b.msh", "--set", "r=1", "--set", "r=2", code=2).stderr)
 
@@ -870,14 +872,14 @@ class Refusing(Case):
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # writing then fails, as on a full disc
             resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
 
-        done = subprocess.run([PROGRAM, "mesh", "plate.poly", "--size", "0.08", "-o", "a.node", "-o", "a.msh", "--stats",
+        done = subprocess.run([PROGRAM, "mesh", "plate.poly", "--size", "0.12", "-o", "a.node", "-o", "a.msh", "--stats",
                                "a.json", "-q"], cwd=self.path, capture_output=True, text=True, preexec_fn=limit,
                               restore_signals=False)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("File too large; the other files that belong to it were not replaced either", done.stderr)
         self.assertEqual({name: self.read(name) for name in before}, before)
         self.assertEqual(len(os.listdir(self.path)), 1 + len(before))
-        self.call("mesh", "plate.poly", "--size", "0.08", "-o", "a.node", "-o", "a.msh", "--stats", "a.json", "-q")
+        self.call("mesh", "plate.poly", "--size", "0.12", "-o", "a.node", "-o", "a.msh", "--stats", "a.json", "-q")
         self.call("check", "a.node", "--domain", "plate.poly")
         self.call("mesh", "plate.poly", "--size", "0.5", "-o", "b.node", "-q")
         os.replace(self.path / "b.ele", self.path / "a.ele")

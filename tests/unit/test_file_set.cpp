@@ -20,7 +20,7 @@ using forefront::testing::TemporaryFolder;
 
 namespace {
 
-std::string textOf(const std::filesystem::path &file) {
+std::string bytesOf(const std::filesystem::path &file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -65,10 +65,10 @@ TEST_CASE("FileSet: no file appears before all are complete, and then all do") {
     CHECK(files.write(folder / "a", "first"));
     CHECK(files.write(folder / "b", "second"));
     CHECK_FALSE(std::filesystem::exists(folder / "a"));
-    CHECK(textOf(folder / "b") == "old");
+    CHECK(bytesOf(folder / "b") == "old");
     CHECK(files.commit().empty());
-    CHECK(textOf(folder / "a") == "first");
-    CHECK(textOf(folder / "b") == "second");
+    CHECK(bytesOf(folder / "a") == "first");
+    CHECK(bytesOf(folder / "b") == "second");
     CHECK(folder.fileCount() == 2);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("FileSet: if the nth file fails, none is replaced and nothing is left 
         }
         CHECK(folder.fileCount() == kCount);
         for (std::size_t k = 0; k < kCount; ++k) {
-            CHECK(textOf(name(k)) == "old");
+            CHECK(bytesOf(name(k)) == "old");
         }
     }
 }
@@ -110,7 +110,7 @@ TEST_CASE("FileSet: if a file cannot get its name, those that have theirs are ta
     const Status status = files.commit();
     REQUIRE(status.size() == 1);
     CHECK(status[0].file == (folder / "c").string());
-    CHECK(textOf(folder / "a") == "old");
+    CHECK(bytesOf(folder / "a") == "old");
     CHECK_FALSE(std::filesystem::exists(folder / "b"));
     CHECK(folder.fileCount() == 2);
 }
@@ -119,7 +119,7 @@ TEST_CASE("Triangle: a disc that is full keeps the old files of a mesh together"
     const TemporaryFolder folder;
     const Mesh small = samples::square(2, 2), large = samples::square(40, 40);
     REQUIRE(writeMesh(folder / "plate.node", small, "triangle").empty());
-    const std::string nodes = textOf(folder / "plate.node"), elements = textOf(folder / "plate.ele");
+    const std::string nodes = bytesOf(folder / "plate.node"), elements = bytesOf(folder / "plate.ele");
     {
         const TemporaryFolder other;
         REQUIRE(writeMesh(other / "plate.node", large, "triangle").empty());
@@ -131,8 +131,8 @@ TEST_CASE("Triangle: a disc that is full keeps the old files of a mesh together"
         REQUIRE(status.size() == 1);
         CHECK(status[0].file == (folder / "plate.ele").string());
     }
-    CHECK(textOf(folder / "plate.node") == nodes);
-    CHECK(textOf(folder / "plate.ele") == elements);
+    CHECK(bytesOf(folder / "plate.node") == nodes);
+    CHECK(bytesOf(folder / "plate.ele") == elements);
     CHECK(folder.fileCount() == 3);
 }
 
@@ -164,7 +164,7 @@ TEST_CASE("AtomicFile: a link to a file that does not exist yet stays, and its t
     CHECK(writeFileAtomically(folder / "link", "new").empty());
     CHECK(std::filesystem::is_symlink(folder / "link"));
     CHECK(std::filesystem::is_symlink(folder / "middle"));
-    CHECK(textOf(folder / "below/target") == "new");
+    CHECK(bytesOf(folder / "below/target") == "new");
 
     std::filesystem::create_symlink("missing/target", folder / "lost");
     const Status status = writeFileAtomically(folder / "lost", "new");
@@ -185,7 +185,7 @@ TEST_CASE("AtomicFile: a write-protected file is refused, by its own name and th
         CHECK(status[0].file == (folder / name).string());
         CHECK_FALSE(checkPlace(folder / name).empty());
     }
-    CHECK(textOf(folder / "a") == "old");
+    CHECK(bytesOf(folder / "a") == "old");
     CHECK(folder.fileCount() == 2);
 }
 
@@ -206,6 +206,6 @@ TEST_CASE("AtomicFile: temporary files of killed programs are removed, those of 
         CHECK_FALSE(std::filesystem::exists(folder / name));
     }
     for (const std::string &name : kept) {
-        CHECK(textOf(folder / name) == "mine");
+        CHECK(bytesOf(folder / name) == "mine");
     }
 }

@@ -14,7 +14,7 @@ using forefront::testing::TemporaryFolder;
 
 namespace {
 
-void fill(const std::filesystem::path &file, const std::string &text) {
+void fillFile(const std::filesystem::path &file, const std::string &text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
@@ -30,11 +30,11 @@ TEST_CASE("FileStamp: tells another content, also of the same length and time, a
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "a.txt";
     CHECK(stampOf(file).kind == FileStamp::Kind::Missing);
-    fill(file, "first");
+    fillFile(file, "first");
     const FileStamp first = stampOf(file);
     CHECK(first.sameContent(stampOfContent("first")));
     CHECK_FALSE(first.settled); // just written: its time need not show the next change
-    fill(file, "other");
+    fillFile(file, "other");
     CHECK_FALSE(stampOf(file, first).sameContent(first));
     std::filesystem::remove(file);
     CHECK_FALSE(stampOf(file, first).sameContent(first));
@@ -43,7 +43,7 @@ TEST_CASE("FileStamp: tells another content, also of the same length and time, a
 TEST_CASE("FileStamp: an old file is read again only if its size, time or inode has changed") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "a.txt";
-    fill(file, "first");
+    fillFile(file, "first");
     setTime(file, 1'000'000);
     const FileStamp before = stampOf(file);
     CHECK(before.settled);

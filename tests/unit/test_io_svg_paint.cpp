@@ -2,6 +2,7 @@
 #include "core/drawing_files/svg/svg.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/io_samples.hpp"
+#include "tests/unit/svg_samples.hpp"
 
 #include <doctest/doctest.h>
 

@@ -22,6 +22,7 @@ class QuestionDialog final : public Dialog {
 
     const char *id() const override { return id_.c_str(); }
     std::string title() const override { return title_; }
+    float width() const override;
     bool draw(Shell &context) override;
 
   private:

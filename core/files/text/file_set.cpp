@@ -52,6 +52,7 @@ Status FileSet::commit() {
         for (std::size_t k = files_.size(); k-- > 0;) {
             files_[k]->withdraw();
         }
+        files_.clear(); // with their temporary files
         return status_;
     }
     std::set<std::filesystem::path> folders;
