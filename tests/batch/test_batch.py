@@ -442,7 +442,8 @@ class Meshing(Case):
         self.assertTrue(shown.endswith(b"\r\x1b[K"), "the bar is cleared at the end")
 
     def test_interrupt_cancels_and_leaves_nothing(self):
-        process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "big.msh", "--size", "0.0004"], cwd=self.path,
+        process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "big.msh", "--size", "0.0004",
+                                    "--max-elements", "7e8"], cwd=self.path,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(1.0)
         self.assertIsNone(process.poll(), "finished before it could be cancelled")

@@ -68,7 +68,7 @@ TEST_CASE("SpatialOrder: sorts what is close together, and restores the mesh exa
         ThreadPool pool(threads);
         SpatialOrder order(mesh, pool);
         CHECK(verify(mesh).empty());
-        CHECK(meshHash(mesh) != meshHash(before));
+        CHECK(mesh.nodes != before.nodes);
         CHECK(meanSpan(mesh) < meanSpan(before) / 20.0);
         CHECK(measureQuality(mesh, nullptr).alphaMin == measureQuality(before, nullptr).alphaMin);
         for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
