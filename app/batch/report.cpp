@@ -54,24 +54,34 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
 
 } // namespace
 
+MeshReport reportOf(const Mesh &mesh, const SpacingField *spacing, bool valid) {
+    MeshReport report;
+    report.quality = measure(mesh, spacing);
+    report.extent = extentOf(mesh, report.quality.segments);
+    if (valid) {
+        report.sharp = sharpCorners(mesh, kSharpCorner);
+    }
+    report.hash = meshHash(mesh);
+    return report;
+}
+
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
+    const std::uint64_t peak = peakBytes(); // before measuring, which needs more memory
     RunReport report;
-    report.peakBytes = peakBytes(); // before measuring, which needs more memory
-    report.quality = measure(outcome.mesh, outcome.spacing.get());
-    report.extent = extentOf(outcome.mesh, report.quality.segments);
-    report.sharp = sharpCorners(outcome.mesh, kSharpCorner);
+    static_cast<MeshReport &>(report) = reportOf(outcome.mesh, outcome.spacing.get(), true);
+    report.peakBytes = peak;
     report.work = outcome.work;
     report.improve = options.improve;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
     report.secondsImprove = outcome.secondsImprove;
-    report.hash = meshHash(outcome.mesh);
     return report;
 }
 
-std::string statisticsJson(const RunReport &report) {
+namespace {
+
+void addFigures(const MeshReport &report, nlohmann::ordered_json &json) {
     const MeshQuality &q = report.quality;
-    nlohmann::ordered_json json;
     json["nodes"] = q.nodes;
     json["elements"] = q.elements;
     json["area"] = q.area;
@@ -81,6 +91,11 @@ std::string statisticsJson(const RunReport &report) {
     for (const RegionExtent &region : report.extent.regions) {
         json["regions"].push_back(
             {{"tag", region.tag}, {"name", region.name}, {"elements", region.elements}, {"area", region.area}});
+    }
+    json["boundaries"] = nlohmann::ordered_json::array();
+    for (const BoundaryExtent &boundary : report.extent.boundaries) {
+        json["boundaries"].push_back(
+            {{"tag", boundary.tag}, {"name", boundary.name}, {"edges", boundary.edges}, {"length", boundary.length}});
     }
     json["alpha_mean"] = q.alphaMean;
     json["alpha_geometric_mean"] = q.alphaGeometricMean;
@@ -98,6 +113,29 @@ std::string statisticsJson(const RunReport &report) {
         json["narrow_places"].push_back(
             {{"x", place.at.x}, {"y", place.at.y}, {"width", place.width}, {"elements", place.elements}});
     }
+}
+
+} // namespace
+
+std::string statisticsJson(const MeshReport &report, bool valid, const std::vector<LimitVerdict> &verdicts) {
+    nlohmann::ordered_json json;
+    json["valid"] = valid;
+    json["limits"] = nlohmann::ordered_json::array();
+    for (const LimitVerdict &verdict : verdicts) {
+        json["limits"].push_back({{"limit", wordOf(verdict.limit)},
+                                  {"bound", verdict.bound},
+                                  {"met", verdict.met()},
+                                  {"worst", verdict.worst},
+                                  {"violated_by", verdict.broken}});
+    }
+    addFigures(report, json);
+    json["hash"] = toHex(report.hash);
+    return json.dump(2) + '\n';
+}
+
+std::string statisticsJson(const RunReport &report) {
+    nlohmann::ordered_json json;
+    addFigures(report, json);
     json["front_mean"] = report.work.frontMean();
     json["neighbours_mean"] = report.work.neighboursMean();
     json["tests_mean"] = report.work.testsMean();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,10 +32,19 @@ class FaultList {
         fault.parts = parts;
         faults_.push_back(std::move(fault));
     }
+    /// Adds a note, which is no fault: neither counted nor limited.
+    void note(const char *code, std::string message, std::optional<Vec2> at, std::initializer_list<std::uint32_t> ids) {
+        Diagnostic &entry = notes_.emplace_back();
+        entry.severity = Severity::Note;
+        entry.code = code;
+        entry.message = std::move(message);
+        entry.at = at;
+        entry.ids = ids;
+    }
     std::size_t count() const { return count_; }
     bool clean() const { return count_ == 0; }
 
-    /// Returns the faults in the order they were added, with a final note of the number beyond the limit.
+    /// Returns the faults in the order they were added, with a note of the number beyond the limit, then the notes.
     Diagnostics take() {
         Diagnostics listed;
         std::size_t covered = 0; // faults that the list names or counts
@@ -58,6 +68,7 @@ class FaultList {
             rest.message = std::to_string(count_ - covered) + " more faults are not listed";
             listed.push_back(std::move(rest));
         }
+        std::move(notes_.begin(), notes_.end(), std::back_inserter(listed));
         return listed;
     }
 
@@ -80,6 +91,7 @@ class FaultList {
     std::size_t count_ = 0;
     std::vector<Kind> kinds_; ///< few
     Diagnostics faults_;      ///< the first of each kind
+    Diagnostics notes_;
 };
 
 } // namespace forefront

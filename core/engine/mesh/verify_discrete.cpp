@@ -1,10 +1,12 @@
 #include "core/engine/mesh/verify_discrete.hpp"
 
 #include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/verify.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace forefront {
 
@@ -14,6 +16,7 @@ namespace {
 struct RequiredEdge {
     NodeId lower = kNoNode, upper = kNoNode;
     std::int32_t tag = 1;
+    bool inner = false; ///< the domain is on both sides
     friend bool operator<(const RequiredEdge &a, const RequiredEdge &b) {
         return a.lower != b.lower ? a.lower < b.lower : a.upper < b.upper;
     }
@@ -21,18 +24,19 @@ struct RequiredEdge {
 using RequiredEdges = std::vector<RequiredEdge>;
 
 const RequiredEdge *find(const RequiredEdges &sorted, NodeId a, NodeId b) {
-    const RequiredEdge key{std::min(a, b), std::max(a, b), 1};
+    const RequiredEdge key{std::min(a, b), std::max(a, b)};
     const auto it = std::lower_bound(sorted.begin(), sorted.end(), key);
     return it != sorted.end() && it->lower == key.lower && it->upper == key.upper ? &*it : nullptr;
 }
 
-std::string segmentName(const DiscreteSegment &s) {
-    return std::to_string(s.a) + '-' + std::to_string(s.b) + " (tag " + std::to_string(s.tag) + ')';
+std::string segmentName(const DiscreteSegment &s, const MeshNumbers &numbers) {
+    return std::to_string(numbers.nodes.of(s.a)) + '-' + std::to_string(numbers.nodes.of(s.b)) + " (tag " +
+           std::to_string(s.tag) + ')';
 }
 
 /// Checks that each side of a segment has an element of the right region, or none outside the domain.
 void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
-                std::span<const HalfEdge> sides, FaultList &faults) {
+                std::span<const HalfEdge> sides, const MeshNumbers &numbers, FaultList &faults) {
     const Vec2 place = midpoint(domain.nodes[s.a], domain.nodes[s.b]);
     for (const bool left : {true, false}) {
         const std::uint32_t region = left ? s.leftRegion : s.rightRegion;
@@ -42,16 +46,16 @@ void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSe
         if (region == kOutside) {
             if (side != sides.end()) {
                 faults.add("element-outside",
-                           std::string("an element lies ") + sideName + " of boundary segment " + segmentName(s) +
-                               ", outside the domain",
+                           std::string("an element lies ") + sideName + " of boundary segment " +
+                               segmentName(s, numbers) + ", outside the domain",
                            place, {static_cast<std::uint32_t>(elementOf(*side))});
             }
         } else if (side == sides.end()) {
-            faults.add("missing-element", std::string("no element lies ") + sideName + " of segment " + segmentName(s),
-                       place);
+            faults.add("missing-element",
+                       std::string("no element lies ") + sideName + " of segment " + segmentName(s, numbers), place);
         } else if (!carriesNoTags(mesh) && mesh.region(elementOf(*side)) != domain.regions[region].tag) {
             faults.add("wrong-region",
-                       "element " + std::to_string(elementOf(*side)) + " has region " +
+                       "element " + std::to_string(numbers.elements.of(elementOf(*side))) + " has region " +
                            std::to_string(mesh.region(elementOf(*side))) + " instead of " +
                            std::to_string(domain.regions[region].tag),
                        place, {static_cast<std::uint32_t>(elementOf(*side))});
@@ -60,7 +64,7 @@ void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSe
 }
 
 RequiredEdges checkSegments(const Mesh &mesh, const DiscreteDomain &domain, const EdgeTable &table,
-                            const NodeFinder &nodes, FaultList &faults) {
+                            const NodeFinder &nodes, const MeshNumbers &numbers, FaultList &faults) {
     RequiredEdges required;
     required.reserve(domain.segments.size());
     for (const DiscreteSegment &s : domain.segments) {
@@ -68,19 +72,20 @@ RequiredEdges checkSegments(const Mesh &mesh, const DiscreteDomain &domain, cons
         const std::span<const HalfEdge> sides =
             a != kNoNode && b != kNoNode ? table.find(a, b) : std::span<const HalfEdge>{};
         if (sides.empty()) {
-            faults.add("missing-segment", "segment " + segmentName(s) + " is not an edge of the mesh",
+            faults.add("missing-segment", "segment " + segmentName(s, numbers) + " is not an edge of the mesh",
                        midpoint(domain.nodes[s.a], domain.nodes[s.b]), {s.a, s.b});
             continue;
         }
-        required.push_back({std::min(a, b), std::max(a, b), s.tag});
-        checkSides(mesh, domain, s, a, sides, faults);
+        required.push_back({std::min(a, b), std::max(a, b), s.tag, isInner(s)});
+        checkSides(mesh, domain, s, a, sides, numbers, faults);
     }
     std::sort(required.begin(), required.end());
     return required;
 }
 
-/// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged.
-void checkTags(const Mesh &mesh, const RequiredEdges &required, FaultList &faults) {
+/// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged. Inner
+/// ones need no tag without `innerTags`.
+void checkTags(const Mesh &mesh, const RequiredEdges &required, bool innerTags, FaultList &faults) {
     std::vector<bool> tagged(required.size(), false);
     for (const TaggedEdge &edge : mesh.edges) {
         const Vec2 place = midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
@@ -103,7 +108,7 @@ void checkTags(const Mesh &mesh, const RequiredEdges &required, FaultList &fault
         tagged[rank] = true;
     }
     for (std::size_t i = 0; i < required.size(); ++i) {
-        if (!tagged[i]) {
+        if (!tagged[i] && (innerTags || !required[i].inner)) {
             faults.add("missing-tagged-edge", "the edge of a segment has no tag",
                        midpoint(mesh.nodes[index(required[i].lower)], mesh.nodes[index(required[i].upper)]));
         }
@@ -125,7 +130,8 @@ void checkInside(const Mesh &mesh, const RequiredEdges &required, const EdgeTabl
     });
 }
 
-void checkPoints(const Mesh &mesh, const DiscreteDomain &domain, const NodeFinder &nodes, FaultList &faults) {
+void checkPoints(const Mesh &mesh, const DiscreteDomain &domain, const NodeFinder &nodes, const MeshNumbers &numbers,
+                 FaultList &faults) {
     std::vector<TaggedNode> tagged = mesh.points;
     std::sort(tagged.begin(), tagged.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
     for (const ConstraintPoint &point : domain.points) {
@@ -134,7 +140,9 @@ void checkPoints(const Mesh &mesh, const DiscreteDomain &domain, const NodeFinde
         const auto it = std::lower_bound(tagged.begin(), tagged.end(), node,
                                          [](const TaggedNode &a, NodeId key) { return a.node < key; });
         if (node == kNoNode || (!carriesNoTags(mesh) && (it == tagged.end() || it->node != node))) {
-            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is not a node of the mesh",
+            faults.add("missing-point",
+                       "constraint point " + std::to_string(numbers.nodes.of(point.node)) +
+                           " is not a node of the mesh",
                        place, {point.node});
         } else if (!carriesNoTags(mesh) && it->tag != point.tag) {
             faults.add("wrong-tag",
@@ -164,8 +172,8 @@ bool carriesNoTags(const Mesh &mesh) {
     return mesh.edges.empty() && mesh.points.empty() && mesh.regions.empty();
 }
 
-NodeFinder::NodeFinder(const Mesh &mesh) : mesh_(&mesh) {
-    if (mesh.edges.empty()) {
+NodeFinder::NodeFinder(const Mesh &mesh, bool innerTags) : mesh_(&mesh) {
+    if (mesh.edges.empty() || !innerTags) {
         sorted_.reserve(mesh.nodes.size());
         for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
             sorted_.push_back(NodeId{n});
@@ -216,26 +224,34 @@ EnclosedArea enclosedArea(const DiscreteDomain &domain) {
     return {static_cast<double>(0.5L * sum), static_cast<double>(0.5L * magnitude)};
 }
 
-void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
+const Mesh &turnedRight(const Mesh &mesh, std::optional<Mesh> &copy) {
+    return isClockwise(mesh) ? copy.emplace(turned(mesh)) : mesh;
+}
+
+void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults, const MeshNumbers &numbers,
+                  bool innerTags) {
     const EdgeTable table(mesh);
-    const NodeFinder nodes(mesh);
-    const RequiredEdges required = checkSegments(mesh, domain, table, nodes, faults);
+    const NodeFinder nodes(mesh, innerTags);
+    const RequiredEdges required = checkSegments(mesh, domain, table, nodes, numbers, faults);
     if (!carriesNoTags(mesh)) {
-        checkTags(mesh, required, faults);
+        checkTags(mesh, required, innerTags, faults);
     }
     checkInside(mesh, required, table, faults);
-    checkPoints(mesh, domain, nodes, faults);
+    checkPoints(mesh, domain, nodes, numbers, faults);
     checkArea(mesh, domain, faults);
 }
 
 Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::size_t limit) {
-    Diagnostics own = verify(mesh, limit);
-    if (!own.empty()) {
-        return own;
+    Diagnostics found = verify(mesh, limit);
+    if (hasErrors(found)) {
+        return found;
     }
     FaultList faults(limit);
-    checkAgainst(mesh, domain, faults);
-    return faults.take();
+    std::optional<Mesh> copy;
+    checkAgainst(turnedRight(mesh, copy), domain, faults);
+    Diagnostics deviations = faults.take();
+    found.insert(found.end(), std::make_move_iterator(deviations.begin()), std::make_move_iterator(deviations.end()));
+    return found;
 }
 
 } // namespace forefront

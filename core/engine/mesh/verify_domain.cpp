@@ -17,12 +17,12 @@ namespace forefront {
 namespace {
 
 /// The edges that may lie along segments of the domain, in rows by node: the tagged edges, or all edges where the file
-/// format keeps no tags.
+/// keeps no tags.
 class ChainEdges {
   public:
-    explicit ChainEdges(const Mesh &mesh) : offsets_(mesh.nodes.size() + 1, 0) {
+    ChainEdges(const Mesh &mesh, bool tagged) : offsets_(mesh.nodes.size() + 1, 0) {
         std::vector<std::pair<NodeId, NodeId>> edges;
-        if (!carriesNoTags(mesh)) {
+        if (tagged) {
             for (const TaggedEdge &edge : mesh.edges) {
                 edges.emplace_back(edge.a, edge.b);
             }
@@ -213,13 +213,15 @@ DomainPart partAt(const Domain &domain, Vec2 place) {
 
 /// Returns the domain with its segments divided as the mesh divides them.
 DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains,
-                           const DiscreteDomain &given, double tolerance, FaultList &faults) {
+                           const DiscreteDomain &given, double tolerance, bool innerTags, FaultList &faults) {
     DiscreteDomain cut;
     cut.nodes = mesh.nodes;
     cut.regions = given.regions;
-    const NodeFinder finder(mesh);
-    const ChainEdges edges(mesh);
+    const NodeFinder finder(mesh, innerTags);
+    const ChainEdges usual(mesh, !carriesNoTags(mesh));
+    const ChainEdges all(innerTags ? Mesh{} : mesh, false);
     for (DiscreteSegment s : given.segments) {
+        const ChainEdges &edges = innerTags || !isInner(s) ? usual : all;
         const std::uint32_t number = chains.ofSegment[s.source];
         const CurveChain *const curved = number == kNoIndex ? nullptr : &chains.list[number];
         if (curved != nullptr) {
@@ -282,15 +284,12 @@ double areaTolerance(const DiscreteDomain &domain, const EnclosedArea &enclosed)
     return 1e-11 * (enclosed.magnitude + std::abs(enclosed.area)) + roundingOf(domain.bounds()) * perimeter;
 }
 
-} // namespace
-
-Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit) {
-    Diagnostics found = verify(mesh, limit);
-    if (found.empty()) {
-        found = validate(domain, limit);
-    }
-    if (hasErrors(found)) {
-        return found;
+/// Returns the deviations of a counter-clockwise mesh without faults from a domain.
+Diagnostics deviations(const Mesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+                       bool innerTags) {
+    Diagnostics wrong = validate(domain, limit);
+    if (hasErrors(wrong)) {
+        return wrong;
     }
     SpacingSpec spec;
     spec.size = domain.bounds().diagonal();
@@ -305,7 +304,7 @@ Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t li
     FaultList faults(limit);
     const CurveChains chains = curveChains(domain);
     const double tolerance = std::max(1e-9 * domain.bounds().diagonal(), roundingOf(domain.bounds()));
-    DiscreteDomain cut = cutAsMeshed(mesh, domain, chains, *given, tolerance, faults);
+    DiscreteDomain cut = cutAsMeshed(mesh, domain, chains, *given, tolerance, innerTags, faults);
     if (!faults.clean()) {
         return faults.take();
     }
@@ -329,8 +328,22 @@ Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t li
         }
         cut.regions[0].area = rest;
     }
-    checkAgainst(mesh, cut, faults);
+    checkAgainst(mesh, cut, faults, numbers, innerTags);
     return faults.take();
+}
+
+} // namespace
+
+Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+                          bool innerTags) {
+    Diagnostics found = verify(mesh, limit, numbers);
+    if (hasErrors(found)) {
+        return found;
+    }
+    std::optional<Mesh> copy;
+    Diagnostics others = deviations(turnedRight(mesh, copy), domain, limit, numbers, innerTags);
+    found.insert(found.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+    return found;
 }
 
 } // namespace forefront
