@@ -170,7 +170,7 @@ int filmCommand(int argc, const char *const *argv) {
     progress.stop = interrupt.token();
     const Result<int> written = writeFilm(std::move(*job), plan, progress);
     if (!written) {
-        return refuse(written.faults(), interrupt);
+        return refuse(arguments.expression ? written.faults() : locateSpacing(written.faults(), *input), interrupt);
     }
     std::printf("wrote %s: %d %s\n", plan.output.c_str(), *written, *written == 1 ? "frame" : "frames");
     return kDone;
