@@ -27,6 +27,20 @@ int createBeside(const std::filesystem::path &target, std::string &name) {
     return -1;
 }
 
+/// Returns the file that a path leads to through symbolic links, which need not exist.
+std::filesystem::path followed(std::filesystem::path path) {
+    constexpr int kMaxLinks = 40; // as Linux follows
+    std::error_code fault;
+    for (int k = 0; k < kMaxLinks && std::filesystem::is_symlink(path, fault); ++k) {
+        const std::filesystem::path next = std::filesystem::read_symlink(path, fault);
+        if (fault) {
+            break;
+        }
+        path = path.parent_path() / next; // next replaces the folder if it is absolute
+    }
+    return path;
+}
+
 /// Makes the new name itself durable; failure is ignored, since some file systems cannot do that.
 void syncFolder(const std::filesystem::path &folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -54,11 +68,7 @@ AtomicFile::AtomicFile(const std::filesystem::path &path, const Progress &progre
         }
         return;
     }
-    if (std::filesystem::is_symlink(path, ignored)) {
-        std::error_code resolved;
-        const auto canonical = std::filesystem::weakly_canonical(path, resolved);
-        target_ = resolved ? path : canonical;
-    }
+    target_ = followed(path);
     descriptor_ = createBeside(target_, temporary_);
     if (descriptor_ < 0) {
         const int number = errno;
