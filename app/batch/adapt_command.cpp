@@ -8,6 +8,7 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/adapt/mesh_outline.hpp"
+#include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/mesher/pipeline.hpp"
 #include "core/files/files.hpp"
@@ -95,9 +96,15 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
     if (input.mesh.elements.empty()) {
         return allFormats().locateFaults(file.path, error("empty-mesh", "the file has no triangles"), file.options);
     }
-    Diagnostics faults = verify(input.mesh);
+    Diagnostics faults = verify(input.mesh, kMaxListedFaults, notes.numbers());
     if (hasErrors(faults)) {
         return allFormats().locateFaults(file.path, std::move(faults), file.options);
+    }
+    if (!arguments.quiet) {
+        printFaults(allFormats().locateFaults(file.path, std::move(faults), file.options));
+    }
+    if (isClockwise(input.mesh)) {
+        input.mesh = turned(std::move(input.mesh));
     }
     return input;
 }

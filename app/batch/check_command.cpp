@@ -3,6 +3,7 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
+#include "app/batch/outputs.hpp"
 #include "app/batch/report.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/domain/document_domain.hpp"
@@ -11,21 +12,25 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
-#include "core/engine/mesh/mesh_domain.hpp"
+#include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/boundary_parts.hpp"
 #include "core/files/files.hpp"
+#include "core/files/inner_edges.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -41,8 +46,13 @@ Examples:
         how closely do its edges follow that spacing?
   forefront check plate.msh --min-angle 25 --max-growth 2
         is it within these limits? Lists the worst places if not
+  forefront check plate.msh --stats plate.json
+        the verdict, the sizes of regions and boundary parts, and the quality as JSON, for scripts
   forefront check plate.msh --measures
         how are the angles, areas, edge lengths and other measures distributed?
+
+Nodes that no element uses, and a mesh turned the other way (all elements clockwise), are reported but not refused.
+The figures are printed for invalid meshes, too.
 
 Exit codes: 0 valid, 1 invalid or unreadable mesh, or a limit violated (faults on stderr, one per line), 2 usage error.)help";
 
@@ -58,6 +68,9 @@ struct CheckArguments {
     MeshLimits limits;
     std::optional<std::filesystem::path> savedLimits; ///< project
     bool measures = false;                            ///< print the table
+    std::optional<std::filesystem::path> statistics;  ///< "-": to standard output, which then receives nothing else
+
+    bool printsStatistics() const { return statistics && *statistics == "-"; }
 };
 
 /// Builds the requested node spacing: that of the options, or that of the project with the limits if one of them needs
@@ -68,7 +81,11 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
             return std::shared_ptr<const SpacingField>();
         }
         const Result<Document> project = readDocument(*arguments.savedLimits, {.parameters = arguments.parameters});
-        return project ? SpacingField::build(spacingOf(*project), toDomain(*project)) : project.faults();
+        if (!project) {
+            return project.faults();
+        }
+        auto spacing = SpacingField::build(spacingOf(*project), toDomain(*project));
+        return spacing ? std::move(spacing) : allFormats().locateFaults(*arguments.savedLimits, spacing.faults());
     }
     SpacingSpec spec;
     spec.size = arguments.size;
@@ -87,8 +104,13 @@ void addLengths(const Domain &domain, double factor, std::map<std::int32_t, doub
     }
 }
 
+bool hasConstraints(const Domain &domain) {
+    return std::any_of(domain.segments.begin(), domain.segments.end(),
+                       [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; });
+}
+
 /// Returns the differences between a mesh and the domain it was made from.
-Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Input &input) {
+Diagnostics checkAgainst(const Mesh &mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
     arguments.drawing.applyTo(input.options);
     Result<Domain> domain = allFormats().readDomain(input.path, input.options);
     if (!domain) {
@@ -107,10 +129,20 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         domain = std::move(repaired->domain);
     }
     const Repaired *const sources = repaired ? &*repaired : nullptr;
-    Diagnostics faults = verifyAgainst(mesh, *domain);
+    const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
+    Diagnostics faults = verifyAgainst(mesh, *domain, kMaxListedFaults, numbers, innerTags);
     if (!hasErrors(faults)) {
-        const Diagnostics parts = checkBoundaryParts(mesh, input.path, input.options, changes);
-        faults.insert(faults.end(), parts.begin(), parts.end());
+        Diagnostics parts;
+        if (innerTags) {
+            parts = checkBoundaryParts(mesh, input.path, input.options, changes);
+        } else if (hasConstraints(*domain)) {
+            Diagnostic &note = parts.emplace_back();
+            note.severity = Severity::Note;
+            note.code = "inner-edges";
+            note.message =
+                "tags of edges inside the domain are not compared: the mesh has none, as is usual in this format";
+        }
+        faults.insert(faults.end(), std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
         return faults;
     }
     faults = locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
@@ -124,37 +156,56 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
                       "--projection, --beyond-page, --drop-lines, --stroke-areas, --shape-regions or --repair";
         faults.push_back(std::move(hint));
     }
-    if (!acceptsInnerEdges(arguments.mesh)) {
-        Diagnostic hint;
-        hint.severity = Severity::Note;
-        hint.code = "inner-edges";
-        hint.message = "by default, meshes of this format are written without tagged edges inside the domain";
-        hint.advice = "write the mesh with --inner-edges keep";
-        faults.push_back(std::move(hint));
-    }
     return faults;
 }
 
-/// Prints the figures of a valid mesh. Returns the exit code.
-int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const Mesh &mesh) {
+/// Returns true if the figures of a mesh can be computed: its nodes and elements refer to what exists.
+bool isMeasurable(const Diagnostics &faults) {
+    return !hasCode(faults, "bad-index") && !hasCode(faults, "non-finite") && !hasCode(faults, "repeated-node");
+}
+
+void printFigures(const CheckArguments &arguments, const MeshReport &report, bool valid, bool spaced) {
+    const MeshQuality &quality = report.quality;
+    std::printf("%s%s: %zu nodes, %zu elements, hash %s\n%s"
+                "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
+                valid ? "valid" : "invalid", arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
+                toHex(report.hash).c_str(), extentLine(quality.area, report.extent).c_str(), quality.alphaMean,
+                quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
+    if (spaced) {
+        std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
+    }
+}
+
+/// Prints the figures of a mesh, those of a clockwise one as if it were turned. Returns the exit code.
+int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const Mesh &given,
+                  const MeshNumbers &numbers, bool valid) {
+    std::optional<Mesh> copy;
+    const Mesh &mesh = isClockwise(given) ? copy.emplace(turned(given)) : given;
     const auto spacing = readWanted(arguments, mesh);
     if (!spacing) {
         printFaults(spacing.faults());
         return kUsage;
     }
-    const MeshQuality quality = measureQuality(mesh, spacing->get());
-    std::printf("valid%s: %zu nodes, %zu elements, hash %s\n%s"
-                "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
-                arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
-                toHex(meshHash(mesh)).c_str(), extentLine(quality.area, extentOf(mesh, quality.edges)).c_str(),
-                quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
-    if (*spacing) {
-        std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
+    MeshReport report = reportOf(mesh, spacing->get(), valid);
+    report.hash = meshHash(given);
+    const std::vector<LimitVerdict> verdicts = checkLimits(mesh, arguments.limits, spacing->get(), kListedPlaces);
+    if (arguments.statistics) {
+        const std::string json = statisticsJson(report, valid, verdicts);
+        const Status status =
+            arguments.printsStatistics() ? printText(json) : writeFileAtomically(*arguments.statistics, json);
+        if (!status.empty()) {
+            printFaults(status);
+            return kRefused;
+        }
     }
-    if (arguments.measures) {
-        printMeasures(mesh, spacing->get());
+    if (!arguments.printsStatistics()) {
+        printFigures(arguments, report, valid, spacing->get() != nullptr);
+        if (arguments.measures) {
+            printMeasures(mesh, spacing->get());
+        }
     }
-    return printVerdicts(file, mesh, arguments.limits, spacing->get()) ? kDone : kRefused;
+    const bool met = printVerdicts(file, verdicts, numbers, !arguments.printsStatistics());
+    return valid && met ? kDone : kRefused;
 }
 
 int check(CheckArguments &arguments) {
@@ -192,18 +243,17 @@ int check(CheckArguments &arguments) {
         if (!wrong.empty()) {
             return wrongUsage("forefront check", wrong);
         }
-        faults = checkAgainst(*mesh, arguments, *domain);
+        faults = checkAgainst(*mesh, notes.numbers(), arguments, *domain);
     } else {
-        faults = verify(*mesh);
+        faults = verify(*mesh, kMaxListedFaults, notes.numbers());
     }
     if (mesh->elements.empty()) {
         faults = error("empty-mesh", "the mesh has no elements");
     }
     printFaults(allFormats().locateFaults(input->path, faults, input->options));
-    if (hasErrors(faults)) {
-        return kRefused;
-    }
-    return reportQuality(arguments, input->path, *mesh);
+    const bool valid = !hasErrors(faults);
+    return isMeasurable(faults) ? reportQuality(arguments, input->path, *mesh, notes.numbers(), valid)
+                                : static_cast<int>(kRefused);
 }
 
 } // namespace
@@ -232,6 +282,10 @@ int checkCommand(int argc, const char *const *argv) {
             "one and none is given")
         ->type_name("PROJECT");
     app.add_flag("--measures", arguments.measures, "print the distribution of each quality measure");
+    app.add_option("--stats", arguments.statistics,
+                   "write the verdict and the figures as JSON, with the names that mesh --stats has for them; -: print "
+                   "them instead of the summary")
+        ->type_name("FILE.json");
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
@@ -249,6 +303,22 @@ int checkCommand(int argc, const char *const *argv) {
     const bool spaced = arguments.size || arguments.expression || arguments.savedLimits;
     if (arguments.limits[MeshLimit::MinDelta] && !spaced) {
         return wrongUsage(app.get_name(), "--min-delta needs a spacing; add --size or --spacing");
+    }
+    if (arguments.printsStatistics() && arguments.measures) {
+        return wrongUsage(app.get_name(),
+                          "--stats - and --measures both write to standard output; give --stats a file");
+    }
+    if (arguments.statistics && !arguments.printsStatistics()) {
+        std::vector<std::filesystem::path> inputs{arguments.mesh};
+        for (const auto &input : {arguments.domain, arguments.savedLimits}) {
+            if (input) {
+                inputs.push_back(*input);
+            }
+        }
+        if (const Diagnostics faults = checkOutputs({{*arguments.statistics, {}}}, inputs); !faults.empty()) {
+            printFaults(faults);
+            return kRefused;
+        }
     }
     return check(arguments);
 }

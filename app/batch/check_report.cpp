@@ -14,9 +14,6 @@ namespace forefront {
 
 namespace {
 
-/// Number of places listed for each violated limit.
-constexpr std::size_t kListedPlaces = 5;
-
 std::string optionHelp(const LimitInfo &info) {
     std::string text = info.meaning;
     text.front() = static_cast<char>(text.front() - 'A' + 'a');
@@ -82,13 +79,15 @@ void printMeasures(const Mesh &mesh, const SpacingField *spacing) {
     }
 }
 
-bool printVerdicts(const std::filesystem::path &file, const Mesh &mesh, const MeshLimits &limits,
-                   const SpacingField *spacing) {
+bool printVerdicts(const std::filesystem::path &file, const std::vector<LimitVerdict> &verdicts,
+                   const MeshNumbers &numbers, bool prints) {
     bool met = true;
-    for (const LimitVerdict &verdict : checkLimits(mesh, limits, spacing, kListedPlaces)) {
-        std::printf("%s\n", toString(verdict).c_str());
+    for (const LimitVerdict &verdict : verdicts) {
+        if (prints) {
+            std::printf("%s\n", toString(verdict).c_str());
+        }
         met = met && verdict.met();
-        Diagnostics faults = faultsOf(verdict);
+        Diagnostics faults = faultsOf(verdict, numbers);
         for (Diagnostic &fault : faults) {
             fault.file = file.string();
         }

@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -22,9 +24,12 @@ Diagnostics addSavedLimits(const std::filesystem::path &project, const std::map<
 /// Prints a table of all quality measures of a mesh, with minimum, percentiles, maximum and mean.
 void printMeasures(const Mesh &mesh, const SpacingField *spacing);
 
-/// Prints the verdict on each limit to stdout and the worst places to stderr. Returns true if the mesh meets all
-/// limits.
-bool printVerdicts(const std::filesystem::path &file, const Mesh &mesh, const MeshLimits &limits,
-                   const SpacingField *spacing);
+/// Number of places listed for each violated limit.
+inline constexpr std::size_t kListedPlaces = 5;
+
+/// Prints the worst places of the verdicts to stderr and, if `prints`, each verdict to stdout. Returns true if the mesh
+/// meets all limits.
+bool printVerdicts(const std::filesystem::path &file, const std::vector<LimitVerdict> &verdicts,
+                   const MeshNumbers &numbers, bool prints);
 
 } // namespace forefront

@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/outputs.hpp"
+#include "core/files/common/names.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -233,12 +234,14 @@ void addParameterOption(CLI::App &app, std::map<std::string, std::string> &param
            "--set",
            [&parameters](const std::vector<std::string> &settings) {
                for (const std::string &setting : settings) {
-                   const std::size_t cut = setting.find('=');
-                   if (cut == std::string::npos || cut == 0 || cut + 1 == setting.size()) {
+                   const std::size_t cut = std::min(setting.find('='), setting.size());
+                   const std::string name = cleanName(setting.substr(0, cut));
+                   const std::string value = cleanName(setting.substr(std::min(cut + 1, setting.size())));
+                   if (name.empty() || value.empty()) {
                        throw CLI::ValidationError("--set", "expected NAME=EXPRESSION, got '" + setting + "'");
                    }
-                   if (!parameters.emplace(setting.substr(0, cut), setting.substr(cut + 1)).second) {
-                       throw CLI::ValidationError("--set", "parameter '" + setting.substr(0, cut) + "' is set twice");
+                   if (!parameters.emplace(name, value).second) {
+                       throw CLI::ValidationError("--set", "parameter '" + name + "' is set twice");
                    }
                }
            },

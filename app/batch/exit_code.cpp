@@ -33,18 +33,18 @@ std::string inOptions(std::string advice) {
     return advice;
 }
 
-/// Replaces parts of a repaired domain by the parts of the input domain that they come from; drops the others.
+/// Replaces parts of a repaired domain by the parts of the input domain that they come from; drops new ones.
 void restoreParts(std::vector<DomainPart> &parts, const Repaired &repaired) {
     for (DomainPart &part : parts) {
-        const std::vector<std::uint32_t> *const source = part.kind == DomainPartKind::Node ? &repaired.nodeSource
-                                                         : part.kind == DomainPartKind::Segment
-                                                             ? &repaired.segmentSource
-                                                             : nullptr;
+        const std::vector<std::uint32_t> *const source =
+            part.kind == DomainPartKind::Node              ? &repaired.nodeSource
+            : part.kind == DomainPartKind::Segment         ? &repaired.segmentSource
+            : part.kind == DomainPartKind::ConstraintPoint ? &repaired.pointSource
+            : part.kind == DomainPartKind::HoleMarker      ? &repaired.holeMarkerSource
+                                                           : nullptr;
         if (source != nullptr) {
             part.index = part.index < source->size() ? (*source)[part.index] : kNoIndex;
-        } else if (part.kind != DomainPartKind::RegionMarker) { // which a repair keeps
-            part.index = kNoIndex;
-        }
+        } // a repair keeps region markers
     }
     std::erase_if(parts, [](const DomainPart &part) { return part.index == kNoIndex; });
 }
@@ -81,6 +81,12 @@ Diagnostics locateInDomain(Diagnostics faults, const Input &input, const Repaire
         faults[position[k]] = std::move(ofDomain[k]);
     }
     return faults;
+}
+
+Diagnostics locateSpacing(Diagnostics faults, const Input &project) {
+    const bool any = std::any_of(faults.begin(), faults.end(),
+                                 [](const Diagnostic &fault) { return fault.code.starts_with("expression-"); });
+    return any ? allFormats().locateFaults(project.path, std::move(faults), project.options) : faults;
 }
 
 Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input,

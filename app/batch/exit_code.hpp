@@ -32,5 +32,7 @@ Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const
 /// Adds the name of the domain's file, and the positions of the parts in it, to faults that refer to parts of a domain;
 /// other faults are left unchanged.
 Diagnostics locateInDomain(Diagnostics faults, const Input &input, const Repaired *repaired);
+/// Adds the place of the spacing expression in a project to its faults; other faults are left unchanged.
+Diagnostics locateSpacing(Diagnostics faults, const Input &project);
 
 } // namespace forefront

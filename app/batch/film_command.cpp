@@ -182,7 +182,7 @@ int filmCommand(int argc, const char *const *argv) {
     }
     const Result<WrittenFilm> written = writeFilm(std::move(*job), plan, progress);
     if (!written) {
-        return refuse(written.faults(), interrupt);
+        return refuse(arguments.expression ? written.faults() : locateSpacing(written.faults(), *input), interrupt);
     }
     if (plan.steps && written->last - written->first < *plan.steps) {
         std::fprintf(stderr, "note: the run ends at advance %llu, before --steps %llu are shown\n",

@@ -42,6 +42,12 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
         if (columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x') {
             const auto rows = std::from_chars(columns.ptr + 1, end, arguments.gridRows);
             constexpr int kMaxCells = 100'000;
+            const bool tooLarge = rows.ec == std::errc::result_out_of_range || arguments.gridRows > kMaxCells ||
+                                  arguments.gridColumns > kMaxCells;
+            if (rows.ptr == end && tooLarge) {
+                return "--grid: the grid of '" + text + "' is too large; expected at most " +
+                       std::to_string(kMaxCells) + " columns and rows";
+            }
             if (rows.ec == std::errc() && rows.ptr == end && std::min(arguments.gridColumns, arguments.gridRows) >= 1 &&
                 std::max(arguments.gridColumns, arguments.gridRows) <= kMaxCells) {
                 arguments.grid = GridKind::Uniform;

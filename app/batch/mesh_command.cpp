@@ -225,8 +225,9 @@ int runMesh(const MeshArguments &arguments) {
     const Result<MeshingOutcome> outcome = meshDomain(*job, progress);
     bar.clear();
     if (!outcome) {
-        const int code =
-            refuse(meshingFaults(outcome.faults(), job->domain, *input, repaired ? &*repaired : nullptr), interrupt);
+        const Diagnostics wrong = meshingFaults(outcome.faults(), job->domain, *input, repaired ? &*repaired : nullptr);
+        const Input &owner = spacingFile ? *spacingFile : *input;
+        const int code = refuse(arguments.expression ? wrong : locateSpacing(wrong, owner), interrupt);
         const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }

@@ -53,18 +53,27 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
 
 } // namespace
 
+MeshReport reportOf(const Mesh &mesh, const SpacingField *spacing, bool valid) {
+    MeshReport report;
+    report.quality = measureQuality(mesh, spacing);
+    report.extent = extentOf(mesh, report.quality.edges);
+    if (valid) {
+        report.sharp = sharpCorners(mesh, kSharpCorner);
+    }
+    report.hash = meshHash(mesh);
+    return report;
+}
+
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
+    const std::uint64_t peak = peakBytes(); // before measuring, which needs more memory
     RunReport report;
-    report.peakBytes = peakBytes(); // before measuring, which needs more memory
-    report.quality = measureQuality(outcome.mesh, outcome.spacing.get());
-    report.extent = extentOf(outcome.mesh, report.quality.edges);
-    report.sharp = sharpCorners(outcome.mesh, kSharpCorner);
+    static_cast<MeshReport &>(report) = reportOf(outcome.mesh, outcome.spacing.get(), true);
+    report.peakBytes = peak;
     report.work = outcome.work;
     report.improve = options.improve;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
     report.secondsImprove = outcome.secondsImprove;
-    report.hash = meshHash(outcome.mesh);
     return report;
 }
 
@@ -80,19 +89,22 @@ Diagnostics flatElements(const MeshQuality &quality) {
     return found;
 }
 
-std::string statisticsJson(const RunReport &report) {
+namespace {
+
+void addFigures(const MeshReport &report, JsonWriter &json) {
     const MeshQuality &q = report.quality;
-    const auto perElement = [&](std::uint64_t sum) {
-        return report.work.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(report.work.elements);
-    };
-    JsonWriter json(JsonWriter::Layout::Indented);
-    json.beginObject();
     json.member("nodes", q.nodes).member("elements", q.elements).member("area", q.area);
     json.member("parts", report.extent.parts).member("holes", report.extent.holes);
     json.key("regions").beginArray();
     for (const RegionExtent &region : report.extent.regions) {
         json.beginObject().member("tag", region.tag).member("name", region.name);
         json.member("elements", region.elements).member("area", region.area).endObject();
+    }
+    json.endArray();
+    json.key("boundaries").beginArray();
+    for (const BoundaryExtent &boundary : report.extent.boundaries) {
+        json.beginObject().member("tag", boundary.tag).member("name", boundary.name);
+        json.member("edges", boundary.edges).member("length", boundary.length).endObject();
     }
     json.endArray();
     json.member("alpha_mean", q.alphaMean).member("alpha_geometric_mean", q.alphaGeometricMean);
@@ -111,6 +123,32 @@ std::string statisticsJson(const RunReport &report) {
         json.member("width", place.width).member("elements", place.elements).endObject();
     }
     json.endArray();
+}
+
+} // namespace
+
+std::string statisticsJson(const MeshReport &report, bool valid, const std::vector<LimitVerdict> &verdicts) {
+    JsonWriter json(JsonWriter::Layout::Indented);
+    json.beginObject().member("valid", valid);
+    json.key("limits").beginArray();
+    for (const LimitVerdict &verdict : verdicts) {
+        json.beginObject().member("limit", wordOf(verdict.limit)).member("bound", verdict.bound);
+        json.member("met", verdict.met()).member("worst", verdict.worst);
+        json.member("violated_by", verdict.broken).endObject();
+    }
+    json.endArray();
+    addFigures(report, json);
+    json.member("hash", toHex(report.hash));
+    return json.endObject().text();
+}
+
+std::string statisticsJson(const RunReport &report) {
+    const auto perElement = [&](std::uint64_t sum) {
+        return report.work.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(report.work.elements);
+    };
+    JsonWriter json(JsonWriter::Layout::Indented);
+    json.beginObject();
+    addFigures(report, json);
     json.member("front_mean", report.work.frontMean()).member("neighbours_mean", report.work.neighboursMean());
     json.member("tests_mean", report.work.testsMean()).member("cells_mean", perElement(report.work.cellsVisited));
     json.member("candidates_mean", perElement(report.work.candidates));

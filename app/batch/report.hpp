@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/mesh_extent.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/sharp_corners.hpp"
@@ -8,21 +9,26 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
 /// Corners of the domain below this angle, in degrees, are reported: no mesh has larger angles there.
 inline constexpr double kSharpCorner = 20.0;
 
-/// Statistics of a finished run.
-struct RunReport {
+/// The figures of a mesh.
+struct MeshReport {
     MeshQuality quality;
     MeshExtent extent;
-    SharpCorners sharp; ///< corners of the domain below kSharpCorner
+    SharpCorners sharp; ///< corners of the domain below kSharpCorner; empty for an invalid mesh
+    std::uint64_t hash = 0;
+};
+
+/// Statistics of a finished run.
+struct RunReport : MeshReport {
     WorkCounters work;
     ImproveLevel improve = ImproveLevel::None;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
-    std::uint64_t hash = 0;
     std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far
 
     /// Returns the CPU seconds of meshing and improvement, with validation, spacing and discretisation but without
@@ -30,12 +36,16 @@ struct RunReport {
     double meshCpu() const { return secondsPrepare + secondsMesh + secondsImprove; }
 };
 
+/// Measures a mesh. `spacing`: may be null. `valid`: whether its corners can be found.
+MeshReport reportOf(const Mesh &mesh, const SpacingField *spacing, bool valid);
 /// Measures the mesh of a finished run.
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns a warning if elements of a mesh are flat; else nothing.
 Diagnostics flatElements(const MeshQuality &quality);
-/// Returns the JSON object that --stats writes.
+/// Returns the JSON object that mesh --stats writes.
 std::string statisticsJson(const RunReport &report);
+/// Returns the JSON object that check --stats writes: the verdict, then the figures of the mesh by the same names.
+std::string statisticsJson(const MeshReport &report, bool valid, const std::vector<LimitVerdict> &verdicts);
 /// Returns a line with the area, the number of parts and holes, and the areas of the regions if there are several.
 std::string extentLine(double area, const MeshExtent &extent);
 /// Returns a summary of a few lines.

@@ -52,7 +52,44 @@ bool isWellKnownText(std::string_view head) {
                        [&](std::string_view next) { return withoutBlanks(after).starts_with(next); });
 }
 
+std::string_view nextLine(std::string_view &text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+/// Returns true for text that defines entities of Gmsh's geometry language: "Point(1) = {0, 0, 0};".
+bool isGmshGeometry(std::string_view head) {
+    constexpr std::string_view kEntities[] = {"point(",        "line(",      "curve(",  "circle(",   "ellipse(",
+                                              "spline(",       "bspline(",   "bezier(", "lineloop(", "curveloop(",
+                                              "planesurface(", "rectangle(", "disk("};
+    while (!head.empty()) {
+        std::string line = lowerCase(nextLine(head));
+        std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+        const std::size_t close = line.find(")={");
+        if (close != std::string::npos && line.find(')') == close &&
+            std::any_of(std::begin(kEntities), std::end(kEntities),
+                        [&](std::string_view entity) { return line.starts_with(entity); })) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool isDxf(std::string_view head) {
+    if (head.starts_with("AutoCAD Binary DXF")) {
+        return true;
+    }
+    // Comments, each 999 and a line of text, may come first.
+    for (std::string_view rest = head; withoutBlanks(rest).starts_with("999");) {
+        rest = withoutBlanks(rest).substr(3);
+        if (!withoutBlanks(nextLine(rest)).empty()) {
+            return false;
+        }
+        nextLine(rest);
+        head = rest;
+    }
     const std::string_view start = withoutBlanks(head);
     return start.starts_with('0') && withoutBlanks(start.substr(1)).starts_with("SECTION") && start.size() > 1 &&
            (start[1] == '\r' || start[1] == '\n');
@@ -64,6 +101,25 @@ constexpr char kToGeoJson[] = "convert it to GeoJSON, for example with ogr2ogr N
 struct Kind {
     std::string_view name, advice;
 };
+
+/// Returns true for text in UTF-16, with its byte order mark or, of ASCII characters, without.
+bool isUtf16(std::string_view head) {
+    if (head.starts_with("\xff\xfe"sv) || head.starts_with("\xfe\xff"sv)) {
+        return true;
+    }
+    constexpr std::size_t kShortest = 8;
+    for (const std::size_t high : {0U, 1U}) { // of the two bytes of a character
+        bool ascii = head.size() >= kShortest;
+        for (std::size_t k = 0; ascii && k < kShortest; ++k) {
+            const char c = head[k];
+            ascii = k % 2 == high ? c == '\0' : (c >= ' ' && c <= '~') || c == '\n' || c == '\r' || c == '\t';
+        }
+        if (ascii) {
+            return true;
+        }
+    }
+    return false;
+}
 
 Kind kindOf(std::string_view head) {
     constexpr std::pair<std::string_view, Kind> kSignatures[] = {
@@ -81,6 +137,12 @@ Kind kindOf(std::string_view head) {
         if (head.starts_with(signature)) {
             return kind;
         }
+    }
+    if (isUtf16(head)) {
+        return {"text in UTF-16", "save it as UTF-8, for example with iconv -f UTF-16 -t UTF-8 FILE >NEW"};
+    }
+    if (isGmshGeometry(head)) {
+        return {"a geometry of Gmsh", "mesh it with Gmsh first: gmsh -2 FILE -o NEW.msh"};
     }
     if (isWellKnownText(head)) {
         return {"well-known text", "write its geometries as GeoJSON"};

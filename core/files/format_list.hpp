@@ -66,7 +66,7 @@ class FormatList {
     /// Adds the file's name to the faults of a domain that readDomain read from it and, where the format has such
     /// places
     /// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Leaves faults that
-    /// already name a file unchanged.
+    /// already name a file unchanged. Faults of the spacing expression get the place of that of the project.
     Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults,
                              const ImportOptions &options = {}) const;
     /// Reads a mesh.

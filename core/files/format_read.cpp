@@ -70,7 +70,9 @@ Result<Domain> FormatList::readDomain(const std::filesystem::path &path, const I
 Diagnostics FormatList::locateFaults(const std::filesystem::path &path, Diagnostics faults,
                                      const ImportOptions &options) const {
     std::error_code none;
-    const auto wanting = [](const Diagnostic &f) { return f.file.empty() && !f.parts.empty(); };
+    const auto wanting = [](const Diagnostic &f) {
+        return f.file.empty() && (!f.parts.empty() || f.code.starts_with("expression-"));
+    };
     const bool readable = options.content != nullptr || std::filesystem::is_regular_file(path, none); // a pipe is empty
     if (readable && std::any_of(faults.begin(), faults.end(), wanting)) {
         const auto read =

@@ -2,9 +2,19 @@
 
 #include "core/engine/mesh/edge_table.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace forefront {
+
+bool hasInnerEdges(const Mesh &mesh) {
+    if (mesh.edges.empty()) {
+        return false;
+    }
+    const EdgeTable table(mesh);
+    return std::any_of(mesh.edges.begin(), mesh.edges.end(),
+                       [&](const TaggedEdge &edge) { return table.find(edge.a, edge.b).size() > 1; });
+}
 
 Mesh withoutInnerEdges(const Mesh &mesh) {
     Mesh result = mesh;

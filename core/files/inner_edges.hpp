@@ -19,6 +19,9 @@ struct EnumWords<InnerEdges> {
     static constexpr std::array<std::string_view, 2> kList = {"keep", "drop"};
 };
 
+/// Returns true if the mesh has inner edges.
+bool hasInnerEdges(const Mesh &mesh);
+
 /// Returns a copy of the mesh without its inner edges. Names of tags no longer in use stay in the mesh.
 Mesh withoutInnerEdges(const Mesh &mesh);
 

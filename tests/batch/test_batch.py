@@ -235,6 +235,19 @@ class Meshing(Case):
         self.assertIn("[inner-edges]", piped.stderr)
         self.assertNotIn("boundary_9", piped.stdout)
 
+    def test_check_accepts_su2_as_it_is_written_by_default(self):
+        self.write_inner_edges()
+        self.call("mesh", "inner.poly", "-o", "inner.su2", "-o", "inner.msh", "--size", "0.5")
+        done = self.call("check", "inner.su2", "--domain", "inner.poly")
+        self.assertIn("valid for the domain", done.stdout)
+        self.assertIn("[inner-edges]", done.stderr)
+        self.assertIn("valid for the domain", self.call("check", "inner.su2", "--domain", "inner.msh").stdout)
+        # A constraint must still be edges of the mesh.
+        self.write("other.poly", self.read("inner.poly").replace("5 1 1", "5 1 1.25"))
+        self.assertIn("segment", self.call("check", "inner.su2", "--domain", "other.poly", code=1).stderr)
+        self.call("mesh", "inner.poly", "-o", "inner.su2", "--inner-edges", "keep")
+        self.assertNotIn("[inner-edges]", self.call("check", "inner.su2", "--domain", "inner.poly").stderr)
+
     def test_inner_edges_can_be_left_out(self):
         self.write_inner_edges()
         for command in (["mesh", "inner.poly"],
@@ -363,7 +376,8 @@ class Meshing(Case):
         self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.2},
             "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [2, 0]]}],
             "parameters": {"d": "2*r", "r": "1"}, "formulas": {"shape/1/radius": "d"}}""")
-        for setting, radius in ([], 2.0), (["--set", "r=1.5"], 3.0), (["--set", "r=3", "--set", "d=r-1"], 2.0):
+        for setting, radius in ([], 2.0), (["--set", "r=1.5"], 3.0), (["--set", "r=3", "--set", "d=r-1"], 2.0), \
+                (["--set", " r = 1.5 "], 3.0):
             self.call("mesh", "disc.json", "-o", "disc.vtu", "--stats", "disc-stats.json", *setting)
             area = json.loads(self.read("disc-stats.json"))["area"]
             self.assertAlmostEqual(area, math.pi * radius * radius, delta=0.02 * area)
@@ -379,6 +393,24 @@ class Meshing(Case):
         self.assertIn("depends on itself", self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r=d", code=1).stderr)
         self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r", code=2)
         self.call("mesh", "plate.poly", "-o", "plate.vtu", "--set", "r=1", code=2)
+
+    def test_faults_of_the_expression_in_a_project_have_their_place(self):
+        self.write("plate.json", PROJECT.replace('"size": 0.3', '\n  "expression": "0.1*("'))
+        start = "plate.json:2:17: error: expression, column 6: "
+        for command in (["mesh", "plate.json", "-o", "a.vtu"], ["film", "plate.json", "-o", "a.gif"]):
+            self.assertTrue(self.call(*command, code=1).stderr.startswith(start), command)
+        self.call("mesh", "plate.poly", "-o", "a.vtu", "--spacing-file", "plate.json", code=1)
+        mistyped = self.call("mesh", "plate.json", "-o", "a.vtu", "--spacing", "0.1*(", code=2).stderr
+        self.assertNotIn("plate.json", mistyped)
+
+    def test_devices_without_an_end_are_refused(self):
+        for name in ("/dev/zero", "-"):
+            with open("/dev/zero", "rb") as zero:
+                done = subprocess.run([PROGRAM, "mesh", name, "-o", "a.msh", "--input-format", "poly"], cwd=self.path,
+                                      stdin=zero, capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("it is a device, not a file", done.stderr)
+        self.assertIn("empty", self.call("mesh", "/dev/null", "-o", "a.msh", code=1).stderr)
 
     def test_sizes_of_regions_can_be_set(self):
         self.write("halves.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.2},
@@ -742,6 +774,8 @@ class Refusing(Case):
         square = "4 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n1\n5 9 9\n"
         [line] = self.faults("hole.poly", square, "hole-outside")
         self.assertIn("hole marker 5 (line 12)", line)
+        [line] = self.faults("hole.poly", square, "hole-outside", "--repair")
+        self.assertIn("hole marker 5 (line 12)", line)
         self.write("apart.node", "4 2\n10 0 0\n11 4 3\n12 4 0\n13 0 3\n")
         [line] = self.faults("apart.poly", "0 2\n4\n7 10 11\n8 11 12\n9 12 13\n20 13 10\n0\n",
                              "crossing-segments")
@@ -955,6 +989,64 @@ class Refusing(Case):
         self.write("bow.poly", poly([BOW]))
         self.assertIn("expression", self.call("adapt", "plate.msh", "--domain", "bow.poly", "--expression", "1+*x",
                                               "--error", "0.1", "-o", "new.msh", code=2).stderr)
+
+    def test_check_accepts_meshes_of_other_programs(self):
+        nodes = "$Nodes\n6\n1 9 9 0\n11 0 0 0\n12 1 0 0\n13 1 1 0\n14 0 1 0\n20 8 8 0\n$EndNodes\n"
+        head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + nodes
+        elements = lambda *rows: "$Elements\n%d\n%s\n$EndElements\n" % (len(rows), "\n".join(rows))
+        self.write("lone.msh", head + elements("7 2 2 1 1 11 12 13", "9 2 2 1 1 11 13 14"))
+        done = self.call("check", "lone.msh")
+        self.assertEqual(done.stderr.splitlines(), [
+            "lone.msh: note: 2 nodes belong to no element, the first is node 1 at (9, 9) [unreferenced-node]"])
+        self.assertIn("valid: 6 nodes, 2 elements, hash", done.stdout)
+        self.assertIn("angles 45.0 to 90.0 degrees", done.stdout)
+        # One that is turned the other way is said to be so, and nothing else; its figures are those of its shapes.
+        self.write("clockwise.vtu", """<VTKFile type="UnstructuredGrid"><UnstructuredGrid>
+            <Piece NumberOfPoints="4" NumberOfCells="2"><Points><DataArray type="Float64" NumberOfComponents="3">
+            0 0 0 1 0 0 1 1 0 0 1 0</DataArray></Points><Cells>
+            <DataArray type="Int32" Name="connectivity">0 2 1 0 3 2</DataArray>
+            <DataArray type="Int32" Name="offsets">3 6</DataArray>
+            <DataArray type="UInt8" Name="types">5 5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>""")
+        self.write("unit.poly", poly([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]]))
+        for words in ([], ["--domain", "unit.poly"]):
+            done = self.call("check", "clockwise.vtu", *words)
+            self.assertRegex(done.stderr, r"^clockwise.vtu: warning: the mesh is turned the other way: its 2 elements are "
+                                          r"all clockwise; expected counter-clockwise \[clockwise\].*\n$")
+            self.assertIn("area 1, 1 part, 0 holes", done.stdout)
+            self.assertIn("angles 45.0 to 90.0 degrees", done.stdout)
+        self.assertIn("[clockwise]", self.call("adapt", "clockwise.vtu", "--expression", "x*x", "--error", "0.3",
+                                               "-o", "new.msh").stderr)
+        # What is wrong is refused, with the numbers of the file and the figures.
+        self.write("turned.msh", head + elements("7 2 2 1 1 11 12 13", "9 2 2 1 1 11 14 13"))
+        done = self.call("check", "turned.msh", code=1)
+        self.assertIn("element 9 is clockwise", done.stderr)
+        self.assertIn("edge 11-13 has two elements on the same side", done.stderr)
+        self.assertIn("invalid: 6 nodes, 2 elements, hash", done.stdout)
+        self.assertIn("shape factor", done.stdout)
+        done = self.call("check", "lone.msh", "--min-angle", "50", "--max-length", "1.2", code=1)
+        self.assertIn("lone.msh: error: element 7: min", done.stderr)
+        self.assertIn("lone.msh: error: edge 11-13: ", done.stderr)
+
+    def test_check_writes_statistics(self):
+        given = self.stats("plate.poly", "-o", "plate.msh", "--size", "0.5")
+        self.call("check", "plate.msh", "--stats", "check.json")
+        checked = json.loads(self.read("check.json"))
+        self.assertTrue(checked.pop("valid"))
+        self.assertEqual(checked.pop("limits"), [])
+        self.assertEqual(checked["delta_mean"], 0.0) # no spacing is given
+        del checked["delta_mean"]
+        self.assertEqual(checked, {key: given[key] for key in checked})
+        for key in ("nodes", "regions", "boundaries", "alpha_min", "min_angle_deg", "hash"):
+            self.assertIn(key, checked)
+        self.assertEqual([(part["tag"], part["name"]) for part in checked["boundaries"]], [(1, ""), (2, "")])
+        self.assertAlmostEqual(checked["boundaries"][0]["length"], 14.0)
+        done = self.call("check", "plate.msh", "--stats", "-", "--min-angle", "59", code=1)
+        printed = json.loads(done.stdout)
+        self.assertTrue(printed["valid"])
+        self.assertEqual(printed["limits"][0]["limit"], "min-angle")
+        self.assertFalse(printed["limits"][0]["met"])
+        self.assertIn("--measures", self.call("check", "plate.msh", "--stats", "-", "--measures", code=2).stderr)
+        self.assertIn("error", self.call("check", "plate.msh", "--stats", "plate.msh", code=1).stderr)
 
     def test_check_judges_by_limits(self):
         self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.25")

@@ -55,6 +55,19 @@ TEST_CASE("AtomicFile: two writers of one name do not mix, and the last commit w
     CHECK(folder.fileCount() == 1);
 }
 
+TEST_CASE("AtomicFile: a link to a file that does not exist yet stays, and the file is made where it leads") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "meshes");
+    std::filesystem::create_symlink("meshes/next", folder / "link");
+    std::filesystem::create_symlink("a.txt", folder / "meshes" / "next");
+    CHECK(writeFileAtomically(folder / "link", "new").empty());
+    CHECK(std::filesystem::is_symlink(folder / "link"));
+    CHECK(std::filesystem::is_symlink(folder / "meshes" / "next"));
+    CHECK(contentOf(folder / "meshes" / "a.txt") == "new");
+    std::filesystem::create_symlink("loop", folder / "loop");
+    CHECK_FALSE(writeFileAtomically(folder / "loop" / "a.txt", "new").empty());
+}
+
 TEST_CASE("AtomicFile: keeps the permissions of the previous file and follows links") {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.txt") << "old";

@@ -327,6 +327,15 @@ TEST_CASE("Project: faults of parameters and formulas name line and column") {
           "bad-parameter 3:21 parameter 'a': expression, column 1: unknown name 'c'; expected a parameter, pi, e or a "
           "function");
     CHECK(faultOfText(R"("parameters": {"sin": 1})").starts_with("bad-parameter 3:16 parameter 'sin': the name"));
+    CHECK(faultOfText(R"("parameters": {"a": "b", "b": "c", "c": "("})") ==
+          "bad-parameter 3:41 parameter 'c': expression, column 2: unexpected end; expected a number, a name or '('");
+    std::string chain = R"("parameters": {"p1000": 1)";
+    for (std::size_t k = 0; k < kMaxParameters; ++k) {
+        chain +=
+            ",\n\"p" + std::to_string(kMaxParameters - 1 - k) + "\": \"p" + std::to_string(kMaxParameters - k) + '"';
+    }
+    CHECK(faultOfText(chain + '}') ==
+          "bad-parameter 1003:1 parameter 'p0': there are 1001 parameters; expected at most 1000");
     CHECK(faultOfText(R"("parameters": [])").starts_with("bad-field 3:15"));
     CHECK(faultOfText(R"("formulas": {"shape/9/radius": "1"})")
               .starts_with("bad-formula 3:14 no number has the address"));
@@ -354,7 +363,7 @@ TEST_CASE("parameterStates: long chains, and more parameters than allowed") {
         chain.insert(chain.begin(), {"p" + std::to_string(k), "p" + std::to_string(k - 1) + " + 1"});
     }
     const std::vector<ParameterState> states = parameterStates(chain);
-    CHECK(states.back().fault == "more than 1000 parameters");
+    CHECK(states.back().fault == "there are 1001 parameters; expected at most 1000");
     chain.erase(chain.begin());
     CHECK(*parameterStates(chain).front().value == static_cast<double>(kMaxParameters));
 }

@@ -194,6 +194,10 @@ TEST_CASE("Expression: faults say what is wrong and what was expected") {
     CHECK(messageOf("sqrt(1, 2)") == "expression, column 10: 'sqrt' takes 1 argument, got 2");
     CHECK(messageOf("max(1") == "expression, column 6: missing ')'");
     CHECK(messageOf("x > 1 ? 2") == "expression, column 10: missing ':' after '?'");
+    CHECK(messageOf("3\u00b2") == "expression, column 2: unexpected '\u00b2'; write ^2");
+    CHECK(messageOf("2 \u00d7 x") == "expression, column 3: unexpected '\u00d7'; write *");
+    CHECK(messageOf("\u03c1") == "expression, column 1: unexpected '\u03c1'; expected a number, a name or '('");
+    CHECK(messageOf("\xe2\x88") == "expression, column 1: unexpected byte 226; expected a number, a name or '('");
     CHECK(messageOf("\xff") == "expression, column 1: unexpected byte 255; expected a number, a name or '('");
 }
 

@@ -36,8 +36,9 @@ TEST_CASE("Triangle .poly: nodes, markers, holes, regions and isolated nodes are
     CHECK(domain->nodes.size() == 9);
     REQUIRE(domain->segments.size() == 8);
     CHECK(domain->segments[0].tag == 3);
-    CHECK(domain->segments[1].tag == 1);
-    CHECK(domain->segments[2].tag == 1);
+    CHECK(domain->segments[1].tag == 10); // free tags: 9 is the greatest in use
+    CHECK(domain->segments[2].tag == 11);
+    CHECK(domain->boundaryNames == std::map<std::int32_t, std::string>{{10, "boundary_0"}, {11, "boundary_-2"}});
     CHECK(domain->segments[4].tag == 9);
     CHECK(domain->segments[7].role == SegmentRole::Boundary);
     CHECK(domain->holeMarkers == std::vector<Vec2>{{1.5, 1.5}});

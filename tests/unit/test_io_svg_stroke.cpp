@@ -171,6 +171,24 @@ TEST_CASE("SVG stroke areas: parts of the boundary have the names of their paths
     CHECK(domain->boundaryNames.begin()->second == "bar");
 }
 
+TEST_CASE("SVG strokes of width 0 are lines, and a note says so, with or without stroke areas") {
+    for (const bool areas : {false, true}) {
+        ImportNotes notes;
+        const std::string text =
+            "<svg viewBox='0 0 9 9'><path fill='none' style='stroke:black;stroke-width:0' d='M1 1H8V8H1z'/></svg>";
+        SourceText source = sourceOf(text);
+        source.options.strokeAreas = areas;
+        source.notes = &notes;
+        REQUIRE(readSvg(source).ok());
+        const auto coded = [&](const char *code) {
+            return std::count_if(notes.entries().begin(), notes.entries().end(),
+                                 [code](const ImportNote &note) { return note.code == code; });
+        };
+        CHECK(coded("svg-zero-stroke") == 1);
+        CHECK(coded(kStrokeNote) == 0);
+    }
+}
+
 TEST_CASE("SVG stroke areas: strokes that do not scale stay lines, with a note") {
     ImportNotes notes;
     const auto domain = readStrokes("<rect width='50' height='50' fill='black' stroke='none'/>"

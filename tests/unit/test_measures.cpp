@@ -234,6 +234,9 @@ TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places"
     REQUIRE(faultsOf(verdicts[0]).size() == 1);
     CHECK(faultsOf(verdicts[0])[0].message ==
           "element 0: min \xe2\x88\xa0 36.87\xc2\xb0 violates the limit 40\xc2\xb0");
+    const MeshNumbers numbers{PartNumbers(1), PartNumbers(5)};
+    CHECK(faultsOf(verdicts[0], numbers)[0].message.find("element 5: ") == 0);
+    CHECK(faultsOf(verdicts[2], numbers)[0].message.find("edge 2-3: ") == 0); // by its nodes
     CHECK(verdicts[1].met());
     CHECK(toString(verdicts[1]) == "maximum angle 90\xc2\xb0: met, worst 90\xc2\xb0");
     CHECK(verdicts[2].broken == 4);

@@ -294,6 +294,40 @@ TEST_CASE("repair: holes stay holes by their markers; one that is open to the ou
     CHECK(boundaryLengths(repaired->domain).at(3) == doctest::Approx(3.0));
 }
 
+TEST_CASE("repair: a hole that crosses the outline takes nothing beyond it into the domain") {
+    const auto loop = [](Domain &domain, std::initializer_list<Vec2> nodes) {
+        const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+        domain.nodes.insert(domain.nodes.end(), nodes.begin(), nodes.end());
+        const auto count = static_cast<std::uint32_t>(nodes.size());
+        for (std::uint32_t k = 0; k < count; ++k) {
+            domain.segments.push_back({first + k, first + (k + 1) % count, 1});
+        }
+    };
+    Domain domain;
+    domain.insideRule = InsideRule::HoleMarkers;
+    loop(domain, {{0, 0}, {8, 0}, {8, 8}, {0, 8}});
+    loop(domain, {{6, 2}, {10, 2}, {10, 4}, {6, 4}}); // beyond the right side
+    loop(domain, {{1, 1}, {3, 1}, {3, 3}, {1, 3}});   // inside
+    loop(domain, {{2, 5}, {4, 5}, {4, 10}, {2, 10}}); // beyond the top, with an island that stays
+    loop(domain, {{2.5, 5.5}, {3.5, 5.5}, {3.5, 6.5}, {2.5, 6.5}});
+    domain.holeMarkers = {{7, 3}, {2, 2}, {2.25, 6}};
+    const auto repaired = repair(domain);
+    REQUIRE(repaired.ok());
+    CHECK_MESSAGE(validate(repaired->domain).empty(), repaired->domain.segments.size());
+    CHECK(insideArea(repaired->domain) == doctest::Approx(64.0 - 4.0 - 4.0 - 6.0 + 1.0));
+    CHECK(repaired->domain.holeMarkers == std::vector<Vec2>{{2, 2}});
+    CHECK(repaired->holeMarkerSource == std::vector<std::uint32_t>{1});
+    const Diagnostics notes = notesOf(repaired->changes);
+    const auto note = std::find_if(notes.begin(), notes.end(), [](const auto &n) { return n.code == "hole-crosses"; });
+    REQUIRE(note != notes.end());
+    CHECK(note->message.find("left out 2 parts of holes beyond the outlines that they cross") == 0);
+    // An outline that another one crosses is no hole, and stays.
+    domain.holeMarkers = {{2, 2}};
+    const auto joined = repair(domain);
+    REQUIRE(joined.ok());
+    CHECK(insideArea(joined->domain) == doctest::Approx(64.0 - 4.0 + 4.0 + 4.0));
+}
+
 TEST_CASE("repair: with hole markers, a second outline with a gap is not taken for a line outside") {
     Domain domain;
     domain.insideRule = InsideRule::HoleMarkers;

@@ -119,13 +119,44 @@ TEST_CASE("verify: coordinates that are not finite are reported") {
     }
 }
 
-TEST_CASE("verify: a clockwise element is inverted and causes no other fault") {
-    Mesh mesh;
-    mesh.nodes = {{0, 0}, {3, 0}, {0, 3}};
-    mesh.elements = {{node(0), node(2), node(1)}};
+TEST_CASE("verify: a clockwise element among others is inverted") {
+    Mesh mesh = twoTriangles();
+    append(mesh, twoTriangles(), {3.0, 0.0});
+    std::swap(mesh.elements[2][0], mesh.elements[2][1]);
+    std::swap(mesh.elements[3][0], mesh.elements[3][1]);
     const Diagnostics faults = verify(mesh);
     CHECK(codes(faults).count("inverted-element") == 1);
-    CHECK(at(faults, {1, 1}));
+    CHECK(at(faults, {11.0 / 3.0, 1.0 / 3.0}));
+}
+
+TEST_CASE("verify: a mesh that is turned the other way is said to be so, and nothing else") {
+    Mesh mesh = squareRing();
+    for (Element &element : mesh.elements) {
+        std::swap(element[1], element[2]);
+    }
+    Diagnostics faults = verify(mesh);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].code == "clockwise");
+    CHECK(faults[0].severity == Severity::Warning);
+    CHECK(faults[0].message == "the mesh is turned the other way: its " + std::to_string(mesh.elements.size()) +
+                                   " elements are all clockwise; expected counter-clockwise");
+    // Its other faults are found as in any mesh.
+    mesh.elements.push_back(mesh.elements.back());
+    CHECK(codes(verify(mesh)) == Codes{"clockwise", "non-conforming"});
+}
+
+TEST_CASE("verify: messages name nodes and elements by the numbers of the file") {
+    Mesh mesh = twoTriangles();
+    mesh.nodes.push_back({0.5, 0.0});
+    mesh.elements[0] = {node(0), node(4), node(1)};
+    const MeshNumbers numbers{PartNumbers(std::vector<std::int64_t>{10, 20, 30, 40, 50}), PartNumbers(7)};
+    const Diagnostics faults = verify(mesh, kMaxListedFaults, numbers);
+    REQUIRE(codes(faults).count("zero-area") == 1);
+    CHECK(faults[0].message == "element 7 has zero area");
+    mesh = twoTriangles();
+    mesh.nodes.push_back({5.0, 5.0});
+    CHECK(verify(mesh, kMaxListedFaults, numbers)[0].message == "node 50 belongs to no element");
+    CHECK(verify(mesh)[0].message == "node 4 belongs to no element");
 }
 
 TEST_CASE("verify: an inner node moved over the opposite side inverts elements and nothing else") {
@@ -143,7 +174,7 @@ TEST_CASE("verify: reports an element with zero area by the exact sign") {
     CHECK(codes(verify(mesh)) == Codes{"flat-element"});    // only a warning
     CHECK_FALSE(hasErrors(verify(mesh)));
     mesh.nodes[1].y = std::nextafter(std::nextafter(mesh.nodes[1].y, 1.0), 1.0);
-    CHECK(codes(verify(mesh)).count("inverted-element") == 1);
+    CHECK(codes(verify(mesh)) == Codes{"clockwise"});
 }
 
 TEST_CASE("verify: an edge with three elements and two elements on one side of an edge do not conform") {
@@ -326,7 +357,12 @@ TEST_CASE("verify: reports nodes without elements and tagged edges that are not 
     mesh.nodes.push_back({5, 5});
     Diagnostics faults = verify(mesh);
     CHECK(codes(faults) == Codes{"unreferenced-node"});
+    CHECK(faults[0].severity == Severity::Note);
     CHECK(at(faults, {5, 5}));
+    mesh.nodes.push_back({6, 5});
+    faults = verify(mesh);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].message == "2 nodes belong to no element, the first is node 4");
     mesh = twoTriangles();
     mesh.edges = {{node(0), node(1), 1}, {node(1), node(3), 7}};
     faults = verify(mesh);
@@ -348,15 +384,15 @@ TEST_CASE("verify: reports an element that refers to a node twice") {
 
 TEST_CASE("verify: a kind of fault that occurs often is listed once with its count") {
     Mesh mesh = samples::square(30, 30);
-    for (Element &e : mesh.elements) {
-        std::swap(e[0], e[1]);
+    for (std::size_t e = 0; e + 1 < mesh.elements.size(); ++e) {
+        std::swap(mesh.elements[e][0], mesh.elements[e][1]);
     }
     mesh.nodes.push_back({5.0, 5.0});
     const Diagnostics faults = verify(mesh);
     const auto inverted =
         std::count_if(faults.begin(), faults.end(), [](const Diagnostic &d) { return d.code == "inverted-element"; });
     CHECK(inverted == 1);
-    CHECK(faults.front().message == "element 0 is clockwise (the first of 1800 such faults)");
+    CHECK(faults.front().message == "element 0 is clockwise (the first of 1799 such faults)");
     CHECK(codes(faults).count("unreferenced-node") == 1);
 }
 
@@ -364,8 +400,12 @@ TEST_CASE("verify: lists at most `limit` faults and counts the rest") {
     Mesh mesh = twoTriangles();
     for (int i = 0; i < 10; ++i) {
         mesh.nodes.push_back({5.0 + i, 5});
+        mesh.edges.push_back({node(0), node(4 + i), 1});
     }
-    const Diagnostics faults = verify(mesh, 4);
+    Diagnostics faults = verify(mesh, 4);
+    REQUIRE(faults.size() == 6);
+    CHECK(faults.back().code == "unreferenced-node"); // a note, which the limit does not count
+    faults.pop_back();
     REQUIRE(faults.size() == 5);
     CHECK(faults.back().severity == Severity::Note);
     CHECK(faults.back().message.find('6') != std::string::npos);

@@ -59,8 +59,26 @@ TEST_CASE("verifyAgainst: a mesh has no fault against its discrete domain, even 
     }
 }
 
-TEST_CASE("verifyAgainst: the mesh's own faults come first") {
+TEST_CASE("verifyAgainst: the mesh's own faults come first, and notes hide no deviations") {
     CHECK(after([](TwoRegions &c) { c.mesh.nodes.push_back({9, 9}); }) == Codes{"unreferenced-node"});
+    CHECK(after([](TwoRegions &c) {
+              c.mesh.nodes.push_back({9, 9});
+              c.mesh.points.clear();
+          }) == Codes{"missing-point", "unreferenced-node"});
+    CHECK(after([](TwoRegions &c) { c.mesh.elements.push_back(c.mesh.elements.front()); }).count("missing-point") == 0);
+}
+
+TEST_CASE("verifyAgainst: a mesh that is turned the other way is compared like any other") {
+    const auto turn = [](TwoRegions &c) {
+        for (Element &element : c.mesh.elements) {
+            std::swap(element[1], element[2]);
+        }
+    };
+    TwoRegions c = twoRegions();
+    turn(c);
+    CHECK(codes(verifyAgainst(c.mesh, c.domain)) == Codes{"clockwise"});
+    c.mesh.points.clear();
+    CHECK(codes(verifyAgainst(c.mesh, c.domain)) == Codes{"clockwise", "missing-point"});
 }
 
 TEST_CASE("verifyAgainst: a segment that is not an edge of the mesh is missing, with its place") {

@@ -33,7 +33,7 @@ double rounded(double value) {
 
 /// Returns the picture with about as many values as can be drawn one by one.
 GreyPicture reduced(const GreyPicture &picture) {
-    const GreyCounts counts = greyCounts(picture.columns, picture.rows, kThumbnailValues);
+    const GridCounts counts = averagedCounts(picture.columns, picture.rows, kThumbnailValues);
     GreyPicture small{picture.pixelColumns, picture.pixelRows, counts.columns, counts.rows};
     for (std::size_t row = 0; row < counts.rows; ++row) {
         for (std::size_t column = 0; column < counts.columns; ++column) {

@@ -64,6 +64,8 @@ constexpr Words kWords[] = {
      "dropped %zu points outside the domain", true},
     {ChangeKind::OutsideMarkers, "hole-outside", "dropped 1 hole marker in a hole that is open to the outside",
      "dropped %zu hole markers in holes that are open to the outside", true},
+    {ChangeKind::HolesBeyond, "hole-crosses", "left out the part of a hole beyond the outline that it crosses",
+     "left out %zu parts of holes beyond the outlines that they cross", true},
     {ChangeKind::UnusedNodes, "unreferenced-node", "dropped 1 node that belongs to no segment",
      "dropped %zu nodes that belong to no segment", true},
 };

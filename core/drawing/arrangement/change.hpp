@@ -34,6 +34,7 @@ enum class ChangeKind : std::uint8_t {
     OutsideLines,     ///< a constraint line outside the domain vanished
     OutsidePoints,    ///< a constraint point outside the domain vanished
     OutsideMarkers,   ///< a hole marker vanished because its hole was open to the outside
+    HolesBeyond,      ///< a part of a hole beyond the outline that the hole crosses is no part of the domain
     UnusedNodes       ///< a node of a domain vanished because nothing refers to it
 };
 

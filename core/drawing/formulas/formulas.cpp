@@ -158,7 +158,7 @@ Result<Document> applyFormulas(const Document &document, std::string *failed) {
 Result<Document> setParameters(const Document &document, std::vector<Parameter> parameters) {
     const std::vector<ParameterState> states = parameterStates(parameters);
     for (std::size_t k = 0; k < states.size(); ++k) {
-        if (!states[k].value) {
+        if (!states[k].value && !states[k].follows) { // what follows from another fault comes after its cause
             return error("bad-parameter", "parameter '" + parameters[k].name + "': " + states[k].fault,
                          "change its name or its expression");
         }

@@ -48,7 +48,9 @@ class Evaluation {
     std::string nameFault(std::size_t index) {
         const std::string &name = parameters_[index].name;
         if (index >= kMaxParameters) { // visit() calls itself along dependencies
-            return "more than " + std::to_string(kMaxParameters) + " parameters";
+            indices_.emplace(name, index);
+            return "there are " + std::to_string(parameters_.size()) + " parameters; expected at most " +
+                   std::to_string(kMaxParameters);
         }
         if (name.size() > kMaxParameterName) {
             return "the name has " + std::to_string(name.size()) + " characters; expected at most " +
@@ -113,6 +115,7 @@ class Evaluation {
         for (const std::string_view name : dependencies(parameters_[index])) {
             if (indices_.contains(name) && !values_.contains(name)) {
                 states_[index].fault = "uses '" + std::string(name) + "', which has no value";
+                states_[index].follows = true;
                 return;
             }
         }

@@ -15,12 +15,13 @@ std::string readExpression(const JsonValue &value, JsonCheck &check, const std::
     return value.is(JsonKind::Number) ? exactText(check.number(value, what)) : check.string(value, what);
 }
 
-/// Reports the faults of the parameters at their names or expressions. Parameters may use each other in any order.
+/// Reports the faults of the parameters at their names or expressions, but not those that follow from others, and only
+/// the first of those that are too many. Parameters may use each other in any order.
 void checkParameters(const JsonValue &object, const Document &document, JsonCheck &check) {
     const std::vector<ParameterState> states = parameterStates(document.parameters);
     std::size_t k = 0;
-    for (auto entry = object.begin(); entry != object.end() && !check.full(); ++entry, ++k) {
-        if (!states[k].value) {
+    for (auto entry = object.begin(); entry != object.end() && k <= kMaxParameters && !check.full(); ++entry, ++k) {
+        if (!states[k].value && !states[k].follows) {
             check.fault(states[k].faultyName ? entry.keyValue() : *entry, "bad-parameter",
                         "parameter '" + document.parameters[k].name + "': " + states[k].fault);
         }

@@ -40,6 +40,9 @@ class ProjectReader {
         names(root, "regionNames", document_.regionNames);
         if (const auto spec = root.find("spacing"); spec && check_.expect(*spec, JsonKind::Object, "\"spacing\"")) {
             document_.spacing = readSpacing(*spec, check_);
+            if (const auto expression = spec->find("expression"); expression && source_.origin != nullptr) {
+                source_.origin->spacingExpression = expression->offset();
+            }
         }
         if (const auto given = root.find("options"); given && check_.expect(*given, JsonKind::Object, "\"options\"")) {
             options(*given);

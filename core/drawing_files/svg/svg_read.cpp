@@ -397,7 +397,10 @@ class SvgBuilder {
                          "polylines with a stroke and the default fill are read as lines, although renderers fill them",
                          path.offset);
         }
-        if (path.paint.stroked && part != Part::Nothing && !path.strokeArea) {
+        if (path.paint.stroked && part != Part::Nothing && !(path.paint.line.width > 0.0)) {
+            source_.note("svg-zero-stroke", "strokes of width 0 are read as lines, although renderers paint nothing",
+                         path.offset);
+        } else if (path.paint.stroked && part != Part::Nothing && !path.strokeArea) {
             source_.note(kStrokeNote,
                          source_.options.strokeAreas
                              ? "strokes that do not scale with the drawing are read as lines"

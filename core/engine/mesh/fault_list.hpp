@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,12 +28,21 @@ class FaultList {
               std::initializer_list<std::uint32_t> ids = {}) {
         push(Severity::Warning, code, std::move(message), at, ids, {});
     }
+    /// Adds a note, which is no fault: neither counted nor limited.
+    void note(const char *code, std::string message, std::optional<Vec2> at, std::initializer_list<std::uint32_t> ids) {
+        Diagnostic &entry = notes_.emplace_back();
+        entry.severity = Severity::Note;
+        entry.code = code;
+        entry.message = std::move(message);
+        entry.at = at;
+        entry.ids = ids;
+    }
     /// Returns the number of errors.
     std::size_t errors() const { return errors_; }
     bool clean() const { return errors_ == 0; }
 
-    /// Returns the errors, then the warnings, in the order they were added, with a final note of the number beyond the
-    /// limit.
+    /// Returns the errors, then the warnings, in the order they were added, with a note of the number beyond the limit,
+    /// then the notes.
     Diagnostics take() {
         std::stable_sort(faults_.begin(), faults_.end(),
                          [](const Diagnostic &a, const Diagnostic &b) { return a.severity < b.severity; });
@@ -58,6 +68,7 @@ class FaultList {
             rest.message = std::to_string(count_ - covered) + " more faults are not listed";
             listed.push_back(std::move(rest));
         }
+        std::move(notes_.begin(), notes_.end(), std::back_inserter(listed));
         return listed;
     }
 
@@ -97,6 +108,7 @@ class FaultList {
     std::size_t errors_ = 0;
     std::vector<Kind> kinds_; ///< few
     Diagnostics faults_;      ///< the first of each kind
+    Diagnostics notes_;
 };
 
 } // namespace forefront

@@ -59,6 +59,9 @@ LimitVerdict verdictOf(MeshLimit limit, double bound, const Mesh &mesh, const Me
     broken.resize(listed);
     for (LimitPlace &place : broken) {
         place.at = placeOf(mesh, edges, infoOf(info.measure).part, place.part);
+        if (infoOf(info.measure).part == MeshPart::Edges) {
+            place.ends = {edges.edges[place.part].a, edges.edges[place.part].b};
+        }
     }
     verdict.places = std::move(broken);
     return verdict;
@@ -125,14 +128,20 @@ std::string toString(const LimitVerdict &verdict) {
     return verdict.places.empty() ? text : text + " at " + placeText(verdict.places.front().at);
 }
 
-Diagnostics faultsOf(const LimitVerdict &verdict) {
+Diagnostics faultsOf(const LimitVerdict &verdict, const MeshNumbers &numbers) {
     const MeasureInfo &measure = infoOf(limitInfo(verdict.limit).measure);
+    const auto nameOf = [&](const LimitPlace &place) {
+        const auto node = [&](NodeId id) { return std::to_string(numbers.nodes.of(index(id))); };
+        return measure.part == MeshPart::Edges      ? node(place.ends[0]) + '-' + node(place.ends[1])
+               : measure.part == MeshPart::Elements ? std::to_string(numbers.elements.of(place.part))
+                                                    : std::to_string(numbers.nodes.of(place.part));
+    };
     Diagnostics faults;
     for (const LimitPlace &place : verdict.places) {
         Diagnostic fault;
         fault.code = wordOf(verdict.limit);
-        fault.message = std::string(wordOf(measure.part)) + ' ' + std::to_string(place.part) + ": " + measure.symbol +
-                        ' ' + valueText(verdict.limit, place.value) + " violates the limit " +
+        fault.message = std::string(wordOf(measure.part)) + ' ' + nameOf(place) + ": " + measure.symbol + ' ' +
+                        valueText(verdict.limit, place.value) + " violates the limit " +
                         valueText(verdict.limit, verdict.bound);
         fault.at = place.at;
         fault.ids = {place.part};

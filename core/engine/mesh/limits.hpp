@@ -5,6 +5,7 @@
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/vec2.hpp"
 #include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/mesh_numbers.hpp"
 
 #include <array>
 #include <cstdint>
@@ -65,9 +66,10 @@ std::string limitFault(MeshLimit limit, double value);
 
 /// A part of a mesh that violates a limit.
 struct LimitPlace {
-    std::uint32_t part = 0; ///< number of the element, edge or node
+    std::uint32_t part = 0; ///< index of the element, edge or node
     double value = 0.0;
     Vec2 at;
+    std::array<NodeId, 2> ends = {kNoNode, kNoNode}; ///< of an edge
 };
 
 /// The verdict on one limit.
@@ -93,8 +95,9 @@ std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshEdges &edges, 
 
 /// Returns the verdict as a line: "minimum angle 25°: violated by 3 of 1200 elements, worst 12.3° at (1.5, 2)".
 std::string toString(const LimitVerdict &verdict);
-/// Returns an error for each place of a verdict: "element 12: min ∠ 12.3° violates the limit 25°".
-Diagnostics faultsOf(const LimitVerdict &verdict);
+/// Returns an error for each place of a verdict: "element 12: min ∠ 12.3° violates the limit 25°". An edge is named by
+/// its nodes. `numbers`: of the nodes and elements.
+Diagnostics faultsOf(const LimitVerdict &verdict, const MeshNumbers &numbers = {});
 /// Returns a value with the unit of what the limit bounds: "12.3°".
 std::string valueText(MeshLimit limit, double value);
 

@@ -59,6 +59,23 @@ std::vector<RegionExtent> regionsOf(const Mesh &mesh) {
     return found;
 }
 
+std::vector<BoundaryExtent> boundariesOf(const Mesh &mesh) {
+    std::map<std::int32_t, BoundaryExtent> boundaries;
+    for (const TaggedEdge &edge : mesh.edges) {
+        BoundaryExtent &boundary = boundaries[edge.tag];
+        ++boundary.edges;
+        boundary.length += distance(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+    }
+    std::vector<BoundaryExtent> found;
+    for (auto &[tag, extent] : boundaries) {
+        const auto name = mesh.boundaryNames.find(tag);
+        extent.tag = tag;
+        extent.name = name == mesh.boundaryNames.end() ? "" : name->second;
+        found.push_back(extent);
+    }
+    return found;
+}
+
 } // namespace
 
 MeshExtent extentOf(const Mesh &mesh, std::size_t edges) {
@@ -78,6 +95,7 @@ MeshExtent extentOf(const Mesh &mesh, std::size_t edges) {
     extent.holes =
         extent.parts + edges - nodes - mesh.elements.size(); // Euler: nodes - edges + elements + holes = parts
     extent.regions = regionsOf(mesh);
+    extent.boundaries = boundariesOf(mesh);
     return extent;
 }
 

@@ -18,11 +18,20 @@ struct RegionExtent {
     double area = 0.0;
 };
 
+/// The tagged edges with one tag: a boundary part, an interface or a constraint.
+struct BoundaryExtent {
+    std::int32_t tag = 1;
+    std::string name; ///< empty if the mesh has none for the tag
+    std::size_t edges = 0;
+    double length = 0.0;
+};
+
 /// What a mesh covers.
 struct MeshExtent {
-    std::size_t parts = 0;             ///< pieces that share no node with each other
-    std::size_t holes = 0;             ///< faces without elements that elements enclose
-    std::vector<RegionExtent> regions; ///< by ascending tag
+    std::size_t parts = 0;                  ///< pieces that share no node with each other
+    std::size_t holes = 0;                  ///< faces without elements that elements enclose
+    std::vector<RegionExtent> regions;      ///< by ascending tag
+    std::vector<BoundaryExtent> boundaries; ///< by ascending tag
 };
 
 /// Measures what a valid mesh covers. `edges`: the number of different edges of its elements, as in

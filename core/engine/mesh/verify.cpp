@@ -1,11 +1,13 @@
 #include "core/engine/mesh/verify.hpp"
 
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/geometry/flat.hpp"
 #include "core/engine/geometry/predicates.hpp"
 #include "core/engine/mesh/coverage.hpp"
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/fault_list.hpp"
+#include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/topology.hpp"
 
 #include <algorithm>
@@ -17,9 +19,16 @@ namespace {
 std::uint32_t number(NodeId node) {
     return static_cast<std::uint32_t>(node);
 }
-std::string name(NodeId a, NodeId b) {
-    return std::to_string(number(a)) + '-' + std::to_string(number(b));
-}
+
+/// A mesh with the numbers that messages use.
+struct NumberedMesh {
+    const Mesh &mesh;
+    const MeshNumbers &numbers;
+
+    std::string node(NodeId n) const { return std::to_string(numbers.nodes.of(index(n))); }
+    std::string edge(NodeId a, NodeId b) const { return node(a) + '-' + node(b); }
+    std::string element(std::size_t e) const { return "element " + std::to_string(numbers.elements.of(e)); }
+};
 Vec2 centroid(const Mesh &mesh, const Element &e) {
     const Vec2 a = mesh.nodes[index(e[0])];
     return a + (1.0 / 3.0) * ((mesh.nodes[index(e[1])] - a) + (mesh.nodes[index(e[2])] - a));
@@ -28,7 +37,8 @@ Vec2 middle(const Mesh &mesh, NodeId a, NodeId b) {
     return midpoint(mesh.nodes[index(a)], mesh.nodes[index(b)]);
 }
 
-void checkIndices(const Mesh &mesh, FaultList &faults) {
+void checkIndices(const NumberedMesh &named, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     const std::size_t n = mesh.nodes.size();
     if (mesh.elements.size() > kNoIndex / 3U || n >= kNoIndex) {
         faults.add("bad-index", "the mesh has more nodes or elements than can be numbered");
@@ -41,14 +51,15 @@ void checkIndices(const Mesh &mesh, FaultList &faults) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         for (const NodeId node : mesh.elements[e]) {
             if (index(node) >= n) {
-                faults.add("bad-index", "element " + std::to_string(e) + " refers to node " +
-                                            std::to_string(index(node)) + ", which does not exist");
+                faults.add("bad-index", named.element(e) + " refers to node " + std::to_string(index(node)) +
+                                            ", which does not exist");
             }
         }
     }
     for (const TaggedEdge &edge : mesh.edges) {
         if (index(edge.a) >= n || index(edge.b) >= n) {
-            faults.add("bad-index", "tagged edge " + name(edge.a, edge.b) + " refers to a node that does not exist");
+            faults.add("bad-index",
+                       "tagged edge " + named.edge(edge.a, edge.b) + " refers to a node that does not exist");
         }
     }
     for (const TaggedNode &point : mesh.points) {
@@ -59,10 +70,13 @@ void checkIndices(const Mesh &mesh, FaultList &faults) {
     }
 }
 
-void checkFinite(const Mesh &mesh, FaultList &faults) {
+void checkFinite(const NumberedMesh &named, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (!isFinite(mesh.nodes[n])) {
-            faults.add("non-finite", "node " + std::to_string(n) + " has a coordinate that is not finite",
+            faults.add("non-finite",
+                       "node " + named.node(NodeId{static_cast<std::uint32_t>(n)}) +
+                           " has a coordinate that is not finite",
                        mesh.nodes[n], {static_cast<std::uint32_t>(n)});
         }
     }
@@ -70,14 +84,15 @@ void checkFinite(const Mesh &mesh, FaultList &faults) {
 
 /// Adds a fault for each element that refers to a node twice, since its sides cannot be followed. Returns false if
 /// there are any.
-bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
+bool checkNodesDistinct(const NumberedMesh &named, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     const std::size_t before = faults.errors();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
         if (n[0] == n[1] || n[1] == n[2] || n[2] == n[0]) {
             const NodeId twice = n[0] == n[1] ? n[0] : n[2];
             faults.add("repeated-node",
-                       "element " + std::to_string(e) + " refers to node " + std::to_string(number(twice)) +
+                       named.element(e) + " refers to node " + named.node(twice) +
                            " twice; expected three different nodes",
                        mesh.nodes[index(twice)], {static_cast<std::uint32_t>(e)});
         }
@@ -85,7 +100,8 @@ bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
     return faults.errors() == before;
 }
 
-void checkAreas(const Mesh &mesh, FaultList &faults) {
+void checkAreas(const NumberedMesh &named, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
         const Vec2 a = mesh.nodes[index(n[0])], b = mesh.nodes[index(n[1])], c = mesh.nodes[index(n[2])];
@@ -93,14 +109,14 @@ void checkAreas(const Mesh &mesh, FaultList &faults) {
             continue;
         }
         const auto id = static_cast<std::uint32_t>(e);
-        const std::string name = "element " + std::to_string(e);
         const int sign = orientation(a, b, c);
         if (sign < 0) {
-            faults.add("inverted-element", name + " is clockwise", centroid(mesh, n), {id});
+            faults.add("inverted-element", named.element(e) + " is clockwise", centroid(mesh, n), {id});
         } else if (sign == 0) {
-            faults.add("zero-area", name + " has zero area", centroid(mesh, n), {id});
+            faults.add("zero-area", named.element(e) + " has zero area", centroid(mesh, n), {id});
         } else {
-            faults.warn("flat-element", name + " is flat: its area is not larger than what rounding its nodes changes",
+            faults.warn("flat-element",
+                        named.element(e) + " is flat: its area is not larger than what rounding its nodes changes",
                         centroid(mesh, n), {id});
         }
     }
@@ -108,54 +124,60 @@ void checkAreas(const Mesh &mesh, FaultList &faults) {
 
 /// Returns the half-edges of the boundary. Adds a fault for each edge with more than two elements, or with two on one
 /// side.
-std::vector<HalfEdge> checkEdges(const Mesh &mesh, const EdgeTable &table, FaultList &faults) {
+std::vector<HalfEdge> checkEdges(const NumberedMesh &named, const EdgeTable &table, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     std::vector<HalfEdge> boundary;
     table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
         if (sides.size() == 1) {
             boundary.push_back(sides[0]);
         } else if (sides.size() > 2) {
             faults.add("non-conforming",
-                       "edge " + name(a, b) + " belongs to " + std::to_string(sides.size()) + " elements",
+                       "edge " + named.edge(a, b) + " belongs to " + std::to_string(sides.size()) + " elements",
                        middle(mesh, a, b), {number(a), number(b)});
         } else if (startOf(mesh, sides[0]) == startOf(mesh, sides[1])) {
-            faults.add("non-conforming", "edge " + name(a, b) + " has two elements on the same side",
+            faults.add("non-conforming", "edge " + named.edge(a, b) + " has two elements on the same side",
                        middle(mesh, a, b), {number(a), number(b)});
         }
     });
     return boundary;
 }
 
-void checkTagged(const Mesh &mesh, const EdgeTable &table, FaultList &faults) {
+void checkTagged(const NumberedMesh &named, const EdgeTable &table, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     for (const TaggedEdge &edge : mesh.edges) {
         if (table.find(edge.a, edge.b).empty()) {
             faults.add("missing-tagged-edge",
-                       "tagged edge " + name(edge.a, edge.b) + " (tag " + std::to_string(edge.tag) +
+                       "tagged edge " + named.edge(edge.a, edge.b) + " (tag " + std::to_string(edge.tag) +
                            ") is not an edge of any element",
                        middle(mesh, edge.a, edge.b), {number(edge.a), number(edge.b)});
         }
     }
 }
 
-void checkNodesUsed(const Mesh &mesh, FaultList &faults) {
+void checkNodesUsed(const NumberedMesh &named, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     std::vector<bool> used(mesh.nodes.size(), false);
     for (const Element &element : mesh.elements) {
         for (const NodeId node : element) {
             used[index(node)] = true;
         }
     }
-    for (std::size_t n = 0; n < used.size(); ++n) {
-        if (!used[n]) {
-            faults.add("unreferenced-node", "node " + std::to_string(n) + " belongs to no element", mesh.nodes[n],
-                       {static_cast<std::uint32_t>(n)});
-        }
+    const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+    if (count > 0) {
+        const NodeId first{static_cast<std::uint32_t>(std::find(used.begin(), used.end(), false) - used.begin())};
+        faults.note("unreferenced-node",
+                    count == 1
+                        ? "node " + named.node(first) + " belongs to no element"
+                        : std::to_string(count) + " nodes belong to no element, the first is node " + named.node(first),
+                    mesh.nodes[index(first)], {number(first)});
     }
 }
 
-void checkCoverage(const Mesh &mesh, const std::vector<HalfEdge> &boundary, FaultList &faults) {
+void checkCoverage(const NumberedMesh &named, const std::vector<HalfEdge> &boundary, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
     const Coverage found = coverage(mesh, boundary);
     for (const HangingNode &h : found.hanging) {
-        faults.add("hanging-node",
-                   "node " + std::to_string(number(h.node)) + " lies inside edge " + name(h.edgeA, h.edgeB),
+        faults.add("hanging-node", "node " + named.node(h.node) + " lies inside edge " + named.edge(h.edgeA, h.edgeB),
                    mesh.nodes[index(h.node)], {number(h.node), number(h.edgeA), number(h.edgeB)});
     }
     if (found.overlap) {
@@ -243,37 +265,58 @@ void checkEuler(const Mesh &mesh, const EdgeTable &table, const std::vector<Half
     }
 }
 
-Diagnostics verifyAlone(const Mesh &mesh, std::size_t limit) {
-    FaultList faults(limit);
-    checkIndices(mesh, faults);
-    if (!faults.clean()) {
-        return faults.take();
-    }
-    checkFinite(mesh, faults);
-    if (!faults.clean()) {
-        return faults.take();
-    }
-    if (!checkNodesDistinct(mesh, faults)) {
-        return faults.take(); // walks around nodes would not end
-    }
-    checkAreas(mesh, faults);
+/// Checks a mesh whose nodes exist, are finite, and of which each element has three.
+void checkSound(const NumberedMesh &named, FaultList &faults) {
+    const Mesh &mesh = named.mesh;
+    checkAreas(named, faults);
     const EdgeTable table(mesh);
     const std::size_t before = faults.errors();
-    const std::vector<HalfEdge> boundary = checkEdges(mesh, table, faults);
+    const std::vector<HalfEdge> boundary = checkEdges(named, table, faults);
     const bool conforming = faults.errors() == before;
-    checkTagged(mesh, table, faults);
-    checkNodesUsed(mesh, faults);
+    checkTagged(named, table, faults);
     if (conforming) {
-        checkCoverage(mesh, boundary, faults);
+        checkCoverage(named, boundary, faults);
         checkEuler(mesh, table, boundary, faults);
     }
-    return faults.take();
+    checkNodesUsed(named, faults);
+}
+
+Diagnostics verifyAlone(const Mesh &mesh, std::size_t limit, const MeshNumbers &numbers) {
+    FaultList faults(limit);
+    const NumberedMesh named{mesh, numbers};
+    checkIndices(named, faults);
+    if (!faults.clean()) {
+        return faults.take();
+    }
+    checkFinite(named, faults);
+    if (!faults.clean()) {
+        return faults.take();
+    }
+    if (!checkNodesDistinct(named, faults)) {
+        return faults.take(); // walks around nodes would not end
+    }
+    if (!isClockwise(mesh)) {
+        checkSound(named, faults);
+        return faults.take();
+    }
+    const std::size_t count = mesh.elements.size();
+    Diagnostic turnedMesh;
+    turnedMesh.severity = Severity::Warning;
+    turnedMesh.code = "clockwise";
+    turnedMesh.message = "the mesh is turned the other way: its " + countText(count, "element") +
+                         (count == 1 ? " is" : " are all") + " clockwise; expected counter-clockwise";
+    turnedMesh.advice = "reverse the order of the nodes of each element, or mirror the mesh";
+    const Mesh other = turned(mesh);
+    checkSound({other, numbers}, faults);
+    Diagnostics found = faults.take();
+    found.insert(found.begin(), std::move(turnedMesh));
+    return found;
 }
 
 } // namespace
 
-Diagnostics verify(const Mesh &mesh, std::size_t limit) {
-    return orOutOfMemory("to check the mesh", [&] { return verifyAlone(mesh, limit); });
+Diagnostics verify(const Mesh &mesh, std::size_t limit, const MeshNumbers &numbers) {
+    return orOutOfMemory("to check the mesh", [&] { return verifyAlone(mesh, limit, numbers); });
 }
 
 } // namespace forefront

@@ -2,11 +2,13 @@
 
 #include "core/engine/base/out_of_memory.hpp"
 #include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/verify.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 
 namespace forefront {
@@ -17,6 +19,7 @@ namespace {
 struct RequiredEdge {
     NodeId lower = kNoNode, upper = kNoNode;
     std::int32_t tag = 1;
+    bool inner = false; ///< the domain is on both sides
     friend bool operator<(const RequiredEdge &a, const RequiredEdge &b) {
         return a.lower != b.lower ? a.lower < b.lower : a.upper < b.upper;
     }
@@ -24,18 +27,19 @@ struct RequiredEdge {
 using RequiredEdges = std::vector<RequiredEdge>;
 
 const RequiredEdge *find(const RequiredEdges &sorted, NodeId a, NodeId b) {
-    const RequiredEdge key{std::min(a, b), std::max(a, b), 1};
+    const RequiredEdge key{std::min(a, b), std::max(a, b)};
     const auto it = std::lower_bound(sorted.begin(), sorted.end(), key);
     return it != sorted.end() && it->lower == key.lower && it->upper == key.upper ? &*it : nullptr;
 }
 
-std::string segmentName(const DiscreteSegment &s) {
-    return std::to_string(s.a) + '-' + std::to_string(s.b) + " (tag " + std::to_string(s.tag) + ')';
+std::string segmentName(const DiscreteSegment &s, const MeshNumbers &numbers) {
+    return std::to_string(numbers.nodes.of(s.a)) + '-' + std::to_string(numbers.nodes.of(s.b)) + " (tag " +
+           std::to_string(s.tag) + ')';
 }
 
 /// Checks that each side of a segment has an element of the right region, or none outside the domain.
 void checkSides(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
-                std::span<const HalfEdge> sides, FaultList &faults) {
+                std::span<const HalfEdge> sides, const MeshNumbers &numbers, FaultList &faults) {
     const Vec2 place = midpoint(domain.nodes[s.a], domain.nodes[s.b]);
     for (const bool left : {true, false}) {
         const std::uint32_t region = left ? s.leftRegion : s.rightRegion;
@@ -45,16 +49,16 @@ void checkSides(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, con
         if (region == kOutside) {
             if (side != sides.end()) {
                 faults.add("element-outside",
-                           std::string("an element lies ") + sideName + " of boundary segment " + segmentName(s) +
-                               ", outside the domain",
+                           std::string("an element lies ") + sideName + " of boundary segment " +
+                               segmentName(s, numbers) + ", outside the domain",
                            place, {static_cast<std::uint32_t>(elementOf(*side))});
             }
         } else if (side == sides.end()) {
-            faults.add("missing-element", std::string("no element lies ") + sideName + " of segment " + segmentName(s),
-                       place);
+            faults.add("missing-element",
+                       std::string("no element lies ") + sideName + " of segment " + segmentName(s, numbers), place);
         } else if (tagged && mesh.region(elementOf(*side)) != domain.regions[region].tag) {
             faults.add("wrong-region",
-                       "element " + std::to_string(elementOf(*side)) + " has region " +
+                       "element " + std::to_string(numbers.elements.of(elementOf(*side))) + " has region " +
                            std::to_string(mesh.region(elementOf(*side))) + " instead of " +
                            std::to_string(domain.regions[region].tag),
                        place, {static_cast<std::uint32_t>(elementOf(*side))});
@@ -63,7 +67,7 @@ void checkSides(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, con
 }
 
 RequiredEdges checkSegments(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const EdgeTable &table,
-                            const NodeFinder &nodes, FaultList &faults) {
+                            const NodeFinder &nodes, const MeshNumbers &numbers, FaultList &faults) {
     RequiredEdges required;
     required.reserve(domain.segments.size());
     for (const DiscreteSegment &s : domain.segments) {
@@ -71,19 +75,20 @@ RequiredEdges checkSegments(const Mesh &mesh, bool tagged, const DiscreteDomain 
         const std::span<const HalfEdge> sides =
             a != kNoNode && b != kNoNode ? table.find(a, b) : std::span<const HalfEdge>{};
         if (sides.empty()) {
-            faults.add("missing-segment", "segment " + segmentName(s) + " is not an edge of the mesh",
+            faults.add("missing-segment", "segment " + segmentName(s, numbers) + " is not an edge of the mesh",
                        midpoint(domain.nodes[s.a], domain.nodes[s.b]), {s.a, s.b});
             continue;
         }
-        required.push_back({std::min(a, b), std::max(a, b), s.tag});
-        checkSides(mesh, tagged, domain, s, a, sides, faults);
+        required.push_back({std::min(a, b), std::max(a, b), s.tag, isInner(s)});
+        checkSides(mesh, tagged, domain, s, a, sides, numbers, faults);
     }
     std::sort(required.begin(), required.end());
     return required;
 }
 
-/// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged.
-void checkTags(const Mesh &mesh, const RequiredEdges &required, FaultList &faults) {
+/// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged. Inner
+/// ones need no tag without `innerTags`.
+void checkTags(const Mesh &mesh, const RequiredEdges &required, bool innerTags, FaultList &faults) {
     std::vector<bool> tagged(required.size(), false);
     for (const TaggedEdge &edge : mesh.edges) {
         const Vec2 place = midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
@@ -106,7 +111,7 @@ void checkTags(const Mesh &mesh, const RequiredEdges &required, FaultList &fault
         tagged[rank] = true;
     }
     for (std::size_t i = 0; i < required.size(); ++i) {
-        if (!tagged[i]) {
+        if (!tagged[i] && (innerTags || !required[i].inner)) {
             faults.add("missing-tagged-edge", "the edge of a segment has no tag",
                        midpoint(mesh.nodes[index(required[i].lower)], mesh.nodes[index(required[i].upper)]));
         }
@@ -129,7 +134,7 @@ void checkInside(const Mesh &mesh, const RequiredEdges &required, const EdgeTabl
 }
 
 void checkPoints(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const NodeFinder &nodes,
-                 FaultList &faults) {
+                 const MeshNumbers &numbers, FaultList &faults) {
     std::vector<TaggedNode> points = mesh.points;
     std::sort(points.begin(), points.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
     for (const ConstraintPoint &point : domain.points) {
@@ -138,7 +143,9 @@ void checkPoints(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, co
         const auto it = std::lower_bound(points.begin(), points.end(), node,
                                          [](const TaggedNode &a, NodeId key) { return a.node < key; });
         if (node == kNoNode || (tagged && (it == points.end() || it->node != node))) {
-            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is not a node of the mesh",
+            faults.add("missing-point",
+                       "constraint point " + std::to_string(numbers.nodes.of(point.node)) +
+                           " is not a node of the mesh",
                        place, {point.node});
         } else if (tagged && it->tag != point.tag) {
             faults.add("wrong-tag",
@@ -213,8 +220,8 @@ bool carriesNoTags(const Mesh &mesh) {
            std::all_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t region) { return region == 1; });
 }
 
-NodeFinder::NodeFinder(const Mesh &mesh) : mesh_(&mesh) {
-    if (mesh.edges.empty()) {
+NodeFinder::NodeFinder(const Mesh &mesh, bool innerTags) : mesh_(&mesh) {
+    if (mesh.edges.empty() || !innerTags) {
         sorted_.reserve(mesh.nodes.size());
         for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
             sorted_.push_back(NodeId{n});
@@ -263,29 +270,35 @@ BoundedArea enclosedArea(const DiscreteDomain &domain) {
     return sum.area();
 }
 
-void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
+const Mesh &turnedRight(const Mesh &mesh, std::optional<Mesh> &copy) {
+    return isClockwise(mesh) ? copy.emplace(turned(mesh)) : mesh;
+}
+
+void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults, const MeshNumbers &numbers,
+                  bool innerTags) {
     const EdgeTable table(mesh);
-    const NodeFinder nodes(mesh);
+    const NodeFinder nodes(mesh, innerTags);
     const bool tagged = !carriesNoTags(mesh);
-    const RequiredEdges required = checkSegments(mesh, tagged, domain, table, nodes, faults);
+    const RequiredEdges required = checkSegments(mesh, tagged, domain, table, nodes, numbers, faults);
     if (tagged) {
-        checkTags(mesh, required, faults);
+        checkTags(mesh, required, innerTags, faults);
     }
     checkInside(mesh, required, table, faults);
-    checkPoints(mesh, tagged, domain, nodes, faults);
+    checkPoints(mesh, tagged, domain, nodes, numbers, faults);
     checkArea(mesh, domain, faults);
 }
 
 Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::size_t limit) {
     return orOutOfMemory("to check the mesh", [&] {
-        const Diagnostics own = verify(mesh, limit);
+        Diagnostics own = verify(mesh, limit);
         if (hasErrors(own)) {
             return own;
         }
         FaultList faults(limit);
-        checkAgainst(mesh, domain, faults);
+        std::optional<Mesh> copy;
+        checkAgainst(turnedRight(mesh, copy), domain, faults);
         Diagnostics found = faults.take();
-        found.insert(found.end(), own.begin(), own.end());
+        found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
         return found;
     });
 }

@@ -3,8 +3,10 @@
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/mesh/fault_list.hpp"
 #include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/mesh_numbers.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace forefront {
@@ -12,8 +14,9 @@ namespace forefront {
 /// Finds nodes of a mesh by their exact coordinates. Takes 4 bytes for each node it looks among.
 class NodeFinder {
   public:
-    /// Looks among the nodes of tagged edges and tagged points, or among all nodes where the mesh has no tags.
-    explicit NodeFinder(const Mesh &mesh);
+    /// Looks among the nodes of tagged edges and tagged points, or among all nodes where the mesh has no tags, or none
+    /// inside the domain.
+    explicit NodeFinder(const Mesh &mesh, bool innerTags = true);
     /// Returns the node at p, the one with the lowest id if there are several, or kNoNode.
     NodeId find(Vec2 p) const;
 
@@ -26,8 +29,19 @@ class NodeFinder {
 /// its tags and regions are not compared. Looks at all elements.
 bool carriesNoTags(const Mesh &mesh);
 
-/// Adds the deviations of a mesh from a discrete domain. The indices of the mesh must be valid.
-void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults);
+/// Adds the deviations of a mesh from a discrete domain. The indices of the mesh must be valid, its elements
+/// counter-clockwise. `numbers`: of the elements of the mesh and of the nodes of the domain, in messages. `innerTags`:
+/// whether segments inside the domain must be tagged edges.
+void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults, const MeshNumbers &numbers = {},
+                  bool innerTags = true);
+
+/// Returns true if a segment has the domain on both sides.
+inline bool isInner(const DiscreteSegment &segment) {
+    return segment.leftRegion != kOutside && segment.rightRegion != kOutside;
+}
+
+/// Turns the elements of a clockwise mesh for a comparison with its domain; `copy` receives the turned mesh.
+const Mesh &turnedRight(const Mesh &mesh, std::optional<Mesh> &copy);
 
 /// An area and a bound on its rounding error.
 struct BoundedArea {

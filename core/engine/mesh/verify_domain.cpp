@@ -19,12 +19,12 @@ namespace forefront {
 namespace {
 
 /// The edges that may lie along segments of the domain, in rows by node: the tagged edges, or all edges where the file
-/// format keeps no tags.
+/// keeps no tags.
 class ChainEdges {
   public:
-    explicit ChainEdges(const Mesh &mesh) : offsets_(mesh.nodes.size() + 1, 0) {
+    ChainEdges(const Mesh &mesh, bool tagged) : offsets_(mesh.nodes.size() + 1, 0) {
         std::vector<std::pair<NodeId, NodeId>> edges;
-        if (!carriesNoTags(mesh)) {
+        if (tagged) {
             for (const TaggedEdge &edge : mesh.edges) {
                 edges.emplace_back(edge.a, edge.b);
             }
@@ -233,14 +233,16 @@ struct CutDomain {
     double areaBeside = 0.0;
 };
 CutDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains, const DiscreteDomain &given,
-                      double tolerance, FaultList &faults) {
+                      double tolerance, bool innerTags, FaultList &faults) {
     CutDomain result;
     DiscreteDomain &cut = result.domain;
     cut.nodes = mesh.nodes;
     cut.regions = given.regions;
-    const NodeFinder finder(mesh);
-    const ChainEdges edges(mesh);
+    const NodeFinder finder(mesh, innerTags);
+    const ChainEdges usual(mesh, !carriesNoTags(mesh));
+    const ChainEdges all(innerTags ? Mesh{} : mesh, false);
     for (DiscreteSegment s : given.segments) {
+        const ChainEdges &edges = innerTags || !isInner(s) ? usual : all;
         const std::uint32_t number = chains.ofSegment[s.source];
         const CurveChain *const curved = number == kNoIndex ? nullptr : &chains.list[number];
         if (curved != nullptr) {
@@ -298,12 +300,11 @@ double roundingOf(const Box2 &bounds) {
     return 8.0 * std::numeric_limits<double>::epsilon() * maxCoordinate; // with a margin
 }
 
-Diagnostics verifyFilling(const Mesh &mesh, const Domain &domain, std::size_t limit) {
-    Diagnostics own = verify(mesh, limit);
-    if (hasErrors(own)) {
-        return own;
-    }
-    if (Diagnostics wrong = validate(domain, limit); hasErrors(wrong)) {
+/// Returns the deviations of a counter-clockwise mesh without faults from a domain.
+Diagnostics deviations(const Mesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+                       bool innerTags) {
+    Diagnostics wrong = validate(domain, limit);
+    if (hasErrors(wrong)) {
         return wrong;
     }
     SpacingSpec spec;
@@ -317,17 +318,12 @@ Diagnostics verifyFilling(const Mesh &mesh, const Domain &domain, std::size_t li
         return given.faults();
     }
     FaultList faults(limit);
-    const auto withOwn = [&] {
-        Diagnostics found = faults.take();
-        found.insert(found.end(), own.begin(), own.end());
-        return found;
-    };
     const CurveChains chains = curveChains(domain);
     const double tolerance = std::max(1e-9 * domain.bounds().diagonal(), roundingOf(domain.bounds()));
-    CutDomain meshed = cutAsMeshed(mesh, domain, chains, *given, tolerance, faults);
+    CutDomain meshed = cutAsMeshed(mesh, domain, chains, *given, tolerance, innerTags, faults);
     DiscreteDomain &cut = meshed.domain;
     if (!faults.clean()) {
-        return withOwn();
+        return faults.take();
     }
     const BoundedArea whole = enclosedArea(*given), is = meshArea(mesh);
     double allowed = is.error + whole.error + meshed.areaBeside;
@@ -348,14 +344,24 @@ Diagnostics verifyFilling(const Mesh &mesh, const Domain &domain, std::size_t li
         }
         cut.regions[0].area = rest;
     }
-    checkAgainst(mesh, cut, faults);
-    return withOwn();
+    checkAgainst(mesh, cut, faults, numbers, innerTags);
+    return faults.take();
 }
 
 } // namespace
 
-Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit) {
-    return orOutOfMemory("to check the mesh", [&] { return verifyFilling(mesh, domain, limit); });
+Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+                          bool innerTags) {
+    return orOutOfMemory("to check the mesh", [&] {
+        Diagnostics own = verify(mesh, limit, numbers);
+        if (hasErrors(own)) {
+            return own;
+        }
+        std::optional<Mesh> copy;
+        Diagnostics found = deviations(turnedRight(mesh, copy), domain, limit, numbers, innerTags);
+        found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+        return found;
+    });
 }
 
 } // namespace forefront

@@ -268,7 +268,11 @@ Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progres
     try {
         return runJob(job, progress);
     } catch (const std::bad_alloc &) {
-        return outOfMemory();
+        Diagnostics faults = outOfMemory();
+        if (job.options.grid == GridKind::Uniform && job.options.gridColumns > 0) {
+            faults.front().advice = "choose a background grid with fewer cells, or a larger element size";
+        }
+        return faults;
     }
 }
 

@@ -8,12 +8,16 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <string>
+#include <utility>
 
 namespace forefront {
 
 namespace {
 
 constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t kNoSet = 0; ///< in place of the tag of elements outside every set
 
 /// Reads Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Other
 /// keywords are skipped.
@@ -44,7 +48,10 @@ class AbaqusReader {
         if (!scanner_.ok()) {
             return scanner_.faults();
         }
+        tagTheRest();
+        noteNodeSets();
         sortElements();
+        scanner_.source().numbered(PartNumbers(builder_.table.numbers()), PartNumbers(numbers_));
         Mesh mesh = builder_.finish();
         mesh.boundaryNames = std::move(names.boundary);
         mesh.regionNames = std::move(names.region);
@@ -142,7 +149,9 @@ class AbaqusReader {
         } else if (keyword.name == "*INCLUDE") {
             scanner_.fail(keyword.offset, "unknown-section", "included files are not read");
         } else {
-            if (keyword.name != "*HEADING" && keyword.name != "*NSET") {
+            if (keyword.name == "*NSET") {
+                nodeSets_.emplace_back(upperCase(parameter(keyword, "NSET")), keyword.offset);
+            } else if (keyword.name != "*HEADING") {
                 scanner_.source().note("keyword", "keyword " + inQuotes(keyword.name) + " is ignored", keyword.offset);
             }
             skipData();
@@ -192,15 +201,15 @@ class AbaqusReader {
             return;
         }
         const std::int32_t tag = tagComment_ > 0 ? tagComment_
-                                 : set.empty()   ? 1
+                                 : set.empty()   ? kNoSet
                                                  : (triangle ? regions_ : boundaries_).of(set);
         const std::uint32_t first = static_cast<std::uint32_t>(builder_.mesh.elements.size());
         while (more()) {
             std::int64_t number = 0;
-            const Expect expect{"element", builder_.mesh.elements.size() + 1};
-            if (!scanner_.integer(number, 1, kGreatest, expect)) {
+            if (!scanner_.integer(number, 1, kGreatest, {"the number of an element"})) {
                 return;
             }
+            const Expect expect{"element", static_cast<std::uint64_t>(number)};
             if (!triangle) {
                 builder_.readEdge(scanner_, tag, expect);
             } else if (builder_.readElement(scanner_, tag, expect)) {
@@ -229,11 +238,12 @@ class AbaqusReader {
         return table_.find(number);
     }
 
-    /// A set listed after the elements is the region of those without one.
+    /// A set listed after the elements is the region of those without one, unless it only serves a surface.
     void elementSet(const Keyword &keyword) {
         const std::string name = parameter(keyword, "ELSET");
         const bool generate = keyword.parameters.contains("GENERATE");
         std::vector<std::uint32_t> members;
+        std::size_t others = 0;
         while (more()) {
             std::int64_t from = 0, to = 0, step = 1;
             const std::string_view word = scanner_.peek();
@@ -255,6 +265,8 @@ class AbaqusReader {
                 const std::uint32_t e = element(number);
                 if (e != kNoIndex) {
                     members.push_back(e);
+                } else {
+                    ++others;
                 }
             }
             if (members.size() > 4 * numbers_.size() + 1000) {
@@ -262,12 +274,54 @@ class AbaqusReader {
                 return;
             }
         }
-        for (const std::uint32_t e : members) {
-            if (!ownSet_[e]) {
-                builder_.mesh.regions[e] = regions_.of(name);
-            }
+        if (!keyword.parameters.contains("INTERNAL")) {
+            makeRegion(name, members, others, keyword.offset);
         }
         sets_[upperCase(name)] = std::move(members);
+    }
+
+    /// `others`: number of members that are no triangles.
+    void makeRegion(const std::string &name, const std::vector<std::uint32_t> &members, std::size_t others,
+                    std::size_t place) {
+        const auto note = [&](const std::string &message, std::size_t count) {
+            if (count > 0) {
+                scanner_.source().note("element-set", message, place, count);
+            }
+        };
+        std::size_t ofOwn = 0, again = 0;
+        for (const std::uint32_t e : members) {
+            std::int32_t &region = builder_.mesh.regions[e];
+            if (ownSet_[e]) {
+                ++ofOwn;
+                continue;
+            }
+            again += region != kNoSet && region != regions_.of(name) ? 1 : 0;
+            region = regions_.of(name);
+        }
+        note("the region of elements in several sets is the last one listed", again);
+        note("the set " + inQuotes(name) + " makes no region of elements that have a set of their own",
+             upperCase(name) == "EALL" ? 0 : ofOwn); // EALL: all elements, as our writer lists them
+        note("elements in the set " + inQuotes(name) + " that are no triangles are left out of it", others);
+    }
+
+    /// Gives elements and lines outside every set a free tag each.
+    void tagTheRest() {
+        for (std::int32_t &region : builder_.mesh.regions) {
+            region = region == kNoSet ? regions_.of({}) : region;
+        }
+        for (TaggedEdge &edge : builder_.mesh.edges) {
+            edge.tag = edge.tag == kNoSet ? boundaries_.of({}) : edge.tag;
+        }
+    }
+
+    /// Notes the sets of nodes, except those beside a surface, as our writer writes them.
+    void noteNodeSets() {
+        for (const auto &[name, place] : nodeSets_) {
+            if (!surfaces_.contains("S_" + name)) {
+                scanner_.source().note("node-set", "sets of nodes are ignored; boundary parts are surfaces of elements",
+                                       place);
+            }
+        }
     }
 
     void points() {
@@ -286,6 +340,7 @@ class AbaqusReader {
             }
             return;
         }
+        surfaces_.insert(upperCase(parameter(keyword, "NAME")));
         const std::int32_t tag = tagComment_ > 0 ? tagComment_ : boundaries_.of(parameter(keyword, "NAME"));
         while (more()) {
             const std::size_t place = scanner_.offset();
@@ -335,6 +390,7 @@ class AbaqusReader {
             builder_.mesh.elements[e] = old.elements[order[e]];
             builder_.mesh.regions[e] = old.regions[order[e]];
         }
+        std::sort(numbers_.begin(), numbers_.end());
     }
 
     TextScanner scanner_;
@@ -348,6 +404,8 @@ class AbaqusReader {
     std::vector<bool> ownSet_;          ///< the element was given its set with *ELEMENT
     NodeTable table_;
     std::map<std::string, std::vector<std::uint32_t>> sets_;
+    std::vector<std::pair<std::string, std::size_t>> nodeSets_; ///< names in upper case, and their places
+    std::set<std::string> surfaces_;                            ///< names in upper case
     TagAllocator boundaries_, regions_;
 };
 

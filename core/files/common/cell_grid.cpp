@@ -78,4 +78,13 @@ Result<SpacingSpec> spacingOfGrid(const CellGrid &grid, const SourceText &source
     return spec;
 }
 
+GridCounts averagedCounts(std::size_t columns, std::size_t rows, std::size_t most) {
+    const auto divided = [](std::size_t count, std::size_t by) { return (count + by - 1) / by; };
+    std::size_t by = 1;
+    while (divided(columns, by) * divided(rows, by) > most) {
+        ++by;
+    }
+    return {divided(columns, by), divided(rows, by)};
+}
+
 } // namespace forefront

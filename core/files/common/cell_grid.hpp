@@ -13,6 +13,14 @@ namespace forefront {
 /// Maximum number of values in a grid that is used as spacing. The project file holds them as text.
 inline constexpr std::size_t kMaxGridValues = 250'000;
 
+/// Numbers of columns and rows of values.
+struct GridCounts {
+    std::size_t columns = 0, rows = 0;
+};
+/// Returns how many columns and rows of values a picture or grid gets: as many as it has itself, or both divided by the
+/// same whole number so that there are at most `most` values.
+GridCounts averagedCounts(std::size_t columns, std::size_t rows, std::size_t most);
+
 /// A grid of rectangular cells with a size each.
 struct CellGrid {
     std::size_t columns = 0, rows = 0;

@@ -15,6 +15,7 @@ class NodeTable {
     void add(std::int64_t number) { numbers_.push_back(number); }
     std::size_t size() const { return numbers_.size(); }
     std::int64_t number(std::size_t index) const { return numbers_[index]; }
+    const std::vector<std::int64_t> &numbers() const { return numbers_; }
     /// Prepares for find() once all numbers are added. Returns the index of a node whose number was given before, or
     /// kNoIndex if all differ.
     std::uint32_t finish();

@@ -138,7 +138,7 @@ bool readTag(TextScanner &scanner, std::int32_t &tag, Expect expect) {
     if (!scanner.integer(number, -kGreatest, kGreatest, expect)) {
         return false;
     }
-    tag = static_cast<std::int32_t>(std::max<std::int64_t>(number, 1));
+    tag = static_cast<std::int32_t>(number);
     return true;
 }
 

@@ -53,7 +53,7 @@ class PlanarMeshBuilder {
 /// and returns false.
 bool requireDistinct(TextScanner &scanner, std::size_t offset, std::span<const NodeId> nodes, Expect expect);
 
-/// Reads a tag: an integer >= 1; 0 and negative ones, which other programs write for "none", become 1.
+/// Reads a tag; 0 and negative ones are left to raiseTags().
 bool readTag(TextScanner &scanner, std::int32_t &tag, Expect expect);
 
 } // namespace forefront

@@ -9,8 +9,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -30,6 +32,41 @@ std::optional<std::size_t> keyOf(std::string_view word) {
     }
     return std::nullopt;
 }
+
+bool isNan(std::string_view word) {
+    const std::optional<double> value = parseReal(word);
+    return value && std::isnan(*value);
+}
+
+/// Averages the values of a grid over the rectangles of a coarser one, as pictures are averaged.
+class CellMeans {
+  public:
+    CellMeans(std::size_t columns, std::size_t rows, CellGrid &coarse)
+        : columns_(columns), rows_(rows), coarse_(coarse), cells_(coarse.columns * coarse.rows) {}
+
+    void add(std::size_t k, std::optional<double> value) {
+        const std::size_t row = k / columns_ * coarse_.rows / rows_;
+        Cell &cell = cells_[row * coarse_.columns + k % columns_ * coarse_.columns / columns_];
+        cell.sum += value.value_or(0.0);
+        ++(value ? cell.known : cell.missing);
+    }
+    void finish() {
+        coarse_.values.reserve(cells_.size());
+        for (const Cell &cell : cells_) {
+            const bool none = cell.known == 0 || cell.known < cell.missing;
+            coarse_.values.push_back(none ? 0.0 : cell.sum / static_cast<double>(cell.known));
+        }
+    }
+
+  private:
+    struct Cell {
+        double sum = 0.0;
+        std::uint32_t known = 0, missing = 0;
+    };
+    std::size_t columns_, rows_;
+    CellGrid &coarse_;
+    std::vector<Cell> cells_;
+};
 
 class EsriReader {
   public:
@@ -51,7 +88,10 @@ class EsriReader {
                 return scanner_.fail(place, "duplicate-field", std::string("duplicate ") + kKeys[*key]);
             }
             double value = 0.0;
-            if (!scanner_.real(value, {kKeys[*key]})) {
+            if (*key == NoData && isNan(scanner_.peek())) { // as GDAL writes
+                scanner_.word();
+                value = std::numeric_limits<double>::quiet_NaN();
+            } else if (!scanner_.real(value, {kKeys[*key]})) {
                 return false;
             }
             header_[*key] = value;
@@ -92,46 +132,55 @@ class EsriReader {
     }
 
     bool layOut() {
-        if (!count(Columns, grid_.columns) || !count(Rows, grid_.rows) ||
+        if (!count(Columns, columns_) || !count(Rows, rows_) ||
             !axis(CornerX, CentreX, StepX, grid_.low.x, grid_.step.x) ||
             !axis(CornerY, CentreY, StepY, grid_.low.y, grid_.step.y)) {
             return false;
         }
-        if (grid_.columns > kMaxGridValues / grid_.rows) {
-            return scanner_.fail(0, "too-large",
-                                 "the grid has " + std::to_string(grid_.columns) + " x " + std::to_string(grid_.rows) +
-                                     " values; expected at most " + std::to_string(kMaxGridValues),
-                                 "make its cells larger");
-        }
+        const GridCounts counts = averagedCounts(columns_, rows_, kMaxGridValues);
+        grid_.columns = counts.columns;
+        grid_.rows = counts.rows;
+        grid_.step.x *= static_cast<double>(columns_) / static_cast<double>(grid_.columns);
+        grid_.step.y *= static_cast<double>(rows_) / static_cast<double>(grid_.rows);
         return true;
     }
 
     bool values() {
         constexpr std::size_t kBytes = 2; // length of the shortest value and the blank after it
-        if (grid_.columns * grid_.rows > scanner_.remaining() / kBytes + 1) {
+        const std::size_t total = columns_ * rows_;
+        if (total > scanner_.remaining() / kBytes + 1) {
             return scanner_.fail(scanner_.offset(), "bad-count",
-                                 "the file ends before the last of its " + std::to_string(grid_.columns * grid_.rows) +
-                                     " values");
+                                 "the file ends before the last of its " + std::to_string(total) + " values");
         }
-        grid_.values.reserve(grid_.columns * grid_.rows);
-        while (grid_.values.size() < grid_.columns * grid_.rows) {
+        CellMeans means(columns_, rows_, grid_);
+        for (std::size_t k = 0; k < total; ++k) {
             double value = 0.0;
             scanner_.peek(); // skips the blanks, so that the place is that of the number
             const std::size_t place = scanner_.offset();
-            if (!scanner_.real(value, {"value", grid_.values.size() + 1})) {
+            bool missing = header_[NoData] && std::isnan(*header_[NoData]) && isNan(scanner_.peek());
+            if (missing) {
+                scanner_.word();
+            } else if (!scanner_.real(value, {"value", k + 1})) {
                 return false;
             }
-            const bool missing = header_[NoData] && value == *header_[NoData];
+            missing = missing || (header_[NoData] && value == *header_[NoData]);
             if (!missing && !(value > 0.0)) {
                 return scanner_.fail(place, "bad-values", "expected a size above 0, got " + numberText(value, 6),
                                      "set NODATA_value to mark cells without a size");
             }
-            grid_.values.push_back(missing ? 0.0 : value);
+            means.add(k, missing ? std::nullopt : std::optional(value));
         }
         if (!scanner_.atEnd()) {
             return scanner_.fail(scanner_.offset(), "bad-count",
-                                 "expected the end of the file after " + std::to_string(grid_.values.size()) +
-                                     " values");
+                                 "expected the end of the file after " + std::to_string(total) + " values");
+        }
+        means.finish();
+        if (grid_.columns < columns_ || grid_.rows < rows_) {
+            source_.note("grid-averaged",
+                         "the grid has " + std::to_string(columns_) + " x " + std::to_string(rows_) +
+                             " values; averaged to " + std::to_string(grid_.columns) + " x " +
+                             std::to_string(grid_.rows),
+                         0);
         }
         return true;
     }
@@ -139,6 +188,7 @@ class EsriReader {
     const SourceText &source_;
     TextScanner scanner_;
     std::array<std::optional<double>, kKeys.size()> header_;
+    std::size_t columns_ = 0, rows_ = 0; ///< of the file
     CellGrid grid_;
 };
 

@@ -54,13 +54,18 @@ bool MshFile::readEntitiesBinary() {
 }
 
 bool MshFile::readEntityBinary(ByteScanner &bytes, int dimension) {
-    std::int32_t entity = 0, physical = 0;
+    std::int32_t entity = 0;
+    return bytes.number(entity, {"the tag of an entity"}) && readEntityRestBinary(bytes, dimension, entity);
+}
+
+bool MshFile::readEntityRestBinary(ByteScanner &bytes, int dimension, std::int64_t entity) {
+    std::int32_t physical = 0;
     std::size_t physicals = 0, bounds = 0;
-    if (!bytes.number(entity, {"the tag of an entity"}) ||
-        bytes.block(dimension == 0 ? 3 : 6, kReal, {"the bounds of an entity"}) == nullptr ||
+    if (bytes.block(dimension == 0 ? 3 : 6, kReal, {"the bounds of an entity"}) == nullptr ||
         !bytes.count(physicals, kInt, {"the number of physical tags"})) {
         return false;
     }
+    noteSeveralGroups(physicals, bytes.offset());
     for (std::size_t k = 0; k < physicals; ++k) {
         if (!bytes.integer(physical, -kAnyInt32, kAnyInt32, {"a physical tag"})) {
             return false;
@@ -88,7 +93,7 @@ bool MshFile::readNodesBinary() {
             return false;
         }
     }
-    return takeNodes(std::move(nodes));
+    return agrees(count, nodes.size(), "nodes") && takeNodes(std::move(nodes));
 }
 
 bool MshFile::readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t limit,
@@ -145,10 +150,14 @@ bool MshFile::readElementsBinary() {
         bytes.block(2, kSize, {"the minimum and maximum element number"}) == nullptr) {
         return false;
     }
+    std::size_t left = count;
     for (std::size_t block = 0; block < blocks; ++block) {
-        if (!readElementBlockBinary(bytes, count)) {
+        if (!readElementBlockBinary(bytes, left)) {
             return false;
         }
+    }
+    if (!agrees(count, count - left, "elements")) {
+        return false;
     }
     restoreOrder();
     return true;
@@ -197,6 +206,7 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
     const std::size_t place = bytes.offset();
     const char *const rows = bytes.block(size, (1 + corners) * kSize, {"the elements of a block"});
     const std::int32_t tag = tagOf(dimension, entity);
+    const MshPiece *const piece = pieceOf(dimension, entity);
     for (std::size_t k = 0; rows != nullptr && k < size; ++k) {
         if (!scanner_.proceed(place + k * (1 + corners) * kSize)) {
             return false;
@@ -213,7 +223,14 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
                              {"element", static_cast<std::uint64_t>(number)})) {
             return false;
         }
+        if (piece != nullptr && piece->isInterface && type != kMshTriangle) {
+            ++interfaceParts_;
+            continue;
+        }
         addConnection(type, nodes, tag, number);
+        if (type == kMshTriangle) {
+            elementPartitions_.push_back(piece != nullptr ? piece->partition : 0);
+        }
     }
     return rows != nullptr;
 }

@@ -33,12 +33,21 @@ bool MshFile::readEntities4() {
 }
 
 bool MshFile::readEntity4(int dimension) {
-    std::int64_t entity = 0, number = 0;
+    std::int64_t entity = 0;
+    return scanner_.integer(entity, -kAnyInteger, kAnyInteger, {"the tag of an entity"}) &&
+           readEntityRest4(dimension, entity);
+}
+
+void MshFile::noteSeveralGroups(std::size_t groups, std::size_t place) {
+    if (groups > 1) {
+        scanner_.source().note("several-groups", "of the physical groups of an entity, only the first is kept", place);
+    }
+}
+
+bool MshFile::readEntityRest4(int dimension, std::int64_t entity) {
+    std::int64_t number = 0;
     double coordinate = 0.0;
     std::size_t physicals = 0, bounds = 0;
-    if (!scanner_.integer(entity, -kAnyInteger, kAnyInteger, {"the tag of an entity"})) {
-        return false;
-    }
     const int coordinates = dimension == 0 ? 3 : 6;
     for (int k = 0; k < coordinates; ++k) {
         if (!scanner_.real(coordinate, {"the bounds of an entity"})) {
@@ -48,6 +57,7 @@ bool MshFile::readEntity4(int dimension) {
     if (!scanner_.count(physicals, 2, {"the number of physical tags"})) {
         return false;
     }
+    noteSeveralGroups(physicals, scanner_.offset());
     for (std::size_t k = 0; k < physicals; ++k) {
         if (!scanner_.integer(number, -kGreatestTag4, kGreatestTag4, {"a physical tag"})) {
             return false;
@@ -91,6 +101,11 @@ bool MshFile::readNodes4() {
             return false;
         }
         const std::size_t first = nodes.size();
+        if (size > count - first) {
+            return scanner_.fail(scanner_.offset(), "bad-count",
+                                 "the blocks hold more nodes than the " + std::to_string(count) +
+                                     " that the section declares");
+        }
         for (std::size_t k = 0; k < size; ++k) {
             if (!scanner_.integer(number, 1, kAnyInteger, {"the number of node", first + k + 1})) {
                 return false;
@@ -110,7 +125,15 @@ bool MshFile::readNodes4() {
             }
         }
     }
-    return takeNodes(std::move(nodes));
+    return agrees(count, nodes.size(), "nodes") && takeNodes(std::move(nodes));
+}
+
+/// Refuses a section whose blocks hold fewer nodes or elements than it declares.
+bool MshFile::agrees(std::size_t declared, std::size_t found, const char *what) {
+    return found == declared || scanner_.fail(scanner_.offset(), "bad-count",
+                                              "the section declares " + std::to_string(declared) + ' ' + what +
+                                                  ", but its blocks hold " + std::to_string(found),
+                                              "the file may have been cut short");
 }
 
 bool MshFile::takeNodes(std::vector<NumberedNode> nodes) {
@@ -135,10 +158,14 @@ bool MshFile::readElements4() {
         !scanner_.integer(number, 0, kAnyInteger, {"the maximum element number"})) {
         return false;
     }
+    std::size_t left = count;
     for (std::size_t block = 0; block < blocks; ++block) {
-        if (!readElementBlock4(count)) {
+        if (!readElementBlock4(left)) {
             return false;
         }
+    }
+    if (!agrees(count, count - left, "elements")) {
+        return false;
     }
     restoreOrder();
     return true;
@@ -167,12 +194,18 @@ void MshFile::restoreOrder() {
         const auto positions = order(elementNumbers_);
         apply(builder_.mesh.elements, positions);
         apply(builder_.mesh.regions, positions);
+        apply(elementPartitions_, positions);
         apply(elementNumbers_, positions);
     }
 }
 
 std::int32_t MshFile::tagOf(int dimension, std::int64_t entity) const {
-    const auto physical = physical_.find({dimension, entity});
+    auto physical = physical_.find({dimension, entity});
+    const MshPiece *const piece = pieceOf(dimension, entity);
+    if (physical == physical_.end() && piece != nullptr) {
+        physical = physical_.find({dimension, piece->parent});
+        entity = piece->parent;
+    }
     return physical != physical_.end() ? physical->second : ungrouped(entity);
 }
 
@@ -193,16 +226,22 @@ bool MshFile::readElementBlock4(std::size_t &left) {
     }
     left -= size;
     const std::int32_t tag = tagOf(static_cast<int>(dimension), entity);
+    const MshPiece *const piece = pieceOf(static_cast<int>(dimension), entity);
     for (std::size_t k = 0; k < size; ++k) {
         if (!scanner_.integer(number, 0, kAnyInteger, {"the number of an element"}) ||
             !readConnection(type, tag, typeOffset, {"element", static_cast<std::uint64_t>(number)})) {
             return false;
+        }
+        if (piece != nullptr && piece->isInterface && type != kMshTriangle) {
+            ++interfaceParts_;
+            type == kMshLine ? builder_.mesh.edges.pop_back() : builder_.mesh.points.pop_back();
         }
         if (builder_.mesh.edges.size() > edgeNumbers_.size()) {
             edgeNumbers_.push_back(number);
         }
         if (builder_.mesh.elements.size() > elementNumbers_.size()) {
             elementNumbers_.push_back(number);
+            elementPartitions_.push_back(piece != nullptr ? piece->partition : 0);
         }
     }
     return true;

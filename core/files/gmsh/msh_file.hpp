@@ -36,6 +36,13 @@ struct MshValues {
     }
 };
 
+/// A piece of an entity of a partitioned mesh.
+struct MshPiece {
+    std::int64_t parent = 0;    ///< entity that it is a piece of
+    std::int32_t partition = 0; ///< the first that it belongs to
+    bool isInterface = false;   ///< lies between partitions, on an entity of a higher dimension
+};
+
 /// Reads Gmsh MSH 2.2, ASCII, and 4.1, ASCII and binary. Sections that are not used are skipped and reported.
 class MshFile {
   public:
@@ -64,14 +71,20 @@ class MshFile {
     bool readComments();
     bool skipSection(std::string_view name);
 
-    bool readNodes2();
+    bool readNodes2(bool parametric);
     bool readElements2();
     bool readElement2(std::size_t number);
     bool readEntities4();
     bool readEntity4(int dimension);
+    /// Reads box, physical groups and bounds of an entity.
+    bool readEntityRest4(int dimension, std::int64_t entity);
+    void noteSeveralGroups(std::size_t groups, std::size_t place);
+    bool readPartitionedEntities4();
+    bool readPartitionedEntity4(int dimension);
     bool readNodes4();
     bool readElements4();
     bool readElementBlock4(std::size_t &left);
+    bool agrees(std::size_t declared, std::size_t found, const char *what);
     void restoreOrder();
 
     struct NumberedNode {
@@ -81,6 +94,13 @@ class MshFile {
     bool readByteOrder(std::int64_t size);
     bool readEntitiesBinary();
     bool readEntityBinary(ByteScanner &bytes, int dimension);
+    bool readEntityRestBinary(ByteScanner &bytes, int dimension, std::int64_t entity);
+    bool readPartitionedEntitiesBinary();
+    bool readPartitionedEntityBinary(ByteScanner &bytes, int dimension);
+    /// Returns the piece with that number; null if the entity is whole.
+    const MshPiece *pieceOf(int dimension, std::int64_t entity) const;
+    void takePartitions();
+    void dropRepeats();
     bool readNodesBinary();
     bool readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t limit,
                              std::vector<NumberedNode> &nodes);
@@ -118,6 +138,9 @@ class MshFile {
     std::size_t elementsOffset_ = 0;                                ///< of $Elements
     std::vector<std::int64_t> edgeNumbers_;                         ///< MSH 4.1: as in the file
     std::vector<std::int64_t> elementNumbers_;                      ///< of the triangles of the mesh
+    std::map<std::pair<int, std::int64_t>, MshPiece> pieces_;       ///< of a partitioned mesh, by dimension and number
+    std::vector<std::int32_t> elementPartitions_;                   ///< of the triangles of the mesh; 0: none
+    std::size_t interfaceParts_ = 0;                                ///< lines and points between partitions
 };
 
 } // namespace forefront

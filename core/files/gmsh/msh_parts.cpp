@@ -32,10 +32,16 @@ class GroupScanner {
         if (version4 && enter("$Entities")) {
             entities();
         }
-        if (!enter("$Nodes")) {
+        if (version4 && enter("$PartitionedEntities")) {
+            pieces();
+        }
+        if (enter("$Nodes")) {
+            version4 ? nodes4() : nodes2(false);
+        } else if (enter("$ParametricNodes")) {
+            nodes2(true);
+        } else {
             return std::nullopt;
         }
-        version4 ? nodes4() : nodes2();
         if (enter("$Elements")) {
             version4 ? elements4() : elements2();
         }
@@ -117,12 +123,49 @@ class GroupScanner {
         }
     }
 
-    void nodes2() {
+    /// Reads the curves of a partitioned mesh, each with its parent, and finds their groups.
+    void pieces() {
+        integer();
+        skipIntegers(2 * integer());
+        std::int64_t counts[4] = {integer(), integer(), integer(), integer()};
+        for (; counts[0] > 0 && sound_; --counts[0]) {
+            skipIntegers(3);
+            skipIntegers(integer());
+            skipReals(3);
+            skipIntegers(integer());
+        }
+        for (; counts[1] > 0 && sound_; --counts[1]) {
+            const std::int64_t curve = integer();
+            const bool betweenPartitions = integer() != 1;
+            const std::int64_t parent = integer();
+            skipIntegers(integer());
+            skipReals(6);
+            const std::int64_t groups = integer();
+            std::int64_t group = groupOfCurve_.count(parent) > 0 ? groupOfCurve_[parent] : 0;
+            for (std::int64_t k = 0; k < groups && sound_; ++k) {
+                const std::int64_t own = integer();
+                group = k == 0 ? own : group;
+            }
+            pieceGroups_[curve] = betweenPartitions ? 0 : static_cast<std::int32_t>(group < 0 ? -group : group);
+            skipIntegers(integer());
+        }
+        for (const auto &[curve, group] : pieceGroups_) {
+            groupOfCurve_[curve] = group;
+        }
+    }
+    void skipIntegers(std::int64_t count) {
+        for (; count > 0 && sound_; --count) {
+            integer();
+        }
+    }
+
+    void nodes2(bool parametric) {
         for (std::int64_t left = integer(); left > 0 && sound_; --left) {
             const std::int64_t node = integer();
             const double x = real(), y = real();
             places_[node] = {x, y};
             real();
+            at_ = parametric ? std::min(text_.find('\n', at_), text_.size()) : at_;
         }
     }
 
@@ -193,7 +236,7 @@ class GroupScanner {
     std::size_t at_ = 0;
     bool sound_ = true;
     std::map<std::int32_t, std::string> names_;
-    std::map<std::int64_t, std::int32_t> groupOfCurve_;
+    std::map<std::int64_t, std::int32_t> groupOfCurve_, pieceGroups_;
     std::unordered_map<std::int64_t, Vec2> places_;
     std::set<std::pair<std::int64_t, std::int64_t>> lines_;
     std::map<std::int32_t, MshCurveGroup> groups_;

@@ -38,6 +38,11 @@ bool MshFile::read() {
         return scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no $Nodes");
     }
     if (scanner_.ok()) {
+        if (!version4_) {
+            dropRepeats();
+        }
+        scanner_.source().numbered(PartNumbers(builder_.table.numbers()), PartNumbers(elementNumbers_));
+        takePartitions();
         resolveTags();
         restoreTags(origins_, builder_.mesh);
     }
@@ -50,8 +55,8 @@ bool MshFile::readSection(std::string_view name) {
         done = readFormat();
     } else if (name == "PhysicalNames") {
         done = readNames();
-    } else if (name == "Nodes" && !nodesRead_) {
-        done = binary_ ? readNodesBinary() : version4_ ? readNodes4() : readNodes2();
+    } else if ((name == "Nodes" || (name == "ParametricNodes" && !version4_)) && !nodesRead_) {
+        done = binary_ ? readNodesBinary() : version4_ ? readNodes4() : readNodes2(name != "Nodes");
         nodesRead_ = true;
     } else if (name == "Elements" && !elementsRead_) {
         if (!nodesRead_) {
@@ -62,6 +67,8 @@ bool MshFile::readSection(std::string_view name) {
         elementsRead_ = true;
     } else if (name == "Entities" && version4_) {
         done = binary_ ? readEntitiesBinary() : readEntities4();
+    } else if (name == "PartitionedEntities" && version4_) {
+        done = binary_ ? readPartitionedEntitiesBinary() : readPartitionedEntities4();
     } else if (name == "NodeData" && nodesRead_) {
         done = readData(true);
     } else if (name == "ElementData" && elementsRead_) {
@@ -147,7 +154,8 @@ bool MshFile::readNames() {
     return true;
 }
 
-bool MshFile::readNodes2() {
+/// Reads the nodes of MSH 2, one a line. In $ParametricNodes, their entities and parameters follow the coordinates.
+bool MshFile::readNodes2(bool parametric) {
     std::size_t count = 0;
     if (!scanner_.count(count, 8, {"the number of nodes"})) {
         return false;
@@ -158,6 +166,9 @@ bool MshFile::readNodes2() {
         if (!scanner_.integer(number, 1, kAny, {"the number of node", k + 1}) ||
             !builder_.readNode(scanner_, number, 3)) {
             return false;
+        }
+        if (parametric) {
+            scanner_.skipLine();
         }
     }
     return builder_.finishNodes(scanner_);
@@ -177,23 +188,25 @@ bool MshFile::readElements2() {
 }
 
 bool MshFile::readElement2(std::size_t number) {
-    const Expect expect{"element", number};
     std::int64_t id = 0, type = 0, tags = 0;
-    if (!scanner_.integer(id, 0, kAny, expect)) {
+    if (!scanner_.integer(id, 0, kAny, {"the number of element", number})) {
         return false;
     }
+    const Expect expect{"element", static_cast<std::uint64_t>(id)};
     const std::size_t typeOffset = scanner_.offset();
-    if (!scanner_.integer(type, 1, 1000, expect) || !scanner_.integer(tags, 0, 1000, {"the tags of element", number})) {
+    if (!scanner_.integer(type, 1, 1000, expect) ||
+        !scanner_.integer(tags, 0, 1000, {"the tags of element", static_cast<std::uint64_t>(id)})) {
         return false;
     }
-    // The physical group, then the entity of the model.
-    std::int64_t group = 0, entity = 0;
+    // The physical group, the entity of the model, the number of partitions, the partitions.
+    std::int64_t group = 0, entity = 0, partition = 0;
     for (std::int64_t t = 0; t < tags; ++t) {
         std::int64_t tag = 0;
-        if (!scanner_.integer(tag, -kGreatestTag, kGreatestTag, {"a tag of element", number})) {
+        if (!scanner_.integer(tag, -kGreatestTag, kGreatestTag, {"a tag of element", static_cast<std::uint64_t>(id)})) {
             return false;
         }
         (t == 0 ? group : entity) = t < 2 ? std::abs(tag) : entity;
+        partition = t == 3 ? std::abs(tag) : partition;
     }
     const std::int32_t tag = group > 0 ? static_cast<std::int32_t>(group) : ungrouped(entity);
     if (!readConnection(type, tag, typeOffset, expect)) {
@@ -201,6 +214,7 @@ bool MshFile::readElement2(std::size_t number) {
     }
     if (type == kMshTriangle) {
         elementNumbers_.push_back(id);
+        elementPartitions_.push_back(static_cast<std::int32_t>(partition));
     }
     return true;
 }
@@ -241,14 +255,17 @@ Result<MeshFields> readMshFields(const SourceText &source) {
     if (!file.read()) {
         return file.faults();
     }
-    NamedFields fields;
-    for (const MshValues &field : file.values()) {
-        fields.insert_or_assign(field.name, field.values); // the last of several time steps
-    }
-    NamedFields elementFields;
-    for (const MshValues &field : file.elementValues()) {
-        elementFields.insert_or_assign(field.name, field.values);
-    }
+    const auto lastSteps = [&source](const std::vector<MshValues> &values) {
+        NamedFields fields;
+        for (const MshValues &field : values) {
+            if (!fields.insert_or_assign(field.name, field.values).second) {
+                source.note("time-steps", "of several time steps of the field '" + field.name + "', the last is read",
+                            field.offset);
+            }
+        }
+        return fields;
+    };
+    NamedFields fields = lastSteps(file.values()), elementFields = lastSteps(file.elementValues());
     return MeshFields{file.builder().finish(), std::move(fields), std::move(elementFields)};
 }
 
@@ -264,6 +281,11 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         return scanner.faults();
     }
     const MshValues &values = file.values().front();
+    if (file.values().size() > 1) {
+        source.note("other-fields",
+                    "the first field, '" + values.name + "', is the spacing; the other nodal values are ignored",
+                    file.values()[1].offset, file.values().size() - 1);
+    }
     if (values.notPositive != std::string_view::npos) {
         scanner.fail(values.notPositive, "bad-values", "a spacing must be greater than 0");
         return scanner.faults();

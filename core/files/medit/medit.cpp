@@ -1,9 +1,12 @@
 #include "core/files/medit/medit.hpp"
 
 #include "core/files/common/names.hpp"
+#include "core/files/common/node_labels.hpp"
 #include "core/files/common/planar_mesh.hpp"
+#include "core/files/common/raise_tags.hpp"
 
-#include <limits>
+#include <algorithm>
+#include <array>
 
 namespace forefront {
 
@@ -69,6 +72,9 @@ class MeditReader {
         TagNames names = readNameComments(scanner_.source().text, "#");
         builder_.mesh.boundaryNames = std::move(names.boundary);
         builder_.mesh.regionNames = std::move(names.region);
+        noteUnusedLabels(labels_, builder_.mesh, "vertex-references", scanner_.source());
+        scanner_.source().numbered(PartNumbers(1), PartNumbers(1));
+        raiseTags(builder_.mesh, scanner_.source());
         return builder_.finish();
     }
 
@@ -86,61 +92,71 @@ class MeditReader {
         if (word == "Vertices" && !verticesRead_) {
             return vertices();
         }
-        std::size_t count = 0;
-        const std::size_t items = itemsOf(word);
-        if (items == 0 || !verticesRead_) {
-            return scanner_.fail(place, items == 0 ? "unknown-section" : "bad-syntax",
-                                 items == 0 ? "the section " + inQuotes(word) + " cannot be read"
-                                            : inQuotes(word) + " come before Vertices");
+        const bool used = word == "Edges" || word == "Triangles" || word == "RequiredVertices";
+        if (used && !verticesRead_) {
+            return scanner_.fail(place, "bad-syntax", inQuotes(word) + " come before Vertices");
         }
-        if (!scanner_.count(count, 2 * items, {"the number of items"})) {
+        if (!used) {
+            return otherSection(word, place);
+        }
+        std::size_t count = 0;
+        if (!scanner_.count(count, word == "RequiredVertices" ? 2 : 6, {"the number of items"})) {
             return false;
         }
-        if (word != "Edges" && word != "Triangles" && word != "RequiredVertices") {
-            scanner_.source().note("section", "section " + std::string(word) + " is ignored", place);
-        }
         for (std::size_t k = 0; k < count; ++k) {
-            if (!item(word, items, k + 1)) {
+            if (!item(word, k + 1)) {
                 return false;
             }
         }
         return true;
     }
 
-    /// Returns the number of values per line of a section; 0: unknown, or not triangles.
-    static std::size_t itemsOf(std::string_view word) {
-        constexpr std::pair<std::string_view, std::size_t> kSections[] = {
-            {"Edges", 3},    {"Triangles", 4},        {"RequiredVertices", 1},  {"Corners", 1},
-            {"Ridges", 1},   {"RequiredEdges", 1},    {"RequiredTriangles", 1}, {"Normals", 3},
-            {"Tangents", 3}, {"NormalAtVertices", 2}, {"TangentAtVertices", 2}};
-        for (const auto &[name, items] : kSections) {
-            if (name == word) {
-                return items;
-            }
-        }
-        return 0;
+    /// Returns true for sections of elements that are not 2-node edges or 3-node triangles.
+    static bool holdsOtherElements(std::string_view word) {
+        constexpr std::array kOthers = {"Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms",
+                                        "Pentahedra",     "Pyramids",   "Polygons",  "Polyhedra"};
+        const std::string_view base = word.substr(0, word.find_last_not_of("PQ0123456789") + 1); // EdgesP2
+        return std::find(kOthers.begin(), kOthers.end(), base) != kOthers.end() ||
+               (base != word && (base == "Edges" || base == "Triangles"));
     }
 
-    bool item(std::string_view word, std::size_t items, std::size_t number) {
-        std::int32_t tag = 1;
-        double unused = 0.0;
+    /// Skips a section that is not used up to the next one, which begins with a letter, and notes it unless it is
+    /// empty. Programs add sections of their own, such as those of bamg about the geometry.
+    bool otherSection(std::string_view word, std::size_t place) {
+        const auto isLetter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+        if (!isLetter(word.front()) || word == "Vertices") {
+            return scanner_.fail(place, "unknown-section",
+                                 word == "Vertices" ? "a second section Vertices cannot be read"
+                                                    : "expected a section such as Triangles, found " + inQuotes(word));
+        }
+        const std::string first(scanner_.peek());
+        if (holdsOtherElements(word) && first != "0") {
+            return scanner_.fail(place, "unknown-element",
+                                 "the section " + inQuotes(word) + " cannot be read; expected 3-node triangles");
+        }
+        while (!scanner_.atEnd() && !isLetter(scanner_.peek().front())) {
+            std::string_view quoted;
+            if (!scanner_.proceed(scanner_.offset()) || !scanner_.quotedWord(quoted, {"a value"})) {
+                return false;
+            }
+        }
+        if (first != "0") {
+            scanner_.source().note("section", "section " + cleanName(word) + " is ignored", place);
+        }
+        return true;
+    }
+
+    bool item(std::string_view word, std::size_t number) {
+        const std::int32_t tag = 1;
         if (word == "Triangles") {
-            return builder_.readElement(scanner_, 1, {"triangle", number}) &&
+            return builder_.readElement(scanner_, tag, {"triangle", number}) &&
                    readTag(scanner_, builder_.mesh.regions.back(), {"the reference of triangle", number});
         }
         if (word == "Edges") {
             return builder_.readEdge(scanner_, tag, {"edge", number}) &&
                    readTag(scanner_, builder_.mesh.edges.back().tag, {"the reference of edge", number});
         }
-        if (word == "RequiredVertices") {
-            return builder_.readPoint(scanner_, tag, {"required vertex", number});
-        }
-        for (std::size_t k = 0; k < items; ++k) {
-            if (!scanner_.real(unused, {"item", number})) {
-                return false;
-            }
-        }
-        return true;
+        return builder_.readPoint(scanner_, tag, {"required vertex", number});
     }
 
     bool vertices() {

@@ -1,6 +1,8 @@
 #include "core/files/netgen/netgen.hpp"
 
+#include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
+#include "core/files/common/raise_tags.hpp"
 #include "core/files/text/text_scanner.hpp"
 
 #include <algorithm>
@@ -32,6 +34,8 @@ class NetgenReader {
         if (!scanner_.ok()) {
             return scanner_.faults();
         }
+        scanner_.source().numbered(PartNumbers(1), PartNumbers(1));
+        raiseTags(builder_.mesh, scanner_.source());
         return builder_.finish();
     }
 
@@ -61,6 +65,19 @@ class NetgenReader {
         return std::find(std::begin(kSections), std::end(kSections), word) != std::end(kSections);
     }
 
+    static bool isUsed(std::string_view word) {
+        return word.starts_with("surfaceelements") || word.starts_with("edgesegments") || word == "points" ||
+               word == "pointelements" || word == "bcnames" || word == "materials";
+    }
+
+    /// Notes a word that begins neither a section nor the header. The lines of unknown sections are numbers.
+    void noteUnknown(const std::string &word, std::size_t place) const {
+        const bool letter = (word[0] >= 'a' && word[0] <= 'z') || (word[0] >= 'A' && word[0] <= 'Z');
+        if (letter && word != "mesh3d" && word != "dimension" && word != "geomtype") {
+            scanner_.source().note("section", "section " + cleanName(word) + " is ignored", place);
+        }
+    }
+
     /// Notes where each section begins; skips their lines.
     void findSections() {
         TextScanner line = scanner_;
@@ -71,7 +88,8 @@ class NetgenReader {
                 return;
             }
             if (!isSection(word)) {
-                continue; // mesh3d, dimension, geomtype and their values
+                noteUnknown(word, place);
+                continue;
             }
             places_[word] = scanner_.offset();
             std::size_t count = 0;
@@ -82,11 +100,17 @@ class NetgenReader {
                 scanner_.fail(place, "not-planar", "the mesh has volume elements", "only plane meshes can be read");
                 return;
             }
+            if (count > 0 && !isUsed(word)) {
+                scanner_.source().note("section", "section " + word + " is ignored", place);
+            }
             scanner_.skipLine();
             for (std::size_t k = 0; k < count; ++k) {
-                if (!scanner_.nextLine(line)) {
+                const bool found = scanner_.nextLine(line);
+                const std::string first(found ? line.peek() : std::string_view());
+                if (!found || isSection(first) || first == "endmesh") {
                     scanner_.fail(place, "bad-count",
-                                  "the section " + word + " ends before its " + std::to_string(count) + " lines");
+                                  "the section " + word + " has " + std::to_string(k) + " lines instead of " +
+                                      std::to_string(count));
                     return;
                 }
             }
@@ -142,15 +166,10 @@ class NetgenReader {
 
     /// Reads "surfid 0 p1 p2 ...": in a plane mesh, the first number is that of the boundary condition.
     bool edge(TextScanner &line, std::size_t number) {
-        std::int64_t surface = 0, unused = 0;
+        std::int32_t surface = 1;
+        std::int64_t unused = 0;
         const Expect what{"edge segment", number};
-        if (!line.integer(surface, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max(),
-                          what) ||
-            !anyInteger(line, unused, what) || !builder_.readEdge(line, 1, what)) {
-            return false;
-        }
-        builder_.mesh.edges.back().tag = static_cast<std::int32_t>(std::max<std::int64_t>(surface, 1));
-        return true;
+        return readTag(line, surface, what) && anyInteger(line, unused, what) && builder_.readEdge(line, surface, what);
     }
 
     bool pointElement(TextScanner &line, std::size_t number) {
@@ -163,7 +182,9 @@ class NetgenReader {
         if (!readTag(line, tag, what)) {
             return false;
         }
-        names[tag] = std::string(line.rest());
+        if (const std::string given = cleanName(line.rest()); !given.empty()) {
+            names[tag] = given;
+        }
         return true;
     }
     bool boundaryName(TextScanner &line, std::size_t number) {

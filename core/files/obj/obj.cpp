@@ -91,6 +91,7 @@ class ObjReader {
         if (!builder_.finishNodes(scanner_) || !faces()) {
             return scanner_.faults();
         }
+        scanner_.source().numbered(PartNumbers(1), PartNumbers(1));
         Mesh mesh = builder_.finish();
         mesh.boundaryNames = std::move(names.boundary);
         mesh.regionNames = std::move(names.region);
@@ -116,7 +117,13 @@ class ObjReader {
         const std::size_t place = line.offset();
         const std::string_view word = line.word();
         if (word == "v") {
-            return builder_.readNode(line, static_cast<std::int64_t>(builder_.mesh.nodes.size()) + 1, 3);
+            if (!builder_.readNode(line, static_cast<std::int64_t>(builder_.mesh.nodes.size()) + 1, 3)) {
+                return false;
+            }
+            if (!line.atEnd()) {
+                scanner_.source().note("vertex-values", "values of vertices after x, y and z are ignored", place);
+            }
+            return true;
         }
         if (word == "f" || word == "l" || word == "p") {
             const Kind kind = word == "f" ? Kind::Face : word == "l" ? Kind::Line : Kind::Point;
@@ -126,8 +133,11 @@ class ObjReader {
             groups_.push_back({cleanName(line.rest()), 0});
         } else if (word == "#" && line.peek() == "tag") {
             line.word();
-            return line.integer(groups_.back().tag, 1, std::numeric_limits<std::int32_t>::max(),
-                                {"the tag of a group"});
+            std::int64_t tag = 0; // other words may follow in comments of other programs
+            if (line.integer(tag, 1, std::numeric_limits<std::int32_t>::max(), {"the tag of a group"}) &&
+                line.atEnd()) {
+                groups_.back().tag = tag;
+            }
         } else if (!word.starts_with('#')) {
             scanner_.source().note("statement", "statement " + inQuotes(word) + " is ignored", place);
         }
@@ -189,6 +199,12 @@ class ObjReader {
                 builder_.addElement({nodes[0], nodes[1], nodes[2]}, tag);
             } else if (item.kind == Kind::Point) {
                 builder_.mesh.points.push_back({nodes[0], tag});
+                while (!line.atEnd()) {
+                    if (!node(line, item, nodes[0], expect)) {
+                        return false;
+                    }
+                    builder_.mesh.points.push_back({nodes[0], tag});
+                }
             } else if (!polyline(line, item, nodes, tag, expect)) {
                 return false;
             }

@@ -23,14 +23,6 @@ inline constexpr double kNoGrey = -1.0;
 /// Returns true if a file begins like a PNG file.
 bool looksLikePng(std::string_view head);
 
-/// Numbers of columns and rows of values.
-struct GreyCounts {
-    std::size_t columns = 0, rows = 0;
-};
-/// Returns how many columns and rows of values a picture gets: as many as it has columns and rows of pixels, or both
-/// divided by the same whole number so that there are at most `most` values.
-GreyCounts greyCounts(std::size_t columns, std::size_t rows, std::size_t most);
-
 /// Reads the grey values of a PNG file of any kind: colours become their luminance (Rec. 709, of the stored values),
 /// and where more than half the pixels of a value are fully transparent, there is none. Faults:
 /// bad-picture, large-picture (more than 100 million pixels), cancelled.

@@ -1,4 +1,5 @@
 #include "core/engine/base/cancelled.hpp"
+#include "core/files/common/cell_grid.hpp"
 #include "core/files/png/png.hpp"
 #include "core/files/png/png_decoder.hpp"
 
@@ -119,15 +120,6 @@ bool looksLikePng(std::string_view head) {
     return head.starts_with(kSignature);
 }
 
-GreyCounts greyCounts(std::size_t columns, std::size_t rows, std::size_t most) {
-    const auto divided = [](std::size_t count, std::size_t by) { return (count + by - 1) / by; };
-    std::size_t by = 1;
-    while (divided(columns, by) * divided(rows, by) > most) {
-        ++by;
-    }
-    return {divided(columns, by), divided(rows, by)};
-}
-
 Result<GreyPicture> readGreyPicture(const SourceText &source, std::size_t most) {
     if (!looksLikePng(source.text)) {
         return Diagnostics{faultAt(source, 0, "bad-picture", "the file is not a PNG picture", kSaveAgain)};
@@ -145,7 +137,7 @@ Result<GreyPicture> readGreyPicture(const SourceText &source, std::size_t most) 
                                        std::to_string(picture.pixelRows) + " pixels; expected at most 100 million",
                                    "make it smaller in another program")};
     }
-    const GreyCounts counts = greyCounts(picture.pixelColumns, picture.pixelRows, most);
+    const GridCounts counts = averagedCounts(picture.pixelColumns, picture.pixelRows, most);
     picture.columns = counts.columns;
     picture.rows = counts.rows;
     if (Diagnostics faults = readPixels(decoder, source, picture); !faults.empty()) {

@@ -1,5 +1,7 @@
 #include "core/files/source/domain_origin.hpp"
 
+#include "core/files/source/text_place.hpp"
+
 #include <algorithm>
 
 namespace forefront {
@@ -22,6 +24,11 @@ void addPlaces(Diagnostics &faults, const DomainOrigin &origin, std::string_view
     for (Diagnostic &fault : faults) {
         if (!fault.file.empty()) {
             continue; // its places are in that file
+        }
+        if (fault.code.starts_with("expression-") && origin.spacingExpression != PartOrigin::kNowhere) {
+            const TextPlace place = placeOf(text, origin.spacingExpression);
+            fault.line = place.line;
+            fault.column = place.column;
         }
         for (DomainPart &part : fault.parts) {
             const std::vector<PartOrigin> &known = origin.of(part.kind);

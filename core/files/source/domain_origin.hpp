@@ -24,13 +24,14 @@ struct PartOrigin {
 struct DomainOrigin {
     bool showsColumns = false; ///< several parts may be on one line
     std::array<std::vector<PartOrigin>, 5> parts;
+    std::size_t spacingExpression = PartOrigin::kNowhere; ///< byte of the expression of the spacing
 
     std::vector<PartOrigin> &of(DomainPartKind kind) { return parts[static_cast<std::size_t>(kind)]; }
     const std::vector<PartOrigin> &of(DomainPartKind kind) const { return parts[static_cast<std::size_t>(kind)]; }
 };
 
-/// Fills in number, line and column of the parts, and of each fault the first line and column that are known. Faults
-/// that name a file are left alone.
+/// Fills in number, line and column of the parts, and of each fault the first line and column that are known; faults of
+/// the spacing expression get its place. Faults that name a file are left alone.
 void addPlaces(Diagnostics &faults, const DomainOrigin &origin, std::string_view text);
 
 } // namespace forefront

@@ -2,10 +2,12 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/mesh/mesh_numbers.hpp"
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace FOREFRONT_API forefront {
@@ -32,7 +34,8 @@ struct DrawingContents {
     bool degrees = false; ///< its coordinates are longitudes and latitudes, which ImportOptions::degrees concerns
 };
 
-/// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.
+/// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence, and what
+/// they know about the rest.
 class ImportNotes {
   public:
     /// Counts `count` more of the note with this code and message; `text`, `offset` and `file` give the first place.
@@ -40,8 +43,11 @@ class ImportNotes {
     void add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
              std::size_t offset, std::size_t count = 1, Severity severity = Severity::Note);
     void setContents(const DrawingContents &contents) { contents_ = contents; }
+    void setNumbers(MeshNumbers numbers) { numbers_ = std::move(numbers); }
     const std::vector<ImportNote> &entries() const { return entries_; }
     const DrawingContents &contents() const { return contents_; }
+    /// Returns the numbers that the file of a mesh gives to its nodes and elements.
+    const MeshNumbers &numbers() const { return numbers_; }
     bool empty() const { return entries_.empty(); }
     /// Returns the notes for a log: "... (3 times)" with file, line and column of the first. More than five
     /// notes that differ only in quoted names are shown as one: "... 'a' ... (9 times; also 'b', 'c')".
@@ -50,6 +56,7 @@ class ImportNotes {
   private:
     std::vector<ImportNote> entries_;
     DrawingContents contents_;
+    MeshNumbers numbers_;
 };
 
 } // namespace forefront

@@ -73,6 +73,8 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
     if (S_ISDIR(status.st_mode)) {
         return readFault(name, "it is a folder");
     }
+    // A device such as /dev/zero may have no end; a terminal has one, and /dev/null is empty.
+    const bool device = S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && ::isatty(descriptor) == 0);
     const auto tooLarge = [&] {
         Diagnostics faults = error("too-large", "the file is larger than " + std::to_string(maxBytes) + " bytes");
         faults.front().file = name;
@@ -99,6 +101,9 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
         }
         if (got == 0) {
             break;
+        }
+        if (device) {
+            return readFault(name, "it is a device, not a file");
         }
         size += static_cast<std::size_t>(got);
         if (size > maxBytes) {

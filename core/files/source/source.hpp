@@ -35,6 +35,12 @@ struct SourceText {
             notes->add(code, message, name, text, offset, 1, Severity::Warning);
         }
     }
+    /// Reports the numbers of the nodes and elements of a mesh.
+    void numbered(const PartNumbers &nodes, const PartNumbers &elements) const {
+        if (notes != nullptr) {
+            notes->setNumbers({nodes, elements});
+        }
+    }
     /// Reports what a drawing or map holds.
     void found(const DrawingContents &contents) const {
         if (notes != nullptr) {

@@ -1,5 +1,6 @@
 #include "core/files/su2/su2.hpp"
 
+#include "core/engine/base/number_text.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
 #include "core/files/common/tag_allocator.hpp"
@@ -86,6 +87,12 @@ class Su2Reader {
                 scanner_.fail(line);
             }
         }
+        if (scanner_.ok() && markersDeclared_ >= 0 && markersDeclared_ != markers_) {
+            scanner_.fail(markersPlace_, "bad-count",
+                          "NMARK is " + std::to_string(markersDeclared_) + ", but the file holds " +
+                              countText(static_cast<std::size_t>(markers_), "marker"),
+                          "the file may have been cut short");
+        }
         resolve();
         if (!scanner_.ok()) {
             return scanner_.faults();
@@ -132,9 +139,12 @@ class Su2Reader {
             return itemCount(line, count, 4, "the number of points") && points(count);
         }
         if (word == "NMARK") {
-            return line.integer(number, 0, std::numeric_limits<std::int32_t>::max(), {"the number of markers"});
+            markersPlace_ = place;
+            return line.integer(markersDeclared_, 0, std::numeric_limits<std::int32_t>::max(),
+                                {"the number of markers"});
         }
         if (word == "MARKER_TAG") {
+            ++markers_;
             marker(place, line.rest());
             return true;
         }
@@ -288,6 +298,8 @@ class Su2Reader {
     PlanarMeshBuilder builder_;
     std::vector<Connection> connections_;
     std::int32_t markerTag_ = 1;
+    std::int64_t markersDeclared_ = -1, markers_ = 0;
+    std::size_t markersPlace_ = 0;
     bool ignoring_ = false; ///< after a keyword that is ignored: until the next one
     TagAllocator tags_;
     TagNames names_;

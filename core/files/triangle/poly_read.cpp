@@ -1,13 +1,13 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/node_table.hpp"
+#include "core/files/common/raise_tags.hpp"
 #include "core/files/source/companion.hpp"
 #include "core/files/text/text_scanner.hpp"
 #include "core/files/triangle/triangle.hpp"
 #include "core/files/triangle/triangle_nodes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace forefront {
@@ -32,6 +32,7 @@ class PolyReader {
         for (auto &[tag, name] : names.region) {
             domain_.regionNames.insert_or_assign(tag, name);
         }
+        raiseTags(domain_, source_);
         return std::move(domain_);
     }
 
@@ -79,7 +80,7 @@ class PolyReader {
         domain_.segments.reserve(count);
         for (std::size_t k = 0; k < count; ++k) {
             DomainSegment segment;
-            std::int64_t number = 0, tag = 0;
+            std::int64_t number = 0, tag = markers == 1 ? 0 : 1;
             const Expect expect{"segment", k + 1};
             if (!nextLine(line, expect)) {
                 return scanner_.fail(line);
@@ -94,7 +95,7 @@ class PolyReader {
                 !line.integer(tag, -kGreatestTag, kGreatestTag, {"the marker of segment", k + 1})) {
                 return scanner_.fail(line);
             }
-            segment.tag = static_cast<std::int32_t>(std::max<std::int64_t>(tag, 1));
+            segment.tag = static_cast<std::int32_t>(tag);
             domain_.segments.push_back(segment);
         }
         return true;
@@ -116,8 +117,8 @@ class PolyReader {
         return true;
     }
 
-    /// Reads "number x y attribute [maximum area]". Attributes are numbers: integers of at least 1 are tags; others get
-    /// the next free tag and their digits as name.
+    /// Reads "number x y attribute [maximum area]". Attributes are numbers: integers of at least 1 are tags;
+    /// raiseTags() gives others a free tag and their digits as name.
     bool regions() {
         if (scanner_.atEnd()) {
             return true;
@@ -127,7 +128,7 @@ class PolyReader {
         if (!header(line, count, "the number of regions", 7)) {
             return scanner_.fail(line);
         }
-        std::vector<double> attributes;
+        AttributeTags tags(domain_.regionNames, TagKind::Region);
         for (std::size_t k = 0; k < count; ++k) {
             RegionMarker marker;
             double attribute = 0.0;
@@ -137,31 +138,10 @@ class PolyReader {
                 return scanner_.fail(line);
             }
             marker.maxArea = std::max(marker.maxArea, 0.0); // Triangle writes -1 for "no limit"
+            marker.tag = tags.of(attribute);
             domain_.regionMarkers.push_back(marker);
-            attributes.push_back(attribute);
         }
-        regionTags(attributes);
         return true;
-    }
-
-    void regionTags(const std::vector<double> &attributes) {
-        const auto isTag = [](double a) { return a >= 1.0 && a <= 1e9 && a == std::floor(a); };
-        std::int32_t next = 1;
-        for (const double attribute : attributes) {
-            next = isTag(attribute) ? std::max(next, static_cast<std::int32_t>(attribute) + 1) : next;
-        }
-        std::map<double, std::int32_t> others;
-        for (std::size_t k = 0; k < attributes.size(); ++k) {
-            if (isTag(attributes[k])) {
-                domain_.regionMarkers[k].tag = static_cast<std::int32_t>(attributes[k]);
-                continue;
-            }
-            const auto [entry, added] = others.emplace(attributes[k], next);
-            if (added) {
-                domain_.regionNames.emplace(next++, "region_" + exactText(attributes[k]));
-            }
-            domain_.regionMarkers[k].tag = entry->second;
-        }
     }
 
     bool header(TextScanner &line, std::size_t &count, const char *what, std::size_t bytes) {
@@ -221,7 +201,8 @@ class PolyReader {
         }
         std::size_t unusedMarkers = 0;
         for (std::uint32_t n = 0; n < degrees_.size(); ++n) {
-            unusedMarkers += degrees_[n] > 0 && nodeMarkers_[n] > 1 ? 1 : 0;
+            const bool marked = nodeMarkers_[n] != 0 && nodeMarkers_[n] != 1;
+            unusedMarkers += degrees_[n] > 0 && marked ? 1 : 0;
             if (degrees_[n] == 0) {
                 domain_.points.push_back({n, nodeMarkers_[n]});
                 if (source_.origin != nullptr) {

@@ -1,13 +1,16 @@
 #include "core/engine/base/hash.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/node_labels.hpp"
 #include "core/files/common/planar_mesh.hpp"
+#include "core/files/common/raise_tags.hpp"
 #include "core/files/source/companion.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/files/triangle/triangle.hpp"
 #include "core/files/triangle/triangle_nodes.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -104,6 +107,14 @@ class TriangleMeshReader {
         if (!nodes.read(scanner, false)) {
             return fail(scanner);
         }
+        if (!noMore(scanner, nodes.places.size(), "node")) {
+            return false;
+        }
+        if (nodes.attributes > 0) {
+            source.note("node-attributes", "attributes of nodes are ignored", 0, nodes.places.size());
+        }
+        labels_ = std::move(nodes.markers);
+        std::replace(labels_.begin(), labels_.end(), 1, 0); // Triangle marks all nodes of an unmarked boundary with 1
         builder_.mesh.nodes = std::move(nodes.places);
         builder_.table = std::move(nodes.table);
         TagNames names = readNameComments(source.text, "#");
@@ -114,11 +125,12 @@ class TriangleMeshReader {
             constexpr std::size_t kStart = 9;
             TextScanner comment(source);
             comment.seek(at + kStart);
-            std::int32_t tag = 1;
-            if (!builder_.readPoint(comment, 1, {"a point"}) || !readTag(comment, tag, {"the tag of a point"})) {
-                return fail(comment);
+            std::int64_t node = 0, tag = 0; // comments of other programs may begin like ours
+            constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
+            if (comment.integer(node, 0, kGreatest, {"a point"}) && comment.integer(tag, 1, kGreatest, {"its tag"}) &&
+                builder_.table.find(node) != kNoIndex) {
+                builder_.mesh.points.push_back({NodeId{builder_.table.find(node)}, static_cast<std::int32_t>(tag)});
             }
-            builder_.mesh.points.back().tag = tag;
         }
         return true;
     }
@@ -132,24 +144,27 @@ class TriangleMeshReader {
             !scanner.integer(attributes, 0, 1000, {"the number of attributes"})) {
             return fail(scanner);
         }
+        if (attributes > 1) {
+            source.note("attributes", "attributes of triangles after the first one are ignored", 0, count);
+        }
+        AttributeTags tags(builder_.mesh.regionNames, TagKind::Region);
         for (std::size_t k = 0; k < count; ++k) {
             double attribute = 0.0;
-            std::int32_t region = 1;
+            std::int32_t region = attributes > 0 ? 0 : 1;
             if (!scanner.integer(number, 0, std::numeric_limits<std::int32_t>::max(), {"triangle", k + 1}) ||
-                !builder_.readElement(scanner, 1, {"triangle", k + 1})) {
+                !builder_.readElement(scanner, 1, {"triangle", static_cast<std::uint64_t>(number)})) {
                 return fail(scanner);
             }
+            numbers_.push_back(number);
             for (std::int64_t a = 0; a < attributes; ++a) {
-                if (!scanner.real(attribute, {"the attribute of triangle", k + 1})) {
+                if (!scanner.real(attribute, {"the attribute of triangle", static_cast<std::uint64_t>(number)})) {
                     return fail(scanner);
                 }
-                const bool tag = attribute >= 1.0 && attribute <= std::numeric_limits<std::int32_t>::max() &&
-                                 attribute == std::floor(attribute);
-                region = a == 0 && tag ? static_cast<std::int32_t>(attribute) : region;
+                region = a == 0 ? tags.of(attribute) : region;
             }
             builder_.mesh.regions.back() = region;
         }
-        return true;
+        return noMore(scanner, count, "triangle");
     }
 
     bool readEdges(const SourceText &source) {
@@ -172,22 +187,47 @@ class TriangleMeshReader {
             if (marker == 0) {
                 builder_.mesh.edges.pop_back(); // an inner edge
             } else {
-                builder_.mesh.edges.back().tag = static_cast<std::int32_t>(std::max<std::int64_t>(marker, 1));
+                builder_.mesh.edges.back().tag = static_cast<std::int32_t>(marker);
             }
+        }
+        return noMore(scanner, count, "edge");
+    }
+
+    Result<Mesh> finish(const SourceText &source, const SourceText &nodes) {
+        noteUnusedLabels(labels_, builder_.mesh, "node-markers", nodes);
+        source.numbered(PartNumbers(builder_.table.numbers()), PartNumbers(numbers_));
+        raiseTags(builder_.mesh, source);
+        return builder_.finish();
+    }
+    const Diagnostics &faults() const { return faults_; }
+
+  private:
+    /// Refuses a file that goes on after as many items as its first line announces.
+    bool noMore(TextScanner &scanner, std::size_t count, const char *what) {
+        if (!scanner.atEnd()) {
+            const std::size_t place = scanner.offset();
+            TextScanner line = scanner;
+            std::size_t lines = count;
+            while (scanner.nextLine(line)) {
+                ++lines;
+            }
+            scanner.fail(place, "bad-count",
+                         "the first line announces " + countText(count, what) + ", but " + std::to_string(lines) +
+                             " lines follow",
+                         "correct the number, or remove the lines after it");
+            return fail(scanner);
         }
         return true;
     }
 
-    Result<Mesh> finish() { return builder_.finish(); }
-    const Diagnostics &faults() const { return faults_; }
-
-  private:
     bool fail(const TextScanner &scanner) {
         faults_ = scanner.faults();
         return false;
     }
 
     PlanarMeshBuilder builder_;
+    std::vector<std::int64_t> numbers_; ///< of the triangles
+    std::vector<std::int32_t> labels_;  ///< markers of the nodes; 0: none
     Diagnostics faults_;
 };
 
@@ -223,7 +263,7 @@ Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elemen
     if (!reader.readNodes(nodes) || !reader.readElements(elements) || (edges != nullptr && !reader.readEdges(*edges))) {
         return reader.faults();
     }
-    return reader.finish();
+    return reader.finish(elements, nodes);
 }
 
 Result<Mesh> readTriangle(const SourceText &source) {
@@ -234,6 +274,11 @@ Result<Mesh> readTriangle(const SourceText &source) {
         return other.faults();
     }
     const auto edges = readCompanion(source, ".edge");
+    std::filesystem::path edgePath = source.path;
+    std::error_code none;
+    if (!edges && std::filesystem::exists(edgePath.replace_extension(".edge"), none)) {
+        return edges.faults();
+    }
     return readTriangleParts(isElements ? (*other)->source : source, isElements ? source : (*other)->source,
                              edges ? &(*edges)->source : nullptr);
 }

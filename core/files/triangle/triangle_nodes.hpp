@@ -12,7 +12,7 @@ namespace forefront {
 /// The node list of Triangle's .node and .poly files: "count 2 attributes markers", then "number x y ... [marker]".
 struct TriangleNodes {
     std::vector<Vec2> places;
-    std::vector<std::int32_t> markers; ///< >= 1
+    std::vector<std::int32_t> markers; ///< as in the file; 1 where it has none
     NodeTable table;
     std::int64_t attributes = 0;      ///< per node, read but not kept
     std::vector<std::size_t> offsets; ///< of their lines; filled if the source asks for origins

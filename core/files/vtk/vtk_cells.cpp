@@ -2,11 +2,11 @@
 
 #include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
+#include "core/files/common/raise_tags.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -29,39 +29,79 @@ std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh)
 
 namespace {
 
+void noteLength(const SourceText &source, std::size_t offset, const std::string &name, std::size_t values,
+                std::size_t items, const char *kind) {
+    source.note("array-length",
+                "the array " + inQuotes(name) + " is ignored: it has " + std::to_string(values) + " values for " +
+                    std::to_string(items) + ' ' + kind,
+                offset);
+}
+
+bool areWhole(const std::vector<double> &values) {
+    return std::all_of(values.begin(), values.end(), [](double v) { return v == std::trunc(v); });
+}
+
 /// Names under which programs write the tags of cells; "MaterialID" is that of our legacy files.
 constexpr std::array<std::string_view, 6> kTagArrays = {"region",        "boundary",  "CellEntityIds",
                                                         "gmsh:physical", "medit:ref", "MaterialID"};
 
-/// Returns the first array of tags with one of the usual names.
-const std::vector<std::int64_t> *tagArray(const VtkGrid &grid, const char *own) {
+using TagArray = std::pair<const std::string, std::vector<double>>;
+
+/// Returns the first array of tags with one of the usual names, null if there is none. Notes those of another length.
+const TagArray *tagArray(const VtkGrid &grid, const char *own, const SourceText &source) {
     for (const char *name : {own, "CellEntityIds", "gmsh:physical", "medit:ref", "region"}) {
         const auto found = grid.cellArrays.find(name);
-        if (found != grid.cellArrays.end() && found->second.size() == grid.types.size()) {
-            return &found->second;
+        if (found == grid.cellArrays.end()) {
+            continue;
         }
+        if (found->second.size() == grid.types.size()) {
+            return &*found;
+        }
+        noteLength(source, grid.offset, found->first, found->second.size(), grid.types.size(), "cells");
     }
     return nullptr;
+}
+
+void noteRealTags(const TagArray *tags, const VtkGrid &grid, const SourceText &source) {
+    if (tags != nullptr && !areWhole(tags->second)) {
+        source.note("real-tags",
+                    "the array " + inQuotes(tags->first) +
+                        " has the name of an array of tags, but its values are not whole numbers; they are read as a "
+                        "field, and their whole parts as tags",
+                    grid.offset);
+    }
 }
 
 /// Number of cells between two checks of the stop token.
 constexpr std::size_t kStopInterval = 4096;
 
-std::int32_t tagAt(const std::vector<std::int64_t> *tags, std::size_t cell) {
-    constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
-    return tags == nullptr ? 1 : static_cast<std::int32_t>(std::clamp<std::int64_t>((*tags)[cell], 1, kGreatest));
-}
+/// The tags of the cells of one kind.
+class CellTags {
+  public:
+    CellTags(const TagArray *given, std::map<std::int32_t, std::string> &names, TagKind kind)
+        : given_(given), tags_(names, kind) {}
+    std::int32_t at(std::size_t cell) { return given_ == nullptr ? 1 : of(given_->second[cell]); }
+    std::int32_t of(double given) { return tags_.of(std::isnan(given) ? 0.0 : std::trunc(given)); }
 
-void readNames(const VtkGrid &grid, Mesh &mesh) {
+  private:
+    const TagArray *given_;
+    AttributeTags tags_;
+};
+
+void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, Mesh &mesh) {
     for (const auto &[field, tags] : grid.fields) {
         const bool region = field.starts_with("region:");
         if (!region && !field.starts_with("boundary:")) {
             continue;
         }
-        for (const std::int64_t tag : tags) {
-            if (tag >= 1 && tag <= std::numeric_limits<std::int32_t>::max()) {
-                addName(region ? mesh.regionNames : mesh.boundaryNames, static_cast<std::int32_t>(tag),
-                        field.substr(field.find(':') + 1), region);
+        for (const std::int64_t given : tags) {
+            const std::int32_t tag = (region ? regions : boundaries).of(static_cast<double>(given));
+            const std::string name = field.substr(field.find(':') + 1);
+            auto &names = region ? mesh.regionNames : mesh.boundaryNames;
+            if (tag >= 1) {
+                addName(names, tag, name, region);
+            } else if (!cleanName(name).empty()) {
+                names.insert_or_assign(tag, cleanName(name));
             }
         }
     }
@@ -77,8 +117,13 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
         return refuse("bad-count", "there are " + std::to_string(grid.ends.size()) + " cells but " +
                                        std::to_string(grid.types.size()) + " cell types");
     }
-    const auto *regions = tagArray(grid, "region");
-    const auto *boundaries = tagArray(grid, "boundary");
+    const TagArray *const ofRegions = tagArray(grid, "region", scanner.source());
+    const TagArray *const ofBoundaries = tagArray(grid, "boundary", scanner.source());
+    noteRealTags(ofRegions, grid, scanner.source());
+    noteRealTags(ofBoundaries != ofRegions ? ofBoundaries : nullptr, grid, scanner.source());
+    CellTags regions(ofRegions, mesh.regionNames, TagKind::Region);
+    CellTags boundaries(ofBoundaries, mesh.boundaryNames, TagKind::Boundary);
+    std::vector<std::int64_t> cells; // of the elements
     std::int64_t begin = 0;
     for (std::size_t c = 0; c < grid.types.size(); ++c) {
         if (c % kStopInterval == 0 && scanner.stopped()) {
@@ -110,45 +155,40 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
         }
         if (type == kVtkTriangle) {
             mesh.elements.push_back({nodes[0], nodes[1], nodes[2]});
-            mesh.regions.push_back(tagAt(regions, c));
+            cells.push_back(static_cast<std::int64_t>(c));
+            mesh.regions.push_back(regions.at(c));
         } else if (type == kVtkLine) {
-            mesh.edges.push_back({nodes[0], nodes[1], tagAt(boundaries, c)});
+            mesh.edges.push_back({nodes[0], nodes[1], boundaries.at(c)});
         } else {
-            mesh.points.push_back({nodes[0], tagAt(boundaries, c)});
+            mesh.points.push_back({nodes[0], boundaries.at(c)});
         }
     }
+    if (begin != static_cast<std::int64_t>(grid.connectivity.size())) {
+        return refuse("bad-count", "the cells have " + std::to_string(begin) + " nodes, but " +
+                                       std::to_string(grid.connectivity.size()) + " are listed");
+    }
     mesh.nodes = grid.nodes;
-    readNames(grid, mesh);
+    readNames(grid, regions, boundaries, mesh);
+    scanner.source().numbered(PartNumbers(), PartNumbers(std::move(cells)));
+    raiseTags(mesh, scanner.source());
     return true;
 }
 
 MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source) {
     MeshFields read{std::move(mesh), std::move(grid.pointArrays), {}};
-    const auto noteLength = [&](const std::string &name, std::size_t values, std::size_t items, const char *kind) {
+    const auto fits = [&](const std::string &name, std::size_t values, std::size_t items, const char *kind) {
         if (values != items) {
-            source.note("array-length",
-                        "the array " + inQuotes(name) + " is ignored: it has " + std::to_string(values) +
-                            " values for " + std::to_string(items) + kind,
-                        grid.offset);
+            noteLength(source, grid.offset, name, values, items, kind);
         }
         return values == items;
     };
     for (const auto &[name, values] : read.fields) {
-        noteLength(name, values.size(), read.mesh.nodes.size(), " nodes");
+        fits(name, values.size(), read.mesh.nodes.size(), "nodes");
     }
     for (const auto &[name, values] : grid.cellReals) {
         const bool named = std::find(kTagArrays.begin(), kTagArrays.end(), name) != kTagArrays.end();
-        const bool tags =
-            named && std::all_of(values.begin(), values.end(), [](double v) { return v == std::trunc(v); });
-        if (tags || !noteLength(name, values.size(), grid.types.size(), " cells")) {
+        if ((named && areWhole(values)) || !fits(name, values.size(), grid.types.size(), "cells")) {
             continue;
-        }
-        if (named) {
-            source.note("real-tags",
-                        "the array " + inQuotes(name) +
-                            " has the name of an array of tags, but its values are not whole numbers; they are read as "
-                            "a field, and their whole parts as tags",
-                        grid.offset);
         }
         std::vector<double> &ofElements = read.elementFields[name];
         ofElements.reserve(read.mesh.elements.size());

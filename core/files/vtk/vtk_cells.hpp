@@ -25,7 +25,7 @@ struct VtkGrid {
     std::vector<Vec2> nodes;
     std::vector<std::int64_t> connectivity, ends; ///< the nodes of cell c end at ends[c]
     std::vector<std::int64_t> types;
-    std::map<std::string, std::vector<std::int64_t>> cellArrays;
+    std::map<std::string, std::vector<double>> cellArrays; ///< of all cells; those with a usual name hold tags
     std::map<std::string, std::vector<std::int64_t>> fields;
     std::map<std::string, std::vector<double>> pointArrays; ///< with one component; only where asked for
     std::map<std::string, std::vector<double>> cellReals;   ///< of all cells; likewise

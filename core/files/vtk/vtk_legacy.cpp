@@ -279,7 +279,7 @@ class VtkReader {
         } else if (components != 1) {
             noteComponents(scanner_.source(), name, components, place);
         } else if (inCells_) {
-            grid_.cellArrays[name] = tagsOf(reals);
+            grid_.cellArrays[name] = reals;
             grid_.cellReals[name] = std::move(reals);
         } else {
             grid_.pointArrays[name] = std::move(reals);

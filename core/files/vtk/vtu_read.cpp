@@ -139,7 +139,8 @@ class VtuReader {
             return scanner_.fail(offsetOf(grid), "bad-syntax", "the file must hold exactly one Piece");
         }
         grid_.offset = offsetOf(piece.child("Cells"));
-        if (!points(piece.child("Points").child("DataArray"), offsetOf(piece))) {
+        if (!points(piece.child("Points").child("DataArray"), offsetOf(piece)) ||
+            !agrees(piece, "NumberOfPoints", grid_.nodes.size(), "points")) {
             return false;
         }
         for (const pugi::xml_node node : piece.child("Cells").children("DataArray")) {
@@ -152,9 +153,20 @@ class VtuReader {
                 return false;
             }
         }
-        return arrays(piece.child("CellData"), grid_.cellArrays) && arrays(grid.child("FieldData"), grid_.fields) &&
+        return agrees(piece, "NumberOfCells", grid_.types.size(), "cells") &&
+               arrays(piece.child("CellData"), grid_.cellArrays) && arrays(grid.child("FieldData"), grid_.fields) &&
                (!wantsValues_ || (realArrays(piece.child("PointData"), grid_.pointArrays) &&
                                   realArrays(piece.child("CellData"), grid_.cellReals)));
+    }
+
+    /// Refuses a piece that holds another number of points or cells than its attribute announces.
+    bool agrees(const pugi::xml_node &piece, const char *attribute, std::size_t found, const char *what) {
+        const pugi::xml_attribute given = piece.attribute(attribute);
+        return !given || given.as_ullong() == found ||
+               scanner_.fail(offsetOf(piece), "bad-count",
+                             std::string(attribute) + " is " + inQuotes(given.value()) + ", but the piece holds " +
+                                 std::to_string(found) + ' ' + what,
+                             "the file may have been cut short");
     }
 
     /// Reads arrays of numbers with one component; notes the others.
@@ -174,7 +186,8 @@ class VtuReader {
         return true;
     }
 
-    bool arrays(const pugi::xml_node &parent, std::map<std::string, std::vector<std::int64_t>> &target) {
+    template <class Target>
+    bool arrays(const pugi::xml_node &parent, std::map<std::string, std::vector<Target>> &target) {
         for (const pugi::xml_node node : parent.children("DataArray")) {
             if (typeOf(node) == NumberType::None) {
                 continue; // strings, for example

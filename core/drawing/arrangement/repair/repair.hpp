@@ -14,9 +14,11 @@ namespace FOREFRONT_API forefront {
 /// A repaired domain.
 struct Repaired {
     Domain domain;
-    std::vector<std::uint32_t> nodeSource;    ///< per node: the (first) input node it came from, or kNoIndex if new
-    std::vector<std::uint32_t> nodeResult;    ///< per input node: the node that it became, or kNoIndex if it is gone
-    std::vector<std::uint32_t> segmentSource; ///< per segment: the input segment that it is part of
+    std::vector<std::uint32_t> nodeSource;       ///< per node: the (first) input node it came from, or kNoIndex if new
+    std::vector<std::uint32_t> nodeResult;       ///< per input node: the node that it became, or kNoIndex if it is gone
+    std::vector<std::uint32_t> segmentSource;    ///< per segment: the input segment that it is part of
+    std::vector<std::uint32_t> pointSource;      ///< per constraint point: the input point
+    std::vector<std::uint32_t> holeMarkerSource; ///< per hole marker: the input marker
     double radius = 0.0; ///< joining distance: the tolerance, or less if several things are crowded within it
     std::vector<ArrangementChange> changes; ///< one entry per kind; the parts are those of the given domain
 };
@@ -28,6 +30,7 @@ struct Repaired {
 ///   stays if the boundary is then closed (a loop given twice is one loop); otherwise they bound nothing and become a
 ///   constraint inside the domain and disappear outside. Once the boundary is closed, lines and points outside
 ///   disappear too. With hole markers, a line that nearly closes stays: it may be an outline with a gap.
+/// - With hole markers, the part of a hole beyond an outline that the hole crosses is left out, as with EvenOdd.
 /// - Segments keep tags and their parts of curves, points their tags; markers and names stay. Where segments coincide,
 ///   the tag is that of the first boundary segment, or else of the first constraint.
 /// - Nodes keep their order. Nothing moves farther than the tolerance. With the tolerance 0, a domain whose segments

@@ -34,11 +34,13 @@ void Repairer::build() {
     for (std::size_t i = 0; i < given_.points.size(); ++i) {
         if (pointDropped_[i] == 0) {
             domain.points.push_back({renumbered(given_.points[i].node), given_.points[i].tag});
+            result_.pointSource.push_back(static_cast<std::uint32_t>(i));
         }
     }
     for (std::size_t i = 0; i < given_.holeMarkers.size(); ++i) {
         if (markerDropped_[i] == 0) {
             domain.holeMarkers.push_back(given_.holeMarkers[i]);
+            result_.holeMarkerSource.push_back(static_cast<std::uint32_t>(i));
         }
     }
     result_.nodeSource.assign(domain.nodes.size(), kNoIndex);
@@ -178,6 +180,7 @@ void Repairer::locateChanges() {
             change.part = DomainPart{DomainPartKind::ConstraintPoint, change.piece};
             break;
         case ChangeKind::OutsideMarkers:
+        case ChangeKind::HolesBeyond:
             change.part = DomainPart{DomainPartKind::HoleMarker, change.piece};
             break;
         case ChangeKind::WeldedNodes:

@@ -90,8 +90,9 @@ void Repairer::dropOutside(const std::stop_token &stop) {
         return;
     }
     const Faces faces = findFaces(graph.points, graph.edges, sweep);
-    const FaceLabels labels = labelFaces(joined, graph, faces);
+    FaceLabels labels = labelFaces(joined, graph, faces);
     const bool anyInside = std::any_of(labels.inside.begin(), labels.inside.end(), [](auto in) { return in != 0; });
+    const auto opened = openHoles(graph, faces, labels);
     const bool allValid = std::all_of(given_.segments.begin(), given_.segments.end(),
                                       [&](const DomainSegment &segment) { return valid(segment); });
     const bool drops = allValid && anyInside && closed(joined, faces, labels);
@@ -106,6 +107,9 @@ void Repairer::dropOutside(const std::stop_token &stop) {
         }
     }
     if (drops) {
+        for (const auto &[place, marker] : opened) {
+            changes_.add(ChangeKind::HolesBeyond, place, 0.0, marker);
+        }
         dropPoints(graph, faces, labels);
         dropHoleMarkers(graph, faces);
     }

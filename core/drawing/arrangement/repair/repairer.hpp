@@ -6,7 +6,9 @@
 #include "core/engine/domain/faces.hpp"
 
 #include <cstdint>
+#include <map>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -38,6 +40,9 @@ class Repairer {
     void dropOutside(const std::stop_token &stop);
     bool closed(const Domain &joined, const Faces &faces, const FaceLabels &labels) const;
     std::vector<std::uint8_t> outsideEdges(const Domain &joined, const Faces &faces, const FaceLabels &labels) const;
+    std::vector<std::vector<std::uint32_t>> loopsOfEdges(std::map<std::uint32_t, double> &size) const;
+    std::vector<std::pair<Vec2, std::uint32_t>> openHoles(const DomainGraph &graph, const Faces &faces,
+                                                          FaceLabels &labels) const;
     void dropEdge(std::uint32_t edge);
     void dropPoints(const DomainGraph &graph, const Faces &faces, const FaceLabels &labels);
     void dropHoleMarkers(const DomainGraph &graph, const Faces &faces);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -67,10 +68,38 @@ bool isCoordinate(std::string_view name) {
     return name == "x" || name == "y";
 }
 
-/// Quotes a character, or names the byte if it is not printable.
-std::string quoted(char c) {
-    return c >= ' ' && c <= '~' ? "'" + std::string(1, c) + "'"
-                                : "byte " + std::to_string(static_cast<unsigned char>(c));
+/// Returns the UTF-8 character at the start of a text, which need not be well-formed.
+std::string_view firstCharacter(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    const std::size_t length = lead < 0xc2 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 1;
+    std::size_t end = 1;
+    while (end < std::min(length, text.size()) && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) {
+        ++end;
+    }
+    return text.substr(0, end == length ? end : 1);
+}
+
+/// Quotes the character at the start of a text, or names the byte if it is not printable.
+std::string quoted(std::string_view text) {
+    const std::string_view character = firstCharacter(text);
+    const char c = character.front();
+    return character.size() > 1 || (c >= ' ' && c <= '~') ? "'" + std::string(character) + "'"
+                                                          : "byte " + std::to_string(static_cast<unsigned char>(c));
+}
+
+/// Returns how to write a sign of mathematics that is not ASCII; empty for all others.
+std::string_view asciiFor(std::string_view text) {
+    constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
+        {"\u00b2", "^2"}, {"\u00b3", "^3"}, {"\u00d7", "*"}, {"\u00b7", "*"},    {"\u22c5", "*"},
+        {"\u00f7", "/"},  {"\u2212", "-"},  {"\u2013", "-"}, {"\u221a", "sqrt"}, {"\u03c0", "pi"},
+        {"\u2264", "<="}, {"\u2265", ">="}, {"\u2260", "!="}};
+    const std::string_view character = firstCharacter(text);
+    for (const auto &[sign, ascii] : kSigns) {
+        if (sign == character) {
+            return ascii;
+        }
+    }
+    return {};
 }
 
 /// A recursive-descent parser with one function per level of precedence, lowest first. Stops at the first fault.
@@ -82,7 +111,7 @@ class Parser {
         parseChoice();
         skipBlanks();
         if (!fault_ && at_ < text_.size()) {
-            fail("unexpected " + quoted(text_[at_]) + "; expected an operator or the end");
+            failUnexpected("an operator or the end");
         }
         if (fault_) {
             return *fault_;
@@ -95,6 +124,11 @@ class Parser {
         if (!fault_) {
             fault_ = ExpressionFault{at_, std::move(message)};
         }
+    }
+    void failUnexpected(const char *expected) {
+        const std::string_view ascii = asciiFor(text_.substr(at_));
+        fail("unexpected " + quoted(text_.substr(at_)) +
+             (ascii.empty() ? "; expected " + std::string(expected) : "; write " + std::string(ascii)));
     }
     void skipBlanks() {
         while (at_ < text_.size() &&
@@ -234,7 +268,7 @@ class Parser {
                 fail("missing ')'");
             }
         } else {
-            fail("unexpected " + quoted(text_[at_]) + "; expected a number, a name or '('");
+            failUnexpected("a number, a name or '('");
         }
     }
     void parseNumber() {
