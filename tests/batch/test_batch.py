@@ -310,6 +310,25 @@ class Meshing(Case):
         self.assertNotIn("note", self.call("mesh", "plate.poly", "--spacing-file", "partial.asc", "--stats", "s.json",
                                            "-q").stderr)
 
+    def test_a_layer_between_the_segments_of_a_poly_file_is_a_narrow_place(self):
+        nodes = [(0, 0), (10, 0), (10, 2), (10, 2.2), (10, 5), (0, 5), (0, 2.2), (0, 2)]
+        edges = [(1, 2), (2, 3), (3, 4), (4, 5), (5, 6), (6, 7), (7, 8), (8, 1), (8, 3), (7, 4)]
+        self.write("layer.poly", "8 2 0 0\n" + "".join(f"{i} {x} {y}\n" for i, (x, y) in enumerate(nodes, 1)) +
+                   "10 1\n" + "".join(f"{i} {a} {b} {i}\n" for i, (a, b) in enumerate(edges, 1)) +
+                   "0\n3\n1 5 1 1\n2 5 2.1 2\n3 5 4 3\n")
+        self.call("mesh", "layer.poly", "-o", "layer.msh", "--size", "1", "--elements-across", "4")
+        self.call("check", "layer.msh", "--min-across", "4")
+        self.call("mesh", "layer.poly", "-o", "coarse.msh", "--size", "1")
+        self.assertIn("violated", self.call("check", "coarse.msh", "--min-across", "2", code=1).stdout)
+
+    def test_a_steep_spacing_is_limited_with_a_note(self):
+        steep = ("mesh", "plate.poly", "--stats", "s.json", "--spacing", "max(0.02, 2*dist(3, 1))")
+        note = self.call(*steep).stderr
+        self.assertIn("note: the spacing expression changes by more than 0.5 per unit of distance, which elements cannot "
+                      "follow; limited to 0.5", note)
+        self.assertIn("add --gradation G for another limit", note)
+        self.assertEqual("", self.call(*steep, "--gradation", "0.3").stderr)
+
     def test_a_spacing_may_vanish_in_a_hole(self):
         self.call("mesh", "plate.poly", "--spacing", "0.2*dist(1.5, 1.5)", "-o", "a.msh")
         self.assertIn("violated", self.call("check", "a.msh", "--spacing", "0.2*dist(1.5, 1.5)", "--min-delta", "0.99",
