@@ -12,6 +12,7 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/mesh/mesh_domain.hpp"
 #include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
