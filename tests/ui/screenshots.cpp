@@ -2,6 +2,7 @@
 #include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/picture_spacing.hpp"
 #include "ui/dialogs/recovery.hpp"
@@ -253,6 +254,7 @@ std::vector<Scene> scenes() {
             {"menu-region", rightClick({6.5, 4.5}), true},
             {"menu-source", rightClick({6.0, 4.1}), true},
             {"unsaved", action("file.new")},
+            {"changed", [](Driver &driver) { askAboutChange(driver.context(), FileStamp{}, {}); }},
             {"lessons", action("learn.lessons")},
             {"lesson", [](Driver &driver) {
                  driver.context().document.markSaved({});

@@ -99,10 +99,12 @@ TEST_CASE("verify: warns of flat elements, and of nothing else where their area 
     CHECK(measureQuality(mesh, nullptr).flat == 1);
     // Errors come first, and a limit keeps them.
     mesh.nodes.push_back({5, 5});
+    mesh.edges.push_back({node(0), node(5), 1});
     const Diagnostics both = verify(mesh, 1);
-    REQUIRE(both.size() == 2);
-    CHECK(both[0].code == "unreferenced-node");
+    REQUIRE(both.size() == 3);
+    CHECK(both[0].code == "missing-tagged-edge");
     CHECK(both[1].code == "more");
+    CHECK(both[2].code == "unreferenced-node"); // only a note
 }
 
 TEST_CASE("Meshing: long kept segments and a small spacing give no flat elements") {

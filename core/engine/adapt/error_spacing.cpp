@@ -132,6 +132,9 @@ Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estima
         background->elements.push_back({static_cast<std::uint32_t>(nodes[0]), static_cast<std::uint32_t>(nodes[1]),
                                         static_cast<std::uint32_t>(nodes[2])});
     }
+    if (!limitGradation(*background, target.gradation, progress)) {
+        return cancelled("choosing the node spacing");
+    }
     SpacingSpec spec;
     spec.background = std::move(background);
     if (target.sizeMin > 0.0) {
