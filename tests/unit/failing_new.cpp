@@ -1,11 +1,21 @@
 #include "tests/unit/failing_new.hpp"
 
+#include "tests/support/sanitizers.hpp"
+
 #include <cstdlib>
 #include <new>
 
 namespace {
 
 thread_local long allowedAllocations = -1; // before one fails; -1: any number
+
+} // namespace
+
+// Sanitizers check that memory is released by the function that belongs to the one it came from, and have operators of
+// their own.
+#if !defined(FOREFRONT_SANITIZED)
+
+namespace {
 
 void *allocate(std::size_t bytes) {
     if (allowedAllocations >= 0 && allowedAllocations-- == 0) {
@@ -38,6 +48,8 @@ void operator delete(void *memory, std::size_t) noexcept {
 void operator delete[](void *memory, std::size_t) noexcept {
     std::free(memory);
 }
+
+#endif
 
 namespace forefront::testing {
 

@@ -2,7 +2,8 @@
 
 namespace forefront::testing {
 
-/// Makes one allocation of this thread fail while it exists: the one after the first `allowed`.
+/// Makes one allocation of this thread fail while it exists: the one after the first `allowed`. Without effect in
+/// builds with a sanitizer.
 class FailingNew {
   public:
     explicit FailingNew(long allowed);

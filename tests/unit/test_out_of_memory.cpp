@@ -4,6 +4,7 @@
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/mesher/pipeline.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/unit/failing_new.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
@@ -77,7 +78,8 @@ std::string lastWords(const std::function<void()> &run, int &signal) {
 
 } // namespace
 
-TEST_CASE("Out of memory: validate, repair, verify, mesh and adapt report it wherever it happens") {
+TEST_CASE("Out of memory: validate, repair, verify, mesh and adapt report it wherever it happens" *
+          doctest::skip(forefront::testing::kSanitized)) {
     const MeshingJob job = smallJob();
     const auto outcome = meshDomain(job);
     REQUIRE(outcome);
