@@ -34,15 +34,16 @@ function(install_library KIND NAME)
   install(TARGETS ${KIND} EXPORT ${KIND}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${KIND} ${ARGN}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${KIND} ${ARGN})
-  install(EXPORT ${KIND} FILE Forefront-${NAME}.cmake NAMESPACE Forefront:: DESTINATION ${package_folder}
+  install(EXPORT ${KIND} FILE ${KIND}.cmake NAMESPACE Forefront:: DESTINATION ${package_folder}
           COMPONENT ${KIND} ${ARGN})
   install(FILES ${generated}/${PC_LIBRARY}.pc DESTINATION ${pc_folder} COMPONENT ${KIND} ${ARGN})
   install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/include/${NAME}/forefront DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
           COMPONENT ${KIND} ${ARGN})
 endfunction()
 
-# install_package(KIND [EXCLUDE_FROM_ALL]): the files by which CMake finds the libraries, in the component of the engine.
-function(install_package KIND)
+# install_package(KIND DRAWING_KIND [EXCLUDE_FROM_ALL]): the files by which CMake finds the libraries, in the component of
+# the engine.
+function(install_package KIND DRAWING_KIND)
   get_target_property(type ${KIND} TYPE)
   set(CMAKE_REQUIRES "")
   if(type STREQUAL STATIC_LIBRARY)
@@ -56,10 +57,10 @@ function(install_package KIND)
 endfunction()
 
 install_library(${FOREFRONT_LIBRARY} core)
-install_package(${FOREFRONT_LIBRARY})
+install_package(${FOREFRONT_LIBRARY} ${FOREFRONT_DRAWING_LIBRARY})
 install_library(${FOREFRONT_DRAWING_LIBRARY} drawing)
 if(FOREFRONT_BOTH_KINDS AND NOT BUILD_SHARED_LIBS)
   install_library(forefront_shared core EXCLUDE_FROM_ALL)
-  install_package(forefront_shared EXCLUDE_FROM_ALL)
+  install_package(forefront_shared forefront_drawing_shared EXCLUDE_FROM_ALL)
   install_library(forefront_drawing_shared drawing EXCLUDE_FROM_ALL)
 endif()
