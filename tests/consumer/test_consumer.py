@@ -134,10 +134,11 @@ def by_add_subdirectory(folder):
             "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DFOREFRONT_PCH=ON", "-DCMAKE_UNITY_BUILD=ON", "-DFOREFRONT_WERROR=ON",
             f"-DBUILD_SHARED_LIBS={shared}", folder=made)
         targets = run("ninja", "-C", "build", "-t", "targets", "all", folder=made)
-        for part in ("forefront_ui", "forefront_unit_tests", "forefront_drawing", "forefront_teaching", "app/forefront"):
+        for part in ("forefront_ui", "forefront_unit_tests", "app/forefront"):
             check(part not in targets, f"{part} is built in another project without being asked for")
         printed = run(CMAKE, "--build", "build", "--target", "consumer", folder=made)
         check("warning:" not in printed, f"our warnings reach the project:\n{printed}")
+        check("forefront_drawing" not in printed, f"drawings are compiled for a program that only meshes:\n{printed}")
         yield kind, result(made / "build" / "consumer", made)
 
 

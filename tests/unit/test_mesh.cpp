@@ -33,7 +33,10 @@ TEST_CASE("meshHash: any change of coordinates, elements, regions, edges, points
     };
     CHECK(differs([](Mesh &m) { m.nodes[3].x = std::nextafter(m.nodes[3].x, 9.0); }));
     CHECK(differs([](Mesh &m) { m.nodes.push_back({}); }));
-    CHECK(differs([](Mesh &m) { m.elements.push_back(m.elements[0]); }));
+    CHECK(differs([](Mesh &m) {
+        m.elements.push_back(m.elements[0]);
+        m.regions.push_back(m.regions[0]);
+    }));
     CHECK(differs([](Mesh &m) { std::swap(m.elements[0][0], m.elements[0][1]); }));
     CHECK(differs([](Mesh &m) { m.regions[5] = 2; }));
     CHECK(differs([](Mesh &m) { m.edges[2].tag = 9; }));
