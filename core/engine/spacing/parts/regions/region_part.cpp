@@ -96,7 +96,9 @@ std::optional<RegionPart> RegionPart::build(const Domain &domain, const LazyFace
         if (wall.above == wall.below) {
             continue;
         }
-        const auto isOpen = [&](std::uint32_t face) { return labels.inside[face] != 0 && limitOf[face] == kNoIndex; };
+        const auto isOpen = [&inside = labels.inside, &limitOf](std::uint32_t face) {
+            return inside[face] != 0 && limitOf[face] == kNoIndex;
+        };
         wall.open = isOpen(faces.left[e]) || isOpen(faces.right[e]);
         if (wall.b.x < wall.a.x) {
             std::swap(wall.a, wall.b);
