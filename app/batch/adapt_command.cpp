@@ -86,7 +86,7 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
         }
         input = std::move(*read);
     } else {
-        Result<Mesh> read = allFormats().readMesh(file.path, file.options, &notes);
+        Result<TriMesh> read = allFormats().readMesh(file.path, file.options, &notes);
         if (!read) {
             return read.faults();
         }
@@ -110,8 +110,8 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
 }
 
 /// Makes one new mesh, on which a solver must compute the field.
-Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
-                          const Progress &progress) {
+Result<TriMesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
+                             const Progress &progress) {
     const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
@@ -128,8 +128,8 @@ Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain,
     return std::move(outcome->mesh);
 }
 
-Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &domain, Mesh mesh,
-                               const Progress &progress, ProgressBar &bar) {
+Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Domain &domain, TriMesh mesh,
+                                  const Progress &progress, ProgressBar &bar) {
     const Result<NodalField> field = expressionField(*arguments.expression);
     if (!field) {
         return field.faults();
@@ -191,9 +191,9 @@ int runAdapt(const AdaptArguments &arguments) {
     }
     printNotes(notes, arguments.quiet);
     interrupt.deferToStop();
-    const Result<Mesh> mesh = arguments.field
-                                  ? adaptToField(arguments, *domain, *input, progress)
-                                  : adaptToExpression(arguments, *domain, std::move(input->mesh), progress, bar);
+    const Result<TriMesh> mesh = arguments.field
+                                     ? adaptToField(arguments, *domain, *input, progress)
+                                     : adaptToExpression(arguments, *domain, std::move(input->mesh), progress, bar);
     bar.clear();
     if (!mesh) {
         const bool mistyped = hasCode(mesh.faults(), "expression-syntax");

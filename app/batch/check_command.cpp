@@ -76,7 +76,7 @@ struct CheckArguments {
 
 /// Builds the requested node spacing: that of the options, or that of the project with the limits if one of them needs
 /// a spacing; null if there is none.
-Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const Mesh &mesh) {
+Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const TriMesh &mesh) {
     if (!arguments.size && !arguments.expression) {
         if (!arguments.savedLimits || !arguments.limits[MeshLimit::MinDelta]) {
             return std::shared_ptr<const SpacingField>();
@@ -111,7 +111,8 @@ bool hasConstraints(const Domain &domain) {
 }
 
 /// Returns the differences between a mesh and the domain it was made from.
-Diagnostics checkAgainst(const Mesh &mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
+Diagnostics checkAgainst(const TriMesh &mesh, const MeshNumbers &numbers, const CheckArguments &arguments,
+                         Input &input) {
     arguments.drawing.applyTo(input.options);
     Result<Domain> domain = allFormats().readDomain(input.path, input.options);
     if (!domain) {
@@ -178,10 +179,10 @@ void printFigures(const CheckArguments &arguments, const MeshReport &report, boo
 }
 
 /// Prints the figures of a mesh, those of a clockwise one as if it were turned. Returns the exit code.
-int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const Mesh &given,
+int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const TriMesh &given,
                   const MeshNumbers &numbers, bool valid) {
-    std::optional<Mesh> copy;
-    const Mesh &mesh = isClockwise(given) ? copy.emplace(turned(given)) : given;
+    std::optional<TriMesh> copy;
+    const TriMesh &mesh = isClockwise(given) ? copy.emplace(turned(given)) : given;
     const auto spacing = readWanted(arguments, mesh);
     if (!spacing) {
         printFaults(spacing.faults());
@@ -223,7 +224,7 @@ int check(CheckArguments &arguments) {
         return kRefused;
     }
     ImportNotes notes;
-    const Result<Mesh> mesh = allFormats().readMesh(input->path, input->options, &notes);
+    const Result<TriMesh> mesh = allFormats().readMesh(input->path, input->options, &notes);
     if (!mesh) {
         printFaults(mesh.faults());
         return kRefused;

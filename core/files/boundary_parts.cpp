@@ -20,7 +20,7 @@ std::string shown(double length) {
     return text;
 }
 
-Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup> &groups,
+Diagnostics compare(const TriMesh &mesh, const std::map<std::int32_t, MshCurveGroup> &groups,
                     const std::map<std::int32_t, double> &changes, double tolerance) {
     std::map<std::int32_t, double> lengths;
     for (const TaggedEdge &edge : mesh.edges) {
@@ -51,8 +51,8 @@ Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup
 
 } // namespace
 
-Diagnostics checkBoundaryParts(const Mesh &mesh, const std::filesystem::path &domainFile, const ImportOptions &options,
-                               const std::map<std::int32_t, double> &changes) {
+Diagnostics checkBoundaryParts(const TriMesh &mesh, const std::filesystem::path &domainFile,
+                               const ImportOptions &options, const std::map<std::int32_t, double> &changes) {
     if (mesh.edges.empty()) {
         return {};
     }

@@ -29,7 +29,7 @@ Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions
     return engineFormats().readDomain(path, options, notes);
 }
 
-Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+Result<TriMesh> readMesh(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return engineFormats().readMesh(path, options, notes);
 }
 
@@ -46,7 +46,7 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
     return engineFormats().readSpacing(path, options, notes);
 }
 
-Status writeMesh(FileSet &files, const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
+Status writeMesh(FileSet &files, const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId,
                  const Progress &progress) {
     const Format *format = meshFormat(path, formatId);
     if (format == nullptr) {
@@ -72,14 +72,14 @@ Status writeMesh(FileSet &files, const std::filesystem::path &path, const Mesh &
     }
 }
 
-Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
+Status writeMesh(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId,
                  const Progress &progress) {
     FileSet files;
     Status status = writeMesh(files, path, mesh, formatId, progress);
     return status.empty() ? files.commit() : status;
 }
 
-Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId) {
+Status writeMesh(ByteSink &sink, const TriMesh &mesh, std::string_view formatId) {
     const Format *const format = engineFormats().ofId(formatId);
     if (format == nullptr || format->writeMesh == nullptr) {
         return error("unknown-format",
@@ -92,7 +92,7 @@ Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId) {
     return out.flush() ? Status{} : error("cannot-write", "cannot write to the stream");
 }
 
-Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId) {
+Diagnostics exportNotes(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId) {
     const Format *const format = meshFormat(path, formatId);
     return format != nullptr && format->noteChanges != nullptr ? named(format->noteChanges(mesh), path) : Diagnostics{};
 }

@@ -4,7 +4,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/files/text/file_set.hpp"
@@ -19,8 +19,8 @@ namespace FOREFRONT_API forefront {
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
                           ImportNotes *notes = nullptr);
 /// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
-Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
-                      ImportNotes *notes = nullptr);
+Result<TriMesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
+                         ImportNotes *notes = nullptr);
 /// Reads a mesh and all its values of nodes and elements, see FormatList::readFields().
 Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
@@ -33,25 +33,25 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
 
 /// Read as above from memory, see FormatList.
 Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
-Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
+Result<TriMesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 
 /// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: writes
 /// a temporary file beside it, then renames that. Triangle: PATH.node, PATH.ele and PATH.edge, all of them or none. SVG
 /// draws the mesh.
-Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
+Status writeMesh(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 /// Does the same for a file, or several, that get their names with the set. Returns the faults of the set.
-Status writeMesh(FileSet &files, const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
+Status writeMesh(FileSet &files, const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 /// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
 /// formats of several files; cannot-write.
-Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId);
+Status writeMesh(ByteSink &sink, const TriMesh &mesh, std::string_view formatId);
 
 /// Returns notes on the tag names of the mesh that the format changes, such as to identifiers; empty if there are none.
 /// Parameters as for writeMesh().
-Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {});
+Diagnostics exportNotes(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId = {});
 
 /// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
 /// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().

@@ -21,14 +21,14 @@ struct Format {
     bool (*recognise)(std::string_view head) = nullptr;
     bool mayShowLate = false; ///< recognise() takes all of a JSON text where its first bytes show no format
     Result<Domain> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
-    Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
+    Result<TriMesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
-    void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
+    void (*writeMesh)(const TriMesh &, TextWriter &) = nullptr;
     /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
-    Diagnostics (*noteChanges)(const Mesh &) = nullptr;
+    Diagnostics (*noteChanges)(const TriMesh &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
-    void (*writeFiles)(FileSet &, const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
+    void (*writeFiles)(FileSet &, const std::filesystem::path &, const TriMesh &, const Progress &) = nullptr;
 
     bool canReadDomain() const { return readDomain != nullptr || readMesh != nullptr; }
     bool canWriteMesh() const { return writeMesh != nullptr || writeFiles != nullptr; }

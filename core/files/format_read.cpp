@@ -90,9 +90,9 @@ Diagnostics FormatList::locateFaults(const std::filesystem::path &path, Diagnost
     return named(std::move(faults), path);
 }
 
-Result<Mesh> FormatList::readMesh(const std::filesystem::path &path, const ImportOptions &options,
-                                  ImportNotes *notes) const {
-    return readFile<Mesh>(
+Result<TriMesh> FormatList::readMesh(const std::filesystem::path &path, const ImportOptions &options,
+                                     ImportNotes *notes) const {
+    return readFile<TriMesh>(
         *this, path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
         [](const Format &format, const SourceText &source) { return format.readMesh(source); });
 }
@@ -110,7 +110,7 @@ Result<MeshFields> FormatList::readFields(const std::filesystem::path &path, con
                 }
                 return fields;
             }
-            Result<Mesh> mesh = format.readMesh(source);
+            Result<TriMesh> mesh = format.readMesh(source);
             return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}, {}}) : mesh.faults();
         });
 }

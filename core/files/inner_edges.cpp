@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-bool hasInnerEdges(const Mesh &mesh) {
+bool hasInnerEdges(const TriMesh &mesh) {
     if (mesh.edges.empty()) {
         return false;
     }
@@ -16,8 +16,8 @@ bool hasInnerEdges(const Mesh &mesh) {
                        [&](const TaggedEdge &edge) { return table.find(edge.a, edge.b).size() > 1; });
 }
 
-Mesh withoutInnerEdges(const Mesh &mesh) {
-    Mesh result = mesh;
+TriMesh withoutInnerEdges(const TriMesh &mesh) {
+    TriMesh result = mesh;
     const EdgeTable table(mesh);
     std::size_t kept = 0;
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) {

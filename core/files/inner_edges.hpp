@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/enum_words.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <array>
 #include <cstdint>
@@ -20,9 +20,9 @@ struct EnumWords<InnerEdges> {
 };
 
 /// Returns true if the mesh has inner edges.
-bool hasInnerEdges(const Mesh &mesh);
+bool hasInnerEdges(const TriMesh &mesh);
 
 /// Returns a copy of the mesh without its inner edges. Names of tags no longer in use stay in the mesh.
-Mesh withoutInnerEdges(const Mesh &mesh);
+TriMesh withoutInnerEdges(const TriMesh &mesh);
 
 } // namespace forefront

@@ -12,9 +12,9 @@ namespace forefront::fuzz {
 namespace {
 
 /// Two triangles of different regions with every kind of tag.
-Mesh smallMesh() {
+TriMesh smallMesh() {
     const auto node = [](std::uint32_t n) { return NodeId{n}; };
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0.25}, {1, 1}, {-0.5, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
     mesh.regions = {1, 3};
@@ -25,7 +25,7 @@ Mesh smallMesh() {
     return mesh;
 }
 
-std::string text(void (*write)(const Mesh &, TextWriter &)) {
+std::string text(void (*write)(const TriMesh &, TextWriter &)) {
     StringSink sink;
     TextWriter out(sink);
     write(smallMesh(), out);

@@ -52,7 +52,7 @@ void checkNotes(const ImportNotes &notes) {
     }
 }
 
-void checkMesh(const Mesh &mesh) {
+void checkMesh(const TriMesh &mesh) {
     const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
     demand(std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite), "coordinates are finite");
     demand(mesh.regions.empty() || mesh.regions.size() == mesh.elements.size(), "a region for every element");

@@ -59,7 +59,7 @@ Domain strip() {
     return domain;
 }
 
-nlohmann::json figures(const Mesh &mesh) {
+nlohmann::json figures(const TriMesh &mesh) {
     nlohmann::json truth;
     truth["nodes"] = mesh.nodes.size();
     truth["elements"] = mesh.elements.size();
@@ -93,7 +93,7 @@ int fail(const Diagnostics &faults) {
     return 1;
 }
 
-int exportAll(const std::filesystem::path &folder, const std::string &name, const Mesh &mesh) {
+int exportAll(const std::filesystem::path &folder, const std::string &name, const TriMesh &mesh) {
     nlohmann::json truth = figures(mesh);
     for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh) {

@@ -40,7 +40,7 @@ double squareOver(Vec2 a, Vec2 b, Vec2 c, Vec2 g, int depth) {
     return area / 3.0 * (square(ab) + square(bc) + square(ca));
 }
 
-std::vector<bool> boundaryNodes(const Mesh &mesh) {
+std::vector<bool> boundaryNodes(const TriMesh &mesh) {
     std::vector<bool> on(mesh.nodes.size(), false);
     const auto neighbours = elementNeighbours(mesh);
     for (std::size_t e = 0; e < neighbours.size(); ++e) {
@@ -68,7 +68,7 @@ double cornerSolution(Vec2 p) {
     return std::pow(length(p), 2.0 / 3.0) * std::sin(2.0 / 3.0 * angleFromAxis(p));
 }
 
-std::vector<double> solveCornerProblem(const Mesh &mesh) {
+std::vector<double> solveCornerProblem(const TriMesh &mesh) {
     const std::vector<bool> fixed = boundaryNodes(mesh);
     std::vector<double> values(mesh.nodes.size(), 0.0);
     std::vector<int> unknown(mesh.nodes.size(), -1);
@@ -111,7 +111,7 @@ std::vector<double> solveCornerProblem(const Mesh &mesh) {
     return values;
 }
 
-double cornerEnergyError(const Mesh &mesh, const std::vector<double> &values) {
+double cornerEnergyError(const TriMesh &mesh, const std::vector<double> &values) {
     const std::vector<Vec2> gradients = *elementGradients(mesh, values);
     double square = 0.0;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

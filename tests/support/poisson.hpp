@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/domain/domain.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <vector>
 
@@ -16,9 +16,9 @@ double cornerSolution(Vec2 p);
 
 /// Solves Δu = 0 on the L-shape by linear finite elements, with the values of cornerSolution on the entire boundary,
 /// and returns the values at the nodes.
-std::vector<double> solveCornerProblem(const Mesh &mesh);
+std::vector<double> solveCornerProblem(const TriMesh &mesh);
 
 /// Returns the energy error ‖∇u − ∇u_h‖, integrated numerically with elements subdivided towards the corner.
-double cornerEnergyError(const Mesh &mesh, const std::vector<double> &values);
+double cornerEnergyError(const TriMesh &mesh, const std::vector<double> &values);
 
 } // namespace forefront::testing

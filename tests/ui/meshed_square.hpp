@@ -27,7 +27,7 @@ class MeshedSquare : public Draughtsman {
         key(key::kF5);
         settle();
     }
-    const Mesh &mesh() { return run().mesh->mesh; }
+    const TriMesh &mesh() { return run().mesh->mesh; }
     Vec2 nodeAt(std::size_t element, std::size_t corner) {
         return mesh().nodes[index(mesh().elements[element][corner])];
     }

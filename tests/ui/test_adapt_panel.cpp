@@ -52,7 +52,7 @@ class Adapting : public MeshedSquare {
   public:
     Adapting() { openPanel(*this); }
     const AdaptProgress &adaptation() { return context().adaptation.now(); }
-    const Mesh &roundMesh(std::size_t round) { return adaptation().rounds[round]->mesh; }
+    const TriMesh &roundMesh(std::size_t round) { return adaptation().rounds[round]->mesh; }
 };
 
 } // namespace
@@ -189,7 +189,7 @@ TEST_CASE("Adapt: dropping the rounds of a running adaptation does not wait for 
                                   return Result<AdaptOutcome>(error("cancelled", "test"));
                               });
         AdaptRequest request;
-        request.mesh = std::make_shared<const MeshView>();
+        request.mesh = std::make_shared<const MeshSnapshot>();
         adaptation.start(request);
         begun.get_future().wait();
         adaptation.clear();

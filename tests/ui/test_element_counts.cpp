@@ -14,7 +14,7 @@ namespace {
 std::ptrdiff_t edges(Draughtsman &driver, std::int32_t tag) {
     driver.key(key::kF5);
     driver.settle();
-    const Mesh &mesh = driver.run().mesh->mesh;
+    const TriMesh &mesh = driver.run().mesh->mesh;
     return std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; });
 }
 

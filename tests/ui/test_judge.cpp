@@ -57,7 +57,7 @@ void showValues(Draughtsman &driver, const MeshFields &made) {
 
 TEST_CASE("Judge: a mesh of every format opens with the figures that the check command prints") {
     JudgedSquare maker;
-    const Mesh made = maker.mesh();
+    const TriMesh made = maker.mesh();
     TemporaryFolder folder;
     for (const FileFormat &format : allFormats().list()) {
         if (!format.readsMesh || !format.writesMesh) {
@@ -70,7 +70,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
         openMesh(driver.context(), file);
         driver.settle();
         REQUIRE(driver.context().run.showsFile());
-        const Mesh read = allFormats().readMesh(file).value();
+        const TriMesh read = allFormats().readMesh(file).value();
         const MeshQuality quality = measureQuality(read, nullptr);
         CHECK(driver.run().quality.elements == made.elements.size());
         CHECK(driver.run().quality.alphaMin == quality.alphaMin);
@@ -96,7 +96,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
 
 TEST_CASE("Judge: an invalid mesh is shown with its faults, and a file that holds none is refused") {
     JudgedSquare maker;
-    Mesh turned = maker.mesh();
+    TriMesh turned = maker.mesh();
     std::swap(turned.elements[7][0], turned.elements[7][1]);
     TemporaryFolder folder;
     REQUIRE_FALSE(hasErrors(writeMesh(folder / "turned.msh", turned)));
@@ -119,7 +119,7 @@ TEST_CASE("Judge: too little memory to evaluate a mesh gives a fault") {
         throw std::bad_alloc();
     });
     JudgeRequest request;
-    request.mesh = std::make_shared<const MeshView>();
+    request.mesh = std::make_shared<const MeshSnapshot>();
     judge.submit(request);
     while (judge.busy()) {
         std::this_thread::yield();
@@ -399,7 +399,7 @@ TEST_CASE("Probe: every node lists its elements and says whether it is on the bo
     driver.key('I');
     driver.settle();
     REQUIRE(driver.judgement().tree);
-    const Mesh &mesh = driver.mesh();
+    const TriMesh &mesh = driver.mesh();
     for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node) {
         std::string elements;
         for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

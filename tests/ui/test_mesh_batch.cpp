@@ -37,8 +37,8 @@ struct Stage {
 };
 
 /// n x n squares of side 1, each two elements; the first `elements` of them.
-std::shared_ptr<MeshView> lattice(std::uint32_t n, std::size_t elements, std::uint64_t version, Vec2 offset = {}) {
-    auto view = std::make_shared<MeshView>();
+std::shared_ptr<MeshSnapshot> lattice(std::uint32_t n, std::size_t elements, std::uint64_t version, Vec2 offset = {}) {
+    auto view = std::make_shared<MeshSnapshot>();
     view->version = version;
     for (std::uint32_t j = 0; j <= n; ++j) {
         for (std::uint32_t i = 0; i <= n; ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
     Stage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch batch;
-    const auto show = [&](const std::shared_ptr<MeshView> &view) {
+    const auto show = [&](const std::shared_ptr<MeshSnapshot> &view) {
         batch.update(view, false);
         draw(stage, batch);
         return batch.sent();

@@ -82,7 +82,7 @@ Document documentOf(const Sample &sample) {
 }
 
 /// Meshes a document, and checks the shapes of its elements.
-Mesh goodMesh(const Document &document) {
+TriMesh goodMesh(const Document &document) {
     Result<MeshingOutcome> outcome = meshDomain({toDomain(document), spacingOf(document), document.options});
     REQUIRE(outcome.ok());
     const MeshQuality quality = measureQuality(outcome->mesh, nullptr);
@@ -149,7 +149,7 @@ TEST_CASE("Samples: the holes of the bracket keep 24 elements when a parameter m
     for (const char *hole : {"12", "16"}) {
         const auto document = overrideParameters(*driver.context().document.current(), {{"hole", hole}});
         REQUIRE(document.ok());
-        const Mesh mesh = goodMesh(*document);
+        const TriMesh mesh = goodMesh(*document);
         CHECK(std::count_if(mesh.edges.begin(), mesh.edges.end(),
                             [](const TaggedEdge &edge) { return edge.tag == 3; }) == 48);
     }

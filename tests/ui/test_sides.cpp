@@ -92,9 +92,9 @@ TEST_CASE("Side by side: a new mesh restarts the comparison, and closing restore
 
 TEST_CASE("Side by side: another mesh of the domain is shown beside ours, with the figures of both") {
     MeshedSquare driver;
-    const Mesh ours = driver.mesh();
+    const TriMesh ours = driver.mesh();
     const TemporaryFolder folder;
-    Mesh other;
+    TriMesh other;
     other.nodes = {{1, 1}, {9, 1}, {9, 8}, {1, 8}, {5, 4}};
     for (std::uint32_t k = 0; k < 4; ++k) {
         other.elements.push_back({NodeId{k}, NodeId{(k + 1) % 4}, NodeId{4}});

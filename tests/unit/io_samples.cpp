@@ -105,8 +105,8 @@ Document fullDocument() {
     return document;
 }
 
-Mesh twoRegionMesh(std::size_t columns, std::size_t rows) {
-    Mesh mesh = samples::square(columns, rows, 0.2, {1.0 / 3.0, -1e-3}, 7);
+TriMesh twoRegionMesh(std::size_t columns, std::size_t rows) {
+    TriMesh mesh = samples::square(columns, rows, 0.2, {1.0 / 3.0, -1e-3}, 7);
     const std::size_t middle = columns / 2;
     const auto at = [&](std::size_t i, std::size_t j) { return samples::node(j * (columns + 1) + i); };
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -122,9 +122,9 @@ Mesh twoRegionMesh(std::size_t columns, std::size_t rows) {
     return mesh;
 }
 
-std::string difference(const Mesh &a, const Mesh &b) {
+std::string difference(const TriMesh &a, const TriMesh &b) {
     // Formats that collect edges and points by tag change their order, which means nothing.
-    const auto edgesOf = [](const Mesh &mesh) {
+    const auto edgesOf = [](const TriMesh &mesh) {
         std::set<std::tuple<NodeId, NodeId, std::int32_t>> edges;
         for (const TaggedEdge &edge : mesh.edges) {
             edges.emplace(std::min(edge.a, edge.b), std::max(edge.a, edge.b), edge.tag);
@@ -160,7 +160,7 @@ std::string difference(const Mesh &a, const Mesh &b) {
     return text;
 }
 
-std::string written(void (*write)(const Mesh &, TextWriter &), const Mesh &mesh) {
+std::string written(void (*write)(const TriMesh &, TextWriter &), const TriMesh &mesh) {
     StringSink sink;
     TextWriter out(sink);
     write(mesh, out);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
@@ -19,14 +19,14 @@ Document fullDocument();
 /// Returns a mesh with two regions (tags 2 and 5) and an interface, four named boundary parts, a constraint edge that
 /// ends inside, a tagged point, numbers with many digits and names with blanks, quotes and umlauts. Every edge of the
 /// boundary is tagged.
-Mesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
+TriMesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
 
 /// Returns the differences between two meshes in nodes, elements, regions, edges, points or names; empty if they are
 /// equal.
-std::string difference(const Mesh &a, const Mesh &b);
+std::string difference(const TriMesh &a, const TriMesh &b);
 
 /// Returns the text that a format writes for a mesh.
-std::string written(void (*write)(const Mesh &, TextWriter &), const Mesh &mesh);
+std::string written(void (*write)(const TriMesh &, TextWriter &), const TriMesh &mesh);
 
 /// Returns source text for a reader, without a file.
 inline SourceText sourceOf(std::string_view text, std::string name = "memory") {

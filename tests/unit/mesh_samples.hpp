@@ -2,7 +2,7 @@
 
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/boundary/discretise.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -36,10 +36,10 @@ class Random {
 /// Returns the square [0,1]² moved by `offset`, as columns x rows cells of two triangles each, with random diagonals;
 /// inner nodes displaced by up to `jitter` cells (below 0.25 nothing folds). Boundary edges tagged 1 bottom, 2 right, 3
 /// top, 4 left.
-inline Mesh square(std::size_t columns, std::size_t rows, double jitter = 0.0, Vec2 offset = {},
-                   std::uint64_t seed = 1) {
+inline TriMesh square(std::size_t columns, std::size_t rows, double jitter = 0.0, Vec2 offset = {},
+                      std::uint64_t seed = 1) {
     Random random(seed);
-    Mesh mesh;
+    TriMesh mesh;
     const double dx = 1.0 / static_cast<double>(columns), dy = 1.0 / static_cast<double>(rows);
     const auto at = [columns](std::size_t i, std::size_t j) { return node(j * (columns + 1) + i); };
     for (std::size_t j = 0; j <= rows; ++j) {
@@ -74,7 +74,7 @@ inline Mesh square(std::size_t columns, std::size_t rows, double jitter = 0.0, V
 }
 
 /// Returns the discrete domain of `square`: its tagged edges, with the only region on their left.
-inline DiscreteDomain squareDomain(const Mesh &mesh, double area = 1.0) {
+inline DiscreteDomain squareDomain(const TriMesh &mesh, double area = 1.0) {
     DiscreteDomain domain;
     domain.regions = {{1, area}};
     for (const TaggedEdge &edge : mesh.edges) {
@@ -105,8 +105,8 @@ inline std::string list(const Diagnostics &diagnostics) {
 }
 
 /// Returns a square whose right half is another region, with a tagged inner line and a tagged inner point.
-inline Mesh constrainedSquare(std::size_t n, double jitter, Vec2 offset, std::uint64_t seed) {
-    Mesh mesh = samples::square(n, n, jitter, offset, seed);
+inline TriMesh constrainedSquare(std::size_t n, double jitter, Vec2 offset, std::uint64_t seed) {
+    TriMesh mesh = samples::square(n, n, jitter, offset, seed);
     for (const Element &e : mesh.elements) {
         const std::size_t column = std::min({index(e[0]) % (n + 1), index(e[1]) % (n + 1), index(e[2]) % (n + 1)});
         mesh.regions.push_back(column < n / 2 ? 1 : 2);

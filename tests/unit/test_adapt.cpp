@@ -24,7 +24,7 @@ using namespace forefront;
 
 namespace {
 
-std::vector<double> nodeValues(const Mesh &mesh, double (*f)(Vec2)) {
+std::vector<double> nodeValues(const TriMesh &mesh, double (*f)(Vec2)) {
     std::vector<double> values;
     for (const Vec2 p : mesh.nodes) {
         values.push_back(f(p));
@@ -38,7 +38,7 @@ Domain squareOf(double side) {
     return domain;
 }
 
-Mesh uniformMesh(const Domain &domain, double size) {
+TriMesh uniformMesh(const Domain &domain, double size) {
     MeshingJob job;
     job.domain = domain;
     job.spacing.size = size;
@@ -50,7 +50,7 @@ Mesh uniformMesh(const Domain &domain, double size) {
 } // namespace
 
 TEST_CASE("recoverGradient: recovers the gradient of a linear field exactly, at the boundary as well") {
-    const Mesh mesh = samples::square(7, 5, 0.2);
+    const TriMesh mesh = samples::square(7, 5, 0.2);
     const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return 3.0 * p.x - 2.0 * p.y + 1.0; });
     const Result<CornerGradients> recovered = recoverGradient(mesh, *elementGradients(mesh, values));
     REQUIRE(recovered);
@@ -63,7 +63,7 @@ TEST_CASE("recoverGradient: recovers the gradient of a linear field exactly, at 
 }
 
 TEST_CASE("recoverGradient: a curved field is recovered better than by its elements") {
-    const Mesh mesh = samples::square(20, 20, 0.15);
+    const TriMesh mesh = samples::square(20, 20, 0.15);
     const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return std::sin(3.0 * p.x) * std::exp(p.y); });
     const CornerGradients recovered = *recoverGradient(mesh, *elementGradients(mesh, values));
     const std::vector<Vec2> constant = *elementGradients(mesh, values);
@@ -80,7 +80,7 @@ TEST_CASE("recoverGradient: a curved field is recovered better than by its eleme
 }
 
 TEST_CASE("estimateError: a gradient may jump only where regions meet") {
-    Mesh mesh = samples::square(8, 8);
+    TriMesh mesh = samples::square(8, 8);
     const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return std::abs(p.x - 0.5); });
     CHECK(estimateError(mesh, values)->relative() > 0.1);
     for (const Element &element : mesh.elements) {
@@ -94,7 +94,7 @@ TEST_CASE("estimateError: a gradient may jump only where regions meet") {
 }
 
 TEST_CASE("estimateError: a constant field has no error and needs no refinement") {
-    const Mesh mesh = samples::square(6, 6, 0.1);
+    const TriMesh mesh = samples::square(6, 6, 0.1);
     const ErrorEstimate estimate = *estimateError(mesh, std::vector<double>(mesh.nodes.size(), 4.0));
     CHECK(estimate.relative() == 0.0);
     const std::vector<double> spacing = *elementSpacing(mesh, estimate, {0.05, 0.0, 1.0, 0.3});
@@ -105,7 +105,7 @@ TEST_CASE("estimateError: a constant field has no error and needs no refinement"
 }
 
 TEST_CASE("elementSpacing: equal errors get equal spacing, and the total meets the target") {
-    const Mesh mesh = samples::square(10, 10);
+    const TriMesh mesh = samples::square(10, 10);
     ErrorEstimate estimate;
     estimate.elements.assign(mesh.elements.size(), 0.01);
     estimate.total = 0.01 * std::sqrt(static_cast<double>(mesh.elements.size()));
@@ -123,7 +123,7 @@ TEST_CASE("elementSpacing: equal errors get equal spacing, and the total meets t
 }
 
 TEST_CASE("elementSpacing: elements at the minimum size do not make the rest ever finer") {
-    const Mesh mesh = samples::square(20, 20);
+    const TriMesh mesh = samples::square(20, 20);
     ErrorEstimate estimate;
     estimate.elements.assign(mesh.elements.size(), 1e-4);
     estimate.elements[400] = 1.0; // requests far more than a factor of 6
@@ -138,7 +138,7 @@ TEST_CASE("elementSpacing: elements at the minimum size do not make the rest eve
 }
 
 TEST_CASE("outlineOf: drops nodes that only divide a straight side, and keeps tags and names") {
-    const Mesh mesh = samples::square(9, 4, 0.1, {3.0, 7.0});
+    const TriMesh mesh = samples::square(9, 4, 0.1, {3.0, 7.0});
     const Result<Domain> domain = outlineOf(mesh);
     REQUIRE(domain);
     CHECK(domain->nodes.size() == 4);
@@ -149,13 +149,13 @@ TEST_CASE("outlineOf: drops nodes that only divide a straight side, and keeps ta
     }
     CHECK(tags == std::set<std::int32_t>{1, 2, 3, 4});
     CHECK(domain->boundaryNames == mesh.boundaryNames);
-    Mesh pinned = mesh;
+    TriMesh pinned = mesh;
     pinned.points.push_back({samples::node(4), 7}); // in the middle of the bottom
     CHECK(outlineOf(pinned)->nodes.size() == 5);
 }
 
 TEST_CASE("outlineOf: can be cancelled at each of its reports") {
-    Mesh mesh = samples::square(90, 90, 0.2);
+    TriMesh mesh = samples::square(90, 90, 0.2);
     mesh.regions.assign(mesh.elements.size(), 1);
     mesh.regions.front() = 2; // so that faces are marked
     std::size_t reports = 0, limit = 0;
@@ -232,7 +232,7 @@ TEST_CASE("adaptOnce: one new mesh from nodal values, finer where they need it")
     const auto field = expressionField("atan(30*(hypot(x,y)-1))");
     REQUIRE(field);
     const Domain square = squareOf(2.0);
-    const Mesh first = uniformMesh(square, 0.2);
+    const TriMesh first = uniformMesh(square, 0.2);
     const Result<std::vector<double>> values = (*field)(first, {});
     REQUIRE(values);
     const AdaptTarget target{0.06, 0.0, 0.5, 0.3};
@@ -280,7 +280,7 @@ TEST_CASE("adapt: reports each round and stops when finer meshes do not lower th
 }
 
 TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports") {
-    const Mesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports per stage
+    const TriMesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports per stage
     const std::vector<double> values = nodeValues(mesh, [](Vec2 p) { return std::atan(20.0 * (length(p) - 0.7)); });
     const AdaptTarget target{0.02, 0.0, 0.2, 0.3};
     std::vector<std::string> reports;
@@ -371,13 +371,13 @@ TEST_CASE(
     const Domain domain = lShape();
     std::vector<Vec2> uniform, adapted; // energy error against degrees of freedom
     for (const double size : {0.2, 0.1, 0.05, 0.025}) {
-        const Mesh mesh = uniformMesh(domain, size);
+        const TriMesh mesh = uniformMesh(domain, size);
         uniform.push_back({static_cast<double>(mesh.nodes.size()), cornerEnergyError(mesh, solveCornerProblem(mesh))});
     }
-    const NodalField solver = [](const Mesh &mesh, const Progress &) -> Result<std::vector<double>> {
+    const NodalField solver = [](const TriMesh &mesh, const Progress &) -> Result<std::vector<double>> {
         return solveCornerProblem(mesh);
     };
-    Mesh mesh = uniformMesh(domain, 0.2);
+    TriMesh mesh = uniformMesh(domain, 0.2);
     for (const double target : {0.06, 0.03, 0.015, 0.0075}) {
         Result<AdaptOutcome> outcome = adaptMesh(domain, std::move(mesh), solver, {target, 0.0, 0.5, 0.3}, 5, {});
         REQUIRE(outcome);

@@ -45,7 +45,7 @@ TEST_CASE("Advance: fills a disc with nearly equilateral elements") {
         while (mesher->advance(100) == 100) {
         }
         CHECK(mesher->finished());
-        const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+        const TriMesh mesh = toMesh(mesher->state(), mesher->boundary());
         CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
         CHECK(measureQuality(mesh, &mesher->spacing()).alphaMean > 0.95);
     }
@@ -63,7 +63,7 @@ TEST_CASE("Advance: corners are not closed by a segment far longer than the node
     auto mesher = mesherOn(DiscreteBuilder().loop(nodes).region(1, 2.25 * std::numbers::sqrt3).build(), 0.4,
                            GridKind::Hierarchical, Method::Fast);
     mesher->advance(~std::uint64_t{0});
-    const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+    const TriMesh mesh = toMesh(mesher->state(), mesher->boundary());
     CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
     CHECK(mesh.elements.size() > 16); // with all corners closed, it is 13
 }
@@ -73,7 +73,7 @@ TEST_CASE("Advance: a slit, a hole and an isolated point are all in the mesh") {
         for (const double h : {0.05, 0.1, 0.3}) {
             auto mesher = mesherOn(discretePlate(h), h, GridKind::Hierarchical, method);
             mesher->advance(~std::uint64_t{0});
-            const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+            const TriMesh mesh = toMesh(mesher->state(), mesher->boundary());
             CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
         }
     }

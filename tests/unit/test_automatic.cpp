@@ -81,7 +81,7 @@ TEST_CASE("Automatic spacing: two elements fit across a channel, and open water 
     job.domain = domain;
     const auto outcome = meshDomain(job);
     REQUIRE(outcome);
-    const Mesh &mesh = outcome->mesh;
+    const TriMesh &mesh = outcome->mesh;
     for (const Element &element : mesh.elements) {
         for (int k = 0; k < 3; ++k) {
             const Vec2 a = mesh.nodes[index(element[k])], b = mesh.nodes[index(element[(k + 1) % 3])];
@@ -121,7 +121,7 @@ TEST_CASE("Automatic spacing: a narrow tip is one long element, unless a size is
     const auto shortestAtTip = [](MeshingJob job) {
         const auto outcome = meshDomain(job);
         REQUIRE(outcome);
-        const Mesh &mesh = outcome->mesh;
+        const TriMesh &mesh = outcome->mesh;
         double shortest = 1e9;
         for (const TaggedEdge &edge : mesh.edges) {
             const Vec2 a = mesh.nodes[index(edge.a)], b = mesh.nodes[index(edge.b)];

@@ -117,7 +117,7 @@ TEST_CASE("FileSet: if a file cannot get its name, those that have theirs are ta
 
 TEST_CASE("Triangle: a disc that is full keeps the old files of a mesh together") {
     const TemporaryFolder folder;
-    const Mesh small = samples::square(2, 2), large = samples::square(40, 40);
+    const TriMesh small = samples::square(2, 2), large = samples::square(40, 40);
     REQUIRE(writeMesh(folder / "plate.node", small, "triangle").empty());
     const std::string nodes = bytesOf(folder / "plate.node"), elements = bytesOf(folder / "plate.ele");
     {
@@ -149,7 +149,7 @@ TEST_CASE("Triangle: files of different meshes are not read as one") {
             std::filesystem::copy_file(folder / from, folder / (std::string("c.") + each),
                                        std::filesystem::copy_options::overwrite_existing);
         }
-        const Result<Mesh> mixed = readMesh(folder / "c.node");
+        const Result<TriMesh> mixed = readMesh(folder / "c.node");
         REQUIRE_FALSE(mixed.ok());
         CHECK(mixed.faults().front().code == "mixed-files");
         CHECK(mixed.faults().front().file == (folder / (std::string("c.") + extension)).string());

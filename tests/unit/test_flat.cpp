@@ -85,7 +85,7 @@ TEST_CASE("Flat: a point nearly on a segment lies between its ends") {
 }
 
 TEST_CASE("verify: warns of flat elements, and of nothing else where their area is positive") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0.1, 0.1}, {0.9, 0.9}, {0.7, std::nextafter(0.7, 1.0)}, {0.9, 0.1}, {0.1, 0.9}};
     mesh.elements = {{node(0), node(1), node(2)},
                      {node(0), node(3), node(1)},

@@ -31,7 +31,7 @@ class StripRun {
         inThem_ = state_.elements.size();
     }
 
-    Mesh finish() {
+    TriMesh finish() {
         HierarchicalGrid grid(bounds_, 4.0);
         for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
             if (state_.front[SlotId{i}].alive) {
@@ -111,7 +111,7 @@ TEST_CASE("runStrips: the same mesh and work in sequence and on 1, 2, 3 and 8 th
         REQUIRE(prepared);
         const double perStrip = std::max(20.0, prepared->estimatedElements / 14.0);
         StripRun single(*prepared, perStrip);
-        const Mesh expected = single.finish();
+        const TriMesh expected = single.finish();
         REQUIRE(verifyAgainst(expected, *prepared->boundary).empty());
         for (const unsigned threads : {1U, 2U, 3U, 8U}) {
             CAPTURE(threads);
@@ -138,7 +138,7 @@ TEST_CASE("runStrips: strips of a large mesh leave little to the end, and can be
     REQUIRE(run.strips() > 16);
     run.together(2);
     const std::size_t before = run.elementsInStrips();
-    const Mesh mesh = run.finish();
+    const TriMesh mesh = run.finish();
     CHECK(verifyAgainst(mesh, *prepared->boundary).empty());
     CHECK(static_cast<double>(before) > 0.98 * static_cast<double>(mesh.elements.size()));
 

@@ -3,7 +3,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mesh/elements_across.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/mesher/pipeline.hpp"
 #include "core/engine/spacing/part_list.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
@@ -28,14 +28,14 @@ Domain outlineOf(const std::vector<Vec2> &loop) {
     return domain;
 }
 
-Mesh meshOf(const Domain &domain, const SpacingSpec &spacing, const MeshingOptions &options = {}) {
+TriMesh meshOf(const Domain &domain, const SpacingSpec &spacing, const MeshingOptions &options = {}) {
     const auto outcome = meshDomain({domain, spacing, options});
     REQUIRE(outcome.ok());
     return outcome->mesh;
 }
 
 /// Returns the smallest number of elements across any gap of the mesh.
-double fewestAcross(const Mesh &mesh) {
+double fewestAcross(const TriMesh &mesh) {
     double fewest = std::numeric_limits<double>::infinity();
     for (const double value : elementsAcross(mesh, edgesOf(mesh))) {
         fewest = value < fewest ? value : fewest; // false for NaN
@@ -88,7 +88,7 @@ TEST_CASE("Elements across gaps: a channel gets the number with a given size, an
     for (SpacingSpec &spec : specs) {
         for (const double count : {4.0, 7.0}) {
             spec.elementsAcross = count;
-            const Mesh mesh = meshOf(domain, spec);
+            const TriMesh mesh = meshOf(domain, spec);
             CAPTURE(count);
             CHECK(fewestAcross(mesh) >= count);
             CHECK(fewestAcross(mesh) <= 1.5 * count + 1.0);
@@ -119,7 +119,7 @@ TEST_CASE("Elements across gaps: walls of short segments, slanted and curved wal
 
     const Document ring = edit_test::documentOf({edit_test::makeShape(ShapeKind::Circle, {{0, 0}, {5, 0}}),
                                                  edit_test::makeShape(ShapeKind::Circle, {{0.2, 0}, {4.2, 0}})});
-    const Mesh mesh = meshOf(toDomain(ring), spec);
+    const TriMesh mesh = meshOf(toDomain(ring), spec);
     CHECK(fewestAcross(mesh) >= 5.0);
     CHECK(mesh.elements.size() < 5000);
 }
@@ -203,7 +203,7 @@ TEST_CASE("Elements across gaps: the measure counts across interfaces and constr
     coarse.size = 1.0;
     for (const bool inclusion : {false, true}) {
         for (const bool markers : {false, true}) {
-            Mesh mesh = meshOf(layered(inclusion, markers), coarse);
+            TriMesh mesh = meshOf(layered(inclusion, markers), coarse);
             CHECK(fewestAcross(mesh) == 1.0);
             mesh.regions.clear(); // the tagged edges remain
             CHECK(fewestAcross(mesh) == 1.0);

@@ -25,7 +25,7 @@ using samples::node;
 
 namespace {
 
-std::map<std::int32_t, double> areasByRegion(const Mesh &mesh) {
+std::map<std::int32_t, double> areasByRegion(const TriMesh &mesh) {
     std::map<std::int32_t, double> areas;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
@@ -42,8 +42,8 @@ TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of
     for (const double jitter : {0.0, 0.1, 0.24}) {
         for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}}) {
             for (const std::size_t n : {3U, 5U, 12U, 40U}) {
-                const Mesh before = samples::constrainedSquare(n, jitter, offset, ++seed);
-                Mesh mesh = before;
+                const TriMesh before = samples::constrainedSquare(n, jitter, offset, ++seed);
+                TriMesh mesh = before;
                 const ImproveReport report =
                     improve(mesh, {seed % 2 == 0 ? ImproveLevel::Default : ImproveLevel::Best, 2, nullptr});
                 const Diagnostics faults = verify(mesh);
@@ -75,7 +75,7 @@ TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of
 
 TEST_CASE("improve: a distorted square grid with random diagonals becomes a good mesh") {
     for (const ImproveLevel level : {ImproveLevel::Default, ImproveLevel::Best}) {
-        Mesh mesh = samples::square(60, 60, 0.24);
+        TriMesh mesh = samples::square(60, 60, 0.24);
         CHECK(measureQuality(mesh, nullptr).alphaGeometricMean < 0.82);
         improve(mesh, {level, 1, nullptr});
         const MeshQuality q = measureQuality(mesh, nullptr);
@@ -85,10 +85,10 @@ TEST_CASE("improve: a distorted square grid with random diagonals becomes a good
 }
 
 TEST_CASE("improve: level Default adds and removes nodes only in a mesh that is still poor") {
-    Mesh good = samples::square(60, 60, 0.24);
+    TriMesh good = samples::square(60, 60, 0.24);
     const ImproveReport once = improve(good);
     CHECK(once.merges + once.divisions == 0);
-    Mesh poor = samples::constrainedSquare(40, 0.0, {}, 4);
+    TriMesh poor = samples::constrainedSquare(40, 0.0, {}, 4);
     const ImproveReport further = improve(poor);
     CHECK(further.merges + further.divisions > 0);
     CHECK(measureQuality(poor, nullptr).alphaGeometricMean > 0.945);
@@ -96,7 +96,7 @@ TEST_CASE("improve: level Default adds and removes nodes only in a mesh that is 
 }
 
 TEST_CASE("improve: improving again does not lower the minimum α") {
-    Mesh mesh = samples::square(30, 30, 0.24, {}, 5);
+    TriMesh mesh = samples::square(30, 30, 0.24, {}, 5);
     improve(mesh);
     for (int i = 0; i < 4; ++i) {
         const double minimum = measureQuality(mesh, nullptr).alphaMin;
@@ -106,8 +106,8 @@ TEST_CASE("improve: improving again does not lower the minimum α") {
 }
 
 TEST_CASE("improve: the same mesh gives the same result bit for bit") {
-    Mesh a = samples::constrainedSquare(25, 0.24, {3.0, 4.0}, 77);
-    Mesh b = a;
+    TriMesh a = samples::constrainedSquare(25, 0.24, {3.0, 4.0}, 77);
+    TriMesh b = a;
     improve(a);
     improve(b);
     CHECK(meshHash(a) == meshHash(b));
@@ -115,7 +115,7 @@ TEST_CASE("improve: the same mesh gives the same result bit for bit") {
 
 TEST_CASE("improve: nearly flat elements along a line improve and none becomes inverted") {
     // Inner nodes lie 1e-13 above the bottom edge: elements with α near 0 whose sign only exact arithmetic decides.
-    Mesh mesh = samples::square(10, 10);
+    TriMesh mesh = samples::square(10, 10);
     for (std::size_t i = 1; i < 10; ++i) {
         mesh.nodes[11 + i].y = 1e-13;
     }
@@ -128,7 +128,7 @@ TEST_CASE("improve: nearly flat elements along a line improve and none becomes i
 
 TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
     for (int report = 0; report < 9; ++report) {
-        Mesh mesh = samples::constrainedSquare(20, 0.24, {}, 9);
+        TriMesh mesh = samples::constrainedSquare(20, 0.24, {}, 9);
         const testing::StopAt stop(report);
         const ImproveReport result = improve(mesh, {}, stop.progress());
         CHECK(verify(mesh).empty());
@@ -138,10 +138,10 @@ TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
 
 TEST_CASE("improve: cancelled by another thread at any moment it leaves a valid mesh with no lower minimum α") {
     // Whatever the moments are on this machine; the case below is stopped for certain.
-    const Mesh raw = samples::square(250, 250, 0.24, {}, 5);
+    const TriMesh raw = samples::square(250, 250, 0.24, {}, 5);
     const double minimum = measureQuality(raw, nullptr).alphaMin;
     for (int delay = 0; delay < 40; delay += forefront::testing::kSanitized ? 7 : 1) {
-        Mesh mesh = raw;
+        TriMesh mesh = raw;
         std::stop_source stop;
         Progress progress;
         progress.stop = stop.get_token();
@@ -157,9 +157,9 @@ TEST_CASE("improve: cancelled by another thread at any moment it leaves a valid 
 }
 
 TEST_CASE("improve: cancelled before it begins it moves nothing") {
-    const Mesh raw = samples::square(50, 50, 0.24, {}, 5);
+    const TriMesh raw = samples::square(50, 50, 0.24, {}, 5);
     for (const unsigned threads : {1U, 3U}) {
-        Mesh mesh = raw;
+        TriMesh mesh = raw;
         std::stop_source stop;
         stop.request_stop();
         Progress progress;
@@ -170,7 +170,7 @@ TEST_CASE("improve: cancelled before it begins it moves nothing") {
 }
 
 TEST_CASE("improve: reports CPU time, no more than the program has used") {
-    Mesh mesh = samples::square(200, 200, 0.24);
+    TriMesh mesh = samples::square(200, 200, 0.24);
     CpuClock clock(CpuClock::Of::Program);
     const ImproveReport report = improve(mesh, {ImproveLevel::Best, 2, nullptr});
     CHECK(report.seconds > 0.0);
@@ -178,10 +178,10 @@ TEST_CASE("improve: reports CPU time, no more than the program has used") {
 }
 
 TEST_CASE("improve: does not change an empty mesh or a single element") {
-    Mesh empty;
+    TriMesh empty;
     improve(empty);
     CHECK(empty.elements.empty());
-    Mesh one;
+    TriMesh one;
     one.nodes = {{0, 0}, {1, 0}, {0, 1}};
     one.elements = {{node(0), node(1), node(2)}};
     const std::uint64_t before = meshHash(one);
@@ -190,7 +190,7 @@ TEST_CASE("improve: does not change an empty mesh or a single element") {
 }
 
 TEST_CASE("improve: a node with more elements than can be counted does not move and the mesh stays valid") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes.push_back({0.3, 0.2});
     constexpr std::size_t kSpokes = 400;
     for (std::size_t i = 0; i < kSpokes; ++i) {
@@ -205,7 +205,7 @@ TEST_CASE("improve: a node with more elements than can be counted does not move 
 TEST_CASE("NodeSmoother: no element falls below the floor, and none below it gets worse") {
     ThreadPool pool(1);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        Mesh mesh = samples::square(15, 15, 0.24, {}, seed);
+        TriMesh mesh = samples::square(15, 15, 0.24, {}, seed);
         ImproveWorkspace work(mesh, pool);
         NodeSmoother smoother(work, nullptr);
         for (const double floor : {0.0, 0.5, 0.9}) {
@@ -221,7 +221,7 @@ TEST_CASE("NodeSmoother: no element falls below the floor, and none below it get
 
 TEST_CASE("NodeSmoother: edges take the lengths of the spacing") {
     // A lattice of equal columns, with a target width twice as large on the right as on the left.
-    Mesh mesh = samples::square(24, 24);
+    TriMesh mesh = samples::square(24, 24);
     SpacingSpec spec;
     spec.expression = "(1+x)/36";
     Domain domain;
@@ -240,7 +240,7 @@ TEST_CASE("NodeSmoother: edges take the lengths of the spacing") {
 
 TEST_CASE("cleanUpWorst: brings elements that smoothing leaves poor to the minimum α and angle") {
     for (const unsigned threads : {1U, 3U}) {
-        Mesh mesh = samples::square(30, 30, 0.24, {}, 11);
+        TriMesh mesh = samples::square(30, 30, 0.24, {}, 11);
         ThreadPool pool(threads);
         ImproveWorkspace work(mesh, pool);
         const double minimum = work.measureAlpha();
@@ -260,7 +260,7 @@ TEST_CASE("cleanUpWorst: brings elements that smoothing leaves poor to the minim
 }
 
 TEST_CASE("cleanUpWorst: elements that nothing can improve are tried once, then once with their surroundings") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {1, 0.1}, {0, 0.1}};
     mesh.elements = {{NodeId{0}, NodeId{1}, NodeId{2}}, {NodeId{0}, NodeId{2}, NodeId{3}}};
     ThreadPool pool(1);
@@ -271,7 +271,7 @@ TEST_CASE("cleanUpWorst: elements that nothing can improve are tried once, then 
 }
 
 TEST_CASE("cleanUpWorst: ends early where most elements miss the goal and hardly one meets it after a round") {
-    Mesh mesh = samples::square(60, 60, 0.24, {}, 11);
+    TriMesh mesh = samples::square(60, 60, 0.24, {}, 11);
     for (Vec2 &p : mesh.nodes) {
         p.x *= 1000.0;
     }
@@ -284,7 +284,7 @@ TEST_CASE("cleanUpWorst: ends early where most elements miss the goal and hardly
 }
 
 TEST_CASE("CleanupBatches: each element is in one batch, and no two of a batch touch the same nodes") {
-    Mesh mesh = samples::square(20, 20, 0.2);
+    TriMesh mesh = samples::square(20, 20, 0.2);
     ThreadPool pool(1);
     const ImproveWorkspace work(mesh, pool);
     std::vector<std::uint32_t> all(mesh.elements.size());
@@ -328,12 +328,12 @@ TEST_CASE("improve: any number of threads makes the same mesh bit for bit") {
     const std::vector<unsigned> counts =
         forefront::testing::kSanitized ? std::vector{1U, 2U, 8U} : std::vector{1U, 2U, 3U, 5U, 8U};
     // In the second, swaps depend on each other in chains that cross its elements in memory.
-    for (const Mesh &raw :
+    for (const TriMesh &raw :
          {samples::constrainedSquare(200, 0.24, {3.0, 4.0}, 77), samples::square(150, 150, 0.24, {}, 13)}) {
         for (const ImproveLevel level : {ImproveLevel::Default, ImproveLevel::Best}) {
             std::set<std::uint64_t> hashes;
             for (const unsigned threads : counts) {
-                Mesh mesh = raw;
+                TriMesh mesh = raw;
                 improve(mesh, {level, threads, nullptr});
                 hashes.insert(meshHash(mesh));
             }

@@ -23,7 +23,7 @@ std::vector<NodeId> ringOf(const ImproveWorkspace &work, std::size_t n) {
 }
 
 /// Returns the same mesh with its nodes numbered at random, so that neighbours lie anywhere in memory.
-Mesh shuffled(Mesh mesh, std::uint64_t seed) {
+TriMesh shuffled(TriMesh mesh, std::uint64_t seed) {
     std::vector<std::uint32_t> place(mesh.nodes.size());
     std::iota(place.begin(), place.end(), 0U);
     std::shuffle(place.begin(), place.end(), std::mt19937_64(seed));
@@ -46,7 +46,7 @@ Mesh shuffled(Mesh mesh, std::uint64_t seed) {
 } // namespace
 
 TEST_CASE("ImproveWorkspace: neighbours are those of the mesh except across fixed edges") {
-    Mesh mesh = samples::constrainedSquare(12, 0.2, {}, 3);
+    TriMesh mesh = samples::constrainedSquare(12, 0.2, {}, 3);
     ThreadPool pool(1);
     const ImproveWorkspace work(mesh, pool);
     const auto expected = elementNeighbours(mesh);
@@ -68,7 +68,7 @@ TEST_CASE("ImproveWorkspace: neighbours are those of the mesh except across fixe
 
 TEST_CASE(
     "ImproveWorkspace: rings go once around each free node, counter-clockwise, in the same order for any threads") {
-    Mesh mesh = samples::square(150, 150, 0.2);
+    TriMesh mesh = samples::square(150, 150, 0.2);
     ThreadPool one(1), three(3);
     const ImproveWorkspace work(mesh, one), again(mesh, three);
     CHECK(work.twin == again.twin);
@@ -90,7 +90,7 @@ TEST_CASE(
 }
 
 TEST_CASE("swapEdge: keeps neighbours, valences and rings up to date") {
-    Mesh mesh = samples::square(12, 12, 0.2);
+    TriMesh mesh = samples::square(12, 12, 0.2);
     mesh.edges.push_back({mesh.elements[100][0], mesh.elements[100][1], 5});
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
@@ -114,8 +114,8 @@ TEST_CASE("swapEdge: keeps neighbours, valences and rings up to date") {
 }
 
 TEST_CASE("ImproveWorkspace: rings are the same where neighbours lie too far apart in memory to be stored") {
-    const Mesh near = samples::square(300, 300, 0.2), far = shuffled(near, 1);
-    Mesh meshes[2] = {near, far};
+    const TriMesh near = samples::square(300, 300, 0.2), far = shuffled(near, 1);
+    TriMesh meshes[2] = {near, far};
     ThreadPool pool(1);
     const ImproveWorkspace a(meshes[0], pool), b(meshes[1], pool);
     std::size_t walked = 0;
@@ -139,11 +139,11 @@ TEST_CASE("ImproveWorkspace: rings are the same where neighbours lie too far apa
 TEST_CASE("swapEdges: several threads swap the same edges in the same order as one") {
     // In seeds 13 and 30 swaps near the edges of blocks of elements depend on each other in chains.
     for (const std::uint64_t seed : {1U, 2U, 13U, 30U}) {
-        Mesh raw = samples::square(150, 150, 0.24, {}, seed);
+        TriMesh raw = samples::square(150, 150, 0.24, {}, seed);
         if (seed % 2 == 0) {
             std::shuffle(raw.elements.begin(), raw.elements.end(), std::mt19937_64(seed));
         }
-        Mesh meshes[2] = {raw, raw};
+        TriMesh meshes[2] = {raw, raw};
         ThreadPool one(1), three(3);
         ImproveWorkspace a(meshes[0], one), b(meshes[1], three);
         a.measureAlpha();
@@ -163,10 +163,10 @@ TEST_CASE("swapEdges: several threads swap the same edges in the same order as o
 }
 
 TEST_CASE("swapEdges: takes the short diagonal of a kite unless the long one is tagged") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{-2, 0}, {0, -0.5}, {2, 0}, {0, 0.5}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
-    Mesh tagged = mesh;
+    TriMesh tagged = mesh;
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
     work.measureAlpha();
@@ -179,7 +179,7 @@ TEST_CASE("swapEdges: takes the short diagonal of a kite unless the long one is 
 }
 
 TEST_CASE("undoSwap: restores elements, neighbours and α after a swap") {
-    Mesh mesh = samples::square(6, 6, 0.2);
+    TriMesh mesh = samples::square(6, 6, 0.2);
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
     work.measureAlpha();

@@ -32,7 +32,7 @@ std::size_t behind(const std::string &bytes, const std::string &section) {
 
 void checkRefused(const std::string &bytes, const char *code, std::size_t place) {
     CAPTURE(code);
-    const Result<Mesh> mesh = readMsh(sourceOf(bytes, "broken.msh"));
+    const Result<TriMesh> mesh = readMsh(sourceOf(bytes, "broken.msh"));
     REQUIRE(!mesh.ok());
     REQUIRE(mesh.faults().size() == 1);
     const Diagnostic &fault = mesh.faults().front();
@@ -43,10 +43,10 @@ void checkRefused(const std::string &bytes, const char *code, std::size_t place)
 } // namespace
 
 TEST_CASE("Binary MSH: gives the same mesh as the ASCII file, for any order of blocks") {
-    const Mesh mesh = twoRegionMesh();
-    const Result<Mesh> text = readMsh(sourceOf(written(writeMsh4, mesh)));
+    const TriMesh mesh = twoRegionMesh();
+    const Result<TriMesh> text = readMsh(sourceOf(written(writeMsh4, mesh)));
     const std::string bytes = written(writeMsh4Binary, mesh);
-    const Result<Mesh> binary = readMsh(sourceOf(bytes));
+    const Result<TriMesh> binary = readMsh(sourceOf(bytes));
     REQUIRE(text.ok());
     REQUIRE_MESSAGE(binary.ok(), messages(binary.faults()));
     CHECK(meshHash(*text) == meshHash(*binary));
@@ -56,18 +56,18 @@ TEST_CASE("Binary MSH: gives the same mesh as the ASCII file, for any order of b
 }
 
 TEST_CASE("Binary MSH: reads numbers whose bytes look like blanks, line ends or section names") {
-    Mesh mesh = samples::square(4, 4);
+    TriMesh mesh = samples::square(4, 4);
     const char name[] = "\n$EndNod";
     std::memcpy(&mesh.nodes[12].x, name, sizeof(double));
     std::memset(static_cast<void *>(&mesh.nodes[3].y), ' ', sizeof(double));
     mesh.elements.resize(1); // only the numbers matter
-    const Result<Mesh> back = readMsh(sourceOf(written(writeMsh4Binary, mesh)));
+    const Result<TriMesh> back = readMsh(sourceOf(written(writeMsh4Binary, mesh)));
     REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
     CHECK(back->nodes == mesh.nodes);
 }
 
 TEST_CASE("Binary MSH: nodal values are read as field and as spacing") {
-    const Mesh mesh = samples::square(2, 2);
+    const TriMesh mesh = samples::square(2, 2);
     std::string bytes = written(writeMsh4Binary, mesh) + "$NodeData\n1\n\"heat\"\n1\n0\n3\n0\n1\n9\n";
     for (std::int32_t node = 1; node <= 9; ++node) {
         const double value = 10.0 / node;
@@ -91,7 +91,7 @@ TEST_CASE("Binary MSH: nodal values are read as field and as spacing") {
 }
 
 TEST_CASE("Binary MSH: values of triangles are read in the order of the mesh") {
-    const Mesh mesh = twoRegionMesh();
+    const TriMesh mesh = twoRegionMesh();
     std::string bytes = written(writeMsh4Binary, mesh);
     const auto all = static_cast<std::int32_t>(mesh.points.size() + mesh.edges.size() + mesh.elements.size());
     bytes += "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n" + std::to_string(all) + "\n";
@@ -112,7 +112,7 @@ TEST_CASE("Binary MSH: values of triangles are read in the order of the mesh") {
 }
 
 TEST_CASE("Binary MSH: refuses impossible values with their byte") {
-    const Mesh mesh = twoRegionMesh(4, 2);
+    const TriMesh mesh = twoRegionMesh(4, 2);
     const std::string bytes = written(writeMsh4Binary, mesh);
     const std::size_t format = behind(bytes, "MeshFormat"), entities = behind(bytes, "Entities"),
                       nodes = behind(bytes, "Nodes"), elements = behind(bytes, "Elements");
@@ -151,7 +151,7 @@ TEST_CASE("Binary MSH: a truncated file is refused with a valid byte position") 
     const std::string bytes = written(writeMsh4Binary, twoRegionMesh(3, 2));
     for (std::size_t size = 0; size + 2 < bytes.size(); ++size) {
         CAPTURE(size);
-        const Result<Mesh> mesh = readMsh(sourceOf(bytes.substr(0, size), "cut"));
+        const Result<TriMesh> mesh = readMsh(sourceOf(bytes.substr(0, size), "cut"));
         // After the nodes, a cut between two sections leaves a valid file.
         if (mesh.ok()) {
             const bool afterNodes = size > bytes.find("$EndNodes") && size <= bytes.find("$Elements");
@@ -179,7 +179,7 @@ TEST_CASE("Binary MSH: flipped bits are refused with a place, or harmless") {
             char &byte = broken[random() % broken.size()];
             byte = static_cast<char>(byte ^ (1 << (random() % 8)));
         }
-        const Result<Mesh> mesh = readMsh(sourceOf(broken, "flipped"));
+        const Result<TriMesh> mesh = readMsh(sourceOf(broken, "flipped"));
         refused += mesh.ok() ? 0 : 1;
         CHECK((mesh.ok() || allLocated(mesh.faults())));
     }

@@ -40,7 +40,7 @@ std::function<Diagnostics(const SourceText &)> faultsOf(Result<T> (*read)(const 
 }
 
 std::vector<Seed> seeds() {
-    const Mesh mesh = twoRegionMesh(4, 2);
+    const TriMesh mesh = twoRegionMesh(4, 2);
     std::vector<Seed> list = {
         {"project", projectText(fullDocument()), faultsOf(readProjectText)},
         {"geojson",
@@ -156,7 +156,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Broken files: counts that exceed the file are refused in every format with counts") {
-    const Mesh mesh = samples::square(3, 3);
+    const TriMesh mesh = samples::square(3, 3);
     for (const Format &format : allFormats().formats()) {
         if (format.readMesh == nullptr || format.writeMesh == nullptr || std::string_view(format.about.id) == "inp" ||
             std::string_view(format.about.id) == "obj" || std::string_view(format.about.id) == "vtu" ||

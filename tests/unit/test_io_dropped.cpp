@@ -56,7 +56,7 @@ TEST_CASE("MSH: lines and triangles in several physical groups are kept once, wi
     CHECK(verify(read->mesh).empty());
     // A mesh with one group and a triangle given twice is a faulty mesh.
     const std::string twice = "$Elements\n2\n3 2 2 7 1 1 2 3\n4 2 2 7 1 1 2 3\n$EndElements\n";
-    Result<Mesh> faulty = error("unread", "not read yet");
+    Result<TriMesh> faulty = error("unread", "not read yet");
     CHECK(notesOn(readMsh, kNodes2 + twice, &faulty).empty());
     CHECK(hasErrors(verify(*faulty)));
     const std::string msh4 =
@@ -79,7 +79,7 @@ TEST_CASE("MSH: time steps and fields that are not read are noted") {
 
 TEST_CASE("Abaqus: elements outside every set share no tag with a set") {
     const std::string nodes = "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n";
-    Result<Mesh> mesh = error("unread", "not read yet");
+    Result<TriMesh> mesh = error("unread", "not read yet");
     CHECK(notesOn(readAbaqus,
                   nodes + "*ELEMENT, TYPE=T3D2\n8, 1, 2\n*ELEMENT, TYPE=T3D2, ELSET=wall\n9, 2, 3\n"
                           "*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n2, 1, 3, 4\n*ELSET, ELSET=steel\n2\n",
@@ -113,7 +113,7 @@ TEST_CASE("Abaqus: sets that are not used, or overrule each other, are noted") {
 }
 
 TEST_CASE("OBJ: all points of a statement are read; further values of vertices are noted; comments are comments") {
-    Result<Mesh> mesh = error("unread", "not read yet");
+    Result<TriMesh> mesh = error("unread", "not read yet");
     const std::string text = "# tag along\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\ng fixed\np 1 2 -1\n";
     CHECK(notesOn(readObj, text, &mesh) == "vertex-values 3\n");
     REQUIRE(mesh->points.size() == 3);
@@ -132,7 +132,7 @@ TEST_CASE("Triangle: attributes and labels that are not used are noted; comments
         ImportNotes notes;
         SourceText ofNodes = sourceOf(nodes), ofElements = sourceOf(elements);
         ofNodes.notes = ofElements.notes = &notes;
-        const Result<Mesh> mesh = readTriangleParts(ofNodes, ofElements, nullptr);
+        const Result<TriMesh> mesh = readTriangleParts(ofNodes, ofElements, nullptr);
         REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
         std::string list;
         for (const ImportNote &note : notes.entries()) {

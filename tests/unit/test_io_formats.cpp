@@ -24,8 +24,8 @@ using namespace forefront::testing;
 namespace {
 
 /// OBJ stores faces by group.
-Mesh byRegion(Mesh mesh) {
-    const Mesh old = mesh;
+TriMesh byRegion(TriMesh mesh) {
+    const TriMesh old = mesh;
     std::size_t next = 0;
     for (const std::int32_t region : {2, 5}) {
         for (std::size_t e = 0; e < old.elements.size(); ++e) {
@@ -42,7 +42,7 @@ Mesh byRegion(Mesh mesh) {
 
 TEST_CASE("Formats: a mesh written in any format is read back the same, with tags, names and regions") {
     const TemporaryFolder folder;
-    const Mesh mesh = twoRegionMesh();
+    const TriMesh mesh = twoRegionMesh();
     for (const FileFormat &format : allFormats().list()) {
         if (!format.writesMesh || !format.readsMesh) {
             continue;
@@ -60,7 +60,7 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
 
 TEST_CASE("Formats: reading a mesh of any format reports its progress and can be cancelled") {
     const TemporaryFolder folder;
-    const Mesh mesh = twoRegionMesh(200, 100);
+    const TriMesh mesh = twoRegionMesh(200, 100);
     for (const FileFormat &format : allFormats().list()) {
         if (!format.writesMesh || !format.readsMesh) {
             continue;
@@ -96,7 +96,7 @@ TEST_CASE("Formats: reading a mesh of any format reports its progress and can be
 
 TEST_CASE("Formats: readers that go through the elements twice can be cancelled the second time, too") {
     const TemporaryFolder folder;
-    const Mesh mesh = twoRegionMesh(200, 100);
+    const TriMesh mesh = twoRegionMesh(200, 100);
     for (const char *const id : {"su2", "obj"}) {
         CAPTURE(id);
         const auto path = folder / (std::string("mesh.") + id);
@@ -122,7 +122,7 @@ TEST_CASE("Formats: readers that go through the elements twice can be cancelled 
 
 TEST_CASE("Formats: round trip of a mesh of one region without names, edges or points") {
     const TemporaryFolder folder;
-    Mesh mesh = samples::square(2, 2);
+    TriMesh mesh = samples::square(2, 2);
     mesh.edges.clear();
     mesh.boundaryNames.clear();
     for (const FileFormat &format : allFormats().list()) {
@@ -189,7 +189,7 @@ bcnames
 endmesh
 )";
 
-Result<Mesh> readNetgenText(const std::string &text) {
+Result<TriMesh> readNetgenText(const std::string &text) {
     const TemporaryFolder folder;
     std::ofstream(folder / "mesh.vol") << text;
     return allFormats().readMesh(folder / "mesh.vol");
@@ -236,7 +236,7 @@ TEST_CASE("Netgen: anything other than a plane mesh of triangles is refused with
 
 TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
     const TemporaryFolder folder;
-    const Mesh mesh = twoRegionMesh();
+    const TriMesh mesh = twoRegionMesh();
     for (const char *id : {"msh2", "msh41", "msh41-binary"}) {
         const auto path = folder / "mesh.msh";
         REQUIRE(writeMesh(path, mesh, id).empty());
@@ -257,7 +257,7 @@ TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
 
 TEST_CASE("Formats: the default of an extension, unknown formats and cancelling") {
     const TemporaryFolder folder;
-    const Mesh mesh = samples::square(3, 3);
+    const TriMesh mesh = samples::square(3, 3);
     REQUIRE(writeMesh(folder / "a.MSH", mesh).empty());
     std::string first, version;
     std::ifstream(folder / "a.MSH") >> first >> version;
@@ -277,7 +277,7 @@ TEST_CASE("Formats: the default of an extension, unknown formats and cancelling"
 
 TEST_CASE("Formats: content takes precedence over a wrong extension") {
     const TemporaryFolder folder;
-    const Mesh mesh = samples::square(3, 3);
+    const TriMesh mesh = samples::square(3, 3);
     REQUIRE(writeMesh(folder / "mesh.txt", mesh, "msh2").empty());
     const auto back = allFormats().readMesh(folder / "mesh.txt");
     REQUIRE(back.ok());

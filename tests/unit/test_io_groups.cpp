@@ -23,7 +23,7 @@ std::string twoSquares(const std::string &names, const std::string &lines, int l
            "11 2 2 1 1 1 2 5\n12 2 2 1 1 1 5 4\n13 2 2 2 2 2 3 6\n14 2 2 2 2 2 6 5\n$EndElements\n";
 }
 
-Mesh meshOf(const std::string &text) {
+TriMesh meshOf(const std::string &text) {
     const auto mesh = readMsh(sourceOf(text));
     REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
     return *mesh;
@@ -57,12 +57,12 @@ TEST_CASE("Gmsh domain: a mesh without tagged edges gets one tag for its outer b
 
 TEST_CASE("Gmsh: an entity without a group does not join the group that has its number") {
     // Line 2 lies on entity 1 without a group, line 1 on entity 7 in group 1.
-    const Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 7 4 1\n2 1 2 0 1 1 2\n", 2));
+    const TriMesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 7 4 1\n2 1 2 0 1 1 2\n", 2));
     REQUIRE(mesh.edges.size() == 2);
     CHECK(mesh.edges[0].tag == 1);
     CHECK(mesh.edges[1].tag == 2);
     // Without any groups the entities distinguish the parts.
-    const Mesh plain = meshOf(twoSquares("", "1 1 2 0 7 4 1\n2 1 2 0 3 1 2\n", 2));
+    const TriMesh plain = meshOf(twoSquares("", "1 1 2 0 7 4 1\n2 1 2 0 3 1 2\n", 2));
     CHECK(plain.edges[0].tag == 7);
     CHECK(plain.edges[1].tag == 3);
 }
@@ -76,7 +76,7 @@ TEST_CASE("Gmsh: a default name that a group has already is not given to another
 
 TEST_CASE("Gmsh: a group of points keeps its name apart from the group of lines with the same number") {
     const std::string names = "$PhysicalNames\n2\n0 1 \"gauge\"\n1 1 \"inlet\"\n$EndPhysicalNames\n";
-    const Mesh mesh = meshOf(twoSquares(names, "1 15 2 1 1 5\n2 1 2 1 1 4 1\n", 2));
+    const TriMesh mesh = meshOf(twoSquares(names, "1 15 2 1 1 5\n2 1 2 1 1 4 1\n", 2));
     REQUIRE(mesh.points.size() == 1);
     REQUIRE(mesh.edges.size() == 1);
     CHECK(boundaryName(mesh.boundaryNames, mesh.edges[0].tag) == "inlet");
@@ -85,7 +85,7 @@ TEST_CASE("Gmsh: a group of points keeps its name apart from the group of lines 
 }
 
 TEST_CASE("Curve groups: the independent scanner finds names and lengths in MSH 2.2 and 4.1") {
-    Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n2 1 2 5 2 1 2\n3 1 2 5 3 2 3\n", 3));
+    TriMesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n2 1 2 5 2 1 2\n3 1 2 5 3 2 3\n", 3));
     for (const bool version4 : {false, true}) {
         CAPTURE(version4);
         const auto groups = mshCurveGroups(written(version4 ? writeMsh4 : writeMsh2, mesh));
@@ -104,7 +104,7 @@ TEST_CASE("Curve groups: the independent scanner finds names and lengths in MSH 
 TEST_CASE("Boundary parts: detects an inlet that is longer in the mesh than in the domain file") {
     const TemporaryFolder folder;
     std::ofstream(folder / "domain.msh") << twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1);
-    Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1));
+    TriMesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1));
     CHECK(checkBoundaryParts(mesh, folder / "domain.msh").empty());
     mesh.edges.push_back({NodeId{0}, NodeId{1}, 1});
     const Diagnostics faults = checkBoundaryParts(mesh, folder / "domain.msh");
@@ -116,7 +116,7 @@ TEST_CASE("Boundary parts: detects an inlet that is longer in the mesh than in t
 TEST_CASE("Boundary parts: a length that a repair has changed is expected to differ by that much") {
     const TemporaryFolder folder;
     std::ofstream(folder / "domain.msh") << twoSquares(kInlet, "1 1 2 1 1 4 1\n2 1 2 1 1 1 2\n", 2);
-    const Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1));
+    const TriMesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1));
     CHECK(checkBoundaryParts(mesh, folder / "domain.msh", {}, {{1, -1.0}}).empty());
     const Diagnostics faults = checkBoundaryParts(mesh, folder / "domain.msh", {}, {{1, -0.5}});
     REQUIRE(faults.size() == 1);

@@ -10,7 +10,7 @@
 namespace forefront {
 
 TEST_CASE("Files in memory: every format that can be written to a stream is read back, by id or by name") {
-    const Mesh mesh = samples::constrainedSquare(4, 0.1, {}, 3);
+    const TriMesh mesh = samples::constrainedSquare(4, 0.1, {}, 3);
     int formats = 0;
     for (const FileFormat &format : engineFormats().list()) {
         StringSink sink;
@@ -19,8 +19,8 @@ TEST_CASE("Files in memory: every format that can be written to a stream is read
         }
         CAPTURE(format.id);
         ++formats;
-        const Result<Mesh> byId = readMesh(MemoryFile{sink.text, format.id});
-        const Result<Mesh> byName = readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension});
+        const Result<TriMesh> byId = readMesh(MemoryFile{sink.text, format.id});
+        const Result<TriMesh> byName = readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension});
         const Result<Domain> domain = readDomain(MemoryFile{sink.text, format.id});
         REQUIRE(byId);
         REQUIRE(byName);
@@ -45,12 +45,13 @@ TEST_CASE("Files in memory: a domain by its content alone, and a grid of sizes")
 }
 
 TEST_CASE("Files in memory: faults name the file as the caller does") {
-    const Result<Mesh> bad = readMesh(MemoryFile{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n", "plate.msh"});
+    const Result<TriMesh> bad =
+        readMesh(MemoryFile{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n", "plate.msh"});
     REQUIRE_FALSE(bad);
     CHECK(bad.faults().front().file == "plate.msh");
     CHECK(bad.faults().front().line == 5);
     CHECK(readMesh(MemoryFile{"", "msh2"}).faults().front().code == "empty-file");
-    const Result<Mesh> unknown = readMesh(MemoryFile{"no mesh at all"});
+    const Result<TriMesh> unknown = readMesh(MemoryFile{"no mesh at all"});
     REQUIRE_FALSE(unknown);
     CHECK(unknown.faults().front().code == "unknown-format");
     CHECK(unknown.faults().front().file == "memory");

@@ -31,7 +31,7 @@ std::string codesOf(const ImportNotes &notes) {
 }
 
 /// The fault for an element that refers to a node twice.
-Diagnostic refusalOf(const Result<Mesh> &mesh) {
+Diagnostic refusalOf(const Result<TriMesh> &mesh) {
     REQUIRE_FALSE(mesh.ok());
     CHECK(allLocated(mesh.faults()));
     return mesh.faults()[0];
@@ -92,7 +92,7 @@ TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties a
 
 TEST_CASE("Import notes: mesh formats report what they skip; our own files cause no notes") {
     const TemporaryFolder folder;
-    const Mesh mesh = twoRegionMesh();
+    const TriMesh mesh = twoRegionMesh();
     for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh && format.readsMesh) {
             CAPTURE(format.id);
@@ -134,7 +134,7 @@ TEST_CASE("Readers: refuse an element that refers to a node twice, with its plac
     const std::string vtk = "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n"
                             "0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 1\nCELL_TYPES 1\n5\n";
     CHECK(refusalOf(readVtk(sourceOf(vtk))).code == "degenerate-element");
-    Mesh mesh = twoRegionMesh();
+    TriMesh mesh = twoRegionMesh();
     mesh.elements[3][2] = mesh.elements[3][0];
     CHECK(refusalOf(readMsh(sourceOf(written(writeMsh4Binary, mesh)))).code == "degenerate-element");
     CHECK(refusalOf(readVtu(sourceOf(written(writeVtu, mesh)))).code == "degenerate-element");

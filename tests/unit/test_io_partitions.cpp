@@ -115,7 +115,7 @@ void checkPartitions(const std::string &text) {
     source.notes = &notes;
     const auto read = readMshFields(source);
     REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
-    const Mesh &mesh = read->mesh;
+    const TriMesh &mesh = read->mesh;
     CHECK(mesh.regionNames == std::map<std::int32_t, std::string>{{3, "plate"}});
     CHECK(mesh.boundaryNames == std::map<std::int32_t, std::string>{{7, "inlet"}});
     REQUIRE(mesh.elements.size() == 2);

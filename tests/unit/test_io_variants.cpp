@@ -85,7 +85,7 @@ TEST_CASE("MEDIT: sections of other programs are skipped and noted, empty ones o
 }
 
 TEST_CASE("Counts that a file announces must be those of what it holds") {
-    const auto refused = [](const Result<Mesh> &mesh, const std::string &first, const std::string &second) {
+    const auto refused = [](const Result<TriMesh> &mesh, const std::string &first, const std::string &second) {
         REQUIRE_FALSE(mesh.ok());
         CHECK(allLocated(mesh.faults()));
         CHECK(mesh.faults()[0].code == "bad-count");

@@ -50,9 +50,9 @@ std::int32_t randomTag(samples::Random &random) {
 }
 
 /// A mesh whose regions, edges and points have random tags, often the same, and random names, sometimes the same.
-Mesh randomTaggedMesh(samples::Random &random) {
-    Mesh mesh = samples::square(random.below(5) + 1, random.below(5) + 1, 0.2, {random(-1e3, 1e3), 1.0 / 3.0},
-                                random.below(1000));
+TriMesh randomTaggedMesh(samples::Random &random) {
+    TriMesh mesh = samples::square(random.below(5) + 1, random.below(5) + 1, 0.2, {random(-1e3, 1e3), 1.0 / 3.0},
+                                   random.below(1000));
     mesh.edges.clear();
     mesh.boundaryNames.clear();
     if (random() < 0.8) {
@@ -88,7 +88,7 @@ Mesh randomTaggedMesh(samples::Random &random) {
 }
 
 /// The parts of a mesh that a file must keep, independently of the order of elements, edges and points.
-auto content(const Mesh &mesh) {
+auto content(const TriMesh &mesh) {
     std::set<std::tuple<Element, std::int32_t>> elements;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         Element nodes = mesh.elements[e];
@@ -137,7 +137,7 @@ TEST_CASE("Formats: random meshes keep elements, tags and names in every format"
     const TemporaryFolder folder;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         samples::Random random(seed);
-        const Mesh mesh = randomTaggedMesh(random);
+        const TriMesh mesh = randomTaggedMesh(random);
         const auto expected = content(mesh);
         for (const FileFormat &format : allFormats().list()) {
             if (!format.writesMesh || !format.readsMesh) {
@@ -159,7 +159,7 @@ TEST_CASE("MSH: names and numbers of physical groups differ across dimensions") 
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
         samples::Random random(seed);
-        const Mesh mesh = randomTaggedMesh(random);
+        const TriMesh mesh = randomTaggedMesh(random);
         for (const auto write : {writeMsh2, writeMsh4, writeMsh4Binary}) {
             std::set<std::int32_t> numbers;
             std::set<std::string> names;
@@ -174,7 +174,7 @@ TEST_CASE("MSH: names and numbers of physical groups differ across dimensions") 
 }
 
 TEST_CASE("MSH: edges keep tag and name; regions and points that share them are renumbered and renamed") {
-    Mesh mesh = samples::square(2, 2);
+    TriMesh mesh = samples::square(2, 2);
     mesh.regions.assign(mesh.elements.size(), 1);
     mesh.regions.back() = 7;
     mesh.points = {{samples::node(4), 3}};
@@ -193,7 +193,7 @@ TEST_CASE("MSH: edges keep tag and name; regions and points that share them are 
 }
 
 TEST_CASE("MSH: tags that are distinct across dimensions are the physical numbers, without comments") {
-    Mesh mesh = samples::square(2, 2);
+    TriMesh mesh = samples::square(2, 2);
     mesh.regions.assign(mesh.elements.size(), 8);
     mesh.boundaryNames = {{1, "wall"}};
     const std::string text = written(writeMsh2, mesh);
@@ -213,7 +213,7 @@ TEST_CASE("MSH: broken comments about groups are skipped") {
 }
 
 TEST_CASE("VTK legacy: FIELD blocks have one value per cell; names are look-up tables") {
-    Mesh mesh = twoRegionMesh();
+    TriMesh mesh = twoRegionMesh();
     mesh.boundaryNames[4] = std::string(300, 'x');
     const std::string text = written(writeVtk, mesh);
     const std::size_t points = text.find("POINTS");
@@ -262,7 +262,7 @@ TEST_CASE("SVG: paths of a large mesh are short enough for readers that limit th
 }
 
 TEST_CASE("SU2 and the other formats with names in comments are ASCII files") {
-    Mesh mesh = twoRegionMesh();
+    TriMesh mesh = twoRegionMesh();
     mesh.regionNames[5] = "\xc3\x96l \xe6\xb9\x96 100 %";
     for (const auto write : {writeSu2, writeAbaqus, writeMedit, writeObj}) {
         const std::string text = written(write, mesh);
@@ -285,12 +285,12 @@ TEST_CASE("percentEncoded: the inverse restores every text") {
 }
 
 TEST_CASE("withoutInnerEdges: only edges on the boundary of the triangles stay") {
-    Mesh mesh = twoRegionMesh(8, 5);
+    TriMesh mesh = twoRegionMesh(8, 5);
     mesh.edgeStretches.resize(mesh.edges.size());
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
         mesh.edgeStretches[e].t0 = mesh.edges[e].tag; // to be found again
     }
-    const Mesh outline = withoutInnerEdges(mesh);
+    const TriMesh outline = withoutInnerEdges(mesh);
     REQUIRE(outline.edgeStretches.size() == outline.edges.size());
     for (std::size_t e = 0; e < outline.edges.size(); ++e) {
         CHECK(outline.edgeStretches[e].t0 == outline.edges[e].tag);
@@ -320,7 +320,7 @@ TEST_CASE("acceptsInnerEdges: only SU2 takes every tagged edge for a boundary") 
 
 TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characters, and changes are reported") {
     const TemporaryFolder folder;
-    Mesh mesh = twoRegionMesh();
+    TriMesh mesh = twoRegionMesh();
     mesh.boundaryNames = {{1, std::string(90, 'a')}, {2, std::string(95, 'a')}, {3, "nall"}, {9, "4th of July"}};
     mesh.regionNames = {{2, "water"}, {5, "Water"}};
     std::istringstream lines(written(writeAbaqus, mesh));

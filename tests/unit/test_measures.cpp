@@ -18,19 +18,19 @@ using samples::node;
 namespace {
 
 /// A right triangle with legs 3 and 4, an equilateral one of side 4 below its leg, and a node without elements.
-Mesh unlikeTriangles() {
-    Mesh mesh;
+TriMesh unlikeTriangles() {
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {4, 0}, {0, 3}, {2, -2 * std::numbers::sqrt3}, {9, 9}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}};
     mesh.regions = {1, 7};
     return mesh;
 }
 
-std::vector<double> values(Measure measure, const Mesh &mesh, const SpacingField *spacing = nullptr) {
+std::vector<double> values(Measure measure, const TriMesh &mesh, const SpacingField *spacing = nullptr) {
     return measureValues(measure, mesh, edgesOf(mesh), spacing);
 }
 
-std::shared_ptr<const SpacingField> uniformSpacing(const Mesh &mesh, double size) {
+std::shared_ptr<const SpacingField> uniformSpacing(const TriMesh &mesh, double size) {
     SpacingSpec spec;
     spec.size = size;
     Domain extent;
@@ -41,7 +41,7 @@ std::shared_ptr<const SpacingField> uniformSpacing(const Mesh &mesh, double size
 } // namespace
 
 TEST_CASE("Measures: elements have the values that follow from their corners") {
-    const Mesh mesh = unlikeTriangles();
+    const TriMesh mesh = unlikeTriangles();
     const double small = std::atan2(3.0, 4.0) * 180.0 / std::numbers::pi;
     CHECK(values(Measure::MinAngle, mesh)[0] == doctest::Approx(small));
     CHECK(values(Measure::MaxAngle, mesh)[0] == doctest::Approx(90.0));
@@ -57,7 +57,7 @@ TEST_CASE("Measures: elements have the values that follow from their corners") {
 }
 
 TEST_CASE("Measures: edges are compared with the spacing at their middles") {
-    const Mesh mesh = unlikeTriangles();
+    const TriMesh mesh = unlikeTriangles();
     const MeshEdges edges = edgesOf(mesh);
     REQUIRE(edges.edges.size() == 5);
     CHECK(edges.edges[0].a == node(0)); // 0-1, 0-2, 0-3, 1-2, 1-3
@@ -78,20 +78,20 @@ TEST_CASE("Measures: edges are compared with the spacing at their middles") {
 }
 
 TEST_CASE("Measures: parts without a value are NaN and do not count") {
-    const Mesh mesh = unlikeTriangles();
+    const TriMesh mesh = unlikeTriangles();
     const std::vector<double> valences = values(Measure::Valence, mesh);
     CHECK(valences[0] == 2.0);
     CHECK(valences[2] == 1.0);
     CHECK(std::isnan(valences[4]));
     CHECK(summarise(valences).count == 4);
-    Mesh alone = mesh;
+    TriMesh alone = mesh;
     alone.elements.pop_back();
     CHECK(std::isnan(values(Measure::AreaRatio, alone)[0]));
     CHECK(summarise(values(Measure::AreaRatio, alone)).count == 0);
 }
 
 TEST_CASE("Measures: flat and inverted elements have the worst angles and an unbounded area ratio") {
-    Mesh mesh = unlikeTriangles();
+    TriMesh mesh = unlikeTriangles();
     std::swap(mesh.elements[0][0], mesh.elements[0][1]);
     CHECK(values(Measure::MinAngle, mesh)[0] == 0.0);
     CHECK(values(Measure::MaxAngle, mesh)[0] == 180.0);
@@ -102,7 +102,7 @@ TEST_CASE("Measures: flat and inverted elements have the worst angles and an unb
 }
 
 TEST_CASE("Measures: their figures are those of measureQuality()") {
-    const Mesh mesh = samples::square(23, 17, 0.2);
+    const TriMesh mesh = samples::square(23, 17, 0.2);
     const auto spacing = uniformSpacing(mesh, 0.05);
     const MeshQuality quality = measureQuality(mesh, spacing.get());
     const MeasureSummary alpha = summarise(values(Measure::ShapeFactor, mesh));
@@ -123,7 +123,7 @@ TEST_CASE("Measures: their figures are those of measureQuality()") {
 }
 
 TEST_CASE("Measures: every value lies in the range that its description states") {
-    Mesh mesh = samples::square(40, 3, 0.1);
+    TriMesh mesh = samples::square(40, 3, 0.1);
     for (Vec2 &place : mesh.nodes) {
         place.x *= 10.0; // a strip, whose long sides face each other
     }
@@ -139,7 +139,7 @@ TEST_CASE("Measures: every value lies in the range that its description states")
 }
 
 TEST_CASE("Measures: elements across a gap are counted between parts of the boundary that face each other") {
-    const auto narrowest = [](Mesh mesh, Vec2 stretch) {
+    const auto narrowest = [](TriMesh mesh, Vec2 stretch) {
         for (Vec2 &place : mesh.nodes) {
             place = {stretch.x * place.x, stretch.y * place.y};
         }
@@ -154,7 +154,7 @@ TEST_CASE("Measures: elements across a gap are counted between parts of the boun
 }
 
 TEST_CASE("Measures: where holes touch at a node, the elements around it are not across a gap") {
-    Mesh mesh = samples::square(12, 12);
+    TriMesh mesh = samples::square(12, 12);
     std::erase_if(mesh.elements, [&](const Element &element) { // two holes of 3 x 3 cells, 2 and 4 cells from the edge
         const Vec2 at =
             (4.0 * (mesh.nodes[index(element[0])] + mesh.nodes[index(element[1])] + mesh.nodes[index(element[2])]));
@@ -213,7 +213,7 @@ TEST_CASE("Measures: the worst parts come first, and equal ones are ordered by n
 }
 
 TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places") {
-    const Mesh mesh = unlikeTriangles();
+    const TriMesh mesh = unlikeTriangles();
     MeshLimits limits;
     CHECK_FALSE(limits.any());
     CHECK(checkLimits(mesh, limits, nullptr).empty());

@@ -1,7 +1,7 @@
 #include "core/engine/mesh/edge_table.hpp"
-#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/topology.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
@@ -14,43 +14,43 @@ using namespace forefront;
 using samples::node;
 
 TEST_CASE("Mesh: bounds enclose all nodes and are empty without nodes") {
-    CHECK(Mesh{}.bounds().empty());
-    const Mesh mesh = samples::square(3, 2, 0.2, {10.0, -5.0});
+    CHECK(TriMesh{}.bounds().empty());
+    const TriMesh mesh = samples::square(3, 2, 0.2, {10.0, -5.0});
     CHECK(mesh.bounds() == Box2{{10.0, -5.0}, {11.0, -4.0}});
 }
 
 TEST_CASE("meshHash: any change of coordinates, elements, regions, edges, points or tags changes it") {
-    Mesh mesh = samples::square(4, 4, 0.2);
+    TriMesh mesh = samples::square(4, 4, 0.2);
     mesh.regions.assign(mesh.elements.size(), 1);
     mesh.points = {{node(7), 1}};
     const std::uint64_t before = meshHash(mesh);
-    CHECK(meshHash(Mesh(mesh)) == before);
+    CHECK(meshHash(TriMesh(mesh)) == before);
 
     const auto differs = [&](auto &&change) {
-        Mesh other = mesh;
+        TriMesh other = mesh;
         change(other);
         return meshHash(other) != before;
     };
-    CHECK(differs([](Mesh &m) { m.nodes[3].x = std::nextafter(m.nodes[3].x, 9.0); }));
-    CHECK(differs([](Mesh &m) { m.nodes.push_back({}); }));
-    CHECK(differs([](Mesh &m) {
+    CHECK(differs([](TriMesh &m) { m.nodes[3].x = std::nextafter(m.nodes[3].x, 9.0); }));
+    CHECK(differs([](TriMesh &m) { m.nodes.push_back({}); }));
+    CHECK(differs([](TriMesh &m) {
         m.elements.push_back(m.elements[0]);
         m.regions.push_back(m.regions[0]);
     }));
-    CHECK(differs([](Mesh &m) { std::swap(m.elements[0][0], m.elements[0][1]); }));
-    CHECK(differs([](Mesh &m) { m.regions[5] = 2; }));
-    CHECK(differs([](Mesh &m) { m.edges[2].tag = 9; }));
-    CHECK(differs([](Mesh &m) { m.edges.pop_back(); }));
-    CHECK(differs([](Mesh &m) { m.points[0].tag = 3; }));
-    CHECK(differs([](Mesh &m) { m.points[0].node = node(8); }));
+    CHECK(differs([](TriMesh &m) { std::swap(m.elements[0][0], m.elements[0][1]); }));
+    CHECK(differs([](TriMesh &m) { m.regions[5] = 2; }));
+    CHECK(differs([](TriMesh &m) { m.edges[2].tag = 9; }));
+    CHECK(differs([](TriMesh &m) { m.edges.pop_back(); }));
+    CHECK(differs([](TriMesh &m) { m.points[0].tag = 3; }));
+    CHECK(differs([](TriMesh &m) { m.points[0].node = node(8); }));
 }
 
 TEST_CASE("meshHash: it does not depend on the numbers of nodes and elements, nor on the first node of an element") {
-    Mesh mesh = samples::square(4, 4, 0.2);
+    TriMesh mesh = samples::square(4, 4, 0.2);
     mesh.regions.assign(mesh.elements.size(), 1);
     mesh.regions[3] = 2;
     mesh.points = {{node(7), 1}};
-    Mesh other = mesh;
+    TriMesh other = mesh;
     const std::size_t last = mesh.nodes.size() - 1;
     const auto reversed = [&](NodeId id) { return static_cast<NodeId>(last - index(id)); };
     std::reverse(other.nodes.begin(), other.nodes.end());
@@ -70,7 +70,7 @@ TEST_CASE("meshHash: it does not depend on the numbers of nodes and elements, no
 }
 
 TEST_CASE("meshHash: absent regions are the same as region 1 everywhere") {
-    Mesh mesh = samples::square(2, 2);
+    TriMesh mesh = samples::square(2, 2);
     const std::uint64_t before = meshHash(mesh);
     mesh.regions.assign(mesh.elements.size(), 1);
     CHECK(meshHash(mesh) == before);
@@ -79,7 +79,7 @@ TEST_CASE("meshHash: absent regions are the same as region 1 everywhere") {
 namespace {
 
 /// Finds neighbours by comparing all pairs of elements.
-std::vector<std::array<ElementId, 3>> neighboursByPairs(const Mesh &mesh) {
+std::vector<std::array<ElementId, 3>> neighboursByPairs(const TriMesh &mesh) {
     std::vector<std::array<ElementId, 3>> result(mesh.elements.size(), {kNoElement, kNoElement, kNoElement});
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         for (std::size_t f = 0; f < mesh.elements.size(); ++f) {
@@ -95,8 +95,8 @@ std::vector<std::array<ElementId, 3>> neighboursByPairs(const Mesh &mesh) {
 }
 
 /// Returns n triangles about node 0 in random order.
-Mesh fan(std::size_t n) {
-    Mesh mesh;
+TriMesh fan(std::size_t n) {
+    TriMesh mesh;
     mesh.nodes.push_back({});
     for (std::size_t i = 0; i < n; ++i) {
         const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
@@ -113,14 +113,14 @@ Mesh fan(std::size_t n) {
 } // namespace
 
 TEST_CASE("elementNeighbours: agrees with a comparison of all pairs of elements") {
-    const Mesh mesh = samples::square(9, 7, 0.2);
+    const TriMesh mesh = samples::square(9, 7, 0.2);
     CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
 }
 
 TEST_CASE("elementNeighbours: joins the elements of a node of very high valence in any order") {
-    const Mesh mesh = fan(500);
+    const TriMesh mesh = fan(500);
     CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
-    const Mesh large = fan(200'000);
+    const TriMesh large = fan(200'000);
     std::size_t open = 0;
     for (const auto &row : elementNeighbours(large)) {
         open += static_cast<std::size_t>(std::count(row.begin(), row.end(), kNoElement));
@@ -129,7 +129,7 @@ TEST_CASE("elementNeighbours: joins the elements of a node of very high valence 
 }
 
 TEST_CASE("elementNeighbours: joins the first two elements of an edge with three") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {0, 1}, {0, -1}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}, {node(0), node(1), node(4)}};
     const auto neighbours = elementNeighbours(mesh);
@@ -139,7 +139,7 @@ TEST_CASE("elementNeighbours: joins the first two elements of an edge with three
 }
 
 TEST_CASE("EdgeTable: visits each edge once, in order, with the half-edges that run along it") {
-    const Mesh mesh = samples::square(6, 5, 0.2);
+    const TriMesh mesh = samples::square(6, 5, 0.2);
     std::map<std::pair<NodeId, NodeId>, std::size_t> expected;
     for (const Element &e : mesh.elements) {
         for (unsigned k = 0; k < 3; ++k) {
@@ -161,7 +161,7 @@ TEST_CASE("EdgeTable: visits each edge once, in order, with the half-edges that 
 }
 
 TEST_CASE("nodeElements: lists for each node exactly the elements that contain it") {
-    const Mesh mesh = samples::square(5, 5, 0.2);
+    const TriMesh mesh = samples::square(5, 5, 0.2);
     const NodeElements rows = nodeElements(mesh);
     REQUIRE(rows.offsets.size() == mesh.nodes.size() + 1);
     CHECK(rows.offsets.back() == 3 * mesh.elements.size());
@@ -214,7 +214,7 @@ class ConstantSpacing : public SpacingField {
 } // namespace
 
 TEST_CASE("measure: a grid of right triangles has known figures") {
-    const Mesh mesh = samples::square(20, 20, 0.0, {1e5, -1e5});
+    const TriMesh mesh = samples::square(20, 20, 0.0, {1e5, -1e5});
     const MeshQuality q = measureQuality(mesh, nullptr);
     CHECK(q.nodes == 441);
     CHECK(q.elements == 800);
@@ -234,7 +234,7 @@ TEST_CASE("measure: a grid of right triangles has known figures") {
 }
 
 TEST_CASE("measure: conformity is the mean over all segments") {
-    const Mesh mesh = samples::square(8, 8);
+    const TriMesh mesh = samples::square(8, 8);
     const ConstantSpacing spacing(0.125);
     // 2·8·9 segments of length 1/8, 64 diagonals that are √2 too long.
     const double expected = (144.0 + 64.0 / std::sqrt(2.0)) / 208.0;
@@ -242,7 +242,7 @@ TEST_CASE("measure: conformity is the mean over all segments") {
 }
 
 TEST_CASE("measure: means, minimum and percentiles agree with their definitions") {
-    const Mesh mesh = samples::square(30, 30, 0.24);
+    const TriMesh mesh = samples::square(30, 30, 0.24);
     const MeshQuality q = measureQuality(mesh, nullptr);
     std::vector<float> alpha = shapeFactors(mesh);
     CHECK(alpha[index(q.worst)] == doctest::Approx(q.alphaMin).epsilon(1e-6));
@@ -262,7 +262,7 @@ TEST_CASE("measure: means, minimum and percentiles agree with their definitions"
 }
 
 TEST_CASE("measure: a flat element makes minimum angle and geometric mean 0; an empty mesh has no figures") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {2, 0}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
     const MeshQuality q = measureQuality(mesh, nullptr);
@@ -270,5 +270,5 @@ TEST_CASE("measure: a flat element makes minimum angle and geometric mean 0; an 
     CHECK(q.maxAngle == 180.0);
     CHECK(q.alphaMin == 0.0);
     CHECK(q.alphaGeometricMean == 0.0);
-    CHECK(measureQuality(Mesh{}, nullptr).elements == 0);
+    CHECK(measureQuality(TriMesh{}, nullptr).elements == 0);
 }

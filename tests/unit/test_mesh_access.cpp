@@ -34,7 +34,7 @@ MeshingJob dividedJob() {
 TEST_CASE("Mesh access: the arrays are the nodes and elements, one after the other") {
     const Result<MeshingOutcome> outcome = meshDomain(dividedJob());
     REQUIRE(outcome);
-    const Mesh &mesh = outcome->mesh;
+    const TriMesh &mesh = outcome->mesh;
     const std::span<const double> xy = coordinates(mesh);
     const std::span<const std::uint32_t> corners = connectivity(mesh);
     REQUIRE(xy.size() == 2 * mesh.nodes.size());
@@ -45,14 +45,14 @@ TEST_CASE("Mesh access: the arrays are the nodes and elements, one after the oth
     for (std::size_t k = 0; k < corners.size(); ++k) {
         REQUIRE(corners[k] == index(mesh.elements[k / 3][k % 3]));
     }
-    CHECK(coordinates(Mesh()).empty());
-    CHECK(connectivity(Mesh()).empty());
+    CHECK(coordinates(TriMesh()).empty());
+    CHECK(connectivity(TriMesh()).empty());
 }
 
 TEST_CASE("Mesh access: edges by tag, and the regions on either side of each") {
     const Result<MeshingOutcome> outcome = meshDomain(dividedJob());
     REQUIRE(outcome);
-    const Mesh &mesh = outcome->mesh;
+    const TriMesh &mesh = outcome->mesh;
     const std::vector<EdgeSides> sides = edgeSides(mesh);
     REQUIRE(sides.size() == mesh.edges.size());
     std::size_t counted = 0;
@@ -85,7 +85,7 @@ TEST_CASE("Mesh access: edges by tag, and the regions on either side of each") {
 }
 
 TEST_CASE("Mesh access: an edge that is in no element has no sides") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     mesh.elements = {{NodeId{0}, NodeId{1}, NodeId{2}}, {NodeId{0}, NodeId{2}, NodeId{3}}};
     mesh.edges = {{NodeId{2}, NodeId{0}, 1}, {NodeId{1}, NodeId{3}, 1}, {NodeId{1}, NodeId{0}, 4}};

@@ -29,14 +29,14 @@ std::uint64_t curvedDomains() {
 }
 
 /// Returns the code of the first fault of a mesh against a domain.
-std::string faultOf(const Mesh &mesh, const Domain &domain) {
+std::string faultOf(const TriMesh &mesh, const Domain &domain) {
     const Diagnostics faults = verifyAgainst(mesh, domain);
     return faults.empty() ? "" : faults.front().code;
 }
 
 /// A mesh of triangles over the given nodes, its outline with the tag 1.
-Mesh fan(std::vector<Vec2> nodes) {
-    Mesh mesh;
+TriMesh fan(std::vector<Vec2> nodes) {
+    TriMesh mesh;
     mesh.nodes = std::move(nodes);
     const auto count = static_cast<std::uint32_t>(mesh.nodes.size());
     for (std::uint32_t n = 0; n < count; ++n) {
@@ -143,7 +143,7 @@ TEST_CASE("Meshing curves: where curves touch, or nearly do, a cusp ends in few 
         for (const auto &[loops, cusp] : cases) {
             MeshingJob job;
             job.domain = curvedDomain(loops, 0.003, 1e-6);
-            const Mesh mesh = meshed(job).mesh;
+            const TriMesh mesh = meshed(job).mesh;
             CHECK(mesh.elements.size() < 4000);
             for (const Element &element : mesh.elements) {
                 const Vec2 a = mesh.nodes[index(element[0])], b = mesh.nodes[index(element[1])],
@@ -205,7 +205,7 @@ TEST_CASE("Meshing curves: a check follows a circle of few elements whose first 
         job.domain.segments.push_back(
             {i, (i + 1) % 24, 1, SegmentRole::Boundary, CurveStretch{0, i / 24.0, (i + 1) / 24.0}, 6});
     }
-    Mesh mesh = meshed(job).mesh;
+    TriMesh mesh = meshed(job).mesh;
     const auto first = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [](Vec2 p, Vec2 q) {
         return distance(p, {0.5, std::sqrt(0.75)}) < distance(q, {0.5, std::sqrt(0.75)});
     });

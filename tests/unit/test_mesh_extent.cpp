@@ -12,8 +12,8 @@ using namespace forefront;
 namespace {
 
 /// Returns unit squares, of two elements each, at places of a grid of 10 by 10; squares share nodes.
-Mesh squares(std::initializer_list<std::array<std::uint32_t, 2>> places) {
-    Mesh mesh;
+TriMesh squares(std::initializer_list<std::array<std::uint32_t, 2>> places) {
+    TriMesh mesh;
     const auto node = [&](std::uint32_t x, std::uint32_t y) {
         const Vec2 at{static_cast<double>(x), static_cast<double>(y)};
         std::uint32_t n = 0;
@@ -33,7 +33,7 @@ Mesh squares(std::initializer_list<std::array<std::uint32_t, 2>> places) {
     return mesh;
 }
 
-MeshExtent extent(const Mesh &mesh) {
+MeshExtent extent(const TriMesh &mesh) {
     return extentOf(mesh, measureQuality(mesh, nullptr).edges);
 }
 
@@ -49,15 +49,15 @@ TEST_CASE("Mesh extent: parts and holes") {
     const MeshExtent corners = extent(squares({{1, 0}, {0, 1}, {2, 1}, {1, 2}, {5, 5}})); // around a hole
     CHECK(corners.parts == 2);
     CHECK(corners.holes == 1);
-    Mesh unused = squares({{0, 0}});
+    TriMesh unused = squares({{0, 0}});
     unused.nodes.push_back({9, 9});
     CHECK(extent(unused).parts == 1);
     CHECK(extent(unused).holes == 0);
-    CHECK(extent(Mesh{}).parts == 0);
+    CHECK(extent(TriMesh{}).parts == 0);
 }
 
 TEST_CASE("Mesh extent: regions have their name, elements and area") {
-    Mesh mesh = squares({{0, 0}, {1, 0}, {2, 0}});
+    TriMesh mesh = squares({{0, 0}, {1, 0}, {2, 0}});
     mesh.regions = {7, 7, 3, 3, 7, 7};
     mesh.regionNames = {{7, "steel"}};
     const MeshExtent found = extent(mesh);

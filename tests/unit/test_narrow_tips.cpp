@@ -35,7 +35,7 @@ MeshingOutcome meshOf(const MeshingJob &job) {
     return std::move(*outcome);
 }
 
-double shortestEdgeAt(const Mesh &mesh, Vec2 tip) {
+double shortestEdgeAt(const TriMesh &mesh, Vec2 tip) {
     double shortest = std::numeric_limits<double>::infinity();
     for (const TaggedEdge &edge : mesh.edges) {
         const Vec2 a = mesh.nodes[index(edge.a)], b = mesh.nodes[index(edge.b)];
@@ -79,11 +79,11 @@ TEST_CASE("Narrow tips: between a curve and a segment, with the segments in eith
                           Curve::quadratic(top, {2, 0.02}, corner)};
     MeshingJob job;
     job.domain = curvedDomain({shape}, 1e-4);
-    const Mesh mesh = meshOf(job).mesh;
+    const TriMesh mesh = meshOf(job).mesh;
     CHECK(shortestEdgeAt(mesh, corner) > 0.05);
     MeshingJob turned = job;
     std::reverse(turned.domain.segments.begin(), turned.domain.segments.end());
-    const Mesh same = meshOf(turned).mesh;
+    const TriMesh same = meshOf(turned).mesh;
     CHECK(shortestEdgeAt(same, corner) == shortestEdgeAt(mesh, corner));
     CHECK(same.edges.size() == mesh.edges.size());
 }
@@ -106,7 +106,7 @@ TEST_CASE("Narrow tips: a lens that is narrow from tip to tip keeps nodes on bot
         MeshingJob job;
         job.domain = curvedDomain(
             {{Curve::quadratic(left, {2, -height}, right), Curve::quadratic(right, {2, height}, left)}}, 1e-3 * height);
-        const Mesh mesh = meshOf(job).mesh;
+        const TriMesh mesh = meshOf(job).mesh;
         std::size_t above = 0, below = 0;
         for (const Vec2 node : mesh.nodes) {
             above += node.y > 0.0 ? 1U : 0U;

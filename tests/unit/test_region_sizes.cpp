@@ -52,7 +52,7 @@ SpacingSpec coarse() {
 }
 
 /// Returns the mean length of the edges of elements whose centre has an x between two bounds.
-double meanEdge(const Mesh &mesh, double from, double to) {
+double meanEdge(const TriMesh &mesh, double from, double to) {
     double sum = 0.0, count = 0.0;
     for (const Element &e : mesh.elements) {
         const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];

@@ -75,7 +75,7 @@ bool ringsFit(const Cutout &cutout) {
 
 /// A square with an inner line, a tagged point and two regions, and lengths for its nodes.
 struct Sample {
-    Mesh mesh;
+    TriMesh mesh;
     RawVector<float> rho;
 };
 
@@ -85,7 +85,7 @@ Sample sample(std::size_t n, std::uint64_t seed) {
     return made;
 }
 
-std::size_t irregular(const Mesh &mesh) {
+std::size_t irregular(const TriMesh &mesh) {
     const auto valence = measureQuality(mesh, nullptr).valence;
     std::size_t sum = 0;
     for (std::size_t v = 0; v < valence.size(); ++v) {
@@ -94,7 +94,7 @@ std::size_t irregular(const Mesh &mesh) {
     return sum;
 }
 
-double areaOf(const Mesh &mesh, std::int32_t region) {
+double areaOf(const TriMesh &mesh, std::int32_t region) {
     double area = 0.0;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
@@ -105,7 +105,7 @@ double areaOf(const Mesh &mesh, std::int32_t region) {
 }
 
 /// Checks the parts of a mesh that no change of the nodes may move.
-void checkKept(const Mesh &mesh, const Mesh &before) {
+void checkKept(const TriMesh &mesh, const TriMesh &before) {
     const Diagnostics faults = verify(mesh);
     REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
     REQUIRE(mesh.edges.size() == before.edges.size());
@@ -124,7 +124,7 @@ void checkKept(const Mesh &mesh, const Mesh &before) {
 
 /// Checks that neighbours, valences and rings are those of the mesh.
 void checkFits(const ImproveWorkspace &work) {
-    Mesh copy = work.mesh;
+    TriMesh copy = work.mesh;
     ThreadPool pool(1);
     const ImproveWorkspace fresh(copy, pool);
     CHECK(work.twin == fresh.twin);
@@ -223,7 +223,7 @@ TEST_CASE("Cutout: each change keeps the rim and the rings and changes the numbe
 TEST_CASE("Cutout: a regular piece of a mesh has no excess loss, and relaxing does not change it") {
     // Equilateral elements with side 1 in a rhombus.
     constexpr std::size_t kSide = 9;
-    Mesh mesh;
+    TriMesh mesh;
     for (std::size_t j = 0; j < kSide; ++j) {
         for (std::size_t i = 0; i < kSide; ++i) {
             mesh.nodes.push_back(
@@ -256,7 +256,7 @@ TEST_CASE("Cutout: a regular piece of a mesh has no excess loss, and relaxing do
 
 TEST_CASE("Replacer: keeps neighbours, valences and rings up to date over many changes") {
     Sample made = sample(20, 9);
-    const Mesh before = made.mesh;
+    const TriMesh before = made.mesh;
     ThreadPool pool(1);
     ImproveWorkspace work(made.mesh, pool);
     Replacer replacer(work, made.rho);
@@ -318,7 +318,7 @@ TEST_CASE("restructure: fewer irregular nodes, better shapes, fixed parts unchan
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Sample made = sample(40, seed);
         improve(made.mesh); // as smooth as it can be with the nodes it has
-        const Mesh before = made.mesh;
+        const TriMesh before = made.mesh;
         ThreadPool pool(2);
         ImproveWorkspace work(made.mesh, pool);
         const double minimum = work.measureAlpha();
@@ -339,7 +339,7 @@ TEST_CASE("restructure: one, two, three and eight threads make the same mesh bit
     const Sample raw = sample(120, 3);
     std::set<std::uint64_t> hashes;
     for (const unsigned threads : {1U, 2U, 3U, 8U}) {
-        Mesh mesh = raw.mesh;
+        TriMesh mesh = raw.mesh;
         ThreadPool pool(threads);
         ImproveWorkspace work(mesh, pool);
         restructure(work, raw.rho, 0.01, {});
@@ -363,7 +363,7 @@ TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh 
     const Sample raw = sample(24, 6);
     int stages = 0;
     for (int stopAt = 0; stopAt <= stages; ++stopAt) {
-        Mesh mesh = raw.mesh;
+        TriMesh mesh = raw.mesh;
         std::stop_source stop;
         Progress progress;
         progress.stop = stop.get_token();
@@ -388,7 +388,7 @@ TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh 
 
 TEST_CASE("restructure: leaves a valid mesh when stopped within a round") {
     Sample made = sample(60, 8);
-    const Mesh before = made.mesh;
+    const TriMesh before = made.mesh;
     std::stop_source stop;
     stop.request_stop();
     Progress progress;
@@ -404,7 +404,7 @@ TEST_CASE("restructure: leaves a valid mesh when another thread stops it between
     const Sample made = sample(150, 8);
     ThreadPool pool(1);
     const auto changesUntil = [&](std::chrono::steady_clock::duration delay) {
-        Mesh mesh = made.mesh;
+        TriMesh mesh = made.mesh;
         ImproveWorkspace work(mesh, pool);
         std::stop_source stop;
         Progress progress;
@@ -439,7 +439,7 @@ TEST_CASE("restructure: leaves a valid mesh when another thread stops it between
 TEST_CASE("improve: the best level keeps the area of tiny meshes with few free nodes") {
     for (int corners = 3; corners <= 12; ++corners) {
         for (const double shift : {0.0, 0.2, 0.45}) {
-            Mesh mesh; // a fan of held nodes around a free one
+            TriMesh mesh; // a fan of held nodes around a free one
             for (int k = 0; k < corners; ++k) {
                 const double angle = 2.0 * std::numbers::pi * k / corners;
                 mesh.nodes.push_back({std::cos(angle), 0.7 * std::sin(angle)});
@@ -455,7 +455,7 @@ TEST_CASE("improve: the best level keeps the area of tiny meshes with few free n
             if (!verify(mesh).empty()) {
                 continue; // the node lies outside of the triangle
             }
-            const Mesh before = mesh;
+            const TriMesh before = mesh;
             improve(mesh, {ImproveLevel::Best, 1, nullptr});
             CAPTURE(corners);
             CHECK(samples::list(verify(mesh)) == "");
@@ -467,7 +467,7 @@ TEST_CASE("improve: the best level keeps the area of tiny meshes with few free n
 }
 
 TEST_CASE("Cutout: keeps the last free node of a triangle") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {0.4, 0.9}, {0.45, 0.3}};
     mesh.elements = {{node(0), node(1), node(3)}, {node(1), node(2), node(3)}, {node(2), node(0), node(3)}};
     ThreadPool pool(1);

@@ -15,23 +15,23 @@ using namespace forefront;
 namespace {
 
 /// An improved mesh of a square with constraints, which no further smoothing changes much.
-Mesh improved(double jitter, std::uint64_t seed) {
-    Mesh mesh = samples::constrainedSquare(30, jitter, {}, seed);
+TriMesh improved(double jitter, std::uint64_t seed) {
+    TriMesh mesh = samples::constrainedSquare(30, jitter, {}, seed);
     improve(mesh);
     return mesh;
 }
 
-double worst(const Mesh &mesh) {
+double worst(const TriMesh &mesh) {
     return measureQuality(mesh, nullptr).alphaMin;
 }
 
-double geometricMean(const Mesh &mesh) {
+double geometricMean(const TriMesh &mesh) {
     return measureQuality(mesh, nullptr).alphaGeometricMean;
 }
 
 /// Returns true if no α fell below the floor, and none that was below it fell.
-bool noneWorse(const Mesh &before, const Mesh &after, double floor) {
-    const auto alpha = [](const Mesh &mesh, std::size_t e) {
+bool noneWorse(const TriMesh &before, const TriMesh &after, double floor) {
+    const auto alpha = [](const TriMesh &mesh, std::size_t e) {
         const Element &n = mesh.elements[e];
         return shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
     };
@@ -47,8 +47,8 @@ bool noneWorse(const Mesh &before, const Mesh &after, double floor) {
 
 TEST_CASE("polishShapes: raises the geometric mean of α, keeps the floor, and moves free nodes only") {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        const Mesh before = improved(0.2, seed);
-        Mesh mesh = before;
+        const TriMesh before = improved(0.2, seed);
+        TriMesh mesh = before;
         ThreadPool pool(1);
         ImproveWorkspace work(mesh, pool);
         const double floor = std::max(0.75, worst(before));
@@ -63,8 +63,8 @@ TEST_CASE("polishShapes: raises the geometric mean of α, keeps the floor, and m
 }
 
 TEST_CASE("polishShapes: elements below the floor do not get worse") {
-    const Mesh before = samples::square(20, 20, 0.24, {}, 9);
-    Mesh mesh = before;
+    const TriMesh before = samples::square(20, 20, 0.24, {}, 9);
+    TriMesh mesh = before;
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
     polishShapes(work, 0.9, {});
@@ -73,7 +73,7 @@ TEST_CASE("polishShapes: elements below the floor do not get worse") {
 
 TEST_CASE("polishShapes: a free node goes to the middle of a regular polygon") {
     constexpr double kTurn = 6.283185307179586;
-    Mesh mesh;
+    TriMesh mesh;
     for (int k = 0; k < 6; ++k) {
         mesh.nodes.push_back({std::cos(kTurn * k / 6), std::sin(kTurn * k / 6)});
         mesh.elements.push_back({samples::node(6), samples::node(k), samples::node((k + 1) % 6)});
@@ -93,14 +93,14 @@ TEST_CASE("polishShapes: the floor holds bit for bit, for any order of the nodes
                          {-0.5614986094491895, 5.0418748144657003e-11},
                          {-0.58017447945826928, -1.0048916753987043},
                          {0.73256565675347285, -1.2688409378156069}};
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes.assign(std::begin(ring), std::end(ring));
     mesh.nodes.push_back({-0.35168144713515359, -0.49687378331183235});
     for (int k = 0; k < 6; ++k) {
         mesh.elements.push_back({samples::node(k), samples::node((k + 1) % 6), samples::node(6)});
         mesh.edges.push_back({samples::node(k), samples::node((k + 1) % 6), 1});
     }
-    const Mesh before = mesh;
+    const TriMesh before = mesh;
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
     polishShapes(work, 0.95, {});
@@ -110,11 +110,11 @@ TEST_CASE("polishShapes: the floor holds bit for bit, for any order of the nodes
 TEST_CASE("polishShapes: works in tiny and huge units and far from the origin") {
     for (const double unit : {1e-60, 1.0, 1e60}) {
         for (const double far : {0.0, 1e5}) {
-            Mesh before = samples::square(12, 12, 0.24, {far, -far}, 5);
+            TriMesh before = samples::square(12, 12, 0.24, {far, -far}, 5);
             for (Vec2 &p : before.nodes) {
                 p = unit * p;
             }
-            Mesh mesh = before;
+            TriMesh mesh = before;
             ThreadPool pool(1);
             ImproveWorkspace work(mesh, pool);
             CHECK(polishShapes(work, 0.2, {}) > 50);
@@ -125,8 +125,8 @@ TEST_CASE("polishShapes: works in tiny and huge units and far from the origin") 
 }
 
 TEST_CASE("improve: a poor mesh becomes the same for any number of threads, and its minimum α is reported") {
-    const Mesh start = samples::constrainedSquare(40, 0.0, {}, 4);
-    Mesh one = start, three = start;
+    const TriMesh start = samples::constrainedSquare(40, 0.0, {}, 4);
+    TriMesh one = start, three = start;
     const ImproveReport report = improve(one, {.threads = 1});
     improve(three, {.threads = 3});
     CHECK(meshHash(one) == meshHash(three));
@@ -135,8 +135,8 @@ TEST_CASE("improve: a poor mesh becomes the same for any number of threads, and 
 }
 
 TEST_CASE("polishShapes: leaves a valid mesh when cancelled") {
-    const Mesh before = improved(0.2, 4);
-    Mesh mesh = before;
+    const TriMesh before = improved(0.2, 4);
+    TriMesh mesh = before;
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
     std::stop_source source;

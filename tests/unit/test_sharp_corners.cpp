@@ -9,8 +9,8 @@ using samples::node;
 namespace {
 
 /// A needle of 10 degrees with its tip at the origin and a nearly equilateral element at its other end.
-Mesh needle() {
-    Mesh mesh;
+TriMesh needle() {
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {1, std::tan(10.0 * 0.017453292519943295)}, {1.15, 0.09}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(3), node(2)}};
     mesh.edges = {{node(0), node(1), 1}, {node(1), node(3), 2}, {node(3), node(2), 2}, {node(2), node(0), 3}};
@@ -32,7 +32,7 @@ TEST_CASE("sharpCorners: reports the tip of a needle with its position and angle
 
 TEST_CASE("sharpCorners: elements along a needle belong to its tip, but a needle elsewhere does not") {
     // Two lines 2 degrees apart with nodes at 1, 2, 3; beyond them a flat element with a separate edge.
-    Mesh mesh;
+    TriMesh mesh;
     const double slope = std::tan(2.0 * 0.017453292519943295);
     mesh.nodes = {{0, 0}, {1, 0}, {1, slope}, {2, 0}, {2, 2 * slope}, {3, 0}, {3, 3 * slope}, {7, 0}, {9, 0}, {9, 0.2}};
     mesh.elements = {{node(0), node(1), node(2)},
@@ -53,7 +53,7 @@ TEST_CASE("sharpCorners: elements along a needle belong to its tip, but a needle
 
 TEST_CASE("sharpCorners: reports a slot without room for good elements, but not a cut-off flat corner") {
     // A slot of width 0.01 and length 3, closed at its right end, with nodes at 0, 1, 2, 3 on both sides.
-    Mesh mesh;
+    TriMesh mesh;
     for (int i = 0; i <= 3; ++i) {
         mesh.nodes.insert(mesh.nodes.end(), {{1.0 * i, 0.0}, {1.0 * i, 0.01}});
     }
@@ -80,7 +80,7 @@ TEST_CASE("sharpCorners: reports a slot without room for good elements, but not 
 
 TEST_CASE("sharpCorners: reports the gap between two tips, but not a short edge between long ones") {
     // Tips of two needles outside the mesh, 0.02 apart; the nodes above and below them are free.
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{-0.01, 0}, {0.01, 0}, {0, 0.2}, {0, -0.2}, {-1, 0.01}, {-1, -0.01}, {1, 0.01}, {1, -0.01}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}, {node(0), node(2), node(4)},
                      {node(0), node(5), node(3)}, {node(1), node(6), node(2)}, {node(1), node(3), node(7)}};
@@ -96,7 +96,7 @@ TEST_CASE("sharpCorners: reports the gap between two tips, but not a short edge 
 }
 
 TEST_CASE("sharpCorners: the gap between a point and an edge is a narrow place") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{-0.5, 0}, {0.5, 0}, {0, 0.05}};
     mesh.elements = {{node(0), node(1), node(2)}};
     mesh.edges = {{node(0), node(1), 1}};
@@ -110,7 +110,7 @@ TEST_CASE("sharpCorners: the gap between a point and an edge is a narrow place")
 
 TEST_CASE("sharpCorners: sharp elements that share nodes with those in a gap count with it, others do not") {
     // Two tips a gap apart, above them a free node, to its right a row of sharp elements that share single nodes.
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{-0.02, 0}, {0.02, 0}, {0, 0.2}, {1, 0.2}, {1, 0.4}, {2, 0.2}, {2, 0.4}, {-1, -1}, {1, -1}, {5, 0}};
     mesh.elements = {{node(2), node(3), node(4)}, {node(3), node(5), node(6)}};
     mesh.edges = {{node(0), node(7), 1}, {node(1), node(8), 1}};
@@ -122,10 +122,10 @@ TEST_CASE("sharpCorners: sharp elements that share nodes with those in a gap cou
 }
 
 TEST_CASE("sharpCorners: a wedge outside the mesh does not count, but one between inner lines does") {
-    Mesh mesh = needle();
+    TriMesh mesh = needle();
     mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
     CHECK(sharpCorners(mesh, 20.0).corners.empty());
-    Mesh square = samples::square(8, 8);
+    TriMesh square = samples::square(8, 8);
     CHECK(sharpCorners(square, 89.0).corners.empty());
     CHECK(sharpCorners(square, 91.0).corners.size() == 4);
     const Element inner = square.elements[60];

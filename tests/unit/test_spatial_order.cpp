@@ -15,7 +15,7 @@ using namespace forefront;
 namespace {
 
 /// Returns the same mesh with its nodes and elements in random order.
-Mesh shuffled(const Mesh &mesh, std::uint64_t seed) {
+TriMesh shuffled(const TriMesh &mesh, std::uint64_t seed) {
     samples::Random random(seed);
     const auto order = [&](std::size_t count) {
         std::vector<std::uint32_t> numbers(count);
@@ -26,7 +26,7 @@ Mesh shuffled(const Mesh &mesh, std::uint64_t seed) {
         return numbers;
     };
     const std::vector<std::uint32_t> nodes = order(mesh.nodes.size()), elements = order(mesh.elements.size());
-    Mesh result = mesh;
+    TriMesh result = mesh;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         result.nodes[nodes[n]] = mesh.nodes[n];
     }
@@ -49,7 +49,7 @@ Mesh shuffled(const Mesh &mesh, std::uint64_t seed) {
 }
 
 /// Returns the mean distance in memory of the nodes of an element, in nodes.
-double meanSpan(const Mesh &mesh) {
+double meanSpan(const TriMesh &mesh) {
     double sum = 0.0;
     for (const Element &n : mesh.elements) {
         sum += std::fabs(static_cast<double>(index(n[0])) - static_cast<double>(index(n[1])));
@@ -61,10 +61,10 @@ double meanSpan(const Mesh &mesh) {
 
 TEST_CASE("SpatialOrder: sorts what is close together, and restores the mesh exactly") {
     for (const unsigned threads : {1U, 3U}) {
-        const Mesh before = shuffled(samples::constrainedSquare(120, 0.2, {3e5, -7.0}, 3), 4);
+        const TriMesh before = shuffled(samples::constrainedSquare(120, 0.2, {3e5, -7.0}, 3), 4);
         REQUIRE(!before.regions.empty());
         REQUIRE(!before.points.empty());
-        Mesh mesh = before;
+        TriMesh mesh = before;
         ThreadPool pool(threads);
         SpatialOrder order(mesh, pool);
         CHECK(verify(mesh).empty());
@@ -81,19 +81,19 @@ TEST_CASE("SpatialOrder: sorts what is close together, and restores the mesh exa
 }
 
 TEST_CASE("SpatialOrder: helps where nodes of elements lie far apart in memory") {
-    const Mesh mesh = samples::square(250, 250);
+    const TriMesh mesh = samples::square(250, 250);
     CHECK_FALSE(SpatialOrder::helps(mesh));
     CHECK(SpatialOrder::helps(shuffled(mesh, 1)));
-    CHECK_FALSE(SpatialOrder::helps(Mesh()));
+    CHECK_FALSE(SpatialOrder::helps(TriMesh()));
 }
 
 TEST_CASE("improve: a large mesh in random order keeps its numbers, and the result does not depend on threads") {
-    const Mesh before = shuffled(samples::constrainedSquare(240, 0.24, {}, 5), 6);
+    const TriMesh before = shuffled(samples::constrainedSquare(240, 0.24, {}, 5), 6);
     REQUIRE(before.elements.size() > 100'000);
     REQUIRE(SpatialOrder::helps(before));
     std::vector<std::uint64_t> hashes;
     for (const unsigned threads : {1U, 2U, 5U}) {
-        Mesh mesh = before;
+        TriMesh mesh = before;
         const ImproveReport report = improve(mesh, {ImproveLevel::Default, threads, nullptr});
         const Diagnostics faults = verify(mesh);
         REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
@@ -113,9 +113,9 @@ TEST_CASE("improve: a large mesh in random order keeps its numbers, and the resu
 }
 
 TEST_CASE("improve: cancelled at any stage, a large mesh in random order keeps its numbers") {
-    const Mesh before = shuffled(samples::square(250, 250, 0.24), 2);
+    const TriMesh before = shuffled(samples::square(250, 250, 0.24), 2);
     for (int report = 0; report <= 6; ++report) {
-        Mesh mesh = before;
+        TriMesh mesh = before;
         const testing::StopAt stop(report);
         improve(mesh, {}, stop.progress());
         CHECK(verify(mesh).empty());

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kStrips = 6;
 
 /// A mesh of four nodes and the same number of strips with random nodes, elements and faces.
-struct Sample {
-    explicit Sample(std::uint64_t seed, bool manyFaces) : whole(square(manyFaces)) {
+struct StripSample {
+    explicit StripSample(std::uint64_t seed, bool manyFaces) : whole(square(manyFaces)) {
         std::mt19937_64 random(seed);
         states.reserve(kStrips);
         for (std::size_t k = 0; k < kStrips; ++k) {
@@ -53,7 +53,7 @@ struct Sample {
 };
 
 /// Merges the strips in the obvious way, one after the other.
-FrontState expected(const Sample &sample) {
+FrontState expected(const StripSample &sample) {
     FrontState whole = sample.whole;
     for (const FrontState &state : sample.states) {
         const auto shift = static_cast<std::uint32_t>(whole.nodes.size() - sample.whole.nodes.size());
@@ -69,7 +69,7 @@ FrontState expected(const Sample &sample) {
     return whole;
 }
 
-void check(const Sample &sample, const FrontState &reference, const StripResults &results) {
+void check(const StripSample &sample, const FrontState &reference, const StripResults &results) {
     CHECK(sample.whole.nodes == reference.nodes);
     CHECK(sample.whole.elements == reference.elements);
     CHECK(sample.whole.elementFaces == reference.elementFaces);
@@ -90,7 +90,7 @@ TEST_CASE(
     "StripResults: the whole does not depend on the order in which strips finish, and grows as early as possible") {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
-        Sample sample(seed, seed % 2 == 0);
+        StripSample sample(seed, seed % 2 == 0);
         const FrontState reference = expected(sample);
         std::vector<std::size_t> order(kStrips), ends(kStrips + 1, 0);
         for (std::size_t k = 0; k < kStrips; ++k) {
@@ -113,7 +113,7 @@ TEST_CASE(
 TEST_CASE("StripResults: the merged state is the same when threads finish strips at the same time") {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
-        Sample sample(seed, seed % 2 == 0);
+        StripSample sample(seed, seed % 2 == 0);
         const FrontState reference = expected(sample);
         StripResults results(sample.whole, kStrips);
         ThreadPool pool(3);

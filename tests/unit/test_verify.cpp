@@ -15,15 +15,15 @@ using samples::node;
 namespace {
 
 /// Two triangles on a square without tags, room for more.
-Mesh twoTriangles() {
-    Mesh mesh;
+TriMesh twoTriangles() {
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
     return mesh;
 }
 
 /// Adds a moved copy of a mesh with its own nodes.
-void append(Mesh &mesh, const Mesh &other, Vec2 by) {
+void append(TriMesh &mesh, const TriMesh &other, Vec2 by) {
     const std::size_t first = mesh.nodes.size();
     for (const Vec2 p : other.nodes) {
         mesh.nodes.push_back(p + by);
@@ -34,9 +34,9 @@ void append(Mesh &mesh, const Mesh &other, Vec2 by) {
 }
 
 /// The outermost cells of a square of 6 x 6, nodes numbered anew.
-Mesh squareRing() {
-    const Mesh whole = samples::square(6, 6);
-    Mesh ring;
+TriMesh squareRing() {
+    const TriMesh whole = samples::square(6, 6);
+    TriMesh ring;
     std::vector<NodeId> numbers(whole.nodes.size(), kNoNode);
     for (Element e : whole.elements) {
         const Vec2 sum = whole.nodes[index(e[0])] + whole.nodes[index(e[1])] + whole.nodes[index(e[2])];
@@ -63,17 +63,17 @@ bool at(const Diagnostics &faults, Vec2 place) {
 
 TEST_CASE("verify: valid meshes have no faults, at the origin and far from it") {
     for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{-3e5, 1e-3}}) {
-        const Mesh mesh = samples::square(20, 15, 0.24, offset);
+        const TriMesh mesh = samples::square(20, 15, 0.24, offset);
         CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
     }
     CHECK(verify(twoTriangles()).empty());
-    CHECK(verify(Mesh{}).empty());
+    CHECK(verify(TriMesh{}).empty());
 }
 
 TEST_CASE("verify: accepts holes, several parts, parts in holes and parts that share one node") {
-    const Mesh ring = squareRing();
-    Mesh parts = ring;
-    Mesh island = twoTriangles();
+    const TriMesh ring = squareRing();
+    TriMesh parts = ring;
+    TriMesh island = twoTriangles();
     for (Vec2 &p : island.nodes) {
         p = 0.25 * p;
     }
@@ -81,21 +81,21 @@ TEST_CASE("verify: accepts holes, several parts, parts in holes and parts that s
     append(parts, ring, {2.0, 0.0});
     CHECK_MESSAGE(verify(parts).empty(), samples::list(verify(parts)));
 
-    Mesh pinched = twoTriangles();
+    TriMesh pinched = twoTriangles();
     pinched.nodes.insert(pinched.nodes.end(), {{2, 1}, {2, 2}, {1, 2}});
     pinched.elements.insert(pinched.elements.end(), {{node(2), node(4), node(5)}, {node(2), node(5), node(6)}});
     CHECK_MESSAGE(verify(pinched).empty(), samples::list(verify(pinched)));
 }
 
 TEST_CASE("verify: accepts a slit with separate nodes on its two sides") {
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(4), node(5), node(3)}};
     CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
 }
 
 TEST_CASE("verify: reports indices that do not exist before using them") {
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     mesh.elements[1][2] = node(4);
     CHECK(codes(verify(mesh)) == Codes{"bad-index"});
     mesh = twoTriangles();
@@ -111,7 +111,7 @@ TEST_CASE("verify: reports indices that do not exist before using them") {
 
 TEST_CASE("verify: coordinates that are not finite are reported") {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-        Mesh mesh = twoTriangles();
+        TriMesh mesh = twoTriangles();
         mesh.nodes[3].y = bad;
         const Diagnostics faults = verify(mesh);
         CHECK(codes(faults) == Codes{"non-finite"});
@@ -120,7 +120,7 @@ TEST_CASE("verify: coordinates that are not finite are reported") {
 }
 
 TEST_CASE("verify: a clockwise element among others is inverted") {
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     append(mesh, twoTriangles(), {3.0, 0.0});
     std::swap(mesh.elements[2][0], mesh.elements[2][1]);
     std::swap(mesh.elements[3][0], mesh.elements[3][1]);
@@ -130,7 +130,7 @@ TEST_CASE("verify: a clockwise element among others is inverted") {
 }
 
 TEST_CASE("verify: a mesh that is turned the other way is said to be so, and nothing else") {
-    Mesh mesh = squareRing();
+    TriMesh mesh = squareRing();
     for (Element &element : mesh.elements) {
         std::swap(element[1], element[2]);
     }
@@ -146,7 +146,7 @@ TEST_CASE("verify: a mesh that is turned the other way is said to be so, and not
 }
 
 TEST_CASE("verify: messages name nodes and elements by the numbers of the file") {
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     mesh.nodes.push_back({0.5, 0.0});
     mesh.elements[0] = {node(0), node(4), node(1)};
     const MeshNumbers numbers{PartNumbers(std::vector<std::int64_t>{10, 20, 30, 40, 50}), PartNumbers(7)};
@@ -160,13 +160,13 @@ TEST_CASE("verify: messages name nodes and elements by the numbers of the file")
 }
 
 TEST_CASE("verify: an inner node moved over the opposite side inverts elements and nothing else") {
-    Mesh mesh = samples::square(4, 4);
+    TriMesh mesh = samples::square(4, 4);
     mesh.nodes[6] = {0.5 + 0.3, 0.25}; // node (1,1), its neighbour (2,1) is at (0.5, 0.25)
     CHECK(codes(verify(mesh)) == Codes{"inverted-element"});
 }
 
 TEST_CASE("verify: reports an element with zero area by the exact sign") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0.1, 0.1}, {0.3, 0.3}, {0.7, 0.7}}; // rounded, but all on the line x = y
     mesh.elements = {{node(0), node(1), node(2)}};
     CHECK(codes(verify(mesh)).count("zero-area") == 1);
@@ -178,7 +178,7 @@ TEST_CASE("verify: reports an element with zero area by the exact sign") {
 }
 
 TEST_CASE("verify: an edge with three elements and two elements on one side of an edge do not conform") {
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     mesh.nodes.push_back({2, 1.5});
     mesh.elements.push_back({node(0), node(4), node(2)}); // third element at edge 0-2
     Diagnostics faults = verify(mesh);
@@ -193,7 +193,7 @@ TEST_CASE("verify: an edge with three elements and two elements on one side of a
 }
 
 TEST_CASE("verify: a node inside an edge of another element is a hanging node") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
     // The line from node 0 to node 2 is one edge of the element below and two edges of those above.
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(4), node(3)}, {node(4), node(2), node(3)}};
@@ -201,32 +201,32 @@ TEST_CASE("verify: a node inside an edge of another element is a hanging node") 
     CHECK(codes(faults) == Codes{"hanging-node"});
     CHECK(at(faults, {1, 1}));
     // A part that touches the middle of another part's side with a corner also has a hanging node.
-    Mesh touching = twoTriangles();
+    TriMesh touching = twoTriangles();
     append(touching, twoTriangles(), {1.0, 0.5});
     CHECK(codes(verify(touching)) == Codes{"hanging-node"});
 }
 
 TEST_CASE("verify: parts that cross, cover or contain each other overlap") {
     for (const Vec2 by : {Vec2{0.5, 0.5}, Vec2{0.5, 0.0}, Vec2{0.3, -0.2}, Vec2{0.0, 0.0}}) {
-        Mesh mesh = twoTriangles();
+        TriMesh mesh = twoTriangles();
         append(mesh, twoTriangles(), by);
         CHECK(codes(verify(mesh)).count("overlapping") == 1);
     }
-    Mesh crossing = twoTriangles();
+    TriMesh crossing = twoTriangles();
     append(crossing, twoTriangles(), {0.5, 0.5});
     CHECK(codes(verify(crossing)) == Codes{"overlapping"});
-    Mesh inner = twoTriangles();
+    TriMesh inner = twoTriangles();
     for (Vec2 &p : inner.nodes) {
         p = 0.5 * p;
     }
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     append(mesh, inner, {0.25, 0.25});
     CHECK(codes(verify(mesh)) == Codes{"overlapping"});
 }
 
 TEST_CASE("verify: a band that winds onto itself overlaps") {
     // A strip of quadrilaterals around the origin, a bit more than one turn at constant radius.
-    Mesh mesh;
+    TriMesh mesh;
     const std::size_t steps = 36;
     for (std::size_t i = 0; i <= steps + 3; ++i) {
         const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(steps) + 0.01;
@@ -246,7 +246,7 @@ TEST_CASE("verify: a band that winds onto itself overlaps") {
 }
 
 TEST_CASE("verify: elements that go twice around an inner node overlap, though all are counter-clockwise") {
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes.push_back({0, 0});
     const std::size_t n = 12; // two turns of six
     for (std::size_t i = 0; i < n; ++i) {
@@ -301,7 +301,7 @@ TEST_CASE(
                 triangles.push_back(t);
             }
         }
-        Mesh mesh;
+        TriMesh mesh;
         bool overlap = false, hang = false;
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t j = 0; j < count; ++j) {
@@ -328,7 +328,7 @@ TEST_CASE(
 TEST_CASE("verify: a handle contradicts Euler's formula") {
     // Two square rings, seven cells wide, that cross in cells (6,3) and (3,6). They share the first one, as a torus
     // with a hole laid flat would, and lie upon each other in the second.
-    Mesh mesh;
+    TriMesh mesh;
     std::map<std::array<int, 3>, NodeId> ids;
     const auto at = [&](int x, int y, int ring) {
         const bool shared = (x == 6 || x == 7) && (y == 3 || y == 4);
@@ -353,7 +353,7 @@ TEST_CASE("verify: a handle contradicts Euler's formula") {
 }
 
 TEST_CASE("verify: reports nodes without elements and tagged edges that are not edges") {
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     mesh.nodes.push_back({5, 5});
     Diagnostics faults = verify(mesh);
     CHECK(codes(faults) == Codes{"unreferenced-node"});
@@ -373,17 +373,17 @@ TEST_CASE("verify: reports nodes without elements and tagged edges that are not 
 TEST_CASE("verify: reports an element that refers to a node twice") {
     for (const Element &bad : {Element{node(0), node(1), node(0)}, Element{node(3), node(3), node(2)},
                                Element{node(2), node(0), node(0)}, Element{node(1), node(1), node(1)}}) {
-        Mesh alone = twoTriangles();
+        TriMesh alone = twoTriangles();
         alone.elements = {bad};
         CHECK(codes(verify(alone)) == Codes{"repeated-node"});
-        Mesh among = twoTriangles();
+        TriMesh among = twoTriangles();
         among.elements.push_back(bad);
         CHECK(codes(verify(among)) == Codes{"repeated-node"});
     }
 }
 
 TEST_CASE("verify: a kind of fault that occurs often is listed once with its count") {
-    Mesh mesh = samples::square(30, 30);
+    TriMesh mesh = samples::square(30, 30);
     for (std::size_t e = 0; e + 1 < mesh.elements.size(); ++e) {
         std::swap(mesh.elements[e][0], mesh.elements[e][1]);
     }
@@ -397,7 +397,7 @@ TEST_CASE("verify: a kind of fault that occurs often is listed once with its cou
 }
 
 TEST_CASE("verify: lists at most `limit` faults and counts the rest") {
-    Mesh mesh = twoTriangles();
+    TriMesh mesh = twoTriangles();
     for (int i = 0; i < 10; ++i) {
         mesh.nodes.push_back({5.0 + i, 5});
         mesh.edges.push_back({node(0), node(4 + i), 1});

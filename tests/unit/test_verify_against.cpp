@@ -12,13 +12,13 @@ namespace {
 
 /// A square with an inner constraint along x = 1/2 that separates two regions, and a constraint point.
 struct TwoRegions {
-    Mesh mesh;
+    TriMesh mesh;
     DiscreteDomain domain;
 };
 
 TwoRegions twoRegions(Vec2 offset = {}) {
     TwoRegions c{samples::square(8, 8, 0.0, offset), {}};
-    Mesh &mesh = c.mesh;
+    TriMesh &mesh = c.mesh;
     for (const Element &e : mesh.elements) {
         const Vec2 sum = mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])];
         mesh.regions.push_back(sum.x - 3.0 * offset.x < 1.5 ? 5 : 6);

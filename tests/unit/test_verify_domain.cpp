@@ -16,13 +16,13 @@ namespace {
 /// A square of 12 x 12 cells, turned by `turn` so that no side is parallel to an axis, whose right half is region 6,
 /// with a constraint point; and the domain of seven segments that it meshes.
 struct TurnedSquare {
-    Mesh mesh;
+    TriMesh mesh;
     Domain domain;
 };
 
 TurnedSquare turnedSquare(double turn = 0.3, Vec2 offset = {}) {
     TurnedSquare c{samples::square(12, 12, 0.2), {}};
-    Mesh &mesh = c.mesh;
+    TriMesh &mesh = c.mesh;
     for (std::size_t j = 0; j <= 12; ++j) {
         mesh.nodes[13 * j + 6].x = 0.5; // the constraint is straight
     }
@@ -94,7 +94,7 @@ TEST_CASE("verifyAgainst domain: accepts meshes of long and thin domains along s
 TEST_CASE("verifyAgainst domain: a missing area far below the largest products is found") {
     // The same mesh on another domain, whose area differs by 1e-12 of it.
     DiscreteDomain domain = samples::squareDomain(samples::square(12, 12, 0.2), 1.0 + 1e-12);
-    const Mesh mesh = samples::square(12, 12, 0.2);
+    const TriMesh mesh = samples::square(12, 12, 0.2);
     CHECK(codes(verifyAgainst(mesh, domain)) == Codes{"area"});
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("verifyAgainst domain: a mesh from a format without tags is compared b
 
 TEST_CASE("verifyAgainst domain: distinguishes adjacent segments at the angle of a needle") {
     // Two constraints leave node 0 at an angle of 1e-8 and are cut at different places.
-    Mesh mesh;
+    TriMesh mesh;
     const double h = 1e-8;
     mesh.nodes = {{0, 0}, {2, 0}, {2, 2 * h}, {1, 0}, {1.5, 1.5 * h}, {1, -1}, {1, 1}};
     mesh.elements = {{node(0), node(3), node(4)}, {node(3), node(1), node(4)}, {node(1), node(2), node(4)},
@@ -197,7 +197,7 @@ TEST_CASE("verifyAgainst domain: distinguishes adjacent segments at the angle of
 TEST_CASE("verifyAgainst domain: tells the sides of a needle apart where they are closer than the tolerance") {
     // Beside the tip, the nearest node of each side, 7 and 8, is on the other one to rounding.
     const double h = 1e-8;
-    Mesh mesh;
+    TriMesh mesh;
     mesh.nodes = {{0, 0}, {2, 0}, {2, 2 * h}, {1, 0}, {1.5, 1.5 * h}, {1, -1}, {1, 1}, {2e-6, 0}, {1e-6, 1e-6 * h}};
     mesh.elements = {{node(0), node(7), node(8)}, {node(7), node(3), node(8)}, {node(8), node(3), node(4)},
                      {node(3), node(1), node(4)}, {node(1), node(2), node(4)}, {node(0), node(5), node(7)},

@@ -50,7 +50,7 @@ bool WriteDialog::draw(Shell &context) {
 namespace {
 
 /// Returns the mesh that would be exported now, or null if there is none.
-std::shared_ptr<const MeshView> finishedMesh(const Shell &context) {
+std::shared_ptr<const MeshSnapshot> finishedMesh(const Shell &context) {
     const SessionSnapshot &run = context.run.now();
     const bool finished = run.complete && run.state == RunState::Finished && !context.run.preview() && run.mesh &&
                           !run.mesh->mesh.elements.empty();
@@ -61,7 +61,7 @@ std::shared_ptr<const MeshView> finishedMesh(const Shell &context) {
 /// automatically, once, if there is no finished mesh and no command is pending (a step may still be running when the
 /// dialog opens).
 bool drawMeshLine(Shell &context, bool &asked) {
-    const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
+    const std::shared_ptr<const MeshSnapshot> mesh = finishedMesh(context);
     ImGui::AlignTextToFramePadding();
     if (!mesh) {
         if (!asked && !context.run.busy() && !context.document.current()->shapes.empty()) {
@@ -153,7 +153,7 @@ std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &for
 }
 
 Diagnostics write(Shell &context, const std::filesystem::path &file, const FileFilter &filter, InnerEdges innerEdges) {
-    const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
+    const std::shared_ptr<const MeshSnapshot> mesh = finishedMesh(context);
     if (!mesh) {
         return error("no-mesh", "no finished mesh to export", "mesh the drawing first");
     }
@@ -161,8 +161,8 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
         Progress progress;
         progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
         progress.stop = std::move(stop);
-        const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->mesh) : Mesh();
-        const Mesh &exported = innerEdges == InnerEdges::Drop ? outline : mesh->mesh;
+        const TriMesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->mesh) : TriMesh();
+        const TriMesh &exported = innerEdges == InnerEdges::Drop ? outline : mesh->mesh;
         const Status written = writeMesh(file, exported, format, progress);
         return hasErrors(written) ? written : exportNotes(file, exported, format);
     };

@@ -22,7 +22,7 @@ namespace forefront {
 namespace {
 
 /// Returns why a mesh cannot be drawn.
-Diagnostics drawingFaults(const Mesh &mesh) {
+Diagnostics drawingFaults(const TriMesh &mesh) {
     const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
     const bool elements = std::all_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element &element) {
         return std::all_of(element.begin(), element.end(), known);

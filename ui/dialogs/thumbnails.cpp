@@ -20,7 +20,7 @@ namespace {
 /// Approximate number of elements of a thumbnail; more would blur into grey at this size.
 constexpr double kElements = 700.0;
 
-void addEdges(const Mesh &mesh, Thumbnail &thumbnail) {
+void addEdges(const TriMesh &mesh, Thumbnail &thumbnail) {
     const auto number = [](NodeId id) { return static_cast<std::uint32_t>(index(id)); };
     for (const Element &e : mesh.elements) {
         thumbnail.elements.push_back({number(e[0]), number(e[1]), number(e[2])});
@@ -36,7 +36,7 @@ void addEdges(const Mesh &mesh, Thumbnail &thumbnail) {
     }
 }
 
-void addFineness(const Mesh &mesh, const SpacingField &spacing, Thumbnail &thumbnail) {
+void addFineness(const TriMesh &mesh, const SpacingField &spacing, Thumbnail &thumbnail) {
     const double lowest = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - lowest;
     for (const Element &e : mesh.elements) {
         const Vec2 middle = (1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]);
@@ -64,7 +64,7 @@ std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &proj
     if (hasErrors(advanceToEnd(*mesher, *prepared, job.options, "", progress))) {
         return thumbnail;
     }
-    Mesh mesh = std::move(*mesher).takeMesh();
+    TriMesh mesh = std::move(*mesher).takeMesh();
     improve(mesh, {job.options.improve, 1, prepared->spacing.get()}, progress);
     thumbnail->box = mesh.bounds();
     addEdges(mesh, *thumbnail);

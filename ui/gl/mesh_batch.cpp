@@ -27,7 +27,7 @@ constexpr std::uint64_t kAlphaVersion = ~std::uint64_t{0};
 /// Minimum number of elements for which culling pays off.
 constexpr std::size_t kWorthSorting = 16384;
 
-Vec2 centroid(const Mesh &mesh, const Element &e) {
+Vec2 centroid(const TriMesh &mesh, const Element &e) {
     return (1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]);
 }
 
@@ -37,7 +37,8 @@ bool sameNodes(const std::vector<Vec2> &a, const std::vector<Vec2> &b) {
 }
 
 /// Returns the value of a corner of an element as the shader reads it.
-float valueAt(const MeshView &view, const std::optional<MeshValues> &values, std::size_t element, std::size_t corner) {
+float valueAt(const MeshSnapshot &view, const std::optional<MeshValues> &values, std::size_t element,
+              std::size_t corner) {
     if (!values) {
         return element < view.alpha.size() ? view.alpha[element] : 1.0F;
     }
@@ -113,7 +114,7 @@ std::size_t MeshBatch::bytes() const {
     return sum;
 }
 
-std::size_t MeshBatch::commonPrefix(const MeshView &view) const {
+std::size_t MeshBatch::commonPrefix(const MeshSnapshot &view) const {
     if (!shown_ || byPlace_ || sorter_ || !sameNodes(shown_->mesh.nodes, view.mesh.nodes)) {
         return 0;
     }
@@ -137,7 +138,7 @@ void MeshBatch::truncate(std::size_t elements) {
 }
 
 /// Adds the further elements of a mesh in their own order.
-void MeshBatch::extend(const MeshView &view) {
+void MeshBatch::extend(const MeshSnapshot &view) {
     const std::vector<Element> &elements = view.mesh.elements;
     elements_ = elements.size();
     for (std::size_t first = chunks_.empty() ? 0 : chunks_.back().first; first < elements_; first += kMeshChunk) {
@@ -234,7 +235,7 @@ void MeshBatch::upload(Chunk &chunk) {
     }
 }
 
-void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest, const MeshValues *values) {
+void MeshBatch::update(const std::shared_ptr<const MeshSnapshot> &view, bool atRest, const MeshValues *values) {
     if (!view) {
         truncate(0);
         order_ = {};

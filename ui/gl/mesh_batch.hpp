@@ -67,7 +67,7 @@ class MeshBatch {
     /// Sets the mesh; cheap if the version is the same. `atRest` means that the mesh will be shown for a while, so that
     /// sorting its chunks by location pays off; a large mesh is sorted on a separate thread. Without `values`, the
     /// elements are coloured by α. What `values` refers to must be alive in the draw that follows.
-    void update(const std::shared_ptr<const MeshView> &view, bool atRest, const MeshValues *values = nullptr);
+    void update(const std::shared_ptr<const MeshSnapshot> &view, bool atRest, const MeshValues *values = nullptr);
     std::size_t elements() const { return elements_; }
     /// Returns the number of elements uploaded by all draws together; for tests.
     std::size_t sent() const { return sent_; }
@@ -89,9 +89,9 @@ class MeshBatch {
     };
     struct Page;
 
-    std::size_t commonPrefix(const MeshView &view) const;
+    std::size_t commonPrefix(const MeshSnapshot &view) const;
     void truncate(std::size_t elements);
-    void extend(const MeshView &view);
+    void extend(const MeshSnapshot &view);
     void useOrder(MeshOrder order);
     std::size_t elementAt(std::size_t slot) const { return order_.empty() ? slot : order_[slot]; }
     Page &pageOf(const Chunk &chunk) { return *pages_[chunk.first / kPageElements]; }
@@ -103,7 +103,7 @@ class MeshBatch {
 
     static constexpr std::size_t kPageElements = 64 * kMeshChunk;
 
-    std::shared_ptr<const MeshView> shown_;
+    std::shared_ptr<const MeshSnapshot> shown_;
     std::unique_ptr<MeshSorter> sorter_; ///< at work on `shown_`; null: not
     std::vector<Chunk> chunks_;
     std::vector<std::unique_ptr<Page>> pages_; ///< each holds kPageElements elements, the last one those that it needs

@@ -67,7 +67,7 @@ bool sortByBits(const std::vector<Placed> &from, std::vector<Placed> &to, unsign
 }
 
 /// Returns the elements in the order of their places; empty if it was stopped.
-std::vector<std::uint32_t> sortedElements(const Mesh &mesh, const std::function<bool()> &stopped) {
+std::vector<std::uint32_t> sortedElements(const TriMesh &mesh, const std::function<bool()> &stopped) {
     const std::size_t count = mesh.elements.size();
     const Box2 box = mesh.bounds();
     std::vector<Placed> placed(count), sorted(count);
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> sortedElements(const Mesh &mesh, const std::function<
 
 } // namespace
 
-MeshOrder orderByPlace(const Mesh &mesh, const std::function<bool()> &stopped) {
+MeshOrder orderByPlace(const TriMesh &mesh, const std::function<bool()> &stopped) {
     MeshOrder order;
     order.elements = sortedElements(mesh, stopped);
     order.boxes.resize((order.elements.size() + kMeshChunk - 1) / kMeshChunk);
@@ -107,7 +107,7 @@ std::jthread startThread(std::function<void(const std::stop_token &)> run) {
     return std::jthread(std::move(run));
 }
 
-MeshSorter::MeshSorter(std::shared_ptr<const MeshView> view, const ThreadStarter &start) : view_(std::move(view)) {
+MeshSorter::MeshSorter(std::shared_ptr<const MeshSnapshot> view, const ThreadStarter &start) : view_(std::move(view)) {
     if (view_->mesh.elements.size() > kQuicklySorted) {
         try {
             thread_ = start([this](const std::stop_token &stop) { sort([&stop] { return stop.stop_requested(); }); });

@@ -24,7 +24,7 @@ struct MeshOrder {
 
 /// Sorts the elements of a mesh along a Z-order curve. `stopped`, if not empty, is called every few milliseconds; once
 /// it has returned true, it is not called again, and the result is empty.
-MeshOrder orderByPlace(const Mesh &mesh, const std::function<bool()> &stopped = {});
+MeshOrder orderByPlace(const TriMesh &mesh, const std::function<bool()> &stopped = {});
 
 /// Runs a function on another thread. Throws std::system_error if no thread can be started.
 using ThreadStarter = std::function<std::jthread(std::function<void(const std::stop_token &)>)>;
@@ -37,7 +37,7 @@ std::jthread startThread(std::function<void(const std::stop_token &)> run);
 class MeshSorter {
   public:
     /// `start`: replaced by tests.
-    explicit MeshSorter(std::shared_ptr<const MeshView> view, const ThreadStarter &start = startThread);
+    explicit MeshSorter(std::shared_ptr<const MeshSnapshot> view, const ThreadStarter &start = startThread);
 
     bool done() const { return done_; }
     /// Waits until it is done and returns the order; empty if there is not enough memory. Call it once.
@@ -46,7 +46,7 @@ class MeshSorter {
   private:
     void sort(const std::function<bool()> &stopped);
 
-    std::shared_ptr<const MeshView> view_;
+    std::shared_ptr<const MeshSnapshot> view_;
     MeshOrder order_;
     std::atomic<bool> done_ = false;
     std::jthread thread_; ///< last, so that it ends before what it uses

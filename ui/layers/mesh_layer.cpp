@@ -28,13 +28,13 @@ bool coloursByAlpha(const LayerFrame &frame) {
 
 /// Returns the mesh to draw. While values of a newer mesh are being computed, the colours are shown on the mesh that
 /// they belong to; α is computed with the mesh.
-const std::shared_ptr<const MeshView> &meshShown(const LayerFrame &frame) {
+const std::shared_ptr<const MeshSnapshot> &meshShown(const LayerFrame &frame) {
     const bool earlier =
         frame.visible("quality") && !coloursByAlpha(frame) && frame.snapshot.mesh && frame.judgement.of.mesh;
     return earlier ? frame.judgement.of.mesh : frame.snapshot.mesh;
 }
 
-std::size_t countOf(const std::shared_ptr<const MeshView> &mesh) {
+std::size_t countOf(const std::shared_ptr<const MeshSnapshot> &mesh) {
     return mesh ? mesh->mesh.elements.size() : 0;
 }
 
@@ -46,7 +46,7 @@ bool showsValues(const LayerFrame &frame) {
 /// Returns the version of the mesh and of the values that colour it. Values that are not shown do not count: those of
 /// a live mesh arrive after it.
 std::uint64_t shapeOf(const LayerFrame &frame) {
-    const std::shared_ptr<const MeshView> &mesh = meshShown(frame);
+    const std::shared_ptr<const MeshSnapshot> &mesh = meshShown(frame);
     Hash64 hash;
     hash.add(mesh ? mesh->version : 0);
     hash.add(frame.snapshot.run);
@@ -161,7 +161,7 @@ class QualityLayer final : public Layer {
             return;
         }
         findBad(*frame.snapshot.mesh);
-        const Mesh &mesh = frame.snapshot.mesh->mesh;
+        const TriMesh &mesh = frame.snapshot.mesh->mesh;
         const Box2 visible = frame.camera.visible();
         std::size_t shown = 0;
         for (const std::size_t i : bad_) {
@@ -212,7 +212,7 @@ class QualityLayer final : public Layer {
         return infoOf(measure).logarithmic ? logarithmicTicks(range.from, range.to, 5) : linearTicks(range);
     }
 
-    void findBad(const MeshView &view) {
+    void findBad(const MeshSnapshot &view) {
         if (view.version == version_) {
             return;
         }

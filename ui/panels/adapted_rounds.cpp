@@ -48,7 +48,7 @@ void logEnd(Shell &context) {
 /// Returns true if the canvas shows a mesh of the adaptation, or the mesh that it starts from, and no run is about to
 /// replace it.
 bool showsRounds(const Shell &context) {
-    const std::shared_ptr<const MeshView> &mesh = context.run.now().mesh;
+    const std::shared_ptr<const MeshSnapshot> &mesh = context.run.now().mesh;
     const bool follows =
         !context.run.showsFile() && (context.run.busy() || context.run.hasNews() || context.run.hasToFollow());
     return mesh && mesh->version == context.adaptation.shown && !follows;

@@ -34,7 +34,7 @@ void clearTo(const Colour &colour) {
 /// Number of elements above which a picture is heavy.
 constexpr std::size_t kHeavy = 30'000;
 
-using OverlaidMesh = std::shared_ptr<const MeshView>;
+using OverlaidMesh = std::shared_ptr<const MeshSnapshot>;
 
 bool isHeavy(const LayerFrame &frame, const LayerSlot &slot) {
     return slot.visible && slot.layer->stillElements(frame) > kHeavy;

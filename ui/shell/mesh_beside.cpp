@@ -116,7 +116,7 @@ FigureRow rowOf(std::string name, const std::optional<MeshFigures> &figures) {
 
 void drawMeshBeside(Shell &context, CanvasPainter &painter) {
     const ComparedMesh &compared = *context.sides.mesh();
-    const Mesh &mesh = compared.mesh();
+    const TriMesh &mesh = compared.mesh();
     const auto at = [&](NodeId node) { return mesh.nodes[index(node)]; };
     const Box2 visible = painter.camera().visible();
     const InView view = elementsIn(compared, visible);

@@ -76,7 +76,7 @@ class RunPicture {
             painter_.line(a, b, colour, width);
         }
     }
-    void drawElements(const Mesh &mesh) {
+    void drawElements(const TriMesh &mesh) {
         for (const Element &element : mesh.elements) {
             const Vec2 a = at(element[0]), b = at(element[1]), c = at(element[2]);
             Box2 box = boxOf(a, b);

@@ -80,7 +80,7 @@ void goToPart(Workspace &context, const MeshPick &pick) {
     }
     context.probe.follow(judgement.of.mesh->version);
     context.probe.chosen = pick;
-    const Mesh &mesh = judgement.of.mesh->mesh;
+    const TriMesh &mesh = judgement.of.mesh->mesh;
     Box2 box;
     if (pick.part == MeshPart::Elements) {
         for (const NodeId node : mesh.elements[pick.index]) {
@@ -113,7 +113,7 @@ namespace {
 
 /// Returns the element that contains a place; the lowest number if elements overlap there.
 std::uint32_t elementAt(const Judgement &judgement, Vec2 place) {
-    const Mesh &mesh = judgement.of.mesh->mesh;
+    const TriMesh &mesh = judgement.of.mesh->mesh;
     std::uint32_t found = kNoIndex;
     judgement.tree->query(boxAround(place, 0.0), [&](std::uint32_t number) {
         const Element &n = mesh.elements[number];
@@ -128,7 +128,7 @@ std::uint32_t elementAt(const Judgement &judgement, Vec2 place) {
 
 /// Returns the nodes of a part.
 std::vector<Vec2> nodesOf(const Judgement &judgement, const MeshPick &pick) {
-    const Mesh &mesh = judgement.of.mesh->mesh;
+    const TriMesh &mesh = judgement.of.mesh->mesh;
     const auto at = [&](NodeId node) { return mesh.nodes[index(node)]; };
     if (pick.part == MeshPart::Elements && pick.index < mesh.elements.size()) {
         const Element &n = mesh.elements[pick.index];
@@ -152,7 +152,7 @@ std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double re
     if (element == kNoIndex) {
         return std::nullopt;
     }
-    const Mesh &mesh = judgement.of.mesh->mesh;
+    const TriMesh &mesh = judgement.of.mesh->mesh;
     const Element &n = mesh.elements[element];
     std::array<Vec2, 3> p{};
     std::transform(n.begin(), n.end(), p.begin(), [&](NodeId node) { return mesh.nodes[index(node)]; });

@@ -145,7 +145,7 @@ class PartReader {
     }
 
     const Judgement &judgement_;
-    const Mesh &mesh_;
+    const TriMesh &mesh_;
 };
 
 } // namespace
@@ -156,7 +156,7 @@ Rows describePart(const Workspace &context, const MeshPick &pick) {
         return {};
     }
     const PartReader reader(judgement);
-    const Mesh &mesh = judgement.of.mesh->mesh;
+    const TriMesh &mesh = judgement.of.mesh->mesh;
     switch (pick.part) {
     case MeshPart::Elements:
         return pick.index < mesh.elements.size() ? reader.element(pick.index) : Rows();

@@ -30,8 +30,8 @@ Progress progressOfRound(const Progress &progress, int round) {
 }
 
 /// Records the error of the mesh of the outcome, and reports it.
-void addRound(AdaptOutcome &outcome, const Mesh &mesh, const std::vector<double> &values, const ErrorEstimate &estimate,
-              const AdaptReport &report) {
+void addRound(AdaptOutcome &outcome, const TriMesh &mesh, const std::vector<double> &values,
+              const ErrorEstimate &estimate, const AdaptReport &report) {
     outcome.rounds.push_back({mesh.nodes.size(), mesh.elements.size(), estimate.relative()});
     if (report) {
         report(outcome.rounds.size() - 1, outcome.rounds.back(), {mesh, values, estimate, outcome.spacing});
@@ -40,7 +40,7 @@ void addRound(AdaptOutcome &outcome, const Mesh &mesh, const std::vector<double>
 
 /// Makes the next mesh of the outcome: with the spacing that meets a target according to the estimate on `mesh`, which
 /// may be that of the outcome. Returns the faults.
-Diagnostics remesh(AdaptOutcome &outcome, const Domain &domain, const Mesh &mesh, const ErrorEstimate &estimate,
+Diagnostics remesh(AdaptOutcome &outcome, const Domain &domain, const TriMesh &mesh, const ErrorEstimate &estimate,
                    const AdaptTarget &target, const MeshingOptions &options, const Progress &progress) {
     Result<SpacingSpec> spacing = adaptedSpacing(mesh, estimate, target, progress);
     if (!spacing) {
@@ -80,7 +80,7 @@ Result<NodalField> expressionField(const std::string &expression) {
         return program.faults();
     }
     const auto shared = std::make_shared<const ExpressionProgram>(std::move(*program));
-    return NodalField([shared](const Mesh &mesh, const Progress &progress) -> Result<std::vector<double>> {
+    return NodalField([shared](const TriMesh &mesh, const Progress &progress) -> Result<std::vector<double>> {
         constexpr std::size_t kBatch = 4096;
         std::vector<double> values(mesh.nodes.size());
         for (std::size_t first = 0; first < values.size(); first += kBatch) {
@@ -105,9 +105,9 @@ Result<NodalField> expressionField(const std::string &expression) {
 
 namespace {
 
-Result<AdaptOutcome> meshInRounds(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                                  int maxRounds, const MeshingOptions &options, const Progress &progress,
-                                  const AdaptReport &report) {
+Result<AdaptOutcome> meshInRounds(const Domain &domain, TriMesh mesh, const NodalField &field,
+                                  const AdaptTarget &target, int maxRounds, const MeshingOptions &options,
+                                  const Progress &progress, const AdaptReport &report) {
     AdaptOutcome outcome;
     outcome.mesh = std::move(mesh);
     AdaptTarget aim = target;
@@ -144,7 +144,7 @@ Result<AdaptOutcome> meshInRounds(const Domain &domain, Mesh mesh, const NodalFi
     }
 }
 
-Result<AdaptOutcome> meshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+Result<AdaptOutcome> meshOnce(const Domain &domain, const TriMesh &mesh, const std::vector<double> &values,
                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
                               const AdaptReport &report) {
     AdaptOutcome outcome;
@@ -162,7 +162,7 @@ Result<AdaptOutcome> meshOnce(const Domain &domain, const Mesh &mesh, const std:
 
 } // namespace
 
-Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+Result<AdaptOutcome> adaptMesh(const Domain &domain, TriMesh mesh, const NodalField &field, const AdaptTarget &target,
                                int maxRounds, const MeshingOptions &options, const Progress &progress,
                                const AdaptReport &report) {
     return orOutOfMemory("to adapt the mesh", [&] {
@@ -170,7 +170,7 @@ Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField
     });
 }
 
-Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const TriMesh &mesh, const std::vector<double> &values,
                                    const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
                                    const AdaptReport &report) {
     return orOutOfMemory("to adapt the mesh",

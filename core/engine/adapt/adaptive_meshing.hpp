@@ -15,7 +15,7 @@ namespace FOREFRONT_API forefront {
 
 /// A function that returns values at the nodes of a mesh, from a formula or a solver. It may report progress and be
 /// cancelled.
-using NodalField = std::function<Result<std::vector<double>>(const Mesh &, const Progress &)>;
+using NodalField = std::function<Result<std::vector<double>>(const TriMesh &, const Progress &)>;
 
 /// Returns a field from an expression in x and y. Errors: "expression-syntax"; when evaluated, "expression-value" with
 /// the position, "cancelled".
@@ -29,7 +29,7 @@ struct AdaptRound {
 
 /// What adaptMesh() knows at the end of a round; valid during the call that reports it.
 struct AdaptState {
-    const Mesh &mesh;
+    const TriMesh &mesh;
     const std::vector<double> &values; ///< of the field at the nodes
     const ErrorEstimate &estimate;
     const SpacingSpec &spacing; ///< that the mesh was made with; empty for the given mesh
@@ -40,7 +40,7 @@ using AdaptReport = std::function<void(std::size_t round, const AdaptRound &, co
 
 /// The result of adaptMesh().
 struct AdaptOutcome {
-    Mesh mesh;
+    TriMesh mesh;
     SpacingSpec spacing;            ///< spacing of the last round, defined on the previous mesh
     std::vector<AdaptRound> rounds; ///< the given mesh and each new one
     bool met = false;               ///< the last estimate is within the target
@@ -50,13 +50,13 @@ struct AdaptOutcome {
 /// Adapts a mesh to a target error in rounds: estimates the error, remeshes the domain with the spacing that follows
 /// from it and evaluates the field on the new mesh, until the estimate meets the target or no longer falls. Makes at
 /// least one and at most `maxRounds` new meshes. Errors: those of the field and of the mesher, "cancelled".
-Result<AdaptOutcome> adaptMesh(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+Result<AdaptOutcome> adaptMesh(const Domain &domain, TriMesh mesh, const NodalField &field, const AdaptTarget &target,
                                int maxRounds, const MeshingOptions &options, const Progress &progress = {},
                                const AdaptReport &report = {});
 
 /// Makes one new mesh for a field that is known only on the nodes of a mesh, such as a solution: it must be computed
 /// again there. Reports the given mesh as round 0, the only one of the outcome. Errors: as adaptMesh().
-Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const TriMesh &mesh, const std::vector<double> &values,
                                    const AdaptTarget &target, const MeshingOptions &options,
                                    const Progress &progress = {}, const AdaptReport &report = {});
 

@@ -12,7 +12,7 @@ double ErrorEstimate::relative() const {
     return total > 0.0 ? total / std::hypot(norm, total) : 0.0;
 }
 
-Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
+Result<ErrorEstimate> estimateError(const TriMesh &mesh, std::span<const double> values, const Progress &progress) {
     const Result<std::vector<Vec2>> gradients = elementGradients(mesh, values, progress);
     if (!gradients) {
         return gradients.faults();

@@ -3,7 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <span>
 #include <vector>
@@ -22,6 +22,6 @@ struct ErrorEstimate {
 
 /// Estimates the error by the method of O. C. Zienkiewicz and J. Z. Zhu (1987, 1992), with the recovered gradient G in
 /// place of the exact one. Error: "cancelled".
-Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> values, const Progress &progress = {});
+Result<ErrorEstimate> estimateError(const TriMesh &mesh, std::span<const double> values, const Progress &progress = {});
 
 } // namespace forefront

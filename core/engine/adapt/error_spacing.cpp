@@ -18,7 +18,7 @@ namespace {
 constexpr double kMaxRefinement = 1.0 / 6.0;
 constexpr double kMaxCoarsening = 3.0;
 
-std::vector<double> areasOf(const Mesh &mesh) {
+std::vector<double> areasOf(const TriMesh &mesh) {
     std::vector<double> areas;
     areas.reserve(mesh.elements.size());
     for (const Element &nodes : mesh.elements) {
@@ -36,7 +36,7 @@ double sizeOf(double area) {
 /// Computes the spacing from an error per element, see elementSpacing().
 class SpacingLaw {
   public:
-    SpacingLaw(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target)
+    SpacingLaw(const TriMesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target)
         : sizes_(areasOf(mesh)), errors_(estimate.elements), target_(target) {
         for (double &size : sizes_) {
             size = sizeOf(size);
@@ -85,8 +85,8 @@ class SpacingLaw {
 
 } // namespace
 
-Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
-                                           const Progress &progress) {
+Result<std::vector<double>> elementSpacing(const TriMesh &mesh, const ErrorEstimate &estimate,
+                                           const AdaptTarget &target, const Progress &progress) {
     const SpacingLaw law(mesh, estimate, target);
     const double total = target.error * std::hypot(estimate.norm, estimate.total);
     const std::optional<double> elementError = total > 0.0 ? law.solve(total, progress) : 1.0;
@@ -100,7 +100,7 @@ Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate
     return spacing;
 }
 
-std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> elementSpacing) {
+std::vector<double> nodalSpacing(const TriMesh &mesh, std::span<const double> elementSpacing) {
     const std::vector<double> areas = areasOf(mesh);
     std::vector<double> area(mesh.nodes.size(), 0.0), density(mesh.nodes.size(), 0.0);
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -118,7 +118,7 @@ std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> eleme
     return spacing;
 }
 
-Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
+Result<SpacingSpec> adaptedSpacing(const TriMesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
                                    const Progress &progress) {
     const Result<std::vector<double>> ofElements = elementSpacing(mesh, estimate, target, progress);
     if (!ofElements) {

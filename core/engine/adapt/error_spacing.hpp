@@ -22,15 +22,15 @@ struct AdaptTarget {
 /// size h falls as h², so h_new = h·√(e_target/e), where e_target is the same for all elements and follows from the
 /// total. One step changes h by a factor between 1/6 and 3, since estimates on coarse meshes are inaccurate. Error:
 /// "cancelled".
-Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
-                                           const Progress &progress = {});
+Result<std::vector<double>> elementSpacing(const TriMesh &mesh, const ErrorEstimate &estimate,
+                                           const AdaptTarget &target, const Progress &progress = {});
 
 /// Returns the spacing at nodes from that of elements: the mean of the density 1/h² around each node, weighted by area.
-std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> elementSpacing);
+std::vector<double> nodalSpacing(const TriMesh &mesh, std::span<const double> elementSpacing);
 
 /// Calls the two functions above, limits the gradation, and returns the node spacing with `mesh` as background mesh.
 /// Error: "cancelled".
-Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
+Result<SpacingSpec> adaptedSpacing(const TriMesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
                                    const Progress &progress = {});
 
 } // namespace forefront

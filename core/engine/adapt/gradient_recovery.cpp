@@ -16,7 +16,7 @@ constexpr std::size_t kEnough = 5;
 
 class PatchRecovery {
   public:
-    PatchRecovery(const Mesh &mesh, NodeElements around, std::span<const Vec2> gradients)
+    PatchRecovery(const TriMesh &mesh, NodeElements around, std::span<const Vec2> gradients)
         : mesh_(mesh), around_(std::move(around)), gradients_(gradients), inPatch_(mesh.elements.size(), 0) {}
 
     Result<CornerGradients> run(const Progress &progress) {
@@ -130,7 +130,7 @@ class PatchRecovery {
         return weight > 0.0 ? (1.0 / weight) * sum : Vec2{};
     }
 
-    const Mesh &mesh_;
+    const TriMesh &mesh_;
     NodeElements around_;
     std::span<const Vec2> gradients_;
     std::vector<std::uint64_t> inPatch_; ///< stamp of the last patch an element was in
@@ -140,7 +140,8 @@ class PatchRecovery {
 
 } // namespace
 
-Result<std::vector<Vec2>> elementGradients(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
+Result<std::vector<Vec2>> elementGradients(const TriMesh &mesh, std::span<const double> values,
+                                           const Progress &progress) {
     std::vector<Vec2> gradients(mesh.elements.size());
     PacedProgress pace(progress, "computing the gradient", mesh.elements.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -159,7 +160,8 @@ Result<std::vector<Vec2>> elementGradients(const Mesh &mesh, std::span<const dou
     return gradients;
 }
 
-Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const Vec2> gradients, const Progress &progress) {
+Result<CornerGradients> recoverGradient(const TriMesh &mesh, std::span<const Vec2> gradients,
+                                        const Progress &progress) {
     std::optional<NodeElements> around = nodeElements(mesh, progress);
     if (!around) {
         return cancelled("recovering the gradient");

@@ -2,7 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <array>
 #include <span>
@@ -12,7 +12,7 @@ namespace forefront {
 
 /// Returns the gradient of the linear interpolation of nodal values, constant on each element; zero on elements with
 /// zero area. Error: "cancelled".
-Result<std::vector<Vec2>> elementGradients(const Mesh &mesh, std::span<const double> values,
+Result<std::vector<Vec2>> elementGradients(const TriMesh &mesh, std::span<const double> values,
                                            const Progress &progress = {});
 
 /// A recovered gradient, linear on each element: one value per element and corner.
@@ -24,7 +24,7 @@ using CornerGradients = std::vector<std::array<Vec2, 3>>;
 /// Patches at the boundary, with too few elements for a fit, include the next ring. Where no fit is possible, the
 /// result is the area-weighted mean. Patches never cross the border between regions, where a gradient may jump.
 /// `gradients`: one per element. Error: "cancelled".
-Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const Vec2> gradients,
+Result<CornerGradients> recoverGradient(const TriMesh &mesh, std::span<const Vec2> gradients,
                                         const Progress &progress = {});
 
 } // namespace forefront

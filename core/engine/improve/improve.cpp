@@ -74,7 +74,8 @@ constexpr Plan kPolishPlan{{}, std::nullopt, 0.75, true};
 
 class Improvement {
   public:
-    Improvement(Mesh &mesh, const Plan &plan, const ImproveOptions &options, ThreadPool &pool, const Progress &progress)
+    Improvement(TriMesh &mesh, const Plan &plan, const ImproveOptions &options, ThreadPool &pool,
+                const Progress &progress)
         : plan_(plan), options_(options), progress_(progress),
           work_(mesh, pool, progress.stop, plan.restructures() ? mesh.nodes.size() / kNodesPerSpare : 0) {}
 
@@ -167,7 +168,7 @@ class Improvement {
 
 /// Improves a mesh by a plan. Sorts large meshes meanwhile where that pays off; a plan that changes the numbers of
 /// nodes and elements leaves them as they are.
-ImproveReport improveBy(const Plan &plan, Mesh &mesh, const ImproveOptions &options, const Progress &progress) {
+ImproveReport improveBy(const Plan &plan, TriMesh &mesh, const ImproveOptions &options, const Progress &progress) {
     CpuClock clock;
     ThreadPool pool(options.threads);
     std::optional<SpatialOrder> order;
@@ -183,7 +184,7 @@ ImproveReport improveBy(const Plan &plan, Mesh &mesh, const ImproveOptions &opti
 }
 
 /// Returns the minimum α, exactly as measureQuality() does.
-double minAlpha(const Mesh &mesh) {
+double minAlpha(const TriMesh &mesh) {
     double minimum = mesh.elements.empty() ? 0.0 : 2.0;
     for (const Element &n : mesh.elements) {
         minimum =
@@ -192,7 +193,7 @@ double minAlpha(const Mesh &mesh) {
     return minimum;
 }
 
-double geometricMeanAlpha(const Mesh &mesh) {
+double geometricMeanAlpha(const TriMesh &mesh) {
     LogProduct product;
     for (const Element &n : mesh.elements) {
         product.multiply(shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
@@ -212,7 +213,7 @@ void append(ImproveReport &report, const ImproveReport &further) {
 
 /// Adds and removes nodes of a poor mesh, then moves nodes for the shapes alone if it stays poor, and so on as long as
 /// that pays off.
-void improveFurther(Mesh &mesh, const ImproveOptions &options, const Progress &progress, ImproveReport &report) {
+void improveFurther(TriMesh &mesh, const ImproveOptions &options, const Progress &progress, ImproveReport &report) {
     double mean = geometricMeanAlpha(mesh);
     double gain = mean < kHopelessMean ? 0.0 : 1.0;
     // In a small mesh, another try is cheap.
@@ -236,7 +237,7 @@ void improveFurther(Mesh &mesh, const ImproveOptions &options, const Progress &p
 
 } // namespace
 
-ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress &progress) {
+ImproveReport improve(TriMesh &mesh, const ImproveOptions &options, const Progress &progress) {
     if (progress.cancelled()) {
         return {};
     }

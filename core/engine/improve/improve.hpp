@@ -3,7 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/progress.hpp"
 #include "core/engine/improve/improve_level.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 namespace FOREFRONT_API forefront {
 
@@ -36,6 +36,6 @@ struct ImproveReport {
 /// 0.4 s up to 10⁷.
 /// Smoothing works in single precision: lengths beyond about 1e±38 leave the mesh as it is.
 /// Throws std::bad_alloc if memory runs out; the mesh is then unusable.
-ImproveReport improve(Mesh &mesh, const ImproveOptions &options = {}, const Progress &progress = {});
+ImproveReport improve(TriMesh &mesh, const ImproveOptions &options = {}, const Progress &progress = {});
 
 } // namespace forefront

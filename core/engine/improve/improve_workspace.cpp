@@ -9,7 +9,8 @@
 
 namespace forefront {
 
-ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads, const std::stop_token &stop, std::size_t room)
+ImproveWorkspace::ImproveWorkspace(TriMesh &improved, ThreadPool &threads, const std::stop_token &stop,
+                                   std::size_t room)
     : mesh(improved), pool(threads) {
     const auto make = [](auto &list, std::size_t size, std::size_t more) {
         list.reserve(size + more);

@@ -3,7 +3,7 @@
 #include "core/engine/base/raw_vector.hpp"
 #include "core/engine/base/thread_pool.hpp"
 #include "core/engine/mesh/edge_table.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <array>
 #include <cstdint>
@@ -26,7 +26,7 @@ constexpr HalfEdge previousSide(HalfEdge h) {
 /// The data that improvement keeps beside the mesh: 16 bytes per element and 20 per node.
 struct ImproveWorkspace {
     /// Unusable after a stop. `room`: number of further nodes to reserve memory for.
-    ImproveWorkspace(Mesh &mesh, ThreadPool &pool, const std::stop_token &stop = {}, std::size_t room = 0);
+    ImproveWorkspace(TriMesh &mesh, ThreadPool &pool, const std::stop_token &stop = {}, std::size_t room = 0);
 
     /// Maximum number of elements: joining them uses one bit of each half-edge.
     static constexpr std::size_t kMaxElements = 0x7fffffffU / 3U;
@@ -37,7 +37,7 @@ struct ImproveWorkspace {
     /// Maximum number of nodes of a stored ring. Longer rings are walked each time.
     static constexpr unsigned kRingNodes = 7;
 
-    Mesh &mesh;
+    TriMesh &mesh;
     ThreadPool &pool;
     /// The half-edge across; none on the boundary, between regions, on tagged edges and where the mesh does not
     /// conform. Swaps keep it up to date.

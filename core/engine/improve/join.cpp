@@ -53,7 +53,7 @@ class Matcher {
 
   private:
     ImproveWorkspace &work_;
-    const Mesh &mesh_;
+    const TriMesh &mesh_;
     std::vector<HalfEdge> heads_;
 };
 
@@ -164,7 +164,7 @@ class TaggedEdges {
 
 /// Separates the elements at tagged edges and between regions. Both ends of a tagged edge are fixed.
 void separateTagged(ImproveWorkspace &work, const std::stop_token &stop) {
-    const Mesh &mesh = work.mesh;
+    const TriMesh &mesh = work.mesh;
     const TaggedEdges tagged(work);
     const std::size_t count = mesh.elements.size();
     const bool manyRegions =

@@ -235,7 +235,7 @@ void Replacer::moveElement(std::uint32_t from, std::uint32_t to) {
 }
 
 void Replacer::compactElements() {
-    Mesh &mesh = work_.mesh;
+    TriMesh &mesh = work_.mesh;
     const std::size_t kept = mesh.elements.size() - freeElements_.size();
     std::sort(freeElements_.begin(), freeElements_.end());
     auto last = static_cast<std::uint32_t>(mesh.elements.size());
@@ -256,7 +256,7 @@ void Replacer::compactElements() {
 }
 
 void Replacer::compactNodes() {
-    Mesh &mesh = work_.mesh;
+    TriMesh &mesh = work_.mesh;
     const std::size_t kept = mesh.nodes.size() - freeNodes_.size();
     std::vector<NodeId> places(freeNodes_.size(), kNoNode); // new ids of the last nodes; kNoNode for removed ones
     std::sort(freeNodes_.begin(), freeNodes_.end());
@@ -284,7 +284,7 @@ void Replacer::compactNodes() {
 }
 
 void Replacer::renumber(std::size_t kept, const std::vector<NodeId> &places) {
-    Mesh &mesh = work_.mesh;
+    TriMesh &mesh = work_.mesh;
     const auto move = [&](NodeId &n) {
         const bool moved = index(n) >= kept;
         n = moved ? places[index(n) - kept] : n;

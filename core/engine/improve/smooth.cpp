@@ -38,7 +38,7 @@ void NodeSmoother::renewSpacing(const std::stop_token &stop) {
 
 /// Sets ρ to the mean length of the edges of each node. An inner edge counts twice, once for each of its elements.
 void NodeSmoother::meanLengths() {
-    const Mesh &mesh = work_.mesh;
+    const TriMesh &mesh = work_.mesh;
     std::fill(rho_.begin(), rho_.end(), 0.0F);
     std::vector<std::uint32_t> ends(mesh.nodes.size(), 0);
     for (const Element &e : mesh.elements) {

@@ -48,7 +48,7 @@ void putBack(ThreadPool &pool, const std::vector<std::uint32_t> &numbers, std::v
 
 } // namespace
 
-bool SpatialOrder::helps(const Mesh &mesh) {
+bool SpatialOrder::helps(const TriMesh &mesh) {
     const auto isFar = [](const Element &n) {
         const auto [first, last] = std::minmax({index(n[0]), index(n[1]), index(n[2])});
         return last - first > kFar;
@@ -57,7 +57,7 @@ bool SpatialOrder::helps(const Mesh &mesh) {
            static_cast<std::ptrdiff_t>(mesh.elements.size() / kMany);
 }
 
-SpatialOrder::SpatialOrder(Mesh &mesh, ThreadPool &pool) : mesh_(mesh), pool_(pool) {
+SpatialOrder::SpatialOrder(TriMesh &mesh, ThreadPool &pool) : mesh_(mesh), pool_(pool) {
     sortNodes();
     std::vector<std::uint32_t> rank(nodes_.size());
     forEach(pool_, nodes_.size(), [&](std::size_t k) { rank[nodes_[k]] = static_cast<std::uint32_t>(k); });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/thread_pool.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -14,10 +14,10 @@ namespace forefront {
 class SpatialOrder {
   public:
     /// Returns true if the nodes of many elements lie far apart in memory.
-    static bool helps(const Mesh &mesh);
+    static bool helps(const TriMesh &mesh);
 
     /// Sorts the mesh. Takes 6 bytes per element while the mesh is sorted.
-    SpatialOrder(Mesh &mesh, ThreadPool &pool);
+    SpatialOrder(TriMesh &mesh, ThreadPool &pool);
 
     /// Gives nodes and elements their numbers back. Meanwhile nodes may have moved and elements may have got other
     /// nodes, but there must be as many.
@@ -28,7 +28,7 @@ class SpatialOrder {
     void sortElements(const std::vector<std::uint32_t> &rank);
     void renumberTagged(const std::vector<std::uint32_t> &numbers);
 
-    Mesh &mesh_;
+    TriMesh &mesh_;
     ThreadPool &pool_;
     std::vector<std::uint32_t> nodes_;    ///< per sorted node: its number
     std::vector<std::uint32_t> elements_; ///< per sorted element: its number

@@ -50,7 +50,7 @@ class Below {
 
 class Sweep {
   public:
-    Sweep(const Mesh &mesh, const std::vector<HalfEdge> &boundary) : active_(Below(edges_)) {
+    Sweep(const TriMesh &mesh, const std::vector<HalfEdge> &boundary) : active_(Below(edges_)) {
         edges_.reserve(boundary.size());
         for (const HalfEdge h : boundary) {
             const NodeId a = startOf(mesh, h), b = endOf(mesh, h);
@@ -155,7 +155,7 @@ class Sweep {
 
 } // namespace
 
-Coverage coverage(const Mesh &mesh, const std::vector<HalfEdge> &boundary) {
+Coverage coverage(const TriMesh &mesh, const std::vector<HalfEdge> &boundary) {
     return Sweep(mesh, boundary).run();
 }
 

@@ -24,6 +24,6 @@ struct Coverage {
 /// because inner edges cancel. A plane sweep (M. I. Shamos, D. Hoey, Geometric intersection problems, 1976) with exact
 /// predicates finds that number between any two neighbouring edges; it must be 0 or 1. O(b log b) for b boundary edges.
 /// `boundary`: the half-edges whose edge has one element.
-Coverage coverage(const Mesh &mesh, const std::vector<HalfEdge> &boundary);
+Coverage coverage(const TriMesh &mesh, const std::vector<HalfEdge> &boundary);
 
 } // namespace forefront

@@ -12,7 +12,7 @@ std::uint32_t EdgeTable::upperNode(HalfEdge h) const {
     return static_cast<std::uint32_t>(std::max(startOf(*mesh_, h), endOf(*mesh_, h)));
 }
 
-EdgeTable::EdgeTable(const Mesh &mesh)
+EdgeTable::EdgeTable(const TriMesh &mesh)
     : mesh_(&mesh), offsets_(mesh.nodes.size() + 1, 0), halfEdges_(3 * mesh.elements.size()) {
     for (const Element &e : mesh.elements) {
         ++offsets_[index(std::min(e[0], e[1]))];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <cstdint>
 #include <span>
@@ -17,10 +17,10 @@ constexpr std::size_t elementOf(HalfEdge h) {
 constexpr unsigned sideOf(HalfEdge h) {
     return h % 3U;
 }
-inline NodeId startOf(const Mesh &mesh, HalfEdge h) {
+inline NodeId startOf(const TriMesh &mesh, HalfEdge h) {
     return mesh.elements[elementOf(h)][sideOf(h)];
 }
-inline NodeId endOf(const Mesh &mesh, HalfEdge h) {
+inline NodeId endOf(const TriMesh &mesh, HalfEdge h) {
     return mesh.elements[elementOf(h)][(sideOf(h) + 1U) % 3U];
 }
 
@@ -29,7 +29,7 @@ inline NodeId endOf(const Mesh &mesh, HalfEdge h) {
 /// sorted. The indices of the elements must be valid, and there may be at most 2³²/3 elements.
 class EdgeTable {
   public:
-    explicit EdgeTable(const Mesh &mesh);
+    explicit EdgeTable(const TriMesh &mesh);
 
     /// Returns the half-edges of the edge that joins two nodes, in either direction, ascending; empty without such an
     /// edge.
@@ -57,7 +57,7 @@ class EdgeTable {
     std::uint32_t upperNode(HalfEdge h) const;
     void sortRow(std::uint32_t begin, std::uint32_t end);
 
-    const Mesh *mesh_;
+    const TriMesh *mesh_;
     std::vector<std::uint32_t> offsets_;
     std::vector<HalfEdge> halfEdges_;
 };

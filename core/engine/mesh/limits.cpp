@@ -31,7 +31,7 @@ bool breaks(const LimitInfo &info, double bound, double value) {
     return info.isMinimum ? value < bound - slack : value > bound + slack;
 }
 
-LimitVerdict verdictOf(MeshLimit limit, double bound, const Mesh &mesh, const MeshEdges &edges,
+LimitVerdict verdictOf(MeshLimit limit, double bound, const TriMesh &mesh, const MeshEdges &edges,
                        const std::vector<double> &values, std::size_t places) {
     const LimitInfo &info = limitInfo(limit);
     LimitVerdict verdict;
@@ -93,7 +93,7 @@ std::string limitFault(MeshLimit limit, double value) {
     return "expected " + range + ", got " + numberText(value, 6);
 }
 
-std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
+std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
                                       const SpacingField *spacing, std::size_t places) {
     std::vector<LimitVerdict> verdicts;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
@@ -105,7 +105,7 @@ std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshEdges &edges, 
     return verdicts;
 }
 
-std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
+std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
                                       std::size_t places) {
     return limits.any() ? checkLimits(mesh, edgesOf(mesh), limits, spacing, places) : std::vector<LimitVerdict>();
 }

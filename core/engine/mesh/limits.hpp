@@ -87,10 +87,10 @@ struct LimitVerdict {
 
 /// Checks a mesh against the limits that are set, in their order. A value within a relative 1e-9 of a limit meets it,
 /// so that rounding does not decide. Verdicts list at most `places` places. `spacing`: may be null.
-std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
+std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
                                       std::size_t places = 20);
 /// Checks as above, with the edges of the mesh already known.
-std::vector<LimitVerdict> checkLimits(const Mesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
+std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
                                       const SpacingField *spacing, std::size_t places = 20);
 
 /// Returns the verdict as a line: "minimum angle 25°: violated by 3 of 1200 elements, worst 12.3° at (1.5, 2)".

@@ -55,7 +55,7 @@ double angleAt(Vec2 tip, Vec2 b, Vec2 c, double twiceArea) {
 
 /// The corners of an element.
 struct Corners {
-    Corners(const Mesh &mesh, const Element &e)
+    Corners(const TriMesh &mesh, const Element &e)
         : a(mesh.nodes[index(e[0])]), b(mesh.nodes[index(e[1])]), c(mesh.nodes[index(e[2])]) {}
     double twiceArea() const { return cross(b - a, c - a); }
     std::array<double, 3> angles() const {
@@ -69,7 +69,7 @@ struct Corners {
 };
 
 template <class Value>
-std::vector<double> perElement(const Mesh &mesh, Value &&value) {
+std::vector<double> perElement(const TriMesh &mesh, Value &&value) {
     std::vector<double> values(mesh.elements.size());
     for (std::size_t e = 0; e < values.size(); ++e) {
         values[e] = value(Corners(mesh, mesh.elements[e]));
@@ -77,7 +77,7 @@ std::vector<double> perElement(const Mesh &mesh, Value &&value) {
     return values;
 }
 
-std::vector<double> areaRatios(const Mesh &mesh, const MeshEdges &edges) {
+std::vector<double> areaRatios(const TriMesh &mesh, const MeshEdges &edges) {
     const std::vector<double> areas = perElement(mesh, [](const Corners &t) { return std::abs(t.twiceArea()); });
     std::vector<double> ratios(areas.size(), kNone);
     for (const MeshEdge &edge : edges.edges) {
@@ -93,7 +93,7 @@ std::vector<double> areaRatios(const Mesh &mesh, const MeshEdges &edges) {
     return ratios;
 }
 
-std::vector<double> lengths(const Mesh &mesh, const MeshEdges &edges) {
+std::vector<double> lengths(const TriMesh &mesh, const MeshEdges &edges) {
     std::vector<double> values(edges.edges.size());
     for (std::size_t k = 0; k < values.size(); ++k) {
         values[k] = distance(mesh.nodes[index(edges.edges[k].a)], mesh.nodes[index(edges.edges[k].b)]);
@@ -102,7 +102,7 @@ std::vector<double> lengths(const Mesh &mesh, const MeshEdges &edges) {
 }
 
 /// Returns the lengths of the edges divided by ρ at their middles.
-std::vector<double> lengthsOverSpacing(const Mesh &mesh, const MeshEdges &edges, const SpacingField &spacing) {
+std::vector<double> lengthsOverSpacing(const TriMesh &mesh, const MeshEdges &edges, const SpacingField &spacing) {
     constexpr std::size_t kBlock = 512;
     std::array<Vec2, kBlock> middles;
     std::array<double, kBlock> rho;
@@ -120,7 +120,7 @@ std::vector<double> lengthsOverSpacing(const Mesh &mesh, const MeshEdges &edges,
     return values;
 }
 
-std::vector<double> valences(const Mesh &mesh) {
+std::vector<double> valences(const TriMesh &mesh) {
     std::vector<double> values(mesh.nodes.size(), 0.0);
     for (const Element &element : mesh.elements) {
         for (const NodeId node : element) {
@@ -145,7 +145,7 @@ const MeasureInfo &infoOf(Measure measure) {
     return kMeasureInfos[static_cast<std::size_t>(measure)];
 }
 
-MeshEdges edgesOf(const Mesh &mesh) {
+MeshEdges edgesOf(const TriMesh &mesh) {
     MeshEdges result;
     result.edges.reserve(mesh.nodes.size() + mesh.elements.size());
     result.ofElement.resize(mesh.elements.size());
@@ -163,7 +163,7 @@ MeshEdges edgesOf(const Mesh &mesh) {
     return result;
 }
 
-std::vector<double> measureValues(Measure measure, const Mesh &mesh, const MeshEdges &edges,
+std::vector<double> measureValues(Measure measure, const TriMesh &mesh, const MeshEdges &edges,
                                   const SpacingField *spacing) {
     switch (measure) {
     case Measure::ShapeFactor:
@@ -201,7 +201,7 @@ std::vector<double> measureValues(Measure measure, const Mesh &mesh, const MeshE
     return {};
 }
 
-Vec2 placeOf(const Mesh &mesh, const MeshEdges &edges, MeshPart part, std::size_t number) {
+Vec2 placeOf(const TriMesh &mesh, const MeshEdges &edges, MeshPart part, std::size_t number) {
     switch (part) {
     case MeshPart::Elements: {
         const Corners t(mesh, mesh.elements[number]);

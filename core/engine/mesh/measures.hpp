@@ -2,7 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,16 +88,16 @@ struct MeshEdges {
 };
 
 /// Returns the edges of a mesh. Edges with more than two elements keep the first two.
-MeshEdges edgesOf(const Mesh &mesh);
+MeshEdges edgesOf(const TriMesh &mesh);
 
 /// Returns the values of a measure, one for each part of its kind, in order; NaN where a part has none: the area ratio
 /// of an element without neighbours, the valence of a node without elements. `edges`: those of the mesh. Without a
 /// spacing, the measures that compare with ρ have no values and the result is empty.
-std::vector<double> measureValues(Measure measure, const Mesh &mesh, const MeshEdges &edges,
+std::vector<double> measureValues(Measure measure, const TriMesh &mesh, const MeshEdges &edges,
                                   const SpacingField *spacing);
 
 /// Returns the place of a part: the centroid of an element, the middle of an edge, a node.
-Vec2 placeOf(const Mesh &mesh, const MeshEdges &edges, MeshPart part, std::size_t index);
+Vec2 placeOf(const TriMesh &mesh, const MeshEdges &edges, MeshPart part, std::size_t index);
 
 /// Returns the value below which the given fraction of the values lies: that of rank ⌊fraction·(n−1)⌋, counted from 0.
 /// Reorders the values, of which there must be at least one.

@@ -11,15 +11,15 @@ static_assert(sizeof(Vec2) == 2 * sizeof(double) && std::is_standard_layout_v<Ve
 static_assert(sizeof(Element) == 3 * sizeof(std::uint32_t));
 static_assert(std::is_same_v<std::underlying_type_t<NodeId>, std::uint32_t>);
 
-std::span<const double> coordinates(const Mesh &mesh) {
+std::span<const double> coordinates(const TriMesh &mesh) {
     return {reinterpret_cast<const double *>(mesh.nodes.data()), 2 * mesh.nodes.size()};
 }
 
-std::span<const std::uint32_t> connectivity(const Mesh &mesh) {
+std::span<const std::uint32_t> connectivity(const TriMesh &mesh) {
     return {reinterpret_cast<const std::uint32_t *>(mesh.elements.data()), 3 * mesh.elements.size()};
 }
 
-std::vector<std::uint32_t> edgesWithTag(const Mesh &mesh, std::int32_t tag) {
+std::vector<std::uint32_t> edgesWithTag(const TriMesh &mesh, std::int32_t tag) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t e = 0; e < mesh.edges.size(); ++e) {
         if (mesh.edges[e].tag == tag) {
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> edgesWithTag(const Mesh &mesh, std::int32_t tag) {
     return found;
 }
 
-std::vector<EdgeSides> edgeSides(const Mesh &mesh) {
+std::vector<EdgeSides> edgeSides(const TriMesh &mesh) {
     const EdgeTable table(mesh);
     std::vector<EdgeSides> sides(mesh.edges.size());
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) {

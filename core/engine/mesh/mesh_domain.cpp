@@ -17,7 +17,7 @@ namespace {
 
 class MeshOutline {
   public:
-    MeshOutline(const Mesh &mesh, const Progress &progress)
+    MeshOutline(const TriMesh &mesh, const Progress &progress)
         : mesh_(mesh), numbers_(mesh.nodes.size(), kNoIndex), tagged_(mesh.nodes.size(), false),
           progress_(progress, "finding the outline", 2 * mesh.elements.size()) {}
 
@@ -191,7 +191,7 @@ class MeshOutline {
         domain_.segments.push_back({from, to, tag, role, stretch});
     }
 
-    const Mesh &mesh_;
+    const TriMesh &mesh_;
     std::vector<std::uint32_t> numbers_; ///< per node of the mesh: its index in the domain
     std::vector<bool> tagged_;           ///< per node of the mesh: it is on an edge with a tag
     std::vector<Tagged> tags_;
@@ -206,7 +206,7 @@ class MeshOutline {
 
 } // namespace
 
-Result<Domain> domainOfMesh(const Mesh &mesh, const Progress &progress) {
+Result<Domain> domainOfMesh(const TriMesh &mesh, const Progress &progress) {
     if (mesh.elements.empty() && mesh.edges.empty()) {
         return error("empty-domain", "the mesh has neither triangles nor lines that could bound a domain");
     }

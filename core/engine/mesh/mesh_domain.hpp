@@ -3,13 +3,13 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 namespace forefront {
 
 /// Returns the domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges
 /// and points, with tags and names, and a marker in every face. Outer edges without a tag share the lowest unused tag,
 /// interfaces without a tag the next one. Errors: empty-domain, "cancelled".
-Result<Domain> domainOfMesh(const Mesh &mesh, const Progress &progress = {});
+Result<Domain> domainOfMesh(const TriMesh &mesh, const Progress &progress = {});
 
 } // namespace forefront

@@ -34,11 +34,11 @@ class ConnectedNodes {
     std::vector<std::uint32_t> parent_;
 };
 
-double areaOf(const Mesh &mesh, const Element &e) {
+double areaOf(const TriMesh &mesh, const Element &e) {
     return signedArea(std::array{mesh.nodes[index(e[0])], mesh.nodes[index(e[1])], mesh.nodes[index(e[2])]});
 }
 
-std::vector<RegionExtent> regionsOf(const Mesh &mesh) {
+std::vector<RegionExtent> regionsOf(const TriMesh &mesh) {
     std::map<std::int32_t, RegionExtent> regions;
     RegionExtent *region = nullptr; // that of the last element, since most neighbours have the same
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -59,7 +59,7 @@ std::vector<RegionExtent> regionsOf(const Mesh &mesh) {
     return found;
 }
 
-std::vector<BoundaryExtent> boundariesOf(const Mesh &mesh) {
+std::vector<BoundaryExtent> boundariesOf(const TriMesh &mesh) {
     std::map<std::int32_t, BoundaryExtent> boundaries;
     for (const TaggedEdge &edge : mesh.edges) {
         BoundaryExtent &boundary = boundaries[edge.tag];
@@ -78,7 +78,7 @@ std::vector<BoundaryExtent> boundariesOf(const Mesh &mesh) {
 
 } // namespace
 
-MeshExtent extentOf(const Mesh &mesh, std::size_t edges) {
+MeshExtent extentOf(const TriMesh &mesh, std::size_t edges) {
     ConnectedNodes connected(mesh.nodes.size());
     std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
     for (const Element &e : mesh.elements) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +36,6 @@ struct MeshExtent {
 
 /// Measures what a valid mesh covers. `edges`: the number of different edges of its elements, as in
 /// MeshQuality::segments. Holes are counted by Euler's formula.
-MeshExtent extentOf(const Mesh &mesh, std::size_t edges);
+MeshExtent extentOf(const TriMesh &mesh, std::size_t edges);
 
 } // namespace forefront

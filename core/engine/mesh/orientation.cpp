@@ -7,13 +7,13 @@
 
 namespace forefront {
 
-bool isClockwise(const Mesh &mesh) {
+bool isClockwise(const TriMesh &mesh) {
     return !mesh.elements.empty() && std::all_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element &n) {
         return orientation(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]) < 0;
     });
 }
 
-Mesh turned(Mesh mesh) {
+TriMesh turned(TriMesh mesh) {
     for (Element &element : mesh.elements) {
         std::swap(element[1], element[2]);
     }

@@ -21,7 +21,7 @@ double spacingConformity(double segmentLength, double rho) {
     return segmentLength < rho ? segmentLength / rho : rho / segmentLength;
 }
 
-std::vector<float> shapeFactors(const Mesh &mesh) {
+std::vector<float> shapeFactors(const TriMesh &mesh) {
     std::vector<float> alpha(mesh.elements.size());
     for (std::size_t e = 0; e < alpha.size(); ++e) {
         const Element &n = mesh.elements[e];
@@ -69,7 +69,7 @@ class ConformityMean {
     double sum_ = 0.0;
 };
 
-void measureShapes(const Mesh &mesh, MeshQuality &quality) {
+void measureShapes(const TriMesh &mesh, MeshQuality &quality) {
     ShapeTally tally;
     for (const Element &n : mesh.elements) {
         tally.add(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
@@ -77,14 +77,14 @@ void measureShapes(const Mesh &mesh, MeshQuality &quality) {
     tally.into(quality);
 }
 
-void measurePercentiles(const Mesh &mesh, MeshQuality &quality) {
+void measurePercentiles(const TriMesh &mesh, MeshQuality &quality) {
     std::vector<float> alpha = shapeFactors(mesh);
     quality.alpha50 = percentile(alpha, 0.50);
     quality.alpha5 = percentile(alpha, 0.05);
     quality.alpha1 = percentile(alpha, 0.01);
 }
 
-void measureEdges(const Mesh &mesh, const SpacingField *spacing, MeshQuality &quality) {
+void measureEdges(const TriMesh &mesh, const SpacingField *spacing, MeshQuality &quality) {
     std::optional<ConformityMean> conformity;
     if (spacing != nullptr) {
         conformity.emplace(*spacing);
@@ -116,7 +116,7 @@ void measureEdges(const Mesh &mesh, const SpacingField *spacing, MeshQuality &qu
 
 } // namespace
 
-MeshQuality measureQuality(const Mesh &mesh, const SpacingField *spacing) {
+MeshQuality measureQuality(const TriMesh &mesh, const SpacingField *spacing) {
     MeshQuality quality;
     quality.nodes = mesh.nodes.size();
     quality.elements = mesh.elements.size();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <array>
 #include <cstdint>
@@ -40,9 +40,9 @@ struct MeshQuality {
 
 /// Returns the quality statistics of a mesh. δ is left out if `spacing` is null. Throws std::bad_alloc if memory runs
 /// out.
-MeshQuality measureQuality(const Mesh &mesh, const SpacingField *spacing);
+MeshQuality measureQuality(const TriMesh &mesh, const SpacingField *spacing);
 
 /// Returns α of every element.
-std::vector<float> shapeFactors(const Mesh &mesh);
+std::vector<float> shapeFactors(const TriMesh &mesh);
 
 } // namespace forefront

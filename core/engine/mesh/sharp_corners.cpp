@@ -32,7 +32,7 @@ bool operator<(const Wedge &w, NodeId n) {
 }
 
 /// Returns the wedges sharper than the limit, ordered by node, whether or not elements lie in them.
-std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
+std::vector<Wedge> sharpWedges(const TriMesh &mesh, double limit) {
     struct Ray {
         NodeId node;
         double direction;
@@ -66,7 +66,7 @@ std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
 }
 
 /// Returns the minimum angle of an element in degrees; 0 if it is not positive.
-double minAngle(const Mesh &mesh, const Element &e) {
+double minAngle(const TriMesh &mesh, const Element &e) {
     const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
     const double twiceArea = cross(b - a, c - a);
     if (!(twiceArea > 0.0)) {
@@ -130,7 +130,7 @@ class Bands {
 /// Finds the sharp elements that a gap forces.
 class Gaps {
   public:
-    explicit Gaps(const Mesh &mesh) : mesh_(mesh), onTagged_(mesh.nodes.size(), 0) {
+    explicit Gaps(const TriMesh &mesh) : mesh_(mesh), onTagged_(mesh.nodes.size(), 0) {
         for (const TaggedEdge &edge : mesh.edges) {
             onTagged_[index(edge.a)] = onTagged_[index(edge.b)] = 1;
         }
@@ -181,12 +181,12 @@ class Gaps {
         return std::binary_search(sides_.begin(), sides_.end(), std::pair<NodeId, NodeId>(std::minmax(a, b)));
     }
 
-    const Mesh &mesh_;
+    const TriMesh &mesh_;
     std::vector<std::uint8_t> onTagged_; ///< per node: it must be where it is
     std::vector<std::pair<NodeId, NodeId>> sides_;
 };
 
-NarrowPlace placeOf(const Mesh &mesh, const std::vector<Element> &band) {
+NarrowPlace placeOf(const TriMesh &mesh, const std::vector<Element> &band) {
     NarrowPlace place{{}, std::numeric_limits<double>::infinity(), band.size()};
     for (const Element &e : band) {
         const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
@@ -203,7 +203,7 @@ NarrowPlace placeOf(const Mesh &mesh, const std::vector<Element> &band) {
 }
 
 /// Returns true if an element lies in a wedge at one of its nodes, and marks all such wedges as meshed.
-bool liesInWedge(const Mesh &mesh, const Element &e, const std::vector<std::uint8_t> &sharp,
+bool liesInWedge(const TriMesh &mesh, const Element &e, const std::vector<std::uint8_t> &sharp,
                  std::vector<Wedge> &wedges) {
     bool inWedge = false;
     for (unsigned k = 0; k < 3; ++k) {
@@ -230,7 +230,7 @@ struct SharpElements {
 };
 
 /// Sorts the sharp elements by their reason, and marks the wedges that elements lie in.
-SharpElements sortElements(const Mesh &mesh, double limit, std::vector<Wedge> &wedges) {
+SharpElements sortElements(const TriMesh &mesh, double limit, std::vector<Wedge> &wedges) {
     std::vector<std::uint8_t> sharp(mesh.nodes.size(), 0);
     for (const Wedge &w : wedges) {
         sharp[index(w.node)] = 1;
@@ -254,7 +254,7 @@ SharpElements sortElements(const Mesh &mesh, double limit, std::vector<Wedge> &w
 
 /// Returns the minimum angle of the sharp elements that no chain of sharp elements, each sharing a node with the next,
 /// connects to tips or bands; 60 if there are none. (Cleanup lets elements around a gap share its small angles.)
-double minAngleApart(const Mesh &mesh, const SharpElements &sorted) {
+double minAngleApart(const TriMesh &mesh, const SharpElements &sorted) {
     std::vector<std::pair<NodeId, std::uint32_t>> others; // those at each node
     for (std::uint32_t i = 0; i < sorted.others.size(); ++i) {
         for (const NodeId n : sorted.others[i]) {
@@ -285,7 +285,7 @@ double minAngleApart(const Mesh &mesh, const SharpElements &sorted) {
 }
 
 /// Returns the places of the bands that do not end in a sharp corner, the narrowest first.
-std::vector<NarrowPlace> narrowPlaces(const Mesh &mesh, const SharpElements &sorted) {
+std::vector<NarrowPlace> narrowPlaces(const TriMesh &mesh, const SharpElements &sorted) {
     Bands rest(sorted.bands);
     rest.take(sorted.tips);
     std::vector<NarrowPlace> places;
@@ -299,7 +299,7 @@ std::vector<NarrowPlace> narrowPlaces(const Mesh &mesh, const SharpElements &sor
 
 } // namespace
 
-SharpCorners sharpCorners(const Mesh &mesh, double limit) {
+SharpCorners sharpCorners(const TriMesh &mesh, double limit) {
     std::vector<Wedge> wedges = sharpWedges(mesh, limit);
     const SharpElements sorted = sortElements(mesh, limit, wedges);
     SharpCorners result;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <vector>
 
@@ -34,6 +34,6 @@ struct SharpCorners {
 /// this kind, side by side, make the narrow places, except those that cut off a flat corner. Sharp elements whose
 /// shortest side crosses a gap, as between two tips, count as narrow places. Corners count if adjacent tagged edges are
 /// sharper than the limit and elements lie between them. O(n log n) in tagged edges.
-SharpCorners sharpCorners(const Mesh &mesh, double limit);
+SharpCorners sharpCorners(const TriMesh &mesh, double limit);
 
 } // namespace forefront

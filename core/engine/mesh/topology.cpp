@@ -5,7 +5,7 @@
 
 namespace forefront {
 
-std::vector<std::array<ElementId, 3>> elementNeighbours(const Mesh &mesh) {
+std::vector<std::array<ElementId, 3>> elementNeighbours(const TriMesh &mesh) {
     std::vector<std::array<ElementId, 3>> neighbours(mesh.elements.size(), {kNoElement, kNoElement, kNoElement});
     EdgeTable(mesh).forEach([&neighbours](NodeId, NodeId, std::span<const HalfEdge> sides) {
         if (sides.size() >= 2) {
@@ -17,11 +17,11 @@ std::vector<std::array<ElementId, 3>> elementNeighbours(const Mesh &mesh) {
     return neighbours;
 }
 
-NodeElements nodeElements(const Mesh &mesh) {
+NodeElements nodeElements(const TriMesh &mesh) {
     return *nodeElements(mesh, Progress{});
 }
 
-std::optional<NodeElements> nodeElements(const Mesh &mesh, const Progress &progress) {
+std::optional<NodeElements> nodeElements(const TriMesh &mesh, const Progress &progress) {
     NodeElements rows;
     PacedProgress pace(progress, "finding the elements around nodes", 2 * mesh.elements.size());
     rows.offsets.assign(mesh.nodes.size() + 1, 0);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/progress.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@ namespace forefront {
 
 /// Returns for each edge k of each element e the element across it, or kNoElement at the boundary. Edges with more than
 /// two elements keep the first two; `verify` reports them.
-std::vector<std::array<ElementId, 3>> elementNeighbours(const Mesh &mesh);
+std::vector<std::array<ElementId, 3>> elementNeighbours(const TriMesh &mesh);
 
 /// The elements around each node in compressed rows: those of node n are elements[offsets[n] .. offsets[n+1]).
 struct NodeElements {
@@ -19,8 +19,8 @@ struct NodeElements {
     std::vector<ElementId> elements;
 };
 /// Returns the elements around each node.
-NodeElements nodeElements(const Mesh &mesh);
+NodeElements nodeElements(const TriMesh &mesh);
 /// Returns the elements around each node, or std::nullopt when cancelled.
-std::optional<NodeElements> nodeElements(const Mesh &mesh, const Progress &progress);
+std::optional<NodeElements> nodeElements(const TriMesh &mesh, const Progress &progress);
 
 } // namespace forefront

@@ -22,23 +22,23 @@ std::uint32_t number(NodeId node) {
 
 /// A mesh with the numbers that messages use.
 struct NumberedMesh {
-    const Mesh &mesh;
+    const TriMesh &mesh;
     const MeshNumbers &numbers;
 
     std::string node(NodeId n) const { return std::to_string(numbers.nodes.of(index(n))); }
     std::string edge(NodeId a, NodeId b) const { return node(a) + '-' + node(b); }
     std::string element(std::size_t e) const { return "element " + std::to_string(numbers.elements.of(e)); }
 };
-Vec2 centroid(const Mesh &mesh, const Element &e) {
+Vec2 centroid(const TriMesh &mesh, const Element &e) {
     const Vec2 a = mesh.nodes[index(e[0])];
     return a + (1.0 / 3.0) * ((mesh.nodes[index(e[1])] - a) + (mesh.nodes[index(e[2])] - a));
 }
-Vec2 middle(const Mesh &mesh, NodeId a, NodeId b) {
+Vec2 middle(const TriMesh &mesh, NodeId a, NodeId b) {
     return midpoint(mesh.nodes[index(a)], mesh.nodes[index(b)]);
 }
 
 void checkIndices(const NumberedMesh &named, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     const std::size_t n = mesh.nodes.size();
     if (mesh.elements.size() > kNoIndex / 3U || n >= kNoIndex) {
         faults.add("bad-index", "the mesh has more nodes or elements than can be numbered");
@@ -71,7 +71,7 @@ void checkIndices(const NumberedMesh &named, FaultList &faults) {
 }
 
 void checkFinite(const NumberedMesh &named, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (!isFinite(mesh.nodes[n])) {
             faults.add("non-finite",
@@ -85,7 +85,7 @@ void checkFinite(const NumberedMesh &named, FaultList &faults) {
 /// Adds a fault for each element that refers to a node twice, since its sides cannot be followed. Returns false if
 /// there are any.
 bool checkNodesDistinct(const NumberedMesh &named, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     const std::size_t before = faults.errors();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
@@ -101,7 +101,7 @@ bool checkNodesDistinct(const NumberedMesh &named, FaultList &faults) {
 }
 
 void checkAreas(const NumberedMesh &named, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
         const Vec2 a = mesh.nodes[index(n[0])], b = mesh.nodes[index(n[1])], c = mesh.nodes[index(n[2])];
@@ -125,7 +125,7 @@ void checkAreas(const NumberedMesh &named, FaultList &faults) {
 /// Returns the half-edges of the boundary. Adds a fault for each edge with more than two elements, or with two on one
 /// side.
 std::vector<HalfEdge> checkEdges(const NumberedMesh &named, const EdgeTable &table, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     std::vector<HalfEdge> boundary;
     table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
         if (sides.size() == 1) {
@@ -143,7 +143,7 @@ std::vector<HalfEdge> checkEdges(const NumberedMesh &named, const EdgeTable &tab
 }
 
 void checkTagged(const NumberedMesh &named, const EdgeTable &table, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     for (const TaggedEdge &edge : mesh.edges) {
         if (table.find(edge.a, edge.b).empty()) {
             faults.add("missing-tagged-edge",
@@ -155,7 +155,7 @@ void checkTagged(const NumberedMesh &named, const EdgeTable &table, FaultList &f
 }
 
 void checkNodesUsed(const NumberedMesh &named, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     std::vector<bool> used(mesh.nodes.size(), false);
     for (const Element &element : mesh.elements) {
         for (const NodeId node : element) {
@@ -174,7 +174,7 @@ void checkNodesUsed(const NumberedMesh &named, FaultList &faults) {
 }
 
 void checkCoverage(const NumberedMesh &named, const std::vector<HalfEdge> &boundary, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     const Coverage found = coverage(mesh, boundary);
     for (const HangingNode &h : found.hanging) {
         faults.add("hanging-node", "node " + named.node(h.node) + " lies inside edge " + named.edge(h.edgeA, h.edgeB),
@@ -186,7 +186,7 @@ void checkCoverage(const NumberedMesh &named, const std::vector<HalfEdge> &bound
 }
 
 /// Counts the parts of the mesh that are connected across edges.
-std::int64_t countParts(const Mesh &mesh, const std::vector<std::array<ElementId, 3>> &neighbours) {
+std::int64_t countParts(const TriMesh &mesh, const std::vector<std::array<ElementId, 3>> &neighbours) {
     std::vector<bool> seen(mesh.elements.size(), false);
     std::vector<std::uint32_t> open;
     std::int64_t parts = 0;
@@ -212,7 +212,7 @@ std::int64_t countParts(const Mesh &mesh, const std::vector<std::array<ElementId
 }
 
 /// Counts the closed loops of the boundary. At each node a loop turns through the elements around it.
-std::int64_t countLoops(const Mesh &mesh, const std::vector<HalfEdge> &boundary,
+std::int64_t countLoops(const TriMesh &mesh, const std::vector<HalfEdge> &boundary,
                         const std::vector<std::array<ElementId, 3>> &neighbours) {
     std::vector<bool> walked(3 * mesh.elements.size(), false);
     std::int64_t loops = 0;
@@ -238,7 +238,7 @@ std::int64_t countLoops(const Mesh &mesh, const std::vector<HalfEdge> &boundary,
 
 /// Checks Euler's formula for a planar mesh, V - E + T = 2·parts - boundary loops, where a node at which the boundary
 /// meets itself counts once for each visit. The formula fails for a mesh with handles or pinched at an inner node.
-void checkEuler(const Mesh &mesh, const EdgeTable &table, const std::vector<HalfEdge> &boundary, FaultList &faults) {
+void checkEuler(const TriMesh &mesh, const EdgeTable &table, const std::vector<HalfEdge> &boundary, FaultList &faults) {
     std::vector<std::uint32_t> visits(mesh.nodes.size(), 0);
     for (const HalfEdge h : boundary) {
         ++visits[index(startOf(mesh, h))];
@@ -267,7 +267,7 @@ void checkEuler(const Mesh &mesh, const EdgeTable &table, const std::vector<Half
 
 /// Checks a mesh whose nodes exist, are finite, and of which each element has three.
 void checkSound(const NumberedMesh &named, FaultList &faults) {
-    const Mesh &mesh = named.mesh;
+    const TriMesh &mesh = named.mesh;
     checkAreas(named, faults);
     const EdgeTable table(mesh);
     const std::size_t before = faults.errors();
@@ -281,7 +281,7 @@ void checkSound(const NumberedMesh &named, FaultList &faults) {
     checkNodesUsed(named, faults);
 }
 
-Diagnostics verifyAlone(const Mesh &mesh, std::size_t limit, const MeshNumbers &numbers) {
+Diagnostics verifyAlone(const TriMesh &mesh, std::size_t limit, const MeshNumbers &numbers) {
     FaultList faults(limit);
     const NumberedMesh named{mesh, numbers};
     checkIndices(named, faults);
@@ -306,7 +306,7 @@ Diagnostics verifyAlone(const Mesh &mesh, std::size_t limit, const MeshNumbers &
     turnedMesh.message = "the mesh is turned the other way: its " + countText(count, "element") +
                          (count == 1 ? " is" : " are all") + " clockwise; expected counter-clockwise";
     turnedMesh.advice = "reverse the order of the nodes of each element, or mirror the mesh";
-    const Mesh other = turned(mesh);
+    const TriMesh other = turned(mesh);
     checkSound({other, numbers}, faults);
     Diagnostics found = faults.take();
     found.insert(found.begin(), std::move(turnedMesh));
@@ -315,7 +315,7 @@ Diagnostics verifyAlone(const Mesh &mesh, std::size_t limit, const MeshNumbers &
 
 } // namespace
 
-Diagnostics verify(const Mesh &mesh, std::size_t limit, const MeshNumbers &numbers) {
+Diagnostics verify(const TriMesh &mesh, std::size_t limit, const MeshNumbers &numbers) {
     return orOutOfMemory("to check the mesh", [&] { return verifyAlone(mesh, limit, numbers); });
 }
 

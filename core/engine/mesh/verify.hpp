@@ -2,8 +2,8 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
-#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/mesh_numbers.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 namespace FOREFRONT_API forefront {
 
@@ -17,12 +17,12 @@ struct Domain;
 /// (unreferenced-node). A mesh whose elements are all clockwise gets a warning (clockwise) and is checked as if it were
 /// turned. At most `limit` entries, errors first; a kind of fault that occurs often is one entry with its count.
 /// `numbers`: of the nodes and elements in messages.
-Diagnostics verify(const Mesh &mesh, std::size_t limit = kMaxListedFaults, const MeshNumbers &numbers = {});
+Diagnostics verify(const TriMesh &mesh, std::size_t limit = kMaxListedFaults, const MeshNumbers &numbers = {});
 
 /// Returns what verify(mesh) finds and, if there are no errors, its deviations from its discrete domain: every
 /// segment must be an edge of the mesh with its tag, every boundary edge of the mesh a segment, every point a node;
 /// region tags must agree, and the areas must be equal within rounding.
-Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::size_t limit = kMaxListedFaults);
+Diagnostics verifyAgainst(const TriMesh &mesh, const DiscreteDomain &domain, std::size_t limit = kMaxListedFaults);
 
 /// Returns what verify(mesh) finds and, if there are no errors, its deviations from a domain: each domain segment
 /// must be covered by a chain of tagged mesh edges (through the domain's nodes exactly, and through inserted nodes
@@ -30,7 +30,7 @@ Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::s
 /// domain segments, areas must agree, and constraint points must be nodes. Where segments follow a curve, the inserted
 /// nodes must lie on the curve or on its chords. `innerTags`: false if the mesh carries no tags of edges inside the
 /// domain, where constraints must then be edges, whichever tags they have.
-Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit = kMaxListedFaults,
+Diagnostics verifyAgainst(const TriMesh &mesh, const Domain &domain, std::size_t limit = kMaxListedFaults,
                           const MeshNumbers &numbers = {}, bool innerTags = true);
 
 } // namespace forefront

@@ -38,7 +38,7 @@ std::string segmentName(const DiscreteSegment &s, const MeshNumbers &numbers) {
 }
 
 /// Checks that each side of a segment has an element of the right region, or none outside the domain.
-void checkSides(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
+void checkSides(const TriMesh &mesh, bool tagged, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
                 std::span<const HalfEdge> sides, const MeshNumbers &numbers, FaultList &faults) {
     const Vec2 place = midpoint(domain.nodes[s.a], domain.nodes[s.b]);
     for (const bool left : {true, false}) {
@@ -66,7 +66,7 @@ void checkSides(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, con
     }
 }
 
-RequiredEdges checkSegments(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const EdgeTable &table,
+RequiredEdges checkSegments(const TriMesh &mesh, bool tagged, const DiscreteDomain &domain, const EdgeTable &table,
                             const NodeFinder &nodes, const MeshNumbers &numbers, FaultList &faults) {
     RequiredEdges required;
     required.reserve(domain.segments.size());
@@ -88,7 +88,7 @@ RequiredEdges checkSegments(const Mesh &mesh, bool tagged, const DiscreteDomain 
 
 /// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged. Inner
 /// ones need no tag without `innerTags`.
-void checkTags(const Mesh &mesh, const RequiredEdges &required, bool innerTags, FaultList &faults) {
+void checkTags(const TriMesh &mesh, const RequiredEdges &required, bool innerTags, FaultList &faults) {
     std::vector<bool> tagged(required.size(), false);
     for (const TaggedEdge &edge : mesh.edges) {
         const Vec2 place = midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
@@ -119,7 +119,7 @@ void checkTags(const Mesh &mesh, const RequiredEdges &required, bool innerTags, 
 }
 
 /// Checks that away from the segments the mesh has neither boundary edges nor changes of region.
-void checkInside(const Mesh &mesh, const RequiredEdges &required, const EdgeTable &table, FaultList &faults) {
+void checkInside(const TriMesh &mesh, const RequiredEdges &required, const EdgeTable &table, FaultList &faults) {
     table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
         const bool open = sides.size() == 1;
         const bool divided = !open && mesh.region(elementOf(sides[0])) != mesh.region(elementOf(sides[1]));
@@ -133,7 +133,7 @@ void checkInside(const Mesh &mesh, const RequiredEdges &required, const EdgeTabl
     });
 }
 
-void checkPoints(const Mesh &mesh, bool tagged, const DiscreteDomain &domain, const NodeFinder &nodes,
+void checkPoints(const TriMesh &mesh, bool tagged, const DiscreteDomain &domain, const NodeFinder &nodes,
                  const MeshNumbers &numbers, FaultList &faults) {
     std::vector<TaggedNode> points = mesh.points;
     std::sort(points.begin(), points.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
@@ -201,7 +201,7 @@ double regionsError(const DiscreteDomain &domain) {
 }
 
 /// Compares the areas within their rounding errors.
-void checkArea(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
+void checkArea(const TriMesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
     const BoundedArea is = meshArea(mesh), enclosed = enclosedArea(domain);
     for (const BoundedArea &must : {enclosed, BoundedArea{domain.area(), regionsError(domain)}}) {
         if (!(std::abs(is.area - must.area) <= is.error + must.error)) {
@@ -215,12 +215,12 @@ void checkArea(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults
 
 } // namespace
 
-bool carriesNoTags(const Mesh &mesh) {
+bool carriesNoTags(const TriMesh &mesh) {
     return mesh.edges.empty() && mesh.points.empty() &&
            std::all_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t region) { return region == 1; });
 }
 
-NodeFinder::NodeFinder(const Mesh &mesh, bool innerTags) : mesh_(&mesh) {
+NodeFinder::NodeFinder(const TriMesh &mesh, bool innerTags) : mesh_(&mesh) {
     if (mesh.edges.empty() || !innerTags) {
         sorted_.reserve(mesh.nodes.size());
         for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -248,7 +248,7 @@ NodeId NodeFinder::find(Vec2 p) const {
     return it != sorted_.end() && mesh_->nodes[index(*it)] == p ? *it : kNoNode;
 }
 
-BoundedArea meshArea(const Mesh &mesh) {
+BoundedArea meshArea(const TriMesh &mesh) {
     AreaSum sum;
     for (const Element &e : mesh.elements) {
         const Vec2 a = mesh.nodes[index(e[0])];
@@ -270,11 +270,11 @@ BoundedArea enclosedArea(const DiscreteDomain &domain) {
     return sum.area();
 }
 
-const Mesh &turnedRight(const Mesh &mesh, std::optional<Mesh> &copy) {
+const TriMesh &turnedRight(const TriMesh &mesh, std::optional<TriMesh> &copy) {
     return isClockwise(mesh) ? copy.emplace(turned(mesh)) : mesh;
 }
 
-void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults, const MeshNumbers &numbers,
+void checkAgainst(const TriMesh &mesh, const DiscreteDomain &domain, FaultList &faults, const MeshNumbers &numbers,
                   bool innerTags) {
     const EdgeTable table(mesh);
     const NodeFinder nodes(mesh, innerTags);
@@ -288,14 +288,14 @@ void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &fau
     checkArea(mesh, domain, faults);
 }
 
-Diagnostics verifyAgainst(const Mesh &mesh, const DiscreteDomain &domain, std::size_t limit) {
+Diagnostics verifyAgainst(const TriMesh &mesh, const DiscreteDomain &domain, std::size_t limit) {
     return orOutOfMemory("to check the mesh", [&] {
         Diagnostics own = verify(mesh, limit);
         if (hasErrors(own)) {
             return own;
         }
         FaultList faults(limit);
-        std::optional<Mesh> copy;
+        std::optional<TriMesh> copy;
         checkAgainst(turnedRight(mesh, copy), domain, faults);
         Diagnostics found = faults.take();
         found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));

@@ -22,7 +22,7 @@ namespace {
 /// keeps no tags.
 class ChainEdges {
   public:
-    ChainEdges(const Mesh &mesh, bool tagged) : offsets_(mesh.nodes.size() + 1, 0) {
+    ChainEdges(const TriMesh &mesh, bool tagged) : offsets_(mesh.nodes.size() + 1, 0) {
         std::vector<std::pair<NodeId, NodeId>> edges;
         if (tagged) {
             for (const TaggedEdge &edge : mesh.edges) {
@@ -59,7 +59,7 @@ class ChainEdges {
 
 /// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
 /// empty when there is no such chain.
-std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
+std::vector<NodeId> chain(const TriMesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
     const Vec2 a = mesh.nodes[index(from)];
     const Vec2 along = mesh.nodes[index(to)] - a;
     const double squared = lengthSquared(along);
@@ -160,7 +160,7 @@ class CurveWalk {
 
     /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end, or when an edge
     /// is farther from the curve than it may be.
-    std::vector<NodeId> nodes(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
+    std::vector<NodeId> nodes(const TriMesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
         return walk(from, to, chain_.t0, [&](const std::vector<NodeId> &nodes, double reached) {
             std::vector<NextNode> found;
             for (const NodeId next : edges.at(nodes.back())) {
@@ -216,7 +216,7 @@ DomainPart partAt(const Domain &domain, Vec2 place) {
 /// Bounds the area between a straight segment and a chain of mesh edges between its ends: its length times the maximum
 /// distance of the nodes. A distance c/|d|, with c a cross product of d and a vector no longer than d, errs by
 /// 5u·2·|d| (see AreaSum), and d itself by less.
-double areaBeside(const Mesh &mesh, const std::vector<NodeId> &nodes) {
+double areaBeside(const TriMesh &mesh, const std::vector<NodeId> &nodes) {
     const Vec2 a = mesh.nodes[index(nodes.front())];
     const Vec2 d = mesh.nodes[index(nodes.back())] - a;
     const double span = length(d);
@@ -232,7 +232,7 @@ struct CutDomain {
     DiscreteDomain domain;
     double areaBeside = 0.0;
 };
-CutDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains, const DiscreteDomain &given,
+CutDomain cutAsMeshed(const TriMesh &mesh, const Domain &domain, const CurveChains &chains, const DiscreteDomain &given,
                       double tolerance, bool innerTags, FaultList &faults) {
     CutDomain result;
     DiscreteDomain &cut = result.domain;
@@ -240,7 +240,7 @@ CutDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains 
     cut.regions = given.regions;
     const NodeFinder finder(mesh, innerTags);
     const ChainEdges usual(mesh, !carriesNoTags(mesh));
-    const ChainEdges all(innerTags ? Mesh{} : mesh, false);
+    const ChainEdges all(innerTags ? TriMesh{} : mesh, false);
     for (DiscreteSegment s : given.segments) {
         const ChainEdges &edges = innerTags || !isInner(s) ? usual : all;
         const std::uint32_t number = chains.ofSegment[s.source];
@@ -301,7 +301,7 @@ double roundingOf(const Box2 &bounds) {
 }
 
 /// Returns the deviations of a counter-clockwise mesh without faults from a domain.
-Diagnostics deviations(const Mesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+Diagnostics deviations(const TriMesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
                        bool innerTags) {
     Diagnostics wrong = validate(domain, limit);
     if (hasErrors(wrong)) {
@@ -350,14 +350,14 @@ Diagnostics deviations(const Mesh &mesh, const Domain &domain, std::size_t limit
 
 } // namespace
 
-Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+Diagnostics verifyAgainst(const TriMesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
                           bool innerTags) {
     return orOutOfMemory("to check the mesh", [&] {
         Diagnostics own = verify(mesh, limit, numbers);
         if (hasErrors(own)) {
             return own;
         }
-        std::optional<Mesh> copy;
+        std::optional<TriMesh> copy;
         Diagnostics found = deviations(turnedRight(mesh, copy), domain, limit, numbers, innerTags);
         found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
         return found;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kBeyond = 4.0; // larger than any angle in radians
 
 /// Marks the edges of a mesh that are walls.
-std::vector<std::uint8_t> wallsOf(const Mesh &mesh, const MeshEdges &edges) {
+std::vector<std::uint8_t> wallsOf(const TriMesh &mesh, const MeshEdges &edges) {
     std::vector<std::uint8_t> isWall(edges.edges.size(), 0);
     for (std::size_t k = 0; k < isWall.size(); ++k) {
         const auto [first, second] = edges.edges[k].elements;
@@ -38,7 +38,7 @@ double WallLoops::directionOf(NodeId from, NodeId to) const {
     return std::atan2(along.y, along.x);
 }
 
-WallLoops::WallLoops(const Mesh &mesh, const MeshEdges &edges) : mesh_(mesh) {
+WallLoops::WallLoops(const TriMesh &mesh, const MeshEdges &edges) : mesh_(mesh) {
     std::vector<Side> sides = sidesOf(edges);
     join(sides);
     followAll(sides);

@@ -4,7 +4,7 @@
 #include "core/engine/front/base_order.hpp"
 #include "core/engine/front/generation_front.hpp"
 #include "core/engine/front/walk_order.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/mesher/front_care.hpp"
 #include "core/engine/mesher/front_strips.hpp"
 #include "core/engine/mesher/statistics.hpp"

@@ -113,7 +113,7 @@ std::unique_ptr<Mesher> createOn(std::shared_ptr<const DiscreteDomain> boundary,
                                              : create.template operator()<FastAdvancer>();
 }
 
-void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementFaces) {
+void addTags(TriMesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementFaces) {
     if (!elementFaces.empty()) {
         mesh.regions.reserve(elementFaces.size());
         for (const std::uint32_t region : elementFaces) {
@@ -208,16 +208,16 @@ void Mesher::reserve(std::uint64_t elements) {
     preferLargePages(state_.nodes.data(), elements / 4 * sizeof(Vec2));
 }
 
-Mesh toMesh(const FrontState &state, const DiscreteDomain &boundary) {
-    Mesh mesh;
+TriMesh toMesh(const FrontState &state, const DiscreteDomain &boundary) {
+    TriMesh mesh;
     mesh.nodes = state.nodes;
     mesh.elements = state.elements;
     addTags(mesh, boundary, state.elementFaces);
     return mesh;
 }
 
-Mesh Mesher::takeMesh() && {
-    Mesh mesh;
+TriMesh Mesher::takeMesh() && {
+    TriMesh mesh;
     mesh.nodes = std::move(state_.nodes);
     mesh.elements = std::move(state_.elements);
     addTags(mesh, *boundary_, state_.elementFaces);

@@ -57,7 +57,7 @@ class Mesher {
     const DiscreteDomain &boundary() const { return *boundary_; }
     const SpacingField &spacing() const { return *spacing_; }
     /// Ends the run and moves its arrays into a mesh.
-    Mesh takeMesh() &&;
+    TriMesh takeMesh() &&;
     /// Reserves memory for this many elements, so that growth copies nothing and never doubles the memory.
     void reserve(std::uint64_t elements);
     /// Number of elements to reserve memory for, per estimated element. The estimate may be a fifth too low, and memory
@@ -76,6 +76,6 @@ class Mesher {
 };
 
 /// Returns the mesh made so far with regions, tags and names. It has all nodes of the boundary, used or not.
-Mesh toMesh(const FrontState &state, const DiscreteDomain &boundary);
+TriMesh toMesh(const FrontState &state, const DiscreteDomain &boundary);
 
 } // namespace forefront

@@ -5,7 +5,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/improve/improve.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/mesher/statistics.hpp"
 
@@ -36,7 +36,7 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {}
 
 /// The result of a run.
 struct MeshingOutcome {
-    Mesh mesh;
+    TriMesh mesh;
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
     WorkCounters work;

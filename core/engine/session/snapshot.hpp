@@ -2,8 +2,8 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
-#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/mesher/trace.hpp"
 #include "core/engine/session/breakpoints.hpp"
@@ -84,8 +84,8 @@ struct RunCurves {
 };
 
 /// An immutable, shared mesh. A partial mesh has all boundary nodes and edges.
-struct MeshView {
-    Mesh mesh;
+struct MeshSnapshot {
+    TriMesh mesh;
     std::vector<float> alpha;  ///< per element
     std::uint64_t version = 0; ///< changes whenever the content does
 };
@@ -121,7 +121,7 @@ struct SessionSnapshot {
     double secondsMesh = 0.0, secondsImprove = 0.0; ///< CPU time of all threads
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
-    std::shared_ptr<const MeshView> mesh;
+    std::shared_ptr<const MeshSnapshot> mesh;
     std::shared_ptr<const std::vector<FrontSegmentView>> front;
     std::shared_ptr<const std::vector<GridCellView>> cells;
     std::shared_ptr<const AdvanceExplanation>

@@ -119,7 +119,7 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
     const FrontState &state = timeline.mesher().state();
     growShapes(state);
     if (include && meshPosition_ != timeline.position()) {
-        auto view = std::make_shared<MeshView>();
+        auto view = std::make_shared<MeshSnapshot>();
         view->mesh = toMesh(state, timeline.mesher().boundary());
         view->alpha.assign(alpha_.begin(), alpha_.begin() + static_cast<std::ptrdiff_t>(state.elements.size()));
         view->version = ++version_;

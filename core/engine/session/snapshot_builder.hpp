@@ -34,7 +34,7 @@ class SnapshotBuilder {
     /// tallies_[i] counts the first i · kTallyStride elements, growing_ all of alpha_.
     std::vector<ShapeTally> tallies_;
     ShapeTally growing_;
-    std::shared_ptr<const MeshView> mesh_;
+    std::shared_ptr<const MeshSnapshot> mesh_;
     std::optional<std::uint64_t> meshPosition_;
     std::optional<std::uint64_t> qualityPosition_;
     MeshQuality quality_;

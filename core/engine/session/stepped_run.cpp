@@ -17,7 +17,7 @@ Diagnostics SteppedRun::excess() const {
 }
 
 bool SteppedRun::improve(const Progress &progress) {
-    Mesh mesh = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
+    TriMesh mesh = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
     if (job_->options.improve != ImproveLevel::None) {
         progress("improving", 0.0);
         secondsImprove_ =
@@ -31,8 +31,8 @@ bool SteppedRun::improve(const Progress &progress) {
     return true;
 }
 
-void SteppedRun::keepFinal(Mesh mesh) {
-    auto view = std::make_shared<MeshView>();
+void SteppedRun::keepFinal(TriMesh mesh) {
+    auto view = std::make_shared<MeshSnapshot>();
     view->alpha = shapeFactors(mesh);
     finalQuality_ = measureQuality(mesh, prepared_.spacing.get());
     finalHash_ = meshHash(mesh);

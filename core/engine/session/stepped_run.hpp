@@ -32,14 +32,14 @@ class SteppedRun {
     void fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting);
 
   private:
-    void keepFinal(Mesh mesh);
+    void keepFinal(TriMesh mesh);
 
     std::shared_ptr<const MeshingJob> job_;
     PreparedJob prepared_;
     std::uint64_t number_;
     TimelineTravel travel_;
     SnapshotBuilder builder_;
-    std::shared_ptr<const MeshView> finalMesh_;
+    std::shared_ptr<const MeshSnapshot> finalMesh_;
     MeshQuality finalQuality_;
     std::uint64_t finalHash_ = 0;
     double secondsImprove_ = 0.0;

@@ -25,7 +25,7 @@ class AbaqusReader {
   public:
     explicit AbaqusReader(const SourceText &source) : scanner_(source, '\0', ',') {}
 
-    Result<Mesh> read() {
+    Result<TriMesh> read() {
         const std::string_view text = scanner_.source().text;
         TagNames names = readNameComments(text, "**");
         for (const auto &[tag, name] : names.boundary) {
@@ -52,7 +52,7 @@ class AbaqusReader {
         noteNodeSets();
         sortElements();
         scanner_.source().numbered(PartNumbers(builder_.table.numbers()), PartNumbers(numbers_));
-        Mesh mesh = builder_.finish();
+        TriMesh mesh = builder_.finish();
         mesh.boundaryNames = std::move(names.boundary);
         mesh.regionNames = std::move(names.region);
         mesh.boundaryNames.insert(boundaries_.names().begin(), boundaries_.names().end());
@@ -385,7 +385,7 @@ class AbaqusReader {
         std::iota(order.begin(), order.end(), 0U);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return numbers_[a] < numbers_[b]; });
-        const Mesh old = builder_.mesh;
+        const TriMesh old = builder_.mesh;
         for (std::size_t e = 0; e < order.size(); ++e) {
             builder_.mesh.elements[e] = old.elements[order[e]];
             builder_.mesh.regions[e] = old.regions[order[e]];
@@ -416,7 +416,7 @@ bool looksLikeAbaqus(std::string_view head) {
     return text.starts_with("*HEADING") || text.starts_with("*NODE") || text.find("\n*NODE") != std::string::npos;
 }
 
-Result<Mesh> readAbaqus(const SourceText &source) {
+Result<TriMesh> readAbaqus(const SourceText &source) {
     return AbaqusReader(source).read();
 }
 

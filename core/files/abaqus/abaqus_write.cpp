@@ -23,7 +23,7 @@ void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes,
 
 /// Writes the sides of elements along the edges of one tag. If an edge has two sides, the one in its direction is
 /// taken.
-void writeSurface(const Mesh &mesh, const EdgeTable &table, const std::string &name,
+void writeSurface(const TriMesh &mesh, const EdgeTable &table, const std::string &name,
                   const std::vector<std::uint32_t> &edges, TextWriter &out) {
     out << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
     for (const std::uint32_t k : edges) {
@@ -55,7 +55,7 @@ struct AbaqusNames {
     }
 };
 
-void writeElements(const Mesh &mesh, const AbaqusNames &names, TextWriter &out) {
+void writeElements(const TriMesh &mesh, const AbaqusNames &names, TextWriter &out) {
     std::map<std::int32_t, std::vector<std::uint32_t>> regions;
     for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
         regions[mesh.region(e)].push_back(e);
@@ -73,7 +73,7 @@ void writeElements(const Mesh &mesh, const AbaqusNames &names, TextWriter &out) 
     }
 }
 
-void writeBoundaries(const Mesh &mesh, const AbaqusNames &names, TextWriter &out) {
+void writeBoundaries(const TriMesh &mesh, const AbaqusNames &names, TextWriter &out) {
     std::map<std::int32_t, std::vector<std::uint32_t>> boundaries;
     for (std::uint32_t k = 0; k < mesh.edges.size(); ++k) {
         boundaries[mesh.edges[k].tag].push_back(k);
@@ -90,7 +90,7 @@ void writeBoundaries(const Mesh &mesh, const AbaqusNames &names, TextWriter &out
     }
 }
 
-void writePoints(const Mesh &mesh, const AbaqusNames &names, TextWriter &out) {
+void writePoints(const TriMesh &mesh, const AbaqusNames &names, TextWriter &out) {
     std::map<std::int32_t, std::set<std::uint32_t>> points;
     for (const TaggedNode &point : mesh.points) {
         points[point.tag].insert(static_cast<std::uint32_t>(point.node));
@@ -106,7 +106,7 @@ void writePoints(const Mesh &mesh, const AbaqusNames &names, TextWriter &out) {
 /// Writes Abaqus input for CalculiX and Abaqus: CPS3 elements in a set per region, a node set and a surface per
 /// boundary tag, a node set per tag of points. The names become identifiers; comments keep the original names and the
 /// tags.
-void writeAbaqus(const Mesh &mesh, TextWriter &out) {
+void writeAbaqus(const TriMesh &mesh, TextWriter &out) {
     const AbaqusNames names(tagsOf(mesh));
     out << "*HEADING\nPlane triangle mesh\n";
     writeNameComments(mesh, "**", out);
@@ -121,7 +121,7 @@ void writeAbaqus(const Mesh &mesh, TextWriter &out) {
     writePoints(mesh, names, out);
 }
 
-Diagnostics noteAbaqusChanges(const Mesh &mesh) {
+Diagnostics noteAbaqusChanges(const TriMesh &mesh) {
     const TagList tags = tagsOf(mesh);
     return noteChangedNames(tags, AbaqusNames(tags).sets);
 }

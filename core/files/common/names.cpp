@@ -147,7 +147,7 @@ std::string UniqueNames::claim(const std::string &name, std::size_t maximum) {
     return candidate;
 }
 
-TagList tagsOf(const Mesh &mesh) {
+TagList tagsOf(const TriMesh &mesh) {
     TagList tags;
     for (const TaggedEdge &edge : mesh.edges) {
         tags.edges.try_emplace(edge.tag);
@@ -224,7 +224,7 @@ void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const
     }
 }
 
-void writeNameComments(const Mesh &mesh, std::string_view prefix, TextWriter &out) {
+void writeNameComments(const TriMesh &mesh, std::string_view prefix, TextWriter &out) {
     const TagList tags = tagsOf(mesh);
     auto boundaries = tags.points;
     boundaries.insert(tags.edges.begin(), tags.edges.end());

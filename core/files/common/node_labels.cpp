@@ -2,7 +2,7 @@
 
 namespace forefront {
 
-std::vector<std::int32_t> nodeLabels(const Mesh &mesh) {
+std::vector<std::int32_t> nodeLabels(const TriMesh &mesh) {
     std::vector<std::int32_t> labels(mesh.nodes.size(), 0);
     for (const TaggedEdge &edge : mesh.edges) {
         for (const NodeId node : {edge.a, edge.b}) {
@@ -16,7 +16,7 @@ std::vector<std::int32_t> nodeLabels(const Mesh &mesh) {
     return labels;
 }
 
-void noteUnusedLabels(const std::vector<std::int32_t> &labels, const Mesh &mesh, const char *code,
+void noteUnusedLabels(const std::vector<std::int32_t> &labels, const TriMesh &mesh, const char *code,
                       const SourceText &source) {
     std::vector<std::uint8_t> carried(labels.size(), 0);
     const auto see = [&](NodeId node, std::int32_t tag) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/common/node_table.hpp"
 #include "core/files/text/text_scanner.hpp"
 
@@ -14,7 +14,7 @@ namespace forefront {
 /// Every function returns false after recording a located failure in the scanner it was given.
 class PlanarMeshBuilder {
   public:
-    Mesh mesh;
+    TriMesh mesh;
     NodeTable table;
 
     void reserveNodes(std::size_t count) {
@@ -41,7 +41,7 @@ class PlanarMeshBuilder {
         mesh.regions.push_back(region);
     }
     /// Returns the mesh, which can be done once.
-    Mesh finish() { return std::move(mesh); }
+    TriMesh finish() { return std::move(mesh); }
 
   private:
     double minZ_ = 0.0, maxZ_ = 0.0;

@@ -100,7 +100,7 @@ void noteRaised(const std::vector<std::string> &list, const SourceText &source) 
 
 } // namespace
 
-void raiseTags(Mesh &mesh, const SourceText &source) {
+void raiseTags(TriMesh &mesh, const SourceText &source) {
     std::vector<std::string> list;
     raiseKind(
         LowTags(mesh.boundaryNames, boundaryName),

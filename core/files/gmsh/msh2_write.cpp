@@ -11,7 +11,7 @@ constexpr int kPointType = 15, kLineType = 1, kTriangleType = 2;
 
 /// Writes MSH 2.2, ASCII: each element line is "number type 2 group entity nodes", where both tags are the number of
 /// the group.
-void writeMsh2(const Mesh &mesh, TextWriter &out) {
+void writeMsh2(const TriMesh &mesh, TextWriter &out) {
     const MshGroups groups(mesh);
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     groups.writeNames(out);

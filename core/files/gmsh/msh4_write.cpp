@@ -115,7 +115,7 @@ void writeBlockHead(const MshEntity &entity, int number, std::size_t count, Rows
 }
 
 template <class Rows>
-void writeNodes(const Mesh &mesh, const MshModel &model, Rows &rows) {
+void writeNodes(const TriMesh &mesh, const MshModel &model, Rows &rows) {
     const std::size_t blocks = model.nodeBlocks();
     rows.begin("Nodes");
     writeHead(blocks, blocks > 0 ? mesh.nodes.size() : 0, rows);
@@ -137,7 +137,7 @@ void writeNodes(const Mesh &mesh, const MshModel &model, Rows &rows) {
 }
 
 template <class Rows>
-void writeElements(const Mesh &mesh, const MshModel &model, Rows &rows) {
+void writeElements(const TriMesh &mesh, const MshModel &model, Rows &rows) {
     rows.begin("Elements");
     writeHead(model.entities().size(), mesh.points.size() + mesh.edges.size() + mesh.elements.size(), rows);
     for (const MshEntity &entity : model.entities()) {
@@ -156,7 +156,7 @@ void writeElements(const Mesh &mesh, const MshModel &model, Rows &rows) {
 }
 
 template <class Rows>
-void writeSections(const Mesh &mesh, TextWriter &out) {
+void writeSections(const TriMesh &mesh, TextWriter &out) {
     const MshGroups groups(mesh);
     const MshModel model(mesh, groups);
     Rows rows(out);
@@ -169,12 +169,12 @@ void writeSections(const Mesh &mesh, TextWriter &out) {
 
 } // namespace
 
-void writeMsh4(const Mesh &mesh, TextWriter &out) {
+void writeMsh4(const TriMesh &mesh, TextWriter &out) {
     out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     writeSections<TextRows>(mesh, out);
 }
 
-void writeMsh4Binary(const Mesh &mesh, TextWriter &out) {
+void writeMsh4Binary(const TriMesh &mesh, TextWriter &out) {
     out << "$MeshFormat\n4.1 1 8\n";
     BinaryRows(out).integer(1); // shows the byte order
     out << "\n$EndMeshFormat\n";

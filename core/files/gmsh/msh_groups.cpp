@@ -68,7 +68,7 @@ std::string labelOf(const std::string &name, std::string_view ending, std::set<s
 
 } // namespace
 
-MshGroups::MshGroups(const Mesh &mesh) {
+MshGroups::MshGroups(const TriMesh &mesh) {
     const TagList tags = tagsOf(mesh);
     const std::int64_t base = baseAbove(tags);
     const std::int64_t raiseRegions = meet(tags.regions, tags.edges) || meet(tags.regions, tags.points) ? base : 0;
@@ -139,7 +139,7 @@ void MshGroups::writeOrigins(TextWriter &out) const {
     out << "$EndComments\n";
 }
 
-Diagnostics noteMshChanges(const Mesh &mesh) {
+Diagnostics noteMshChanges(const TriMesh &mesh) {
     const MshGroups groups(mesh);
     FileNames labels;
     for (const MshGroup &group : groups.groups()) {
@@ -184,7 +184,7 @@ std::vector<MshGroup> readMshOrigins(std::string_view comments) {
     return origins;
 }
 
-void restoreTags(const std::vector<MshGroup> &origins, Mesh &mesh) {
+void restoreTags(const std::vector<MshGroup> &origins, TriMesh &mesh) {
     std::array<std::map<std::int32_t, std::int32_t>, 3> tags;
     for (const MshGroup &group : origins) {
         tags[static_cast<std::size_t>(group.dimension)].emplace(group.number, group.tag);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/text/text_writer.hpp"
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct MshGroup {
 /// ... follow where that is not enough.
 class MshGroups {
   public:
-    explicit MshGroups(const Mesh &mesh);
+    explicit MshGroups(const TriMesh &mesh);
 
     /// By dimension, then tag.
     const std::vector<MshGroup> &groups() const { return groups_; }
@@ -55,6 +55,6 @@ class MshGroups {
 std::vector<MshGroup> readMshOrigins(std::string_view comments);
 
 /// Gives the points, edges and triangles of a mesh as read the tags and names that its groups had before.
-void restoreTags(const std::vector<MshGroup> &origins, Mesh &mesh);
+void restoreTags(const std::vector<MshGroup> &origins, TriMesh &mesh);
 
 } // namespace forefront

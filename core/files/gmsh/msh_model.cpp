@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-MshModel::MshModel(const Mesh &mesh, const MshGroups &groups)
+MshModel::MshModel(const TriMesh &mesh, const MshGroups &groups)
     : mesh_(mesh), groups_(groups), owner_(mesh.nodes.size(), kNoIndex) {
     const std::int32_t firstPoint = groups.unusedNumbers(mesh.points.size());
     for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {

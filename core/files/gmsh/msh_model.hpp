@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/gmsh/msh_groups.hpp"
 
 #include <array>
@@ -34,7 +34,7 @@ struct MshEntity {
 /// treats them as regions. Views the mesh and its groups.
 class MshModel {
   public:
-    MshModel(const Mesh &mesh, const MshGroups &groups);
+    MshModel(const TriMesh &mesh, const MshGroups &groups);
 
     const std::vector<MshEntity> &entities() const { return entities_; }
     std::size_t count(int dimension) const;
@@ -58,7 +58,7 @@ class MshModel {
     void addElements();
     void findBounds();
 
-    const Mesh &mesh_;
+    const TriMesh &mesh_;
     const MshGroups &groups_;
     std::vector<MshEntity> entities_;
     std::map<std::pair<int, std::int32_t>, std::size_t> numbers_;

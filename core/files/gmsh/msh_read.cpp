@@ -242,7 +242,7 @@ bool looksLikeMsh(std::string_view head) {
     return head.find("$MeshFormat") != std::string_view::npos || head.starts_with("$NOD");
 }
 
-Result<Mesh> readMsh(const SourceText &source) {
+Result<TriMesh> readMsh(const SourceText &source) {
     MshFile file(source);
     if (!file.read()) {
         return file.faults();
@@ -275,7 +275,7 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         return file.faults();
     }
     TextScanner &scanner = file.scanner();
-    const Mesh mesh = file.builder().finish();
+    const TriMesh mesh = file.builder().finish();
     if (file.values().empty() || mesh.elements.empty()) {
         scanner.fail(0, "no-values", "the file holds no triangles with nodal values ($NodeData) to use as spacing");
         return scanner.faults();

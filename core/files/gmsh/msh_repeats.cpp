@@ -36,7 +36,7 @@ void dropMarked(std::vector<T> &items, const std::vector<std::uint8_t> &marked) 
 
 /// MSH 2 lists a line or triangle once for each physical group that it is in. Keeps the first.
 void MshFile::dropRepeats() {
-    Mesh &mesh = builder_.mesh;
+    TriMesh &mesh = builder_.mesh;
     const auto differ = [](const auto &items, auto tagOf) {
         return std::any_of(items.begin(), items.end(),
                            [&](const auto &item) { return tagOf(item) != tagOf(items.front()); });

@@ -113,7 +113,7 @@ void MshFile::resolveRegions() {
 
 /// Edges and points share one table of names, but their groups are numbered apart in MSH.
 void MshFile::resolveEdgesAndPoints() {
-    Mesh &mesh = builder_.mesh;
+    TriMesh &mesh = builder_.mesh;
     mesh.boundaryNames = names_[1];
     MshTags tags(mesh.boundaryNames, TagKind::Boundary);
     std::size_t grouped = 0;
@@ -135,7 +135,7 @@ void MshFile::resolveEdgesAndPoints() {
 
 /// Leaves out points without a group that no element uses, such as the centres of arcs that Gmsh saves, too.
 void MshFile::dropConstructionPoints() {
-    Mesh &mesh = builder_.mesh;
+    TriMesh &mesh = builder_.mesh;
     if (mesh.elements.empty() || mesh.points.empty()) {
         return;
     }
@@ -157,7 +157,7 @@ void MshFile::dropConstructionPoints() {
 }
 
 void MshFile::placePoints(MshTags &tags, bool groupedEdges) {
-    Mesh &mesh = builder_.mesh;
+    TriMesh &mesh = builder_.mesh;
     std::map<std::int32_t, std::int32_t> moved; ///< new tag by group number; 0: points without a group
     for (TaggedNode &point : mesh.points) {
         const std::int32_t group = std::max(point.tag, 0);

@@ -12,7 +12,7 @@ namespace forefront {
 
 /// Writes MEDIT .mesh (the Gamma mesh format of INRIA), ASCII, in two dimensions. Comments hold the names. Gmsh expects
 /// `Dimension` and its number on separate lines.
-void writeMedit(const Mesh &mesh, TextWriter &out) {
+void writeMedit(const TriMesh &mesh, TextWriter &out) {
     out << "MeshVersionFormatted 2\n";
     writeNameComments(mesh, "#", out);
     out << "Dimension\n2\n\nVertices\n" << mesh.nodes.size() << '\n';
@@ -51,7 +51,7 @@ class MeditReader {
   public:
     explicit MeditReader(const SourceText &source) : scanner_(source, '#') {}
 
-    Result<Mesh> read() {
+    Result<TriMesh> read() {
         while (scanner_.ok() && !scanner_.atEnd()) {
             const std::size_t place = scanner_.offset();
             const std::string_view word = scanner_.word();
@@ -189,7 +189,7 @@ bool looksLikeMedit(std::string_view head) {
     return head.find("MeshVersionFormatted") != std::string_view::npos;
 }
 
-Result<Mesh> readMedit(const SourceText &source) {
+Result<TriMesh> readMedit(const SourceText &source) {
     return MeditReader(source).read();
 }
 

@@ -19,7 +19,7 @@ class NetgenReader {
   public:
     explicit NetgenReader(const SourceText &source) : scanner_(source, '#') {}
 
-    Result<Mesh> read() {
+    Result<TriMesh> read() {
         findSections();
         if (scanner_.ok() && places_.count("points") == 0) {
             scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no points");
@@ -210,7 +210,7 @@ bool looksLikeNetgen(std::string_view head) {
     return head.starts_with("mesh3d") || head.find("\nmesh3d") != std::string_view::npos;
 }
 
-Result<Mesh> readNetgen(const SourceText &source) {
+Result<TriMesh> readNetgen(const SourceText &source) {
     return NetgenReader(source).read();
 }
 

@@ -20,7 +20,7 @@ FileNames groupsOf(const TagList &tags) {
 
 /// Writes Wavefront OBJ: a group of faces per region, a group of lines per boundary tag, a group of points per tag.
 /// Comments hold the original names and the tags: "# tag TAG" belongs to the group before it.
-void writeObj(const Mesh &mesh, TextWriter &out) {
+void writeObj(const TriMesh &mesh, TextWriter &out) {
     writeNameComments(mesh, "#", out);
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << "v " << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
@@ -60,7 +60,7 @@ void writeObj(const Mesh &mesh, TextWriter &out) {
     }
 }
 
-Diagnostics noteObjChanges(const Mesh &mesh) {
+Diagnostics noteObjChanges(const TriMesh &mesh) {
     const TagList tags = tagsOf(mesh);
     return noteChangedNames(tags, groupsOf(tags));
 }
@@ -71,7 +71,7 @@ class ObjReader {
   public:
     explicit ObjReader(const SourceText &source) : scanner_(source) {}
 
-    Result<Mesh> read() {
+    Result<TriMesh> read() {
         TagNames names = readNameComments(scanner_.source().text, "#");
         for (const auto &[tag, name] : names.boundary) {
             boundaries_.reserve(tag);
@@ -92,7 +92,7 @@ class ObjReader {
             return scanner_.faults();
         }
         scanner_.source().numbered(PartNumbers(1), PartNumbers(1));
-        Mesh mesh = builder_.finish();
+        TriMesh mesh = builder_.finish();
         mesh.boundaryNames = std::move(names.boundary);
         mesh.regionNames = std::move(names.region);
         mesh.boundaryNames.insert(boundaries_.names().begin(), boundaries_.names().end());
@@ -234,7 +234,7 @@ class ObjReader {
 
 } // namespace
 
-Result<Mesh> readObj(const SourceText &source) {
+Result<TriMesh> readObj(const SourceText &source) {
     return ObjReader(source).read();
 }
 

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
 
 namespace forefront {
 
 /// Reads Wavefront OBJ (.obj). Every fault carries its place in the source.
-Result<Mesh> readObj(const SourceText &source);
+Result<TriMesh> readObj(const SourceText &source);
 /// Writes Wavefront OBJ (.obj).
-void writeObj(const Mesh &mesh, TextWriter &out);
+void writeObj(const TriMesh &mesh, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.
-Diagnostics noteObjChanges(const Mesh &mesh);
+Diagnostics noteObjChanges(const TriMesh &mesh);
 
 } // namespace forefront

@@ -26,7 +26,7 @@ FileNames markersOf(const TagList &tags) {
 /// Writes a two-dimensional SU2 mesh. Each boundary tag is a marker. Comments hold what SU2 cannot express: "% tag TAG"
 /// before a marker, "% elements COUNT TAG" for each run of elements of a region, "% point NODE TAG". The file is ASCII,
 /// since SU2 stops at other characters, even in comments.
-void writeSu2(const Mesh &mesh, TextWriter &out) {
+void writeSu2(const TriMesh &mesh, TextWriter &out) {
     writeNameComments(mesh, "%", out);
     for (const TaggedNode &point : mesh.points) {
         out << "% point " << index(point.node) << ' ' << point.tag << '\n';
@@ -67,7 +67,7 @@ void writeSu2(const Mesh &mesh, TextWriter &out) {
     }
 }
 
-Diagnostics noteSu2Changes(const Mesh &mesh) {
+Diagnostics noteSu2Changes(const TriMesh &mesh) {
     const TagList tags = tagsOf(mesh);
     return noteChangedNames(tags, markersOf(tags));
 }
@@ -79,7 +79,7 @@ class Su2Reader {
   public:
     explicit Su2Reader(const SourceText &source) : scanner_(source, '%', '=') {}
 
-    Result<Mesh> read() {
+    Result<TriMesh> read() {
         comments();
         TextScanner line = scanner_;
         while (scanner_.ok() && scanner_.nextLine(line)) {
@@ -311,7 +311,7 @@ bool looksLikeSu2(std::string_view head) {
     return head.find("NDIME") != std::string_view::npos || head.find("NELEM") != std::string_view::npos;
 }
 
-Result<Mesh> readSu2(const SourceText &source) {
+Result<TriMesh> readSu2(const SourceText &source) {
     return Su2Reader(source).read();
 }
 

@@ -41,7 +41,7 @@ struct SvgPathStyle {
 /// Maps the mesh to the drawing: y points down, coordinates are rounded to hundredths.
 class Sheet {
   public:
-    explicit Sheet(const Mesh &mesh) : box_(mesh.bounds()) {
+    explicit Sheet(const TriMesh &mesh) : box_(mesh.bounds()) {
         const Vec2 size = box_.empty() ? Vec2{1.0, 1.0} : box_.size();
         const double longer = std::max(size.x, size.y);
         scale_ = longer > 0.0 ? kWidth / longer : 1.0;
@@ -77,7 +77,7 @@ void writePaths(TextWriter &out, const SvgPathStyle &style, const std::vector<st
 
 } // namespace
 
-void writeSvg(const Mesh &mesh, TextWriter &out) {
+void writeSvg(const TriMesh &mesh, TextWriter &out) {
     const Sheet sheet(mesh);
     constexpr double kMargin = 10.0;
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" << -kMargin << ' ' << -kMargin << ' '

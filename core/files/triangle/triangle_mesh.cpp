@@ -20,7 +20,7 @@ namespace forefront {
 namespace {
 
 /// Returns a text that differs between meshes, also if they differ in the numbers of their nodes alone.
-std::string numberingOf(const Mesh &mesh) {
+std::string numberingOf(const TriMesh &mesh) {
     Hash64 hash;
     for (const Vec2 node : mesh.nodes) {
         hash.add(node.x);
@@ -47,7 +47,7 @@ std::string_view meshOf(std::string_view text) {
     return line.substr(0, line.find_first_of("\r\n"));
 }
 
-void writeNodes(const Mesh &mesh, TextWriter &out) {
+void writeNodes(const TriMesh &mesh, TextWriter &out) {
     out << mesh.nodes.size() << " 2 0 1\n";
     const std::vector<std::int32_t> labels = nodeLabels(mesh);
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
@@ -59,7 +59,7 @@ void writeNodes(const Mesh &mesh, TextWriter &out) {
     }
 }
 
-void writeElements(const Mesh &mesh, TextWriter &out) {
+void writeElements(const TriMesh &mesh, TextWriter &out) {
     out << mesh.elements.size() << " 3 1\n";
     for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
         out << e + 1;
@@ -70,7 +70,7 @@ void writeElements(const Mesh &mesh, TextWriter &out) {
     }
 }
 
-void writeEdges(const Mesh &mesh, TextWriter &out) {
+void writeEdges(const TriMesh &mesh, TextWriter &out) {
     out << mesh.edges.size() << " 1\n";
     for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
         const TaggedEdge &edge = mesh.edges[k];
@@ -82,8 +82,8 @@ void writeEdges(const Mesh &mesh, TextWriter &out) {
 
 /// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the
 /// tagged edges.
-void writeTriangle(FileSet &files, const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
-    using Write = void (*)(const Mesh &, TextWriter &);
+void writeTriangle(FileSet &files, const std::filesystem::path &path, const TriMesh &mesh, const Progress &progress) {
+    using Write = void (*)(const TriMesh &, TextWriter &);
     static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};
     const std::string id = numberingOf(mesh);
     for (std::size_t i = 0; i < kWrites.size(); ++i) {
@@ -193,7 +193,7 @@ class TriangleMeshReader {
         return noMore(scanner, count, "edge");
     }
 
-    Result<Mesh> finish(const SourceText &source, const SourceText &nodes) {
+    Result<TriMesh> finish(const SourceText &source, const SourceText &nodes) {
         noteUnusedLabels(labels_, builder_.mesh, "node-markers", nodes);
         source.numbered(PartNumbers(builder_.table.numbers()), PartNumbers(numbers_));
         raiseTags(builder_.mesh, source);
@@ -251,7 +251,7 @@ Diagnostics otherMesh(const SourceText &nodes, const SourceText &other) {
 
 } // namespace
 
-Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges) {
+Result<TriMesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges) {
     Diagnostics mixed = otherMesh(nodes, elements);
     if (mixed.empty() && edges != nullptr) {
         mixed = otherMesh(nodes, *edges);
@@ -266,7 +266,7 @@ Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elemen
     return reader.finish(elements, nodes);
 }
 
-Result<Mesh> readTriangle(const SourceText &source) {
+Result<TriMesh> readTriangle(const SourceText &source) {
     const std::string extension = source.path.extension().string();
     const bool isElements = extension == ".ele" || extension == ".ELE";
     const auto other = readCompanion(source, isElements ? ".node" : ".ele");

@@ -13,7 +13,7 @@
 
 namespace forefront {
 
-std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh) {
+std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const TriMesh &mesh) {
     const TagList tags = tagsOf(mesh);
     auto boundaries = tags.points;
     boundaries.insert(tags.edges.begin(), tags.edges.end());
@@ -88,7 +88,7 @@ class CellTags {
     AttributeTags tags_;
 };
 
-void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, Mesh &mesh) {
+void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, TriMesh &mesh) {
     for (const auto &[field, tags] : grid.fields) {
         const bool region = field.starts_with("region:");
         if (!region && !field.starts_with("boundary:")) {
@@ -109,7 +109,7 @@ void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, Mes
 
 } // namespace
 
-bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
+bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, TriMesh &mesh) {
     const auto refuse = [&](const char *code, const std::string &message) {
         return scanner.fail(grid.offset, code, message);
     };
@@ -174,7 +174,7 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
     return true;
 }
 
-MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source) {
+MeshFields fieldsOfVtk(VtkGrid grid, TriMesh mesh, const SourceText &source) {
     MeshFields read{std::move(mesh), std::move(grid.pointArrays), {}};
     const auto fits = [&](const std::string &name, std::size_t values, std::size_t items, const char *kind) {
         if (values != items) {

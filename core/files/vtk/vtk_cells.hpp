@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/text/text_scanner.hpp"
 #include "core/files/text/text_writer.hpp"
@@ -18,7 +18,7 @@ namespace forefront {
 inline constexpr std::uint8_t kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5;
 
 /// Returns the names of the field arrays of a VTU file with their tags, for all tags in use.
-std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh);
+std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const TriMesh &mesh);
 
 /// An unstructured grid as read, before its indices are checked.
 struct VtkGrid {
@@ -33,11 +33,11 @@ struct VtkGrid {
 };
 
 /// Converts a grid to a mesh, with the names of its tags. Failures are recorded in the scanner.
-bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh);
+bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, TriMesh &mesh);
 
 /// Returns the mesh of a grid with its values of nodes and elements; tags are not values. Notes arrays whose length is
 /// not that of the mesh.
-MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source);
+MeshFields fieldsOfVtk(VtkGrid grid, TriMesh mesh, const SourceText &source);
 
 /// Notes an array that is not read because it has several components.
 void noteComponents(const SourceText &source, const std::string &name, std::size_t components, std::size_t offset);

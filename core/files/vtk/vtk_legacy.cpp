@@ -29,7 +29,7 @@ std::string nameWord(const std::string &name) {
 /// Writes the names of tags. Legacy files have no place for names that every reader skips: a FIELD block before POINTS
 /// stops Gmsh, FreeFem++ and deal.II, and deal.II expects as many values in it as there are cells. All of them skip
 /// look-up tables, so each name is that of a table of one colour: "boundary:3:inlet".
-void writeNames(const Mesh &mesh, TextWriter &out) {
+void writeNames(const TriMesh &mesh, TextWriter &out) {
     const TagList tags = tagsOf(mesh);
     const auto table = [&](const char *kind, std::int32_t tag, const std::string &name) {
         out << "LOOKUP_TABLE " << kind << ':' << tag << ':' << nameWord(name) << " 1\n0.5 0.5 0.5 1\n";
@@ -52,7 +52,7 @@ void writeNames(const Mesh &mesh, TextWriter &out) {
 
 /// Writes version 3.0, ASCII. `MaterialID` is the region of triangles and the boundary tag of lines and vertices, as
 /// deal.II expects it first; the arrays `region` and `boundary` hold the two apart, 0 where they do not apply.
-void writeVtk(const Mesh &mesh, TextWriter &out) {
+void writeVtk(const TriMesh &mesh, TextWriter &out) {
     const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
     out << "# vtk DataFile Version 3.0\nPlane triangle mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n";
     out << "POINTS " << mesh.nodes.size() << " double\n";
@@ -104,8 +104,8 @@ class VtkReader {
   public:
     explicit VtkReader(const SourceText &source) : scanner_(source) {}
 
-    Result<Mesh> read() {
-        Mesh mesh;
+    Result<TriMesh> read() {
+        TriMesh mesh;
         if (header()) {
             while (scanner_.ok() && !scanner_.atEnd()) {
                 const std::size_t place = scanner_.offset();
@@ -122,7 +122,7 @@ class VtkReader {
         return mesh;
     }
 
-    MeshFields takeFields(Mesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
+    MeshFields takeFields(TriMesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
 
   private:
     bool header() {
@@ -372,13 +372,13 @@ bool looksLikeVtk(std::string_view head) {
     return head.starts_with("# vtk DataFile");
 }
 
-Result<Mesh> readVtk(const SourceText &source) {
+Result<TriMesh> readVtk(const SourceText &source) {
     return VtkReader(source).read();
 }
 
 Result<MeshFields> readVtkFields(const SourceText &source) {
     VtkReader reader(source);
-    Result<Mesh> mesh = reader.read();
+    Result<TriMesh> mesh = reader.read();
     if (!mesh) {
         return mesh.faults();
     }

@@ -57,7 +57,7 @@ class AppendedArrays {
     std::vector<std::size_t> sizes_;
 };
 
-void writeData(const Mesh &mesh, AppendedArrays &arrays, const TextWriter &out) {
+void writeData(const TriMesh &mesh, AppendedArrays &arrays, const TextWriter &out) {
     arrays.begin();
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         arrays.put(mesh.nodes[n].x);
@@ -95,7 +95,7 @@ void writeData(const Mesh &mesh, AppendedArrays &arrays, const TextWriter &out) 
 } // namespace
 
 /// Writes VTU with raw appended data, which is compact and exact.
-void writeVtu(const Mesh &mesh, TextWriter &out) {
+void writeVtu(const TriMesh &mesh, TextWriter &out) {
     const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
     const std::size_t corners = 3 * mesh.elements.size() + 2 * mesh.edges.size() + mesh.points.size();
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "

@@ -27,7 +27,7 @@ class SceneBuilder {
     }
 
     void addMesh() {
-        const Mesh &mesh = moment_.mesh->mesh;
+        const TriMesh &mesh = moment_.mesh->mesh;
         for (const Element &element : mesh.elements) {
             std::array<Vec2, 3> corners;
             std::transform(element.begin(), element.end(), corners.begin(),
@@ -39,7 +39,7 @@ class SceneBuilder {
         }
     }
     void addBoundary() {
-        const Mesh &mesh = moment_.mesh->mesh;
+        const TriMesh &mesh = moment_.mesh->mesh;
         for (const TaggedEdge &edge : mesh.edges) {
             line(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)], Ink::Boundary, 2.0);
         }

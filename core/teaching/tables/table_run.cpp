@@ -16,7 +16,7 @@ namespace forefront {
 namespace {
 
 struct GridRun {
-    Mesh mesh;
+    TriMesh mesh;
     WorkCounters work;
     double seconds = 0.0;
 };
@@ -59,7 +59,7 @@ Result<GridRun> advanceWith(const TableGrid &grid, const MeshingJob &job, const 
 }
 
 /// Computes ∫ 4/(√3·ρ²) dA with one point per element.
-double integralOfDensity(const Mesh &mesh, const SpacingField &spacing) {
+double integralOfDensity(const TriMesh &mesh, const SpacingField &spacing) {
     double sum = 0.0;
     for (const Element &nodes : mesh.elements) {
         const Vec2 a = mesh.nodes[index(nodes[0])], b = mesh.nodes[index(nodes[1])], c = mesh.nodes[index(nodes[2])];
@@ -92,7 +92,7 @@ Result<RowJob> jobOf(const TableCase &row, const Progress &progress) {
     return RowJob{std::move(adapted->job), *field, AdaptFigures{problem.target.error, 0.0, 0.0, adapted->rounds}};
 }
 
-void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progress, RowFigures &figures) {
+void describeMesh(TriMesh mesh, const PreparedJob &prepared, const Progress &progress, RowFigures &figures) {
     const MeshQuality raw = measureQuality(mesh, prepared.spacing.get());
     figures.nodes = raw.nodes;
     figures.elements = raw.elements;
@@ -110,7 +110,7 @@ void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progre
 }
 
 /// Compares the raw mesh of an adaptive row with its target.
-Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &prepared, const Progress &progress,
+Status describeError(const TriMesh &mesh, const RowJob &found, const PreparedJob &prepared, const Progress &progress,
                      RowFigures &figures) {
     if (!found.adapted) {
         return {};

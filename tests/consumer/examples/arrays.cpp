@@ -5,7 +5,7 @@
 int main() {
     forefront::MeshingJob job;
     forefront::addLoop(job.domain, {{0, 0}, {4, 0}, {4, 3}, {0, 3}});
-    const forefront::Mesh mesh = forefront::meshDomain(job).value().mesh;
+    const forefront::TriMesh mesh = forefront::meshDomain(job).value().mesh;
     const std::span<const double> xy = forefront::coordinates(mesh);
     const std::span<const std::uint32_t> corners = forefront::connectivity(mesh);
     double area = 0.0;

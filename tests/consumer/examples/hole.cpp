@@ -1,4 +1,4 @@
-// Mesh a plate with a hole, with tags and names for its boundary and its region.
+// TriMesh a plate with a hole, with tags and names for its boundary and its region.
 #include <forefront/forefront.hpp>
 
 int main() {

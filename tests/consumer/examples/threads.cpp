@@ -1,4 +1,4 @@
-// Mesh several domains at once: jobs share nothing, and each may use several threads.
+// TriMesh several domains at once: jobs share nothing, and each may use several threads.
 #include <forefront/forefront.hpp>
 #include <future>
 

@@ -15,7 +15,7 @@ namespace forefront {
 /// The mesh of a file, prepared for being compared.
 struct ComparedFile {
     std::shared_ptr<const FileFields> fields; ///< null: none
-    std::shared_ptr<MeshView> view;           ///< its version is set when it is shown
+    std::shared_ptr<MeshSnapshot> view;       ///< its version is set when it is shown
 };
 
 /// Computes what is shown of a mesh; takes a while for a large one.
@@ -28,8 +28,8 @@ class ComparedMesh {
     ComparedMesh(std::string name, ComparedFile file, std::uint64_t version, std::function<void()> wake);
 
     const std::string &name() const { return name_; }
-    const Mesh &mesh() const { return view_->mesh; }
-    const std::shared_ptr<const MeshView> &view() const { return view_; }
+    const TriMesh &mesh() const { return view_->mesh; }
+    const std::shared_ptr<const MeshSnapshot> &view() const { return view_; }
     /// Returns the evaluation of this frame; never null.
     const std::shared_ptr<const Judgement> &judgement() const { return judgement_; }
     /// Returns the edges with one element; empty until the mesh has been evaluated.
@@ -44,7 +44,7 @@ class ComparedMesh {
   private:
     std::string name_;
     std::shared_ptr<const FileFields> fields_; ///< null: none
-    std::shared_ptr<const MeshView> view_;
+    std::shared_ptr<const MeshSnapshot> view_;
     MeshJudge judge_;
     std::shared_ptr<const Judgement> judgement_;
 };

@@ -19,7 +19,7 @@ bool needsEdges(const JudgeRequest &request) {
            infoOf(request.measure).part == MeshPart::Edges;
 }
 
-BoxTree treeOf(const Mesh &mesh) {
+BoxTree treeOf(const TriMesh &mesh) {
     std::vector<Box2> boxes(mesh.elements.size());
     for (std::size_t e = 0; e < boxes.size(); ++e) {
         for (const NodeId node : mesh.elements[e]) {
@@ -79,7 +79,7 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
     if (!request.mesh) {
         return judgement;
     }
-    const Mesh &mesh = request.mesh->mesh;
+    const TriMesh &mesh = request.mesh->mesh;
     const bool same = earlier.of.mesh == request.mesh;
     const bool sameSpacing = same && earlier.of.spacing == request.spacing;
     if (needsEdges(request)) {

@@ -22,7 +22,7 @@ namespace forefront {
 
 /// A request to evaluate a mesh.
 struct JudgeRequest {
-    std::shared_ptr<const MeshView> mesh;                   ///< null: nothing to evaluate
+    std::shared_ptr<const MeshSnapshot> mesh;               ///< null: nothing to evaluate
     std::shared_ptr<const SpacingField> spacing;            ///< may be null
     Measure measure = Measure::ShapeFactor;                 ///< whose values are computed
     MeshPart fieldPart = MeshPart::Nodes;                   ///< that has `fieldValues`: nodes or elements

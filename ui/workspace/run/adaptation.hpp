@@ -18,13 +18,13 @@ namespace forefront {
 
 /// The mesh that adapting began with, and the values of its file.
 struct AdaptSource {
-    std::shared_ptr<const MeshView> mesh;
+    std::shared_ptr<const MeshSnapshot> mesh;
     std::shared_ptr<const FileFields> fields; ///< null: none
 };
 
 /// A request to adapt a mesh to a field.
 struct AdaptRequest {
-    std::shared_ptr<const MeshView> mesh;              ///< the first round; never null
+    std::shared_ptr<const MeshSnapshot> mesh;          ///< the first round; never null
     std::shared_ptr<const Document> drawing;           ///< to be meshed; null: the area of the mesh
     std::string field;                                 ///< an expression in x and y, or the name of `values`
     std::shared_ptr<const std::vector<double>> values; ///< of the field at the nodes of the mesh; null: an expression
@@ -36,7 +36,7 @@ struct AdaptRequest {
 
 /// The mesh of a round.
 struct AdaptedMesh {
-    Mesh mesh;
+    TriMesh mesh;
     std::vector<double> values;  ///< of the field at the nodes; empty if unknown
     std::vector<double> errors;  ///< estimated for each element; empty if unknown
     std::optional<double> error; ///< ErrorEstimate::relative()

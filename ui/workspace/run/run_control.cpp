@@ -182,13 +182,13 @@ void RunControl::want(SnapshotLayers layers) {
 FileMesh takeMesh(MeshFields read) {
     FileMesh file;
     file.fields = takeFields(read);
-    file.view = std::make_shared<MeshView>();
+    file.view = std::make_shared<MeshSnapshot>();
     file.view->mesh = std::move(read.mesh);
     return file;
 }
 
 void measureMesh(FileMesh &file) {
-    const Mesh &mesh = file.view->mesh;
+    const TriMesh &mesh = file.view->mesh;
     file.view->alpha = shapeFactors(mesh);
     file.quality = measureQuality(mesh, nullptr);
     file.hash = meshHash(mesh);

@@ -21,7 +21,7 @@ class MessageLog;
 
 /// A mesh that was read from a file, ready to be shown.
 struct FileMesh {
-    std::shared_ptr<MeshView> view;
+    std::shared_ptr<MeshSnapshot> view;
     std::shared_ptr<const FileFields> fields; ///< null: none
     MeshQuality quality;
     std::uint64_t hash = 0;

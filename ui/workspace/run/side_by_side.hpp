@@ -43,8 +43,8 @@ class SideBySide {
     /// Returns the number of views beside the canvas.
     std::size_t views() const { return !visible || (mesh_ && overlaid) ? 0 : size(); }
     /// Returns the mesh of the file if it is drawn over that of the canvas; else null.
-    std::shared_ptr<const MeshView> overlay() const {
-        return visible && overlaid && mesh_ ? mesh_->view() : std::shared_ptr<const MeshView>();
+    std::shared_ptr<const MeshSnapshot> overlay() const {
+        return visible && overlaid && mesh_ ? mesh_->view() : std::shared_ptr<const MeshSnapshot>();
     }
     const RunVariant &variant(std::size_t run) const { return lockstep_->variant(run); }
     const SessionSnapshot &now(std::size_t run) const { return *shown_[run]; }

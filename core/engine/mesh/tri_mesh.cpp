@@ -1,4 +1,4 @@
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/tri_mesh.hpp"
 
 #include "core/engine/base/hash.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-Box2 Mesh::bounds() const {
+Box2 TriMesh::bounds() const {
     Box2 box;
     for (const Vec2 p : nodes) {
         box.add(p);
@@ -50,7 +50,7 @@ std::vector<std::uint64_t> nodeHashes(const std::vector<Vec2> &nodes) {
 
 } // namespace
 
-std::uint64_t meshHash(const Mesh &mesh) {
+std::uint64_t meshHash(const TriMesh &mesh) {
     const std::vector<std::uint64_t> node = nodeHashes(mesh.nodes);
     // Meshes of files may refer to nodes that do not exist.
     const auto at = [&](NodeId id) { return index(id) < node.size() ? node[index(id)] : std::uint64_t{0}; };

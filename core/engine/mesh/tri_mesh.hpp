@@ -30,7 +30,7 @@ struct TaggedNode {
 };
 
 /// A triangle mesh with tags. Edge k of an element joins its nodes k and (k+1)%3.
-struct Mesh {
+struct TriMesh {
     std::vector<Vec2> nodes;
     std::vector<Element> elements;
     /// Region tag per element. The library always fills it in; in a mesh made by hand it may be empty: all 1.
@@ -50,6 +50,6 @@ struct Mesh {
 
 /// Returns a hash of coordinates, elements, regions, edges, points and their tags: equal for meshes that are equal bit
 /// for bit, regardless of how their nodes and elements are numbered. Names do not count.
-std::uint64_t meshHash(const Mesh &mesh);
+std::uint64_t meshHash(const TriMesh &mesh);
 
 } // namespace forefront
