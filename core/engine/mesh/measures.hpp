@@ -2,7 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 
 #include <algorithm>
 #include <array>

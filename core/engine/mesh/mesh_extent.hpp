@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -21,6 +21,7 @@ struct TaggedEdge {
     NodeId a = kNoNode;
     NodeId b = kNoNode;
     std::int32_t tag = 1;
+    NodeId middle = kNoNode; ///< of an edge of 3 nodes
 };
 
 /// A node of the mesh that carries a tag: a constraint point.
@@ -29,7 +30,8 @@ struct TaggedNode {
     std::int32_t tag = 1;
 };
 
-/// A triangle mesh with tags. Edge k of an element joins its nodes k and (k+1)%3.
+/// A mesh of triangles of 3 nodes with tags, as the mesher and the improvement use it. Edge k of an element joins its
+/// nodes k and (k+1)%3.
 struct TriMesh {
     std::vector<Vec2> nodes;
     std::vector<Element> elements;
@@ -47,9 +49,5 @@ struct TriMesh {
     std::int32_t region(std::size_t element) const { return regions.empty() ? 1 : regions[element]; }
     Box2 bounds() const;
 };
-
-/// Returns a hash of coordinates, elements, regions, edges, points and their tags: equal for meshes that are equal bit
-/// for bit, regardless of how their nodes and elements are numbered. Names do not count.
-std::uint64_t meshHash(const TriMesh &mesh);
 
 } // namespace forefront

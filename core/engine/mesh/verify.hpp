@@ -3,7 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_numbers.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 
 namespace FOREFRONT_API forefront {
 
