@@ -10,7 +10,7 @@
 #include "core/engine/adapt/mesh_outline.hpp"
 #include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 

@@ -5,7 +5,7 @@
 #include "core/engine/mesh/mesh_extent.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/sharp_corners.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 
 #include <cstdint>
 #include <string>

@@ -5,7 +5,7 @@
 #include "core/engine/base/free_memory.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/mesher.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/bench/scenes.hpp"
 
 #include <algorithm>

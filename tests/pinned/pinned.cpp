@@ -4,7 +4,7 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/hash.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/bench/scenes.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // Reads a mesh with nodal values 1 + x + 2y and prints its figures.
 //   export_sample --read FILE NAME
 #include "core/drawing_files/drawing_formats.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 

@@ -3,7 +3,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/engine/mesh/quality.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/platform/assets.hpp"

@@ -6,7 +6,7 @@
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/teaching/tables/power_law.hpp"
 #include "tests/support/poisson.hpp"

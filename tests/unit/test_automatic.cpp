@@ -2,7 +2,7 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/sharp_corners.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/parts/automatic/automatic.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/engine/spacing/spacing_field.hpp"

@@ -1,6 +1,6 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/mesh/quality.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 
 #include <doctest/doctest.h>

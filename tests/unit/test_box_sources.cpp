@@ -8,7 +8,7 @@
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/geometry/unit_vector.hpp"
 #include "core/engine/grid/grid_kind.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "tests/support/domain_builder.hpp"

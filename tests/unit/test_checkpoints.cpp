@@ -1,5 +1,5 @@
-#include "core/engine/mesher/pipeline.hpp"
 #include "core/engine/mesher/timeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/discrete_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -12,7 +12,7 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/validate.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "tests/unit/edit_support.hpp"

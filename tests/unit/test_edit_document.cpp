@@ -7,7 +7,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/domain/validate.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -14,7 +14,7 @@
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "tests/unit/edit_support.hpp"
 

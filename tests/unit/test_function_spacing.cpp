@@ -1,7 +1,7 @@
 #include "core/drawing/document/document.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/add_loop.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "core/engine/spacing/part_list.hpp"

@@ -4,7 +4,7 @@
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mesh/elements_across.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/part_list.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/spacing_samples.hpp"

@@ -1,7 +1,7 @@
 #include "core/drawing_files/svg/svg.hpp"
 #include "core/engine/domain/curve_chains.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/curved_area.hpp"
 #include "tests/unit/io_samples.hpp"
 

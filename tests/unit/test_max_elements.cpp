@@ -1,7 +1,7 @@
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mesher/mesher.hpp"
-#include "core/engine/mesher/pipeline.hpp"
 #include "core/engine/mesher/strip_runner.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "tests/unit/mesh_samples.hpp"
 

@@ -1,6 +1,6 @@
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mesh/mesh_access.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 
 #include <doctest/doctest.h>
 

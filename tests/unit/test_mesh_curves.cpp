@@ -1,7 +1,7 @@
 #include "core/engine/domain/curve_chains.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/random_curves.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/unit/mesh_samples.hpp"

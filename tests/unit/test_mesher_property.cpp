@@ -1,7 +1,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/mesher/mesher.hpp"
-#include "core/engine/mesher/pipeline.hpp"
 #include "core/engine/mesher/timeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/unit/mesh_samples.hpp"

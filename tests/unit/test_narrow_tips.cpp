@@ -3,7 +3,7 @@
 #include "core/engine/domain/curve_chains.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/curve_drawing.hpp"
 #include "tests/support/random_curves.hpp"
 

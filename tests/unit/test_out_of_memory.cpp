@@ -3,7 +3,7 @@
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/unit/failing_new.hpp"
 #include "tests/unit/mesh_samples.hpp"

@@ -1,5 +1,5 @@
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/meshing_session.hpp"
 
 #include <doctest/doctest.h>

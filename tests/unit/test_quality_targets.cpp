@@ -1,5 +1,5 @@
 #include "core/engine/mesh/quality.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/bench/scenes.hpp"
 
 #include <doctest/doctest.h>

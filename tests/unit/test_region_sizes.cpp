@@ -6,7 +6,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/grid/grid_kind.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/parts/regions/region_part.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/files.hpp"

@@ -1,5 +1,5 @@
 #include "core/drawing_files/project/project.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/parts/regions/region_part.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/files.hpp"

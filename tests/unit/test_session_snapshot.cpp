@@ -1,4 +1,4 @@
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/snapshot_builder.hpp"
 #include "core/engine/session/timeline_travel.hpp"
 

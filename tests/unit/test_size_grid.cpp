@@ -1,5 +1,5 @@
 #include "core/engine/domain/add_loop.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/engine/spacing/spec/size_grid.hpp"
 

@@ -1,7 +1,7 @@
 // One mesh for any number of threads, on random domains and on real ones.
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/sanitizers.hpp"

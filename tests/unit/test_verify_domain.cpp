@@ -1,7 +1,7 @@
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/verify.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -5,7 +5,7 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/engine/improve/improve.hpp"
 #include "core/engine/mesher/mesher.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/files.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/out_of_memory.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/parts/expression/expression.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/engine/session/session_worker.hpp"
 
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -1,6 +1,6 @@
 #include "core/engine/session/stepped_run.hpp"
 
-#include "core/engine/improve/improve.hpp"
+#include "core/engine/pipeline/stages.hpp"
 
 #include <limits>
 #include <utility>
@@ -17,17 +17,13 @@ Diagnostics SteppedRun::excess() const {
 }
 
 bool SteppedRun::improve(const Progress &progress) {
-    TriMesh mesh = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
-    if (job_->options.improve != ImproveLevel::None) {
-        progress("improving", 0.0);
-        secondsImprove_ =
-            forefront::improve(mesh, {job_->options.improve, job_->usableThreads(), prepared_.spacing.get()}, progress)
-                .seconds;
-        if (progress.cancelled()) {
-            return false;
-        }
+    MeshingState state{.job = *job_, .prepared = prepared_};
+    state.triangles = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
+    if (!runStages(stagesAfterFront(), state, progress).empty()) {
+        return false;
     }
-    keepFinal(std::move(mesh));
+    secondsImprove_ = state.improvement.seconds;
+    keepFinal(takeTriMesh(std::move(state.mesh)));
     return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/snapshot_builder.hpp"
 #include "core/engine/session/timeline_travel.hpp"
 

@@ -1,7 +1,7 @@
 #include "core/teaching/tables/adaptive_case.hpp"
 
 #include "core/engine/domain/add_loop.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "core/teaching/tables/table_case.hpp"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/improve/improve.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/mesher/statistics.hpp"
 

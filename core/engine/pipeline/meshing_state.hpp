@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/improve/improve.hpp"
+#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesher/options.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
+
+#include <limits>
+
+namespace forefront {
+
+/// What the stages of a run have made so far. Each stage reads what those before it have made and adds its own.
+struct MeshingState {
+    const MeshingJob &job;
+    /// The number of elements that the job is coarsened to; infinite: it is not.
+    double budget = std::numeric_limits<double>::infinity();
+
+    DomainFaces faces{};            ///< of the domain, once it is validated
+    PreparedJob prepared{};         ///< the spacing, then the discretised boundary
+    TriMesh triangles{};            ///< of the front
+    WorkCounters work{};            ///< of the front
+    ImproveReport improvement{};
+    Mesh mesh{};                    ///< the result, once the last stage has run
+};
+
+} // namespace forefront

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/pipeline/meshing_state.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace forefront {
+
+/// The figure of a run that the time of a stage counts in; see MeshingOutcome.
+enum class StageTime : std::uint8_t { Prepare, Mesh, Improve };
+
+/// A stage of a run. Each one is a file of this folder; a new one is a new row of stages().
+struct Stage {
+    StageTime time = StageTime::Mesh;
+    /// Does the work and returns its faults; what it was asked to leave out, it leaves out itself.
+    Status (*run)(MeshingState &, const Progress &) = nullptr;
+};
+
+/// Refuses domains that cannot be meshed. Sets `faces`.
+Status validateStage(MeshingState &state, const Progress &progress);
+/// Builds the node spacing. Sets `prepared.spacing`.
+Status spacingStage(MeshingState &state, const Progress &progress);
+/// Discretises the boundary and estimates the number of elements. Sets the rest of `prepared`.
+Status boundaryStage(MeshingState &state, const Progress &progress);
+/// Advances the front until Γ = ∅. Sets `triangles` and `work`.
+Status frontStage(MeshingState &state, const Progress &progress);
+/// Improves the triangles at the level of the job.
+Status improveStage(MeshingState &state, const Progress &progress);
+/// Makes the mesh of blocks, to which the triangles move.
+Status blocksStage(MeshingState &state, const Progress &progress);
+
+/// The stages before the front, those that make it, and those after it, in order. A front may also be made step by
+/// step, between the first and the last.
+std::span<const Stage> stagesBeforeFront();
+std::span<const Stage> stagesOfFront();
+std::span<const Stage> stagesAfterFront();
+
+/// Runs stages in order until one of them has an error. Returns its faults; after the last one, those of cancelling.
+Status runStages(std::span<const Stage> stages, MeshingState &state, const Progress &progress);
+
+} // namespace forefront
