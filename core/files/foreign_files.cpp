@@ -98,7 +98,7 @@ bool isDxf(std::string_view head) {
 constexpr char kToGeoJson[] = "convert it to GeoJSON, for example with ogr2ogr NEW.geojson FILE";
 
 /// What a file is and what to do with it.
-struct Kind {
+struct ForeignKind {
     std::string_view name, advice;
 };
 
@@ -121,8 +121,8 @@ bool isUtf16(std::string_view head) {
     return false;
 }
 
-Kind kindOf(std::string_view head) {
-    constexpr std::pair<std::string_view, Kind> kSignatures[] = {
+ForeignKind kindOf(std::string_view head) {
+    constexpr std::pair<std::string_view, ForeignKind> kSignatures[] = {
         {"\0\0\x27\x0a"sv, {"an ESRI shapefile", kToGeoJson}},
         {"SQLite format 3"sv, {"a database, perhaps a GeoPackage", kToGeoJson}},
         {"PK\x03\x04"sv, {"a ZIP archive", "unpack it first, for example with unzip FILE"}},
@@ -163,7 +163,7 @@ Kind kindOf(std::string_view head) {
 } // namespace
 
 Diagnostics foreignFile(std::string_view bytes) {
-    const Kind kind = kindOf(bytes.substr(0, kHead));
+    const ForeignKind kind = kindOf(bytes.substr(0, kHead));
     return kind.name.empty()
                ? Diagnostics{}
                : error("foreign-format", "the file is " + std::string(kind.name) + ", which cannot be read",

@@ -21,7 +21,7 @@ using namespace forefront;
 
 namespace {
 
-struct Settings {
+struct BenchSettings {
     GridKind grid = GridKind::Hierarchical;
     Method method = Method::Fast;
     ImproveLevel improve = ImproveLevel::Default;
@@ -44,7 +44,7 @@ double peakBytes() {
     return static_cast<double>(usage.ru_maxrss) * 1024.0;
 }
 
-int runCase(const std::string &name, double size, const Settings &settings) {
+int runCase(const std::string &name, double size, const BenchSettings &settings) {
     std::optional<bench::Scene> made = bench::makeScene(name, size);
     if (!made) {
         std::fprintf(stderr, "no scene %s: square, disc, graded, ramp, islands, coast\n", name.c_str());
@@ -78,7 +78,7 @@ int runCase(const std::string &name, double size, const Settings &settings) {
     return 0;
 }
 
-bool parse(int argc, char **argv, Settings &settings) {
+bool parse(int argc, char **argv, BenchSettings &settings) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         if (word == "--classic") {
@@ -119,7 +119,7 @@ bool parse(int argc, char **argv, Settings &settings) {
 
 int main(int argc, char **argv) {
     keepFreedMemory();
-    Settings settings;
+    BenchSettings settings;
     if (!parse(argc, argv, settings)) {
         std::fprintf(stderr,
                      "usage: forefront_bench [--classic] [--grid KIND] [--improve LEVEL] [--threads N] [--repeat N] "

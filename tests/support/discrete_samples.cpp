@@ -8,9 +8,9 @@ namespace forefront::testing {
 
 namespace {
 
-class FunctionSpacing final : public SpacingField {
+class LambdaSpacing final : public SpacingField {
   public:
-    explicit FunctionSpacing(std::function<double(Vec2)> rho) : rho_(std::move(rho)) {}
+    explicit LambdaSpacing(std::function<double(Vec2)> rho) : rho_(std::move(rho)) {}
     double at(Vec2 p) const override { return rho_(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override {
         std::transform(points.begin(), points.end(), rho.begin(), rho_);
@@ -26,7 +26,7 @@ class FunctionSpacing final : public SpacingField {
 } // namespace
 
 std::shared_ptr<const SpacingField> spacingOf(std::function<double(Vec2)> rho) {
-    return std::make_shared<FunctionSpacing>(std::move(rho));
+    return std::make_shared<LambdaSpacing>(std::move(rho));
 }
 
 std::uint32_t DiscreteBuilder::node(Vec2 p) {

@@ -98,13 +98,13 @@ void offerRecovery(Driver &driver) {
     recovery.offer(driver.context());
 }
 
-struct Scene {
+struct Shot {
     const char *name;
     std::function<void(Driver &)> show;
     bool hovers = false; ///< the pointer stays where it is
 };
 
-std::vector<Scene> scenes() {
+std::vector<Shot> scenes() {
     const auto panel = [](const char *id) {
         return [name = std::string("panel/") + id](Driver &driver) { driver.click(name); };
     };
@@ -275,7 +275,7 @@ TEST_CASE("Screenshots: panels and dialogs" * doctest::skip()) {
             driver.context().settings.theme = theme;
             driver.context().settings.live = true;
             driver.settle();
-            for (const Scene &scene : scenes()) {
+            for (const Shot &scene : scenes()) {
                 scene.show(driver);
                 driver.settle();
                 if (!scene.hovers) {

@@ -19,21 +19,21 @@ namespace {
 
 constexpr PixelSize kSize{320, 240};
 
-struct Stage {
+struct DrawStage {
     std::unique_ptr<EglPlatform> platform;
     std::unique_ptr<GlKit> gl;
     Camera camera;
 
-    Stage() {
+    DrawStage() {
         std::string fault;
         platform = EglPlatform::create(kSize, 1.0, fault);
         REQUIRE_MESSAGE(platform, fault);
         gl = std::make_unique<GlKit>();
         camera.viewport = {0, 0, kSize.width, kSize.height};
     }
-    ~Stage() { gl.reset(); }
-    Stage(const Stage &) = delete;
-    Stage &operator=(const Stage &) = delete;
+    ~DrawStage() { gl.reset(); }
+    DrawStage(const DrawStage &) = delete;
+    DrawStage &operator=(const DrawStage &) = delete;
 };
 
 /// n x n squares of side 1, each two elements; the first `elements` of them.
@@ -57,7 +57,7 @@ std::shared_ptr<MeshSnapshot> lattice(std::uint32_t n, std::size_t elements, std
     return view;
 }
 
-std::vector<std::uint8_t> draw(Stage &stage, MeshBatch &batch, double opacity = 0.0, DrawSlice *slice = nullptr) {
+std::vector<std::uint8_t> draw(DrawStage &stage, MeshBatch &batch, double opacity = 0.0, DrawSlice *slice = nullptr) {
     glBindFramebuffer(GL_FRAMEBUFFER, stage.platform->targetFramebuffer());
     glViewport(0, 0, kSize.width, kSize.height);
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
@@ -81,7 +81,7 @@ std::size_t painted(const std::vector<std::uint8_t> &picture) {
 } // namespace
 
 TEST_CASE("MeshBatch: slices together draw the same as one draw, and each at most what was asked for") {
-    Stage stage;
+    DrawStage stage;
     const auto view = lattice(120, 28'800, 1);
     stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
     MeshBatch batch;
@@ -106,7 +106,7 @@ TEST_CASE("MeshBatch: slices together draw the same as one draw, and each at mos
 }
 
 TEST_CASE("MeshBatch: growing and shrinking in place draws the same as rebuilding") {
-    Stage stage;
+    DrawStage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch grown;
     for (const std::size_t count : {10U, 300U, 301U, 800U, 250U, 251U, 640U}) {
@@ -121,7 +121,7 @@ TEST_CASE("MeshBatch: growing and shrinking in place draws the same as rebuildin
 }
 
 TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded again") {
-    Stage stage;
+    DrawStage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch batch;
     batch.update(lattice(20, 800, 1), false);
@@ -136,7 +136,7 @@ TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded again") {
 }
 
 TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
-    Stage stage;
+    DrawStage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch batch;
     const auto show = [&](const std::shared_ptr<MeshSnapshot> &view) {
@@ -152,7 +152,7 @@ TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
 }
 
 TEST_CASE("MeshBatch: a slice uploads no more than it draws, and chunks out of view are never uploaded") {
-    Stage stage;
+    DrawStage stage;
     const auto view = lattice(120, 28'800, 1);
     stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
     for (const bool atRest : {false, true}) {
@@ -175,7 +175,7 @@ TEST_CASE("MeshBatch: a slice uploads no more than it draws, and chunks out of v
 }
 
 TEST_CASE("MeshBatch: a large mesh is sorted in the background, while slices draw nothing") {
-    Stage stage;
+    DrawStage stage;
     const auto view = lattice(400, 320'000, 1);
     stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
     MeshBatch batch;
@@ -196,7 +196,7 @@ TEST_CASE("MeshBatch: a large mesh is sorted in the background, while slices dra
 }
 
 TEST_CASE("MeshBatch: pages of a mesh that grows beyond them draw the same as a new mesh") {
-    Stage stage;
+    DrawStage stage;
     stage.camera.fit({{0, 0}, {400, 400}}, stage.camera.viewport);
     MeshBatch grown;
     for (const std::size_t count : {100'000U, 150'000U, 262'000U, 263'000U, 320'000U}) {
@@ -300,7 +300,7 @@ TEST_CASE("Draw pace: pieces follow the time that drawing takes, and begin small
 }
 
 TEST_CASE("MeshBatch: edges too dense to be distinguished fade to the opacity of the style") {
-    Stage stage;
+    DrawStage stage;
     stage.camera.fit({{0, 0}, {800, 800}}, stage.camera.viewport);
     MeshBatch batch;
     batch.update(lattice(800, 640000, 1), false); // half of it
@@ -318,7 +318,7 @@ TEST_CASE("MeshBatch: edges too dense to be distinguished fade to the opacity of
 }
 
 TEST_CASE("MeshBatch: sorting by location draws the same, and fewer chunks when zoomed in") {
-    Stage stage;
+    DrawStage stage;
     stage.camera.fit({{0, 0}, {200, 200}}, stage.camera.viewport);
     const auto view = lattice(200, 80000, 1);
     MeshBatch ordered, sorted;
@@ -336,7 +336,7 @@ TEST_CASE("MeshBatch: sorting by location draws the same, and fewer chunks when 
 }
 
 TEST_CASE("MeshBatch: far from the origin the picture is the same") {
-    Stage stage;
+    DrawStage stage;
     MeshBatch here, there;
     const Vec2 offset{131072.0, -262144.0};
     here.update(lattice(6, 72, 1), false);

@@ -35,9 +35,9 @@ std::vector<Shape> offsetsOf(const Shape &shape, double d) {
 }
 
 /// Measures distances to an outline.
-class Ruler {
+class OffsetRuler {
   public:
-    explicit Ruler(const Outline &outline) {
+    explicit OffsetRuler(const Outline &outline) {
         for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
             curves_.push_back(outline.curve(k));
             for (int i = 0; i <= kParts; ++i) {
@@ -72,7 +72,7 @@ class Ruler {
 
 /// Returns the maximum distance of some outlines from the exact offset of a shape.
 double worstMiss(const std::vector<Shape> &made, const Shape &shape, double d) {
-    const Ruler from(outlineOf(shape));
+    const OffsetRuler from(outlineOf(shape));
     double worst = 0.0;
     for (const Shape &piece : made) {
         const Outline outline = outlineOf(piece);

@@ -16,9 +16,9 @@ using namespace forefront::testing;
 namespace {
 
 /// A run of the fast method with strips of about `perStrip` elements.
-class StripRun {
+class FrontStripRun {
   public:
-    StripRun(const PreparedJob &job, double perStrip)
+    FrontStripRun(const PreparedJob &job, double perStrip)
         : job_(job), bounds_(job.boundary->bounds()), state_(*job.boundary) {
         FastAdvancer<HierarchicalGrid, NoTrace>::prepare(state_, *job.boundary, *job.spacing, perStrip);
     }
@@ -110,12 +110,12 @@ TEST_CASE("runStrips: the same mesh and work in sequence and on 1, 2, 3 and 8 th
         const Result<PreparedJob> prepared = prepare(job);
         REQUIRE(prepared);
         const double perStrip = std::max(20.0, prepared->estimatedElements / 14.0);
-        StripRun single(*prepared, perStrip);
+        FrontStripRun single(*prepared, perStrip);
         const TriMesh expected = single.finish();
         REQUIRE(verifyAgainst(expected, *prepared->boundary).empty());
         for (const unsigned threads : {1U, 2U, 3U, 8U}) {
             CAPTURE(threads);
-            StripRun run(*prepared, perStrip);
+            FrontStripRun run(*prepared, perStrip);
             run.together(threads);
             split += run.elementsInStrips();
             REQUIRE(meshHash(run.finish()) == meshHash(expected));
@@ -134,7 +134,7 @@ TEST_CASE("runStrips: strips of a large mesh leave little to the end, and can be
     job.spacing.expression = "0.006 + 0.01*abs(x-1)";
     const Result<PreparedJob> prepared = prepare(job);
     REQUIRE(prepared);
-    StripRun run(*prepared, 6000.0);
+    FrontStripRun run(*prepared, 6000.0);
     REQUIRE(run.strips() > 16);
     run.together(2);
     const std::size_t before = run.elementsInStrips();

@@ -16,14 +16,14 @@ namespace {
 using std::numbers::pi;
 
 /// What is read from a drawing, and the codes of the notes.
-struct Reading {
+struct PageReading {
     Domain domain;
     std::set<std::string> notes;
 
     double area() const { return areas(domain).at(1); }
 };
 
-Reading read(const std::string &root, const std::string &content, bool beyondPage = false) {
+PageReading read(const std::string &root, const std::string &content, bool beyondPage = false) {
     const std::string text = "<svg " + root + ">\n" + content + "\n</svg>\n";
     ImportNotes notes;
     SourceText source = sourceOf(text, "drawing.svg");
@@ -31,7 +31,7 @@ Reading read(const std::string &root, const std::string &content, bool beyondPag
     source.options.beyondPage = beyondPage;
     auto domain = readSvg(source);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    Reading reading{std::move(*domain), {}};
+    PageReading reading{std::move(*domain), {}};
     for (const ImportNote &note : notes.entries()) {
         reading.notes.insert(note.code);
     }
@@ -44,7 +44,7 @@ const std::string kWide = "<rect id=\"wide\" x=\"-5\" y=\"2\" width=\"9\" height
 } // namespace
 
 TEST_CASE("SVG page: filled shapes end at the view box, and a note says so") {
-    const Reading cut = read(kTen, kWide);
+    const PageReading cut = read(kTen, kWide);
     CHECK(cut.area() == doctest::Approx(24));
     CHECK(cut.notes.count(kPageNote) == 1);
     std::set<std::string> names;
@@ -52,28 +52,28 @@ TEST_CASE("SVG page: filled shapes end at the view box, and a note says so") {
         names.insert(boundaryName(cut.domain.boundaryNames, segment.tag));
     }
     CHECK(names == std::set<std::string>{"wide", "page"});
-    const Reading whole = read(kTen, kWide, true);
+    const PageReading whole = read(kTen, kWide, true);
     CHECK(whole.area() == doctest::Approx(54));
     CHECK(whole.notes.empty());
 }
 
 TEST_CASE("SVG page: what lies within it is read as if there were none") {
     const std::string inside = "<rect width=\"10\" height=\"4\"/><circle cx=\"7\" cy=\"7\" r=\"3\"/>";
-    const Reading cut = read(kTen, inside), whole = read(kTen, inside, true);
+    const PageReading cut = read(kTen, inside), whole = read(kTen, inside, true);
     CHECK(cut.domain.nodes == whole.domain.nodes);
     CHECK(cut.domain.boundaryNames == whole.domain.boundaryNames);
     CHECK(cut.notes == whole.notes);
     // Rounding beyond the edge is no reason to cut, and what a clip path hides is not there.
     CHECK(read(kTen, "<rect x=\"-.001\" width=\"4\" height=\"4\"/>").notes.empty());
-    const Reading clipped = read(kTen, "<clipPath id=\"c\"><rect width=\"3\" height=\"10\"/></clipPath><g "
-                                       "clip-path=\"url(#c)\">" +
-                                           kWide + "</g>");
+    const PageReading clipped = read(kTen, "<clipPath id=\"c\"><rect width=\"3\" height=\"10\"/></clipPath><g "
+                                           "clip-path=\"url(#c)\">" +
+                                               kWide + "</g>");
     CHECK(clipped.area() == doctest::Approx(18));
     CHECK(clipped.notes.count(kPageNote) == 0);
 }
 
 TEST_CASE("SVG page: a curve whose nodes lie on the page is cut where it leaves it") {
-    const Reading half = read(kTen, "<path d=\"M1 0A4 4 0 0 1 9 0V3H1Z\"/>");
+    const PageReading half = read(kTen, "<path d=\"M1 0A4 4 0 0 1 9 0V3H1Z\"/>");
     CHECK(half.area() == doctest::Approx(24).epsilon(1e-3));
     CHECK(half.notes.count(kPageNote) == 1);
     CHECK(read(kTen, "<circle cx=\"10\" cy=\"5\" r=\"4\"/>").area() == doctest::Approx(8 * pi).epsilon(2e-3));
@@ -100,7 +100,7 @@ TEST_CASE("SVG page: drawings of outlines, drawings beside the page and pasted s
     const std::string outline = "<path fill=\"none\" stroke=\"red\" d=\"M-5 0H5V4H-5Z\"/>";
     CHECK(read(kTen, outline).area() == doctest::Approx(40));
     CHECK(read(kTen, outline).notes.count(kPageNote) == 0);
-    const Reading beside = read(kTen, "<rect x=\"20\" width=\"3\" height=\"3\"/>");
+    const PageReading beside = read(kTen, "<rect x=\"20\" width=\"3\" height=\"3\"/>");
     CHECK(beside.area() == doctest::Approx(9));
     CHECK(beside.notes == std::set<std::string>{"svg-off-page"});
     const std::string text = "<svg " + kTen + ">" + kWide + "</svg>";
@@ -111,10 +111,10 @@ TEST_CASE("SVG page: drawings of outlines, drawings beside the page and pasted s
 
 TEST_CASE("SVG page: shapes far larger than the page neither take long nor make what it shows coarser") {
     // A cubic that loops far outside and closes along y = 9, and a small square beside a hole.
-    const Reading cubic = read(kTen, "<path d=\"M0 9C-1e8 1e8 1e8 1e8 10 9z\"/>");
+    const PageReading cubic = read(kTen, "<path d=\"M0 9C-1e8 1e8 1e8 1e8 10 9z\"/>");
     CHECK(cubic.area() == doctest::Approx(10.0));
     CHECK(cubic.notes == std::set<std::string>{kPageNote, "clipped-segments"});
-    const Reading ring = read(kTen, "<path d=\"M-1e9 -1e9H1e9V1e9H-1e9z M2 2V8H8V2z\"/><path d=\"M3 5H5V6H3z\"/>");
+    const PageReading ring = read(kTen, "<path d=\"M-1e9 -1e9H1e9V1e9H-1e9z M2 2V8H8V2z\"/><path d=\"M3 5H5V6H3z\"/>");
     CHECK(ring.area() == doctest::Approx(100.0 - 36.0 + 2.0));
     CHECK(ring.domain.segments.size() == 12);
     CHECK(ring.notes.count("finer-weld") == 0);
@@ -140,7 +140,7 @@ TEST_CASE("SVG page: viewports, clip paths and masks far larger than the page li
 
 TEST_CASE("SVG page: lines far longer than the page keep what it shows of them") {
     const std::string square = "<rect width=\"10\" height=\"10\"/>";
-    const auto linesIn = [](const Reading &reading) {
+    const auto linesIn = [](const PageReading &reading) {
         double sum = 0.0;
         for (const DomainSegment &segment : reading.domain.segments) {
             sum += segment.role == SegmentRole::Constraint

@@ -28,10 +28,10 @@ Diagnostics faultsOf(const std::string &text, const LessonNames &names = {}) {
 }
 
 /// A run at advance 7 with three candidates, of which the second won.
-struct Run {
+struct LessonRun {
     SessionSnapshot snapshot;
 
-    Run() {
+    LessonRun() {
         auto advance = std::make_shared<AdvanceExplanation>();
         advance->a = {0, 0};
         advance->b = {3, 4};
@@ -175,7 +175,7 @@ TEST_CASE("Lesson: several faults of a file are reported together") {
 }
 
 TEST_CASE("Lesson values: they describe the run, the advance and the choice of the learner") {
-    const Run run;
+    const LessonRun run;
     const auto value = [&](LessonValue of) { return valueOf(of, run.state()); };
     CHECK(value(LessonValue::Advance) == 7.0);
     CHECK(value(LessonValue::Front) == 34.0);
@@ -196,7 +196,7 @@ TEST_CASE("Lesson values: they describe the run, the advance and the choice of t
 }
 
 TEST_CASE("Lesson texts: values in braces are filled in") {
-    const Run run;
+    const LessonRun run;
     CHECK(withValues("Γ: {front}, α {alpha}", run.state()) == "Γ: 34, α 0.75");
     CHECK(withValues("{Nc}{front}", run.state()) == "2.534");
     CHECK(withValues("no values", run.state()) == "no values");
@@ -204,7 +204,7 @@ TEST_CASE("Lesson texts: values in braces are filled in") {
 }
 
 TEST_CASE("Lesson conditions: is, above and below a number or another value") {
-    const Run run;
+    const LessonRun run;
     const auto check = [&](LessonCondition condition, std::optional<std::size_t> chosen = {}) {
         return holds(condition, run.state(chosen));
     };

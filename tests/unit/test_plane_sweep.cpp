@@ -14,7 +14,7 @@ bool improper(SegmentMeeting kind) {
     return kind != SegmentMeeting::Apart && kind != SegmentMeeting::SharedEnd;
 }
 
-struct Picture {
+struct SweepPicture {
     std::vector<Vec2> points;
     std::vector<PlaneEdge> edges;
 
@@ -24,9 +24,9 @@ struct Picture {
 };
 
 /// Random edges, many of them degenerate on the coarse lattices.
-Picture randomPicture(std::mt19937_64 &random, int size, int edgeCount) {
+SweepPicture randomPicture(std::mt19937_64 &random, int size, int edgeCount) {
     std::uniform_int_distribution<int> coordinate(0, size), choice(0, 3 * edgeCount);
-    Picture picture;
+    SweepPicture picture;
     for (int i = 0; i <= 3 * edgeCount; ++i) {
         picture.points.push_back({1.0 * coordinate(random), 1.0 * coordinate(random)});
     }
@@ -52,7 +52,7 @@ bool before(Vec2 a, Vec2 b) {
 }
 
 /// Returns the edge with its lower end first, as in the sweep.
-std::pair<Vec2, Vec2> ends(const Picture &picture, std::size_t edge) {
+std::pair<Vec2, Vec2> ends(const SweepPicture &picture, std::size_t edge) {
     const Vec2 a = picture.points[picture.edges[edge].a], b = picture.points[picture.edges[edge].b];
     return before(a, b) ? std::pair{a, b} : std::pair{b, a};
 }
@@ -73,7 +73,7 @@ TEST_CASE("PlaneSweep: remaining edges never meet, and no edge is dropped needle
     int simple = 0, faulty = 0;
     for (int round = 0; round < 3000; ++round) {
         const int edgeCount = 1 + round % 12, size = 2 + (round / 12) % 40;
-        const Picture picture = randomPicture(random, size, edgeCount);
+        const SweepPicture picture = randomPicture(random, size, edgeCount);
         const PlaneSweepResult sweep = sweepPlane(picture.points, picture.edges);
         bool anyMeeting = false;
         for (std::size_t e = 0; e < picture.edges.size(); ++e) {
@@ -98,7 +98,7 @@ TEST_CASE("PlaneSweep: finds the edge directly below each point, and the edge th
     std::mt19937_64 random(6);
     int found = 0, on = 0;
     for (int round = 0; round < 2000; ++round) {
-        Picture picture = randomPicture(random, 3 + round % 20, 1 + round % 9);
+        SweepPicture picture = randomPicture(random, 3 + round % 20, 1 + round % 9);
         PlaneSweepResult sweep = sweepPlane(picture.points, picture.edges);
         for (std::size_t e = picture.edges.size(); e-- > 0;) {
             if (sweep.dropped[e] != 0) {
@@ -146,7 +146,7 @@ TEST_CASE("PlaneSweep: finds the edge directly below each point, and the edge th
 TEST_CASE("EdgeMeetings: the pairs with a dropped edge are all pairs that meet") {
     std::mt19937_64 random(7);
     for (int round = 0; round < 1000; ++round) {
-        const Picture picture = randomPicture(random, 2 + round % 30, 1 + round % 40);
+        const SweepPicture picture = randomPicture(random, 2 + round % 30, 1 + round % 40);
         const PlaneSweepResult sweep = sweepPlane(picture.points, picture.edges);
         const EdgeMeetings meetings =
             findMeetings(picture.points, picture.edges, droppedEdges(sweep), picture.edges.size() * 100);
@@ -169,7 +169,7 @@ TEST_CASE("EdgeMeetings: the pairs with a dropped edge are all pairs that meet")
 
 TEST_CASE("PlaneSweep: many long edges side by side do not take quadratic work") {
     // 100,000 edges that all overlap in x and in y: a comb of slanted parallels.
-    Picture picture;
+    SweepPicture picture;
     const std::uint32_t count = 100000;
     for (std::uint32_t i = 0; i < count; ++i) {
         picture.points.push_back({0.001 * i, 0.0});
@@ -190,7 +190,7 @@ TEST_CASE("PlaneSweep: many long edges side by side do not take quadratic work")
 }
 
 TEST_CASE("PlaneSweep: a fan of edges and many overlapping edges do not take quadratic work") {
-    Picture fan;
+    SweepPicture fan;
     fan.points = {{0.0, 0.0}, {300.0, 0.5}};
     const std::uint32_t count = 50000;
     for (std::uint32_t i = 0; i < count; ++i) { // all from one node and all into another one
@@ -199,7 +199,7 @@ TEST_CASE("PlaneSweep: a fan of edges and many overlapping edges do not take qua
         fan.edges.push_back({i + 2, 1});
     }
     CHECK(sweepPlane(fan.points, fan.edges).droppedCount == 0);
-    Picture heap;
+    SweepPicture heap;
     for (std::uint32_t i = 0; i < count; ++i) { // on one line, each over the next thousand
         heap.points.push_back({1.0 * i, 2.0 * i});
         heap.points.push_back({1.0 * i + 1000.5, 2.0 * i + 2001.0});

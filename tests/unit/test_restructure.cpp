@@ -74,13 +74,13 @@ bool ringsFit(const Cutout &cutout) {
 }
 
 /// A square with an inner line, a tagged point and two regions, and lengths for its nodes.
-struct Sample {
+struct RestructureSample {
     TriMesh mesh;
     RawVector<float> rho;
 };
 
-Sample sample(std::size_t n, std::uint64_t seed) {
-    Sample made{samples::constrainedSquare(n, 0.2, {}, seed), {}};
+RestructureSample sample(std::size_t n, std::uint64_t seed) {
+    RestructureSample made{samples::constrainedSquare(n, 0.2, {}, seed), {}};
     made.rho.assign(made.mesh.nodes.size(), 1.1F / static_cast<float>(n));
     return made;
 }
@@ -146,7 +146,7 @@ void checkFits(const ImproveWorkspace &work) {
 } // namespace
 
 TEST_CASE("Cutout: has the elements around three rings of free nodes, with fixed nodes on the rim") {
-    Sample made = sample(14, 5);
+    RestructureSample made = sample(14, 5);
     ThreadPool pool(1);
     const ImproveWorkspace work(made.mesh, pool);
     std::size_t taken = 0;
@@ -181,7 +181,7 @@ TEST_CASE("Cutout: has the elements around three rings of free nodes, with fixed
 TEST_CASE("Cutout: each change keeps the rim and the rings and changes the number of elements as documented") {
     std::map<int, std::size_t> done;
     for (std::uint64_t seed = 1; seed <= (forefront::testing::kSanitized ? 2 : 6); ++seed) {
-        Sample made = sample(12, seed);
+        RestructureSample made = sample(12, seed);
         ThreadPool pool(1);
         const ImproveWorkspace work(made.mesh, pool);
         const auto look = [&](const Cutout &was, const Cutout &is, int more) {
@@ -255,7 +255,7 @@ TEST_CASE("Cutout: a regular piece of a mesh has no excess loss, and relaxing do
 }
 
 TEST_CASE("Replacer: keeps neighbours, valences and rings up to date over many changes") {
-    Sample made = sample(20, 9);
+    RestructureSample made = sample(20, 9);
     const TriMesh before = made.mesh;
     ThreadPool pool(1);
     ImproveWorkspace work(made.mesh, pool);
@@ -299,7 +299,7 @@ TEST_CASE("Replacer: keeps neighbours, valences and rings up to date over many c
 }
 
 TEST_CASE("Replacer: refuses a change that leaves an element below the floor") {
-    Sample made = sample(10, 2);
+    RestructureSample made = sample(10, 2);
     ThreadPool pool(1);
     ImproveWorkspace work(made.mesh, pool);
     Replacer replacer(work, made.rho);
@@ -316,7 +316,7 @@ TEST_CASE("Replacer: refuses a change that leaves an element below the floor") {
 
 TEST_CASE("restructure: fewer irregular nodes, better shapes, fixed parts unchanged, no lower minimum α") {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        Sample made = sample(40, seed);
+        RestructureSample made = sample(40, seed);
         improve(made.mesh); // as smooth as it can be with the nodes it has
         const TriMesh before = made.mesh;
         ThreadPool pool(2);
@@ -336,7 +336,7 @@ TEST_CASE("restructure: fewer irregular nodes, better shapes, fixed parts unchan
 }
 
 TEST_CASE("restructure: one, two, three and eight threads make the same mesh bit for bit") {
-    const Sample raw = sample(120, 3);
+    const RestructureSample raw = sample(120, 3);
     std::set<std::uint64_t> hashes;
     for (const unsigned threads : {1U, 2U, 3U, 8U}) {
         TriMesh mesh = raw.mesh;
@@ -350,7 +350,7 @@ TEST_CASE("restructure: one, two, three and eight threads make the same mesh bit
 
 TEST_CASE("restructure: lengths beyond the range of float leave the mesh as it is") {
     for (const float rho : {0.0F, 1e-45F, std::numeric_limits<float>::infinity()}) {
-        Sample made = sample(12, 1);
+        RestructureSample made = sample(12, 1);
         const std::uint64_t hash = meshHash(made.mesh);
         ThreadPool pool(1);
         ImproveWorkspace work(made.mesh, pool);
@@ -360,7 +360,7 @@ TEST_CASE("restructure: lengths beyond the range of float leave the mesh as it i
 }
 
 TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh and fixed parts unchanged") {
-    const Sample raw = sample(24, 6);
+    const RestructureSample raw = sample(24, 6);
     int stages = 0;
     for (int stopAt = 0; stopAt <= stages; ++stopAt) {
         TriMesh mesh = raw.mesh;
@@ -387,7 +387,7 @@ TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh 
 }
 
 TEST_CASE("restructure: leaves a valid mesh when stopped within a round") {
-    Sample made = sample(60, 8);
+    RestructureSample made = sample(60, 8);
     const TriMesh before = made.mesh;
     std::stop_source stop;
     stop.request_stop();
@@ -401,7 +401,7 @@ TEST_CASE("restructure: leaves a valid mesh when stopped within a round") {
 }
 
 TEST_CASE("restructure: leaves a valid mesh when another thread stops it between two changes") {
-    const Sample made = sample(150, 8);
+    const RestructureSample made = sample(150, 8);
     ThreadPool pool(1);
     const auto changesUntil = [&](std::chrono::steady_clock::duration delay) {
         TriMesh mesh = made.mesh;

@@ -223,7 +223,7 @@ void addCorners(ActionRegistry &actions) {
 }
 
 /// A way to line up the selection.
-struct Arrangement {
+struct ArrangeAction {
     const char *id, *title;
     Result<Document> (*run)(const Document &, const Selection &);
     std::size_t items; ///< needed at least
@@ -239,7 +239,7 @@ Result<Document> distribute(const Document &document, const Selection &selection
     return distributeSelection(document, selection, alongX);
 }
 
-constexpr Arrangement kArrangements[] = {
+constexpr ArrangeAction kArrangements[] = {
     {"shape.alignLeft", "Align left", align<Alignment::Left>, 2},
     {"shape.alignCentreX", "Align centres horizontally", align<Alignment::CentreX>, 2},
     {"shape.alignRight", "Align right", align<Alignment::Right>, 2},
@@ -251,7 +251,7 @@ constexpr Arrangement kArrangements[] = {
 
 /// Adds the commands that line up shapes: to the palette, and as a submenu.
 void addArrangements(ActionRegistry &actions) {
-    for (const Arrangement &arrangement : kArrangements) {
+    for (const ArrangeAction &arrangement : kArrangements) {
         actions.add(
             {.id = arrangement.id,
              .menu = "",
@@ -270,7 +270,7 @@ void addArrangements(ActionRegistry &actions) {
                  .entries =
                      [](const Shell &c) {
                          std::vector<MenuEntry> entries;
-                         for (const Arrangement &arrangement : kArrangements) {
+                         for (const ArrangeAction &arrangement : kArrangements) {
                              if (alignableItems(c.selection) >= arrangement.items) {
                                  entries.push_back(
                                      {.id = arrangement.id,

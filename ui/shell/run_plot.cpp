@@ -15,14 +15,14 @@ namespace {
 using Sample = RunCurves::Sample;
 
 /// A curve with its own scale, see rangeOf().
-struct Curve {
+struct PlotCurve {
     const char *name, *tip;
     float Sample::*value;
     Colour colour;
     bool unit; ///< its values lie in [0, 1]
 };
 
-std::array<Curve, 4> curvesOf(const Theme &theme) {
+std::array<PlotCurve, 4> curvesOf(const Theme &theme) {
     return {{{"segments of \xce\x93", "Number of segments on the front", &Sample::front, theme.front, false},
              {"tests per element", "Mean number of segments tested for intersection per element", &Sample::tests,
               theme.visited, false},
@@ -43,7 +43,7 @@ struct Range {
 };
 
 /// Returns 0 to the maximum, or for α the tenths around all of its values, since most of them are close to 1.
-Range rangeOf(const RunCurves &curves, const Curve &curve) {
+Range rangeOf(const RunCurves &curves, const PlotCurve &curve) {
     Range range{curve.unit ? 1.0F : 0.0F, curve.unit ? 1.0F : 1e-6F};
     for (const Sample &sample : curves.samples) {
         if (curve.unit) {
@@ -55,7 +55,7 @@ Range rangeOf(const RunCurves &curves, const Curve &curve) {
     return range;
 }
 
-void drawCurve(WidgetContext &context, const RunCurves &curves, const Curve &curve, const Frame &frame) {
+void drawCurve(WidgetContext &context, const RunCurves &curves, const PlotCurve &curve, const Frame &frame) {
     const Range range = rangeOf(curves, curve);
     const float scale = (frame.bottom - frame.top) / std::max(range.to - range.from, 1e-6F);
     std::vector<ImVec2> points;
@@ -81,7 +81,7 @@ void drawNames(WidgetContext &context, const Sample &sample, float top, float ri
     ImGui::PushFont(context.fonts.small);
     float y = top + context.px(2);
     const auto curves = curvesOf(context.theme);
-    for (const Curve &curve : curves) {
+    for (const PlotCurve &curve : curves) {
         const std::string value = valueText(sample.*curve.value, curve.unit);
         list.AddRectFilled({context.px(14), y + context.px(5)}, {context.px(26), y + context.px(7)}, curve.colour);
         list.AddText({context.px(32), y}, context.theme.muted, curve.name);
@@ -115,7 +115,7 @@ void drawRunPlot(Shell &context, const TimeAxis &axis, float top) {
     ImGui::InvisibleButton("##plot", {axis.right - axis.left, frame.bottom - frame.top});
     const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
     list.PushClipRect({axis.left, frame.top - context.px(2)}, {axis.right, frame.bottom + context.px(2)}, true);
-    for (const Curve &curve : curvesOf(context.theme)) {
+    for (const PlotCurve &curve : curvesOf(context.theme)) {
         drawCurve(context, *run.curves, curve, frame);
     }
     const float here = axis.x(static_cast<double>(run.advance));

@@ -147,11 +147,11 @@ std::vector<double> crossingsAlong(const Document &document, const Path &path) {
 }
 
 /// The part between two positions; on a closed path, `to` may be beyond its last segment.
-struct Stretch {
+struct PathStretch {
     double from = 0.0, to = 0.0;
 };
 
-Result<Stretch> stretchAround(const Path &path, std::span<const double> crossings, Vec2 at) {
+Result<PathStretch> stretchAround(const Path &path, std::span<const double> crossings, Vec2 at) {
     const bool closed = path.outline.closed;
     if (crossings.size() < (closed ? 2U : 1U)) {
         return error("not-possible",
@@ -163,17 +163,17 @@ Result<Stretch> stretchAround(const Path &path, std::span<const double> crossing
     const auto next = std::upper_bound(crossings.begin(), crossings.end(), place);
     const bool first = next == crossings.begin(), last = next == crossings.end();
     const double size = path.size();
-    return Stretch{!first   ? *(next - 1)
-                   : closed ? crossings.back() - size
-                            : 0.0,
-                   !last    ? *next
-                   : closed ? crossings.front() + size
-                            : size};
+    return PathStretch{!first   ? *(next - 1)
+                       : closed ? crossings.back() - size
+                                : 0.0,
+                       !last    ? *next
+                       : closed ? crossings.front() + size
+                                : size};
 }
 
 /// Calls `visit(segment, t0, t1)` for the segments of a stretch in order.
 template <class Visit>
-void visitStretch(const Path &path, Stretch stretch, const Visit &visit) {
+void visitStretch(const Path &path, PathStretch stretch, const Visit &visit) {
     const std::size_t segments = path.outline.segmentCount();
     const double turn = stretch.from < 0.0 ? path.size() : 0.0;
     stretch = {stretch.from + turn, stretch.to + turn};
@@ -188,7 +188,7 @@ void visitStretch(const Path &path, Stretch stretch, const Visit &visit) {
 }
 
 /// Returns a stretch of a path as an open path with the same properties.
-Shape openPart(const Path &path, const Stretch &stretch) {
+Shape openPart(const Path &path, const PathStretch &stretch) {
     Shape part = path.shape;
     part.kind = ShapeKind::Polyline;
     part.nodes.clear();
@@ -249,7 +249,7 @@ Result<std::vector<double>> crossingsAlong(const Document &document, std::uint32
 Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t shape, Vec2 at,
                                       std::span<const double> crossings) {
     const Result<Path> path = pathOf(document, shape);
-    const Result<Stretch> stretch = path ? stretchAround(*path, crossings, at) : path.faults();
+    const Result<PathStretch> stretch = path ? stretchAround(*path, crossings, at) : path.faults();
     if (!stretch) {
         return stretch.faults();
     }
@@ -261,17 +261,18 @@ Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t sh
 
 Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) {
     const Result<Path> path = pathOf(document, shape);
-    const Result<Stretch> stretch = path ? stretchAround(*path, crossingsAlong(document, *path), at) : path.faults();
+    const Result<PathStretch> stretch =
+        path ? stretchAround(*path, crossingsAlong(document, *path), at) : path.faults();
     if (!stretch) {
         return stretch.faults();
     }
     const double size = path->size();
-    std::vector<Stretch> kept;
+    std::vector<PathStretch> kept;
     if (path->outline.closed) {
         kept.push_back({stretch->to, stretch->from + size});
     } else {
         kept = {{0.0, stretch->from}, {stretch->to, size}};
-        std::erase_if(kept, [](const Stretch &part) { return part.to - part.from <= kApart; });
+        std::erase_if(kept, [](const PathStretch &part) { return part.to - part.from <= kApart; });
     }
     Result<Document> next = replaceShape(document, openPart(*path, kept.front()));
     if (next && kept.size() > 1) {

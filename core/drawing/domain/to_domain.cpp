@@ -45,9 +45,9 @@ class NodeMerger {
 };
 
 /// Adds the shapes of a document to a domain; `sources` may be null.
-class DomainBuilder {
+class DocumentDomain {
   public:
-    DomainBuilder(const Document &document, DomainSources *sources)
+    DocumentDomain(const Document &document, DomainSources *sources)
         : document_(document), sources_(sources), counted_(countedParts(document)), merger_(domain_.nodes) {}
 
     Domain build() {
@@ -138,11 +138,11 @@ class DomainBuilder {
 } // namespace
 
 Domain toDomain(const Document &document) {
-    return DomainBuilder(document, nullptr).build();
+    return DocumentDomain(document, nullptr).build();
 }
 
 Domain toDomain(const Document &document, DomainSources &sources) {
-    return DomainBuilder(document, &sources).build();
+    return DocumentDomain(document, &sources).build();
 }
 
 MeshingJob jobOf(const Document &document) {

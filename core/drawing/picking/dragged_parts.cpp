@@ -6,7 +6,7 @@ namespace forefront {
 namespace {
 
 /// A segment at a node of a path, and the node at its other end.
-struct Spoke {
+struct PathSpoke {
     std::uint32_t segment = 0, other = 0;
 };
 
@@ -16,12 +16,12 @@ void forSpokes(const Outline &outline, std::uint32_t node, const Visit &visit) {
     const auto nodes = static_cast<std::uint32_t>(outline.nodes.size());
     const auto segments = static_cast<std::uint32_t>(outline.segmentCount());
     if (node < segments) {
-        visit(Spoke{node, (node + 1) % nodes});
+        visit(PathSpoke{node, (node + 1) % nodes});
     }
     if (node > 0 && node <= segments) {
-        visit(Spoke{node - 1, node - 1});
+        visit(PathSpoke{node - 1, node - 1});
     } else if (node == 0 && outline.closed && segments > 1) {
-        visit(Spoke{segments - 1, nodes - 1});
+        visit(PathSpoke{segments - 1, nodes - 1});
     }
 }
 
@@ -40,7 +40,7 @@ PickIndex::Filter targetsOfDrag(const Document &document, const Selection &dragg
         const Outline outline = outlineOf(*shape);
         for (const std::uint32_t node : handles) {
             ignored->nodes.insert({id, node});
-            forSpokes(outline, node, [&](const Spoke &spoke) {
+            forSpokes(outline, node, [&](const PathSpoke &spoke) {
                 ignored->segments.insert({id, outline.part(spoke.segment)});
                 ignored->nodes.insert({id, spoke.other}); // a node on its neighbour leaves a segment of no length
             });
@@ -60,7 +60,7 @@ std::vector<Vec2> linesToNode(const Document &document, const Selection &dragged
     const auto moving = all.find(node.shape);
     const Outline outline = outlineOf(*shape);
     std::vector<Vec2> starts;
-    forSpokes(outline, node.node, [&](const Spoke &spoke) {
+    forSpokes(outline, node.node, [&](const PathSpoke &spoke) {
         const bool follows = moving == all.end() || !moving->second.contains(spoke.other);
         if (follows && !outline.isCurved(spoke.segment)) {
             starts.push_back(outline.nodes[spoke.other]);

@@ -55,9 +55,9 @@ struct ValueAndSlope {
 };
 
 /// Collects candidates and keeps the nearest.
-class Nearest {
+class NearestCandidate {
   public:
-    explicit Nearest(const SnapQuery &query) : query_(query), limit_(query.tolerance) {}
+    explicit NearestCandidate(const SnapQuery &query) : query_(query), limit_(query.tolerance) {}
 
     void offer(Vec2 at, SnapKind kind, std::optional<Vec2> from = {}) {
         const double away = distance(at, query_.at);
@@ -76,7 +76,7 @@ class Nearest {
 
 /// Offers where a line from the anchor meets a curve at a right angle, and where it touches the curve. A curve that
 /// begins at the anchor meets the line there, which does not count.
-void offerDirections(const Curve &curve, Vec2 anchor, Vec2 pointer, Nearest &nearest) {
+void offerDirections(const Curve &curve, Vec2 anchor, Vec2 pointer, NearestCandidate &nearest) {
     const double start = curve.nearest(pointer);
     const double apart = 1e-9 * curve.bounds().diagonal();
     const auto perpendicular = rootNear(curve, start, [&](double t) {
@@ -103,7 +103,7 @@ void offerDirections(const Curve &curve, Vec2 anchor, Vec2 pointer, Nearest &nea
 std::optional<Snapped> specialPoint(const PickIndex &index, const SnapQuery &query) {
     constexpr std::size_t kMaxCurves = 8; // more are a cluster at this zoom
     const std::vector<Curve> curves = index.curvesNear(query.at, query.tolerance, kMaxCurves, query.filter);
-    Nearest nearest(query);
+    NearestCandidate nearest(query);
     for (std::size_t i = 0; i < curves.size(); ++i) {
         for (std::size_t k = i + 1; k < curves.size(); ++k) {
             for (const CurveCrossing &crossing : crossingsOf(curves[i], curves[k], 1e-6 * query.tolerance)) {

@@ -13,9 +13,9 @@ namespace forefront {
 namespace {
 
 /// Finds the node of a domain that is nearest to a place, up to rounding.
-class NodeFinder {
+class PlaceFinder {
   public:
-    explicit NodeFinder(const Domain &domain) : nodes_(domain.nodes), reach_(1e-7 * domain.bounds().diagonal()) {
+    explicit PlaceFinder(const Domain &domain) : nodes_(domain.nodes), reach_(1e-7 * domain.bounds().diagonal()) {
         std::vector<Box2> boxes;
         boxes.reserve(nodes_.size());
         for (const Vec2 node : nodes_) {
@@ -38,7 +38,7 @@ class NodeFinder {
 } // namespace
 
 void reorderOrigin(const Domain &before, const Domain &after, DomainOrigin &origin) {
-    const NodeFinder finder(before);
+    const PlaceFinder finder(before);
     std::vector<std::uint32_t> node;
     node.reserve(after.nodes.size());
     for (const Vec2 place : after.nodes) {

@@ -30,7 +30,7 @@ bool isLoop(const SvgPath &path) {
 }
 
 /// The role of an SVG path in the domain.
-enum class Part : std::uint8_t { Painted, Stroke, Outline, Line, LeftOut, Nothing };
+enum class PathRole : std::uint8_t { Painted, Stroke, Outline, Line, LeftOut, Nothing };
 
 class SvgBuilder {
   public:
@@ -64,8 +64,8 @@ class SvgBuilder {
         source_.found(contents());
         addClips();
         for (SvgPath &path : paths_) {
-            const Part part = partOf(path);
-            const std::int32_t tag = part == Part::Nothing ? 0 : tags_.of(path.name);
+            const PathRole part = partOf(path);
+            const std::int32_t tag = part == PathRole::Nothing ? 0 : tags_.of(path.name);
             builder_.from({path.offset});
             noteReading(path, part);
             if (path.strokeArea) {
@@ -74,11 +74,11 @@ class SvgBuilder {
                                                "leave out strokes or dashes, or read strokes as lines")};
                 }
             }
-            if (part != Part::Stroke) {
+            if (part != PathRole::Stroke) {
                 builder_.addCurves(path.curves, path.stretches); // renumbers the stretches
             }
             switch (part) {
-            case Part::Painted:
+            case PathRole::Painted:
                 if (painted_ != path.element) {
                     painted_ = path.element;
                     contour_ = builder_.addContour(shapeOf(feature, path), path.paint.rule);
@@ -88,15 +88,15 @@ class SvgBuilder {
                     builder_.addChain(path.nodes, tag, path.stretches, path.limit, widthOf(path));
                 }
                 break;
-            case Part::Outline:
+            case PathRole::Outline:
                 builder_.addRing(outlineContour(feature, path.limit), path.nodes, tag, path.stretches);
                 break;
-            case Part::Line:
+            case PathRole::Line:
                 addLine(path, tag);
                 break;
-            case Part::Stroke:
-            case Part::LeftOut:
-            case Part::Nothing:
+            case PathRole::Stroke:
+            case PathRole::LeftOut:
+            case PathRole::Nothing:
                 break;
             }
         }
@@ -113,11 +113,11 @@ class SvgBuilder {
     /// Returns the paths as shapes that share no nodes.
     Result<Domain> runApart() {
         dropRepeatedOutlines();
-        std::vector<Part> parts;
+        std::vector<PathRole> parts;
         for (const SvgPath &path : paths_) {
             parts.push_back(partOf(path));
         }
-        const auto isArea = [](Part part) { return part == Part::Painted || part == Part::Outline; };
+        const auto isArea = [](PathRole part) { return part == PathRole::Painted || part == PathRole::Outline; };
         if (std::none_of(parts.begin(), parts.end(), isArea)) {
             return run();
         }
@@ -125,7 +125,7 @@ class SvgBuilder {
         std::set<const SvgPath *, SameNodes> added;
         for (const bool areas : {true, false}) { // an outline rather than a line that is drawn along it
             for (std::size_t k = 0; k < paths_.size(); ++k) {
-                const bool unused = parts[k] == Part::Nothing || parts[k] == Part::LeftOut;
+                const bool unused = parts[k] == PathRole::Nothing || parts[k] == PathRole::LeftOut;
                 if (unused ? areas : isArea(parts[k]) != areas) {
                     continue;
                 }
@@ -138,7 +138,7 @@ class SvgBuilder {
                     noteRepeated(paths_[k]);
                     continue;
                 }
-                if (parts[k] == Part::Painted && std::exchange(painted_, paths_[k].element) != paths_[k].element &&
+                if (parts[k] == PathRole::Painted && std::exchange(painted_, paths_[k].element) != paths_[k].element &&
                     !domain.nodes.empty()) {
                     source_.note("svg-shapes", "filled shapes are kept apart: one inside another is a hole",
                                  paths_[k].offset);
@@ -165,7 +165,7 @@ class SvgBuilder {
         if (source_.options.strict) { // what cancels out is refused
             return;
         }
-        const auto isOutline = [&](const SvgPath &path) { return partOf(path) == Part::Outline; };
+        const auto isOutline = [&](const SvgPath &path) { return partOf(path) == PathRole::Outline; };
         const std::vector<std::uint8_t> repeated = findRepeatedPaths(paths_, isOutline, kSameNode * size_);
         std::vector<SvgPath> kept;
         for (std::size_t k = 0; k < paths_.size(); ++k) {
@@ -298,24 +298,24 @@ class SvgBuilder {
     /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
     /// strokes are outlines. Closed paths with neither, such as the frames of icons, count only if there are no such
     /// shapes or strokes.
-    Part partOf(const SvgPath &path) const {
+    PathRole partOf(const SvgPath &path) const {
         if (path.painted()) {
-            return Part::Painted;
+            return PathRole::Painted;
         }
         if (path.strokeArea) {
-            return Part::Stroke;
+            return PathRole::Stroke;
         }
         if (path.nodes.size() < 2) {
-            return Part::Nothing;
+            return PathRole::Nothing;
         }
         const bool loop = isLoop(path);
         if (loop && !path.paint.stroked && (anyPainted_ || anyStroked_)) {
-            return Part::Nothing;
+            return PathRole::Nothing;
         }
         if (!anyPainted_) {
-            return loop ? Part::Outline : Part::Line;
+            return loop ? PathRole::Outline : PathRole::Line;
         }
-        return source_.options.dropLines ? Part::LeftOut : Part::Line;
+        return source_.options.dropLines ? PathRole::LeftOut : PathRole::Line;
     }
 
     /// Returns what options change, whether or not they are set.
@@ -323,8 +323,8 @@ class SvgBuilder {
         DrawingContents contents;
         std::size_t last = kNone;
         for (const SvgPath &path : paths_) {
-            const Part part = partOf(path);
-            contents.lines = contents.lines || (anyPainted_ && (part == Part::Line || part == Part::LeftOut));
+            const PathRole part = partOf(path);
+            contents.lines = contents.lines || (anyPainted_ && (part == PathRole::Line || part == PathRole::LeftOut));
             if (path.covers() && std::exchange(last, path.element) != path.element) {
                 ++contents.filledShapes;
             }
@@ -367,28 +367,28 @@ class SvgBuilder {
     }
 
     /// Reports, once per element, how it is read if that differs from how it looks.
-    void noteReading(const SvgPath &path, Part part) {
+    void noteReading(const SvgPath &path, PathRole part) {
         const bool loop = isLoop(path);
         const bool first = std::exchange(noted_, path.element) != path.element;
         if (!first || path.nodes.size() < 2) {
             return;
         }
-        if (part == Part::Outline) {
+        if (part == PathRole::Outline) {
             source_.note("svg-outlines",
                          "nothing is filled: closed lines are outlines, and a closed line inside another is a hole",
                          path.offset);
-        } else if (part == Part::Nothing) {
+        } else if (part == PathRole::Nothing) {
             source_.note(
                 "svg-unpainted",
                 "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke; an "
                 "outline needs one",
                 path.offset);
-        } else if (part == Part::Line && loop) {
+        } else if (part == PathRole::Line && loop) {
             source_.note("svg-unfilled",
                          "shapes without fill are read as lines, because other shapes are filled; "
                          "--drop-lines leaves them out",
                          path.offset);
-        } else if (part == Part::LeftOut) {
+        } else if (part == PathRole::LeftOut) {
             source_.note("dropped-lines", "lines are left out", path.offset);
             return;
         }
@@ -397,10 +397,10 @@ class SvgBuilder {
                          "polylines with a stroke and the default fill are read as lines, although renderers fill them",
                          path.offset);
         }
-        if (path.paint.stroked && part != Part::Nothing && !(path.paint.line.width > 0.0)) {
+        if (path.paint.stroked && part != PathRole::Nothing && !(path.paint.line.width > 0.0)) {
             source_.note("svg-zero-stroke", "strokes of width 0 are read as lines, although renderers paint nothing",
                          path.offset);
-        } else if (path.paint.stroked && part != Part::Nothing && !path.strokeArea) {
+        } else if (path.paint.stroked && part != PathRole::Nothing && !path.strokeArea) {
             source_.note(kStrokeNote,
                          source_.options.strokeAreas
                              ? "strokes that do not scale with the drawing are read as lines"

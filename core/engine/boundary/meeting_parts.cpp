@@ -12,9 +12,9 @@ namespace forefront {
 
 namespace {
 
-class MeetingFinder {
+class PartMeetingFinder {
   public:
-    explicit MeetingFinder(const Division &division) : division_(division), discrete_(division.discrete) {}
+    explicit PartMeetingFinder(const Division &division) : division_(division), discrete_(division.discrete) {}
 
     MeetingParts run(const std::stop_token &stop) {
         std::vector<PlaneEdge> edges;
@@ -160,7 +160,7 @@ class MeetingFinder {
 } // namespace
 
 MeetingParts findMeetingParts(const Division &division, const std::stop_token &stop) {
-    return MeetingFinder(division).run(stop);
+    return PartMeetingFinder(division).run(stop);
 }
 
 } // namespace forefront

@@ -11,7 +11,7 @@ namespace forefront {
 namespace {
 
 /// A discrete segment seen from one of its ends.
-struct Spoke {
+struct FrontSpoke {
     std::uint32_t other; ///< node at the far end
     SlotId outgoing;     ///< front segment that starts here along the spoke, or kNoSlot
     SlotId incoming;     ///< front segment that ends here along the spoke, or kNoSlot
@@ -41,7 +41,7 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
     }
     std::vector<std::uint32_t> offset(boundary.nodes.size() + 1, 0);
     std::inclusive_scan(degree.begin(), degree.end(), offset.begin() + 1);
-    std::vector<Spoke> spokes(offset.back());
+    std::vector<FrontSpoke> spokes(offset.back());
     std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1);
     const auto addSlot = [&](std::uint32_t from, std::uint32_t face) {
         const SlotId id = allocate();
@@ -66,7 +66,7 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
         const auto first = spokes.begin() + offset[n];
         const auto last = spokes.begin() + offset[n + 1];
         const Vec2 centre = boundary.nodes[n];
-        std::sort(first, last, [&](const Spoke &p, const Spoke &q) {
+        std::sort(first, last, [&](const FrontSpoke &p, const FrontSpoke &q) {
             return anglePrecedes(centre, boundary.nodes[p.other], boundary.nodes[q.other]);
         });
         // The free angle left of an incoming segment extends clockwise to the next spoke, where the front goes out

@@ -101,9 +101,9 @@ class SteepCrossing {
 };
 
 /// Two parts of similar direction as graphs over one axis.
-class Strip {
+class GraphStrip {
   public:
-    Strip(const CurvePart &first, const CurvePart &second, double tolerance)
+    GraphStrip(const CurvePart &first, const CurvePart &second, double tolerance)
         : first_(first, first.start, first.along),
           second_(second, first.start, first.along), curves_{&first.curve, &second.curve}, tolerance_(tolerance),
           noise_(std::max(first.noise, second.noise)) {}
@@ -251,7 +251,7 @@ std::vector<CurveContact> curveContacts(const CurvePart &first, const CurvePart 
         std::atan2(std::fabs(cross(first.along, second.along)), std::fabs(dot(first.along, second.along)));
     std::vector<CurveContact> contacts;
     if (angle <= first.turn + second.turn + kSteep) {
-        contacts = Strip(first, second, tolerance).run();
+        contacts = GraphStrip(first, second, tolerance).run();
     } else if (const auto crossing = SteepCrossing(first, second).run()) {
         contacts.push_back(*crossing);
     }

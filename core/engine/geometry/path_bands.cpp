@@ -26,9 +26,9 @@ bool isCircular(const Curve &curve) {
 }
 
 /// Makes the parts of bands along a path.
-class Bands {
+class BandMaker {
   public:
-    Bands(std::span<const Curve> path, bool closed, std::span<const double> offsets, const BandStyle &style)
+    BandMaker(std::span<const Curve> path, bool closed, std::span<const double> offsets, const BandStyle &style)
         : offsets_(offsets), style_(style) {
         Box2 box;
         for (const Curve &curve : path) {
@@ -380,7 +380,7 @@ class Bands {
 
 std::vector<BandPart> bandsBeside(std::span<const Curve> path, bool closed, std::span<const double> offsets,
                                   const BandStyle &style) {
-    return Bands(path, closed, offsets, style).take();
+    return BandMaker(path, closed, offsets, style).take();
 }
 
 BandPart roundEnd(Vec2 end, Vec2 arm, bool forward) {

@@ -83,12 +83,12 @@ class LzwEncoder {
 };
 
 /// A rectangle of pixels.
-struct Part {
+struct PixelPart {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
 /// Returns the smallest rectangle that holds all changed pixels; one pixel if there are none.
-Part changedPart(const FilmPicture &last, const FilmPicture &now) {
+PixelPart changedPart(const FilmPicture &last, const FilmPicture &now) {
     if (last.pixels.empty()) {
         return {0, 0, now.width, now.height};
     }
@@ -103,11 +103,11 @@ Part changedPart(const FilmPicture &last, const FilmPicture &now) {
             }
         }
     }
-    return right < 0 ? Part{0, 0, 1, 1} : Part{left, top, right - left + 1, bottom - top + 1};
+    return right < 0 ? PixelPart{0, 0, 1, 1} : PixelPart{left, top, right - left + 1, bottom - top + 1};
 }
 
 /// Returns the pixels of a rectangle; unchanged ones become kUnchangedPixel.
-std::vector<std::uint8_t> pixelsOf(const Part &part, const FilmPicture &last, const FilmPicture &now) {
+std::vector<std::uint8_t> pixelsOf(const PixelPart &part, const FilmPicture &last, const FilmPicture &now) {
     std::vector<std::uint8_t> pixels;
     for (int y = part.top; y < part.top + part.height; ++y) {
         for (int x = part.left; x < part.left + part.width; ++x) {
@@ -134,7 +134,7 @@ GifWriter::GifWriter(ByteSink &sink, int width, int height, int delay) : sink_(s
 }
 
 bool GifWriter::add(const FilmPicture &picture) {
-    const Part part = changedPart(last_, picture);
+    const PixelPart part = changedPart(last_, picture);
     std::string bytes("!\xf9\x04\x05", 4); // keep the frame as background; one index is transparent
     appendShort(bytes, delay_);
     bytes += static_cast<char>(kUnchangedPixel);

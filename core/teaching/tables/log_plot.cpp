@@ -57,9 +57,9 @@ Axis axisOf(const LogPlot &plot, double Vec2::*coordinate, double from, double t
     return axis;
 }
 
-class Drawing {
+class PlotDrawing {
   public:
-    explicit Drawing(const LogPlot &plot)
+    explicit PlotDrawing(const LogPlot &plot)
         : plot_(plot), x_(axisOf(plot, &Vec2::x, kLeft, kRight)), y_(axisOf(plot, &Vec2::y, kBottom, kTop)) {}
 
     std::string run() {
@@ -178,7 +178,7 @@ class Drawing {
 } // namespace
 
 std::string toSvg(const LogPlot &plot) {
-    return Drawing(plot).run();
+    return PlotDrawing(plot).run();
 }
 
 } // namespace forefront

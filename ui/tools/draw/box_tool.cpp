@@ -16,16 +16,16 @@ namespace forefront {
 namespace {
 
 /// The differences between the shapes.
-struct Kind {
+struct BoxKind {
     const char *id, *name, *icon;
     int key;
     const char *label; ///< of the edit
 };
 
-const Kind &kindOf(ShapeKind shape) {
-    static constexpr Kind kRectangle{"rectangle", "Rectangle", icon::kRectangle, 'R', "Draw rectangle"};
-    static constexpr Kind kCircle{"circle", "Circle", icon::kCircle, 'C', "Draw circle"};
-    static constexpr Kind kEllipse{"ellipse", "Ellipse", icon::kEllipse, 'K', "Draw ellipse"};
+const BoxKind &kindOf(ShapeKind shape) {
+    static constexpr BoxKind kRectangle{"rectangle", "Rectangle", icon::kRectangle, 'R', "Draw rectangle"};
+    static constexpr BoxKind kCircle{"circle", "Circle", icon::kCircle, 'C', "Draw circle"};
+    static constexpr BoxKind kEllipse{"ellipse", "Ellipse", icon::kEllipse, 'K', "Draw ellipse"};
     return shape == ShapeKind::Rectangle ? kRectangle : shape == ShapeKind::Ellipse ? kEllipse : kCircle;
 }
 

@@ -28,7 +28,7 @@ double spacingAt(const Shell &context, Vec2 place) {
     return context.preview->spacing ? context.preview->spacing->at(place) : 0.0;
 }
 
-struct PlaceHash {
+struct BrushPlaceHash {
     std::size_t operator()(Vec2 place) const {
         Hash64 hash;
         hash.add(place.x);
@@ -39,7 +39,7 @@ struct PlaceHash {
 
 /// Returns a function that remembers the values of a field, since the dabs of a stroke overlap.
 std::function<double(Vec2)> remembered(std::shared_ptr<const SpacingField> field) {
-    auto known = std::make_shared<std::unordered_map<Vec2, double, PlaceHash>>();
+    auto known = std::make_shared<std::unordered_map<Vec2, double, BrushPlaceHash>>();
     return [field = std::move(field), known](Vec2 place) {
         const auto [entry, isNew] = known->try_emplace(place, 0.0);
         if (isNew) {

@@ -12,9 +12,9 @@ namespace forefront {
 namespace {
 
 /// Places within a strip of the plane, ordered by y.
-class Strip {
+class PlaceStrip {
   public:
-    Strip(std::span<const Vec2> places, double radius) : places_(places), radius_(radius) {}
+    PlaceStrip(std::span<const Vec2> places, double radius) : places_(places), radius_(radius) {}
 
     void add(std::uint32_t place) { byHeight_.emplace(places_[place].y, place); }
     void remove(std::uint32_t place) { byHeight_.erase({places_[place].y, place}); }
@@ -61,7 +61,7 @@ class SlidingStrip {
     std::span<const Vec2> places_;
     const std::vector<std::uint32_t> &sites_;
     double radius_;
-    Strip strip_;
+    PlaceStrip strip_;
     std::size_t entering_ = 0, leaving_ = 0;
 };
 
@@ -70,7 +70,7 @@ void choose(std::span<const Vec2> places, const std::vector<std::uint32_t> &cand
             std::vector<std::uint32_t> &leaders) {
     const std::vector<std::uint32_t> earlier = leaders;
     SlidingStrip older(places, earlier, radius);
-    Strip chosen(places, radius);
+    PlaceStrip chosen(places, radius);
     std::vector<std::uint32_t> fresh;
     std::size_t leaving = 0;
     for (const std::uint32_t candidate : candidates) {

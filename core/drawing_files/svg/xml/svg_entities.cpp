@@ -44,9 +44,9 @@ void appendEscaped(std::string_view text, std::string &result) {
 }
 
 /// Expands the entities of a document one text after another.
-class Expansion : public pugi::xml_tree_walker {
+class EntityExpander : public pugi::xml_tree_walker {
   public:
-    Expansion(const Entities &entities, std::size_t limit) : entities_(entities), left_(limit) {
+    EntityExpander(const Entities &entities, std::size_t limit) : entities_(entities), left_(limit) {
         for (const auto &[name, text] : entities) {
             longestName_ = std::max(longestName_, name.size());
         }
@@ -148,7 +148,7 @@ EntityExpansion expandEntities(pugi::xml_document &document, std::size_t limit) 
     if (entities.empty()) {
         return EntityExpansion::Done;
     }
-    Expansion expansion(entities, limit);
+    EntityExpander expansion(entities, limit);
     document.traverse(expansion);
     return !expansion.fits()         ? EntityExpansion::TooLarge
            : expansion.addElements() ? EntityExpansion::Done

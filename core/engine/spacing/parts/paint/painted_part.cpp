@@ -45,9 +45,9 @@ std::optional<Diagnostics> faultOf(const PaintedSpacing &paint) {
 }
 
 /// The nodes (−1..16)² of a tile: its own and the nearest ones of its eight neighbours.
-class Surroundings {
+class TileSurroundings {
   public:
-    Surroundings(const PaintedSpacing &paint, Key key, double minimum) {
+    TileSurroundings(const PaintedSpacing &paint, Key key, double minimum) {
         for (std::int32_t dj = -1; dj <= 1; ++dj) {
             for (std::int32_t di = -1; di <= 1; ++di) {
                 const auto found = paint.tiles.find({key.first + di, key.second + dj});
@@ -100,7 +100,7 @@ std::set<Key> tilesTouched(const PaintedSpacing &paint) {
 /// Finds the places of one tile from which its spacing spreads.
 class SiteFinder {
   public:
-    SiteFinder(const Surroundings &nodes, Vec2 corner, double pitch, double gradation, SiteSet &sites)
+    SiteFinder(const TileSurroundings &nodes, Vec2 corner, double pitch, double gradation, SiteSet &sites)
         : nodes_(nodes), corner_(corner), pitch_(pitch), gradation_(gradation), sites_(sites) {}
 
     void run() {
@@ -192,7 +192,7 @@ class SiteFinder {
     }
 
     static constexpr SiteLabel kLabel{SpacingOrigin::Paint, SiteReason::PaintEdge, 0};
-    const Surroundings &nodes_;
+    const TileSurroundings &nodes_;
     Vec2 corner_;
     double pitch_;
     double gradation_;
@@ -230,7 +230,7 @@ Result<PaintedPart> PaintedPart::build(const PaintedSpacing &paint, const Box2 &
         if (column < 0.0 || row < 0.0 || column >= count.x || row >= count.y) {
             continue;
         }
-        const Surroundings nodes(paint, key, minimum);
+        const TileSurroundings nodes(paint, key, minimum);
         if (!nodes.painted()) {
             continue;
         }
@@ -252,7 +252,7 @@ Result<PaintedPart> PaintedPart::build(const PaintedSpacing &paint, const Box2 &
 
 void PaintedPart::addSites(const PaintedSpacing &paint, double minimum, double gradation, SiteSet &sites) {
     for (const Key &key : tilesTouched(paint)) {
-        const Surroundings nodes(paint, key, minimum);
+        const TileSurroundings nodes(paint, key, minimum);
         if (nodes.painted()) {
             SiteFinder(nodes, tileCorner(paint, key), paint.pitch, gradation, sites).run();
         }
@@ -262,7 +262,7 @@ void PaintedPart::addSites(const PaintedSpacing &paint, double minimum, double g
 std::vector<PaintedPart::Border> PaintedPart::borderOf(const PaintedSpacing &paint) {
     std::vector<Border> border;
     for (const Key &key : tilesTouched(paint)) {
-        const Surroundings nodes(paint, key, 0.0);
+        const TileSurroundings nodes(paint, key, 0.0);
         const Vec2 corner = tileCorner(paint, key);
         for (std::int32_t k = 0; nodes.painted() && k < kTileSpan * kTileSpan; ++k) {
             const std::int32_t i = k % kTileSpan, j = k / kTileSpan;
