@@ -6,7 +6,8 @@
 #   sh tests/run.sh [--quick | --thorough]
 #
 #   --quick      skip the sanitizers and clang-tidy
-#   --thorough   also run the editor's tests with the sanitizers, which takes much longer
+#   --thorough   also run the editor's tests with the sanitizers and compile every source alone, which takes much
+#                longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -17,7 +18,7 @@ case ${1-} in
 --quick) quick=yes ;;
 --thorough) thorough=yes ;;
 -h | --help)
-    sed -n '2,9s/^# \{0,1\}//p' "$0"
+    sed -n '2,10s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *)
@@ -102,5 +103,10 @@ if [ $quick = no ]; then
     step 'build with thread sanitizer' sh app/build.sh tsan $programs -DFOREFRONT_EDITOR=$editor
     step 'tests with thread sanitizer' run_tests tsan -R "^$cases/" -L threads
     step 'clang-tidy on changed files' sh tests/tidy.sh
+    if [ $thorough = yes ]; then
+        step 'all sources compiled alone' sh tests/alone.sh --all
+    else
+        step 'changed sources compiled alone' sh tests/alone.sh
+    fi
 fi
 finish

@@ -1,0 +1,18 @@
+#!/bin/sh
+# Checks that sources compile alone: without precompiled headers and not joined with others, so that each one includes
+# what it uses. Nothing is linked.
+#
+#   sh tests/alone.sh [COMMIT | --all]
+#
+#   COMMIT   check the sources that differ from this commit; default: where the branch left origin/main, or else the
+#            previous commit
+#   --all    check every source, which takes about a quarter of an hour
+set -eu
+cd "$(dirname "$0")/.."
+files=$(sh tests/changed.sh "$@" 'core/*.cpp' 'ui/*.cpp' 'app/*.cpp' 'tests/*.cpp')
+if [ -z "$files" ]; then
+    echo "alone: no changed sources"
+    exit 0
+fi
+sh tests/configure_alone.sh -DFOREFRONT_TESTS=ON
+printf '%s\n' "$files" | python3 tests/structure/compile_alone.py build/tidy/compile_commands.json
