@@ -41,7 +41,7 @@ void openFillet(Draughtsman &driver) {
 }
 
 /// Returns true if a part of the picture has pixels of a colour. Thin letters may cover no pixel fully.
-bool shows(Driver &driver, const PixelRect &area, Colour colour) {
+bool shows(Driver &driver, PixelRect area, Colour colour) { // a copy: frames change the widgets
     constexpr int kSimilar = 40;
     const Driver::Picture picture = driver.picture();
     for (double y = area.y; y < area.y + area.height; ++y) {
