@@ -13,8 +13,8 @@
 namespace forefront::samples {
 
 /// Makes meshes of any kinds of cells from their corners. The middle node of an edge is made once, in the middle of its
-/// chord, and is shared by all cells and tagged edges that have it; so is no node between a cell of first order and one
-/// of second order, which therefore must not share an edge.
+/// chord, and all cells and tagged edges with that edge share it. A cell of first order must not share an edge with one
+/// of second order.
 class BlockMaker {
   public:
     explicit BlockMaker(std::vector<Vec2> corners) { mesh.nodes = std::move(corners); }
@@ -112,7 +112,8 @@ Mesh gridOfCells(std::size_t columns, std::size_t rows, KindOf &&kindOf, double 
 
 /// Returns a valid mesh of one kind of cells, of 4 x 3 cells as in gridOfCells, its edges straight.
 inline Mesh sampleMesh(CellKind kind) {
-    return gridOfCells(4, 3, [kind](std::size_t, std::size_t) { return kind; }, 0.15);
+    return gridOfCells(
+        4, 3, [kind](std::size_t, std::size_t) { return kind; }, 0.15);
 }
 
 /// Returns a valid mesh of triangles and quadrilaterals of 4 nodes, of 4 x 3 cells as in gridOfCells.
