@@ -2,8 +2,8 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
-#include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/mesher/trace.hpp"
 #include "core/engine/session/breakpoints.hpp"
