@@ -106,10 +106,9 @@ Status checkElements(const FileFormat &format, const MeshView &mesh) {
     }
     const std::vector<std::string> lacking = counts.described(missing);
     return error("unsupported-elements",
-                 std::string(format.name) +
-                     (lacking.empty() ? " files hold elements of one kind, but the mesh has " +
-                                            joined(counts.described(elements), " and ")
-                                      : " files hold no " + joined(lacking, " and no ")),
+                 std::string(format.name) + (lacking.empty() ? " files hold elements of one kind, but the mesh has " +
+                                                                   joined(counts.described(elements), " and ")
+                                                             : " files hold no " + joined(lacking, " and no ")),
                  adviceFor(kinds));
 }
 
