@@ -153,7 +153,7 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
 
 /// Writes the meshes and the statistics, all of them or none. Returns the errors or, if there are none, notes on what
 /// the formats changed.
-Diagnostics writeResults(const MeshArguments &arguments, const TriMesh &mesh, const RunReport &report,
+Diagnostics writeResults(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
                          const Progress &progress) {
     FileSet files;
     Diagnostics notes =

@@ -53,12 +53,16 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
 
 } // namespace
 
-MeshReport reportOf(const TriMesh &mesh, const SpacingField *spacing, bool valid) {
+MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid) {
     MeshReport report;
     report.quality = measureQuality(mesh, spacing);
     report.extent = extentOf(mesh, report.quality.edges);
-    if (valid) {
+    const bool triangles = std::all_of(mesh.blocks().begin(), mesh.blocks().end(),
+                                       [](const MeshView::Block &block) { return block.traits().corners == 3; });
+    if (valid && triangles) {
         report.sharp = sharpCorners(mesh, kSharpCorner);
+    } else if (valid) {
+        report.sharp.minAngleElsewhere = report.quality.minAngle;
     }
     report.hash = meshHash(mesh);
     return report;

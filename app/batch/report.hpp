@@ -20,7 +20,7 @@ inline constexpr double kSharpCorner = 20.0;
 struct MeshReport {
     MeshQuality quality;
     MeshExtent extent;
-    SharpCorners sharp; ///< corners of the domain below kSharpCorner; empty for an invalid mesh
+    SharpCorners sharp; ///< corners of the domain below kSharpCorner; only of valid meshes of triangles
     std::uint64_t hash = 0;
 };
 
@@ -37,7 +37,7 @@ struct RunReport : MeshReport {
 };
 
 /// Measures a mesh. `spacing`: may be null. `valid`: whether its corners can be found.
-MeshReport reportOf(const TriMesh &mesh, const SpacingField *spacing, bool valid);
+MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid);
 /// Measures the mesh of a finished run.
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns a warning if elements of a mesh are flat; else nothing.

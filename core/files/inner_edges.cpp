@@ -4,11 +4,18 @@
 
 namespace forefront {
 
-namespace {
+bool hasInnerEdges(const MeshView &mesh) {
+    const TaggedSides sides(mesh);
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+        if (sides.of(e).size() > 1) {
+            return true;
+        }
+    }
+    return false;
+}
 
-template <class AnyMesh>
-AnyMesh outlineOf(const AnyMesh &mesh) {
-    AnyMesh result = mesh;
+Mesh withoutInnerEdges(const MeshView &mesh) {
+    Mesh result = copyOf(mesh);
     const TaggedSides sides(mesh);
     std::size_t kept = 0;
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
@@ -23,26 +30,6 @@ AnyMesh outlineOf(const AnyMesh &mesh) {
     result.edges.resize(kept);
     result.edgeStretches.resize(mesh.edgeStretches.empty() ? 0 : kept);
     return result;
-}
-
-} // namespace
-
-bool hasInnerEdges(const MeshView &mesh) {
-    const TaggedSides sides(mesh);
-    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-        if (sides.of(e).size() > 1) {
-            return true;
-        }
-    }
-    return false;
-}
-
-TriMesh withoutInnerEdges(const TriMesh &mesh) {
-    return outlineOf(mesh);
-}
-
-Mesh withoutInnerEdges(const Mesh &mesh) {
-    return outlineOf(mesh);
 }
 
 } // namespace forefront

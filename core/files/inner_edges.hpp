@@ -23,7 +23,6 @@ struct EnumWords<InnerEdges> {
 bool hasInnerEdges(const MeshView &mesh);
 
 /// Returns a copy of the mesh without its inner edges. Names of tags no longer in use stay in the mesh.
-TriMesh withoutInnerEdges(const TriMesh &mesh);
-Mesh withoutInnerEdges(const Mesh &mesh);
+Mesh withoutInnerEdges(const MeshView &mesh);
 
 } // namespace forefront

@@ -70,7 +70,7 @@ std::string pinned(MeshingJob job, Method method, ImproveLevel level) {
     if (!outcome) {
         return "refused: " + outcome.faults().front().code;
     }
-    return toHex(meshHash(outcome->mesh)) + ' ' + std::to_string(outcome->mesh.elements.size());
+    return toHex(meshHash(outcome->mesh)) + ' ' + std::to_string(outcome->mesh.triangles().size());
 }
 
 std::vector<std::string> makeTable(const std::filesystem::path &assets) {

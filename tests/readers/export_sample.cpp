@@ -59,10 +59,10 @@ Domain strip() {
     return domain;
 }
 
-nlohmann::json figures(const TriMesh &mesh) {
+nlohmann::json figures(const MeshView &mesh) {
     nlohmann::json truth;
     truth["nodes"] = mesh.nodes.size();
-    truth["elements"] = mesh.elements.size();
+    truth["elements"] = mesh.elementCount();
     for (const TaggedNode &point : mesh.points) {
         auto &part = truth["points"][boundaryName(mesh.boundaryNames, point.tag)];
         part["tag"] = point.tag;
@@ -74,8 +74,8 @@ nlohmann::json figures(const TriMesh &mesh) {
         part["count"] = part.value("count", 0) + 1;
         part["length"] = part.value("length", 0.0) + distance(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
     }
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        const Element &t = mesh.elements[e];
+    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+        const std::span<const NodeId> t = mesh.cornersOf(e);
         const Vec2 a = mesh.nodes[index(t[0])];
         auto &region = truth["regions"][regionName(mesh.regionNames, mesh.region(e))];
         region["tag"] = mesh.region(e);
@@ -93,7 +93,7 @@ int fail(const Diagnostics &faults) {
     return 1;
 }
 
-int exportAll(const std::filesystem::path &folder, const std::string &name, const TriMesh &mesh) {
+int exportAll(const std::filesystem::path &folder, const std::string &name, const MeshView &mesh) {
     nlohmann::json truth = figures(mesh);
     for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh) {

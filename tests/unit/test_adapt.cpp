@@ -44,7 +44,7 @@ TriMesh uniformMesh(const Domain &domain, double size) {
     job.spacing.size = size;
     Result<MeshingOutcome> outcome = meshDomain(job);
     REQUIRE(outcome);
-    return std::move(outcome->mesh);
+    return takeTriMesh(std::move(outcome->mesh));
 }
 
 } // namespace
@@ -192,7 +192,7 @@ TEST_CASE("outlineOf: a mesh along curves gives them back, so that a finer mesh 
     job.spacing.size = 0.4;
     const Result<MeshingOutcome> coarse = meshDomain(job);
     REQUIRE(coarse);
-    const Result<Domain> outline = outlineOf(coarse->mesh);
+    const Result<Domain> outline = outlineOf(takeTriMesh(coarse->mesh));
     REQUIRE(outline);
     CHECK(outline->curves == job.domain.curves);
     CHECK(validate(*outline).empty());

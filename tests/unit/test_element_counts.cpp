@@ -162,7 +162,7 @@ TEST_CASE("setElementCount: meshes with few elements along curves fit their doma
         job.options.method = method;
         const Result<MeshingOutcome> outcome = meshDomain(job);
         REQUIRE(outcome.ok());
-        TriMesh mesh = outcome->mesh;
+        TriMesh mesh = takeTriMesh(outcome->mesh);
         for (const auto &[tag, count] : std::map<std::int32_t, std::ptrdiff_t>{{2, 3}, {3, 5}}) {
             CHECK(std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const auto &e) { return e.tag == tag; }) ==
                   count);

@@ -135,7 +135,7 @@ TEST_CASE("Meshing: a domain that has no other element gets a flat one, with a w
     for (const Method method : {Method::Fast, Method::Classic}) {
         const auto outcome = meshDomain(jobFor(thin, 1.0, method));
         REQUIRE(outcome);
-        CHECK(outcome->mesh.elements.size() == 1);
+        CHECK(outcome->mesh.triangles().size() == 1);
         CHECK(codes(verifyAgainst(outcome->mesh, *outcome->boundary)) == Codes{"flat-element"});
     }
 }

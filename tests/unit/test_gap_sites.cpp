@@ -31,7 +31,7 @@ Domain outlineOf(const std::vector<Vec2> &loop) {
 TriMesh meshOf(const Domain &domain, const SpacingSpec &spacing, const MeshingOptions &options = {}) {
     const auto outcome = meshDomain({domain, spacing, options});
     REQUIRE(outcome.ok());
-    return outcome->mesh;
+    return takeTriMesh(outcome->mesh);
 }
 
 /// Returns the smallest number of elements across any gap of the mesh.

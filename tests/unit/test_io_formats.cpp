@@ -4,6 +4,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/node_table.hpp"
+#include "core/files/files.hpp"
 #include "core/files/format.hpp"
 #include "core/files/text/text_scanner.hpp"
 #include "tests/unit/io_samples.hpp"

@@ -1,4 +1,5 @@
 #include "core/drawing_files/geojson/geojson.hpp"
+#include "core/engine/domain/validate.hpp"
 #include "tests/support/curved_area.hpp"
 #include "tests/unit/io_samples.hpp"
 

@@ -70,8 +70,8 @@ TEST_CASE("SVG curves: logos get a few hundred to a few thousand triangles and t
         const Domain domain = iconDomain(std::string("<path d=\"") + logo.path + "\"/>");
         CHECK(!domain.curves.empty());
         const MeshingOutcome outcome = meshOf(domain);
-        CHECK(outcome.mesh.elements.size() >= 300);
-        CHECK(outcome.mesh.elements.size() <= 6000);
+        CHECK(outcome.mesh.triangles().size() >= 300);
+        CHECK(outcome.mesh.triangles().size() <= 6000);
         if (logo.area > 0.0) {
             CHECK(outcome.boundary->area() == doctest::Approx(logo.area).epsilon(0.005));
         }
@@ -124,7 +124,9 @@ TEST_CASE("SVG curves: the number of triangles does not depend on the flattening
     Domain coarse = iconDomain(ring, 0.1), fine = iconDomain(ring, 1e-4);
     CHECK(fine.segments.size() > 20 * coarse.segments.size());
     coarse.curveTolerance = fine.curveTolerance = 0.02;
-    const auto elements = [](const Domain &domain) { return static_cast<double>(meshOf(domain).mesh.elements.size()); };
+    const auto elements = [](const Domain &domain) {
+        return static_cast<double>(meshOf(domain).mesh.triangles().size());
+    };
     CHECK(elements(coarse) == doctest::Approx(elements(fine)).epsilon(0.05));
 }
 

@@ -49,8 +49,8 @@ TEST_CASE("Maximum number of elements: a finer uniform spacing is refused, and t
         CHECK(fault.advice.find("raise the maximum number of elements") != std::string::npos);
         const auto again = meshDomain(squareJob(numberAfter(fault, "at least "), limit));
         REQUIRE(again);
-        CHECK(again->mesh.elements.size() > limit / 2);
-        CHECK(again->mesh.elements.size() <= limit + limit / 4);
+        CHECK(again->mesh.triangles().size() > limit / 2);
+        CHECK(again->mesh.triangles().size() <= limit + limit / 4);
     }
     REQUIRE(meshDomain(squareJob(0.1, 1000)));
 }
@@ -63,7 +63,7 @@ TEST_CASE("Maximum number of elements: the advice for a graded spacing is a fact
     job.spacing.expression = std::to_string(factor) + "*(0.002 + 0.02*x)";
     const auto again = meshDomain(job);
     REQUIRE(again);
-    CHECK(again->mesh.elements.size() <= 625);
+    CHECK(again->mesh.triangles().size() <= 625);
 }
 
 TEST_CASE("Maximum number of elements: given segments count, too") {

@@ -34,9 +34,9 @@ MeshingJob dividedJob() {
 TEST_CASE("Mesh access: the arrays are the nodes and elements, one after the other") {
     const Result<MeshingOutcome> outcome = meshDomain(dividedJob());
     REQUIRE(outcome);
-    const TriMesh &mesh = outcome->mesh;
+    const TriMesh mesh = takeTriMesh(outcome->mesh);
     const std::span<const double> xy = coordinates(mesh);
-    const std::span<const std::uint32_t> corners = connectivity(mesh);
+    const std::span<const std::uint32_t> corners = connectivity(outcome->mesh.blocks.front());
     REQUIRE(xy.size() == 2 * mesh.nodes.size());
     REQUIRE(corners.size() == 3 * mesh.elements.size());
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -46,13 +46,13 @@ TEST_CASE("Mesh access: the arrays are the nodes and elements, one after the oth
         REQUIRE(corners[k] == index(mesh.elements[k / 3][k % 3]));
     }
     CHECK(coordinates(TriMesh()).empty());
-    CHECK(connectivity(TriMesh()).empty());
+    CHECK(connectivity(CellBlock()).empty());
 }
 
 TEST_CASE("Mesh access: edges by tag, and the regions on either side of each") {
     const Result<MeshingOutcome> outcome = meshDomain(dividedJob());
     REQUIRE(outcome);
-    const TriMesh &mesh = outcome->mesh;
+    const TriMesh mesh = takeTriMesh(outcome->mesh);
     const std::vector<EdgeSides> sides = edgeSides(mesh);
     REQUIRE(sides.size() == mesh.edges.size());
     std::size_t counted = 0;
@@ -106,7 +106,8 @@ TEST_CASE("Mesh access: the region of every element is filled in, for a single r
             job.options.improve = level;
             const Result<MeshingOutcome> outcome = meshDomain(job);
             REQUIRE(outcome);
-            CHECK(outcome->mesh.regions == std::vector<std::int32_t>(outcome->mesh.elements.size(), tag));
+            REQUIRE(outcome->mesh.blocks.size() == 1);
+            CHECK(outcome->mesh.blocks.front().regions == std::vector<std::int32_t>(outcome->mesh.elementCount(), tag));
         }
     }
 }

@@ -143,7 +143,7 @@ TEST_CASE("Meshing curves: where curves touch, or nearly do, a cusp ends in few 
         for (const auto &[loops, cusp] : cases) {
             MeshingJob job;
             job.domain = curvedDomain(loops, 0.003, 1e-6);
-            const TriMesh mesh = meshed(job).mesh;
+            const TriMesh mesh = takeTriMesh(meshed(job).mesh);
             CHECK(mesh.elements.size() < 4000);
             for (const Element &element : mesh.elements) {
                 const Vec2 a = mesh.nodes[index(element[0])], b = mesh.nodes[index(element[1])],
@@ -205,7 +205,7 @@ TEST_CASE("Meshing curves: a check follows a circle of few elements whose first 
         job.domain.segments.push_back(
             {i, (i + 1) % 24, 1, SegmentRole::Boundary, CurveStretch{0, i / 24.0, (i + 1) / 24.0}, 6});
     }
-    TriMesh mesh = meshed(job).mesh;
+    TriMesh mesh = takeTriMesh(meshed(job).mesh);
     const auto first = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [](Vec2 p, Vec2 q) {
         return distance(p, {0.5, std::sqrt(0.75)}) < distance(q, {0.5, std::sqrt(0.75)});
     });

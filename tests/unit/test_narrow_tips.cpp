@@ -52,7 +52,7 @@ TEST_CASE("Narrow tips: between curves that touch, one long element on the curve
     job.domain = cuspedStar();
     const MeshingOutcome star = meshOf(job);
     for (const Vec2 tip : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
-        CHECK(shortestEdgeAt(star.mesh, tip) > 0.02);
+        CHECK(shortestEdgeAt(takeTriMesh(star.mesh), tip) > 0.02);
     }
     CHECK(measureQuality(star.mesh, nullptr).alphaGeometricMean > 0.92);
     REQUIRE(star.mesh.edgeStretches.size() == star.mesh.edges.size());
@@ -65,7 +65,7 @@ TEST_CASE("Narrow tips: between curves that touch, one long element on the curve
     }
     MeshingJob limited = job;
     limited.spacing.maximum = 0.01;
-    CHECK(shortestEdgeAt(meshOf(limited).mesh, {1, 0}) < 0.0101);
+    CHECK(shortestEdgeAt(takeTriMesh(meshOf(limited).mesh), {1, 0}) < 0.0101);
     MeshingJob asked = job;
     for (DomainSegment &segment : asked.domain.segments) {
         segment.elements = 40; // along each curve
@@ -79,11 +79,11 @@ TEST_CASE("Narrow tips: between a curve and a segment, with the segments in eith
                           Curve::quadratic(top, {2, 0.02}, corner)};
     MeshingJob job;
     job.domain = curvedDomain({shape}, 1e-4);
-    const TriMesh mesh = meshOf(job).mesh;
+    const TriMesh mesh = takeTriMesh(meshOf(job).mesh);
     CHECK(shortestEdgeAt(mesh, corner) > 0.05);
     MeshingJob turned = job;
     std::reverse(turned.domain.segments.begin(), turned.domain.segments.end());
-    const TriMesh same = meshOf(turned).mesh;
+    const TriMesh same = takeTriMesh(meshOf(turned).mesh);
     CHECK(shortestEdgeAt(same, corner) == shortestEdgeAt(mesh, corner));
     CHECK(same.edges.size() == mesh.edges.size());
 }
@@ -96,7 +96,7 @@ TEST_CASE("Narrow tips: with a part of the domain beyond a curve, the tip is div
     drawing.feature({curve.part(1.0, 0.0), Curve::line(top, left), Curve::line(left, corner)});
     MeshingJob job;
     job.domain = arrange(drawing.input).value().domain;
-    CHECK(shortestEdgeAt(meshOf(job).mesh, corner) < 0.05);
+    CHECK(shortestEdgeAt(takeTriMesh(meshOf(job).mesh), corner) < 0.05);
 }
 
 TEST_CASE("Narrow tips: a lens that is narrow from tip to tip keeps nodes on both of its sides") {
@@ -106,7 +106,7 @@ TEST_CASE("Narrow tips: a lens that is narrow from tip to tip keeps nodes on bot
         MeshingJob job;
         job.domain = curvedDomain(
             {{Curve::quadratic(left, {2, -height}, right), Curve::quadratic(right, {2, height}, left)}}, 1e-3 * height);
-        const TriMesh mesh = meshOf(job).mesh;
+        const TriMesh mesh = takeTriMesh(meshOf(job).mesh);
         std::size_t above = 0, below = 0;
         for (const Vec2 node : mesh.nodes) {
             above += node.y > 0.0 ? 1U : 0U;

@@ -51,9 +51,9 @@ TEST_CASE("Needles: one node far away does not make the work per element grow") 
                 job.options.method = method;
                 const auto outcome = meshDomain(job);
                 REQUIRE(outcome);
-                CHECK(outcome->mesh.elements.size() >= 400);
+                CHECK(outcome->mesh.triangles().size() >= 400);
                 const auto perElement = [](const MeshingOutcome &of) {
-                    return static_cast<double>(of.work.delivered) / static_cast<double>(of.mesh.elements.size());
+                    return static_cast<double>(of.work.delivered) / static_cast<double>(of.mesh.triangles().size());
                 };
                 CHECK(perElement(*outcome) < 4.0 * perElement(*near));
                 const Diagnostics faults = verifyAgainst(outcome->mesh, *outcome->boundary);

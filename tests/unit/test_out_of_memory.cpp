@@ -97,7 +97,7 @@ TEST_CASE("Out of memory: validate, repair, verify, mesh and adapt report it whe
           }) > 10);
     const std::vector<double> values(outcome->mesh.nodes.size(), 1.0);
     CHECK(failAtEach([&] {
-              const auto result = adaptMeshOnce(job.domain, outcome->mesh, values, {}, {});
+              const auto result = adaptMeshOnce(job.domain, takeTriMesh(outcome->mesh), values, {}, {});
               return result ? Diagnostics{} : result.faults();
           }) > 10);
 }

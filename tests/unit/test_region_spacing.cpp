@@ -38,7 +38,7 @@ std::map<std::int32_t, RegionAreas> areasByRegion(const MeshingJob &job) {
     const auto outcome = meshDomain(job);
     REQUIRE_MESSAGE(outcome.ok(), toString(outcome.ok() ? Diagnostic{} : outcome.faults().front()));
     std::map<std::int32_t, RegionAreas> areas;
-    const TriMesh &mesh = outcome->mesh;
+    const TriMesh mesh = takeTriMesh(outcome->mesh);
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const auto &[a, b, c] = mesh.elements[e];
         const Vec2 p = mesh.nodes[index(a)];

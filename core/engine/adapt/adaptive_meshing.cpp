@@ -52,7 +52,7 @@ Diagnostics remesh(AdaptOutcome &outcome, const Domain &domain, const TriMesh &m
         return next.faults();
     }
     outcome.spacing = std::move(job.spacing);
-    outcome.mesh = std::move(next->mesh);
+    outcome.mesh = takeTriMesh(std::move(next->mesh));
     return {};
 }
 

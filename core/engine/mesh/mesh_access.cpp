@@ -8,15 +8,15 @@ namespace forefront {
 
 // The arrays are passed on as they are, so their items must be nothing but numbers.
 static_assert(sizeof(Vec2) == 2 * sizeof(double) && std::is_standard_layout_v<Vec2>);
-static_assert(sizeof(Element) == 3 * sizeof(std::uint32_t));
 static_assert(std::is_same_v<std::underlying_type_t<NodeId>, std::uint32_t>);
 
 std::span<const double> coordinates(const MeshView &mesh) {
     return {reinterpret_cast<const double *>(mesh.nodes.data()), 2 * mesh.nodes.size()};
 }
 
-std::span<const std::uint32_t> connectivity(const TriMesh &mesh) {
-    return {reinterpret_cast<const std::uint32_t *>(mesh.elements.data()), 3 * mesh.elements.size()};
+std::span<const std::uint32_t> connectivity(const CellBlock &block) {
+    const std::span<const NodeId> nodes = block.connectivity();
+    return {reinterpret_cast<const std::uint32_t *>(nodes.data()), nodes.size()};
 }
 
 std::vector<std::uint32_t> edgesWithTag(const MeshView &mesh, std::int32_t tag) {

@@ -11,9 +11,9 @@ namespace FOREFRONT_API forefront {
 
 /// Returns the coordinates of the nodes as one array: x and y of each in turn. Valid as long as the mesh is unchanged.
 std::span<const double> coordinates(const MeshView &mesh);
-/// Returns the nodes of the triangles as one array: three indices of each in turn, counter-clockwise. Valid as long as
-/// the mesh is unchanged. Those of other kinds of elements are in CellBlock::connectivity().
-std::span<const std::uint32_t> connectivity(const TriMesh &mesh);
+/// Returns the nodes of the elements of a block as one array: CellTraits::nodes indices of each in turn, in the order
+/// of CellTraits. Valid as long as the block is unchanged.
+std::span<const std::uint32_t> connectivity(const CellBlock &block);
 
 /// Returns the tagged edges that carry a tag, as ascending indices into Mesh::edges.
 std::vector<std::uint32_t> edgesWithTag(const MeshView &mesh, std::int32_t tag);

@@ -19,6 +19,17 @@ double turnFrom(Vec2 u, Vec2 v) {
     return angle < 0.0 ? angle + 360.0 : angle;
 }
 
+/// Calls visit(const Element &) with the corners of each element.
+template <class Visit>
+void forTriangles(const MeshView &mesh, Visit &&visit) {
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            const auto nodes = block.nodesOf(k);
+            visit(Element{nodes[0], nodes[1], nodes[2]});
+        }
+    }
+}
+
 /// The wedge at a node from one tagged edge counter-clockwise to the next.
 struct Wedge {
     NodeId node;
@@ -32,7 +43,7 @@ bool operator<(const Wedge &w, NodeId n) {
 }
 
 /// Returns the wedges sharper than the limit, ordered by node, whether or not elements lie in them.
-std::vector<Wedge> sharpWedges(const TriMesh &mesh, double limit) {
+std::vector<Wedge> sharpWedges(const MeshView &mesh, double limit) {
     struct Ray {
         NodeId node;
         double direction;
@@ -66,7 +77,7 @@ std::vector<Wedge> sharpWedges(const TriMesh &mesh, double limit) {
 }
 
 /// Returns the minimum angle of an element in degrees; 0 if it is not positive.
-double minAngle(const TriMesh &mesh, const Element &e) {
+double minAngle(const MeshView &mesh, const Element &e) {
     const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
     const double twiceArea = cross(b - a, c - a);
     if (!(twiceArea > 0.0)) {
@@ -130,7 +141,7 @@ class Bands {
 /// Finds the sharp elements that a gap forces.
 class Gaps {
   public:
-    explicit Gaps(const TriMesh &mesh) : mesh_(mesh), onTagged_(mesh.nodes.size(), 0) {
+    explicit Gaps(const MeshView &mesh) : mesh_(mesh), onTagged_(mesh.nodes.size(), 0) {
         for (const TaggedEdge &edge : mesh.edges) {
             onTagged_[index(edge.a)] = onTagged_[index(edge.b)] = 1;
         }
@@ -181,12 +192,12 @@ class Gaps {
         return std::binary_search(sides_.begin(), sides_.end(), std::pair<NodeId, NodeId>(std::minmax(a, b)));
     }
 
-    const TriMesh &mesh_;
+    const MeshView &mesh_;
     std::vector<std::uint8_t> onTagged_; ///< per node: it must be where it is
     std::vector<std::pair<NodeId, NodeId>> sides_;
 };
 
-NarrowPlace placeOf(const TriMesh &mesh, const std::vector<Element> &band) {
+NarrowPlace placeOf(const MeshView &mesh, const std::vector<Element> &band) {
     NarrowPlace place{{}, std::numeric_limits<double>::infinity(), band.size()};
     for (const Element &e : band) {
         const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
@@ -203,7 +214,7 @@ NarrowPlace placeOf(const TriMesh &mesh, const std::vector<Element> &band) {
 }
 
 /// Returns true if an element lies in a wedge at one of its nodes, and marks all such wedges as meshed.
-bool liesInWedge(const TriMesh &mesh, const Element &e, const std::vector<std::uint8_t> &sharp,
+bool liesInWedge(const MeshView &mesh, const Element &e, const std::vector<std::uint8_t> &sharp,
                  std::vector<Wedge> &wedges) {
     bool inWedge = false;
     for (unsigned k = 0; k < 3; ++k) {
@@ -230,17 +241,17 @@ struct SharpElements {
 };
 
 /// Sorts the sharp elements by their reason, and marks the wedges that elements lie in.
-SharpElements sortElements(const TriMesh &mesh, double limit, std::vector<Wedge> &wedges) {
+SharpElements sortElements(const MeshView &mesh, double limit, std::vector<Wedge> &wedges) {
     std::vector<std::uint8_t> sharp(mesh.nodes.size(), 0);
     for (const Wedge &w : wedges) {
         sharp[index(w.node)] = 1;
     }
     const Gaps gaps(mesh);
     SharpElements sorted;
-    for (const Element &e : mesh.elements) {
+    forTriangles(mesh, [&](const Element &e) {
         if (liesInWedge(mesh, e, sharp, wedges)) {
             sorted.tips.push_back(e);
-            continue;
+            return;
         }
         const double angle = minAngle(mesh, e);
         if (angle < limit) {
@@ -248,13 +259,13 @@ SharpElements sortElements(const TriMesh &mesh, double limit, std::vector<Wedge>
         } else {
             sorted.minAngleElsewhere = std::min(sorted.minAngleElsewhere, angle);
         }
-    }
+    });
     return sorted;
 }
 
 /// Returns the minimum angle of the sharp elements that no chain of sharp elements, each sharing a node with the next,
 /// connects to tips or bands; 60 if there are none. (Cleanup lets elements around a gap share its small angles.)
-double minAngleApart(const TriMesh &mesh, const SharpElements &sorted) {
+double minAngleApart(const MeshView &mesh, const SharpElements &sorted) {
     std::vector<std::pair<NodeId, std::uint32_t>> others; // those at each node
     for (std::uint32_t i = 0; i < sorted.others.size(); ++i) {
         for (const NodeId n : sorted.others[i]) {
@@ -285,7 +296,7 @@ double minAngleApart(const TriMesh &mesh, const SharpElements &sorted) {
 }
 
 /// Returns the places of the bands that do not end in a sharp corner, the narrowest first.
-std::vector<NarrowPlace> narrowPlaces(const TriMesh &mesh, const SharpElements &sorted) {
+std::vector<NarrowPlace> narrowPlaces(const MeshView &mesh, const SharpElements &sorted) {
     Bands rest(sorted.bands);
     rest.take(sorted.tips);
     std::vector<NarrowPlace> places;
@@ -299,12 +310,12 @@ std::vector<NarrowPlace> narrowPlaces(const TriMesh &mesh, const SharpElements &
 
 } // namespace
 
-SharpCorners sharpCorners(const TriMesh &mesh, double limit) {
+SharpCorners sharpCorners(const MeshView &mesh, double limit) {
     std::vector<Wedge> wedges = sharpWedges(mesh, limit);
     const SharpElements sorted = sortElements(mesh, limit, wedges);
     SharpCorners result;
     result.minAngleElsewhere =
-        mesh.elements.empty() ? 0.0 : std::min(sorted.minAngleElsewhere, minAngleApart(mesh, sorted));
+        mesh.elementCount() == 0 ? 0.0 : std::min(sorted.minAngleElsewhere, minAngleApart(mesh, sorted));
     result.narrow = narrowPlaces(mesh, sorted);
     for (const Wedge &w : wedges) {
         if (w.meshed) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 
 #include <vector>
 
@@ -33,7 +33,8 @@ struct SharpCorners {
 /// on tagged edges or tagged themselves: the band along its two edges without room for a node. The other elements of
 /// this kind, side by side, make the narrow places, except those that cut off a flat corner. Sharp elements whose
 /// shortest side crosses a gap, as between two tips, count as narrow places. Corners count if adjacent tagged edges are
-/// sharper than the limit and elements lie between them. O(n log n) in tagged edges.
-SharpCorners sharpCorners(const TriMesh &mesh, double limit);
+/// sharper than the limit and elements lie between them. The elements must be triangles, of either order; their sides
+/// count as straight. O(n log n) in tagged edges.
+SharpCorners sharpCorners(const MeshView &mesh, double limit);
 
 } // namespace forefront

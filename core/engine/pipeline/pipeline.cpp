@@ -45,7 +45,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.spacing = std::move(state.prepared.spacing);
     outcome.work = state.work;
     outcome.improvement = state.improvement;
-    outcome.mesh = takeTriMesh(std::move(state.mesh));
+    outcome.mesh = std::move(state.mesh);
     return outcome;
 }
 

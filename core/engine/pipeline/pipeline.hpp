@@ -36,7 +36,7 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {}
 
 /// The result of a run.
 struct MeshingOutcome {
-    TriMesh mesh;
+    Mesh mesh;
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
     WorkCounters work;

@@ -137,7 +137,7 @@ std::vector<FrontSegmentView> MeshStepper::front() {
     return *snapshot.front;
 }
 
-TriMesh MeshStepper::mesh() {
+Mesh MeshStepper::mesh() {
     SessionSnapshot snapshot;
     run_->fill(snapshot, {.mesh = true, .front = false}, false);
     return snapshot.mesh->mesh;

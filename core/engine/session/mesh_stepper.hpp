@@ -69,7 +69,7 @@ class MeshStepper {
     std::vector<FrontSegmentView> front();
     /// Returns the mesh at this position; at the end, the improved one if finish() has made it. A partial mesh has all
     /// nodes and edges of the boundary.
-    TriMesh mesh();
+    Mesh mesh();
     /// Returns an explanation of the last advance, by doing it again; null before the first one.
     std::shared_ptr<const AdvanceExplanation> explanation();
     /// Returns the work counters at this position.

@@ -57,7 +57,7 @@ Result<AdaptedJob> adaptToTarget(const AdaptiveCase &problem, const NodalField &
         return first.faults();
     }
     Result<AdaptOutcome> outcome =
-        adaptMesh(problem.domain, std::move(first->mesh), field, problem.target, kMaxRounds, {}, progress);
+        adaptMesh(problem.domain, takeTriMesh(std::move(first->mesh)), field, problem.target, kMaxRounds, {}, progress);
     if (!outcome) {
         return outcome.faults();
     }

@@ -5,9 +5,9 @@
 int main() {
     forefront::MeshingJob job;
     forefront::addLoop(job.domain, {{0, 0}, {4, 0}, {4, 3}, {0, 3}});
-    const forefront::TriMesh mesh = forefront::meshDomain(job).value().mesh;
+    const forefront::Mesh mesh = forefront::meshDomain(job).value().mesh;
     const std::span<const double> xy = forefront::coordinates(mesh);
-    const std::span<const std::uint32_t> corners = forefront::connectivity(mesh);
+    const std::span<const std::uint32_t> corners = forefront::connectivity(mesh.blocks.front());
     double area = 0.0;
     for (std::size_t t = 0; t < corners.size(); t += 3) {
         const double *a = &xy[2 * corners[t]], *b = &xy[2 * corners[t + 1]], *c = &xy[2 * corners[t + 2]];

@@ -1,4 +1,4 @@
-// TriMesh a plate with a hole, with tags and names for its boundary and its region.
+// Mesh a plate with a hole, with tags and names for its boundary and its region.
 #include <forefront/forefront.hpp>
 
 int main() {

@@ -1,4 +1,4 @@
-// TriMesh several domains at once: jobs share nothing, and each may use several threads.
+// Mesh several domains at once: jobs share nothing, and each may use several threads.
 #include <forefront/forefront.hpp>
 #include <future>
 
