@@ -50,12 +50,14 @@ struct CellTraits {
     const char *medit;    ///< its keyword in MEDIT files; null: MEDIT has none
     const char *abaqus;   ///< the type in Abaqus files that is written for it; null: none
     /// For each of its nodes in the order of Netgen's .vol files, and of Triangle's .ele files, the node here. Both put
-    /// the middle of the edge opposite to corner k at 3 + k.
+    /// the middle of the edge opposite to corner k of a triangle at 3 + k. Netgen lists the middles of the edges 0, 2,
+    /// 3 and 1 of a quadrilateral.
     std::array<std::uint8_t, kMaxCellNodes> opposite;
 };
 
 inline constexpr std::array<std::uint8_t, kMaxCellNodes> kSameOrder = {0, 1, 2, 3, 4, 5, 6, 7, 8};
 inline constexpr std::array<std::uint8_t, kMaxCellNodes> kOppositeOrder = {0, 1, 2, 4, 5, 3, 6, 7, 8};
+inline constexpr std::array<std::uint8_t, kMaxCellNodes> kNetgenQuadOrder = {0, 1, 2, 3, 4, 6, 7, 5, 8};
 
 /// The table of all kinds of cells, by CellKind. A new kind is a new row.
 inline constexpr std::array<CellTraits, wordsOf<CellKind>().size()> kCellTraits = {{
@@ -65,7 +67,7 @@ inline constexpr std::array<CellTraits, wordsOf<CellKind>().size()> kCellTraits 
     {"triangle", "triangles", 2, 1, 3, 3, 2, 5, "Triangles", "CPS3", kSameOrder},
     {"triangle of 6 nodes", "triangles of 6 nodes", 2, 2, 6, 3, 9, 22, "TrianglesP2", "CPS6", kOppositeOrder},
     {"quadrilateral", "quadrilaterals", 2, 1, 4, 4, 3, 9, "Quadrilaterals", "CPS4", kSameOrder},
-    {"quadrilateral of 8 nodes", "quadrilaterals of 8 nodes", 2, 2, 8, 4, 16, 23, nullptr, "CPS8", kSameOrder},
+    {"quadrilateral of 8 nodes", "quadrilaterals of 8 nodes", 2, 2, 8, 4, 16, 23, nullptr, "CPS8", kNetgenQuadOrder},
     {"quadrilateral of 9 nodes", "quadrilaterals of 9 nodes", 2, 2, 9, 4, 10, 28, "QuadrilateralsQ2", nullptr,
      kSameOrder},
 }};
