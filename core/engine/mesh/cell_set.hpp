@@ -35,8 +35,8 @@ class CellSet {
 };
 
 /// All kinds of cells.
-inline constexpr CellSet kAllCells = {CellKind::Point,     CellKind::Edge2,          CellKind::Edge3,
-                                      CellKind::Triangle3, CellKind::Triangle6,      CellKind::Quadrilateral4,
+inline constexpr CellSet kAllCells = {CellKind::Point,          CellKind::Edge2,         CellKind::Edge3,
+                                      CellKind::Triangle3,      CellKind::Triangle6,     CellKind::Quadrilateral4,
                                       CellKind::Quadrilateral8, CellKind::Quadrilateral9};
 
 } // namespace forefront

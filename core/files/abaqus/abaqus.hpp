@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
+#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
@@ -10,7 +11,7 @@
 namespace forefront {
 
 /// Reads Abaqus and CalculiX input (.inp). Every fault carries its place in the source.
-Result<TriMesh> readAbaqus(const SourceText &source);
+Result<Mesh> readAbaqus(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
 bool looksLikeAbaqus(std::string_view head);
 /// Writes Abaqus and CalculiX input (.inp).

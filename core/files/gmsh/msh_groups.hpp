@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -54,7 +55,7 @@ class MshGroups {
 /// Reads the content of a $Comments section that writeOrigins wrote; other lines are skipped. Labels stay empty.
 std::vector<MshGroup> readMshOrigins(std::string_view comments);
 
-/// Gives the points, edges and triangles of a mesh as read the tags and names that its groups had before.
-void restoreTags(const std::vector<MshGroup> &origins, TriMesh &mesh);
+/// Gives the points, edges and elements of a mesh as read the tags and names that its groups had before.
+void restoreTags(const std::vector<MshGroup> &origins, Mesh &mesh);
 
 } // namespace forefront
