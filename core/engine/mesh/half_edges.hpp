@@ -51,8 +51,8 @@ class HalfEdgeNumbers {
         HalfEdge begin = 0, end = 0;
         std::uint32_t firstElement = 0, endElement = 0;
         unsigned corners = 3;
-        unsigned nodes = 3;                 ///< of an element
-        bool second = false;                ///< whether the edges of the elements have middle nodes
+        unsigned nodes = 3;                   ///< of an element
+        bool second = false;                  ///< whether the edges of the elements have middle nodes
         const NodeId *connectivity = nullptr; ///< only for HalfEdges
 
         std::uint32_t elementIn(HalfEdge h) const { return corners == 3 ? (h - begin) / 3U : (h - begin) / 4U; }

@@ -33,8 +33,8 @@ class Bernstein {
 
   private:
     std::array<Bernstein, 4> partsOfTriangle() const {
-        const auto [c0, c1, c2, e01, e12, e20] = std::array{values_[0], values_[1], values_[2],
-                                                            values_[3], values_[4], values_[5]};
+        const auto [c0, c1, c2, e01, e12, e20] =
+            std::array{values_[0], values_[1], values_[2], values_[3], values_[4], values_[5]};
         const double m01 = 0.25 * (c0 + c1) + 0.5 * e01, m12 = 0.25 * (c1 + c2) + 0.5 * e12,
                      m20 = 0.25 * (c2 + c0) + 0.5 * e20;
         const double across0 = 0.25 * (c0 + e01 + e12 + e20), across1 = 0.25 * (c1 + e01 + e12 + e20),
@@ -85,14 +85,15 @@ class BezierPatch {
             n[k] = cell.nodes[k] - origin;
         }
         if (!square_) {
-            points_ = {n[0], n[1], n[2], control(n[0], n[3], n[1]), control(n[1], n[4], n[2]), control(n[2], n[5], n[0])};
+            points_ = {
+                n[0], n[1], n[2], control(n[0], n[3], n[1]), control(n[1], n[4], n[2]), control(n[2], n[5], n[0])};
             return;
         }
         const Vec2 centre = cell.kind == CellKind::Quadrilateral9
                                 ? n[8]
                                 : 0.5 * (n[4] + n[5] + n[6] + n[7]) - 0.25 * (n[0] + n[1] + n[2] + n[3]);
-        const Vec2 bottom = control(n[0], n[4], n[1]), right = control(n[1], n[5], n[2]), top = control(n[3], n[6], n[2]),
-                   left = control(n[0], n[7], n[3]);
+        const Vec2 bottom = control(n[0], n[4], n[1]), right = control(n[1], n[5], n[2]),
+                   top = control(n[3], n[6], n[2]), left = control(n[0], n[7], n[3]);
         const Vec2 middle = control(n[7], centre, n[5]); // of the curve through the centre, from left to right
         points_ = {n[0], bottom, n[1], left, control(bottom, middle, top), right, n[3], top, n[2]};
     }
@@ -191,8 +192,8 @@ Bernstein straightDeterminant(const PlacedCell &cell) {
     for (std::size_t j = 0; j < 4; ++j) { // bilinear, written with degree 3
         for (std::size_t i = 0; i < 4; ++i) {
             const double x = static_cast<double>(i) / 3.0, y = static_cast<double>(j) / 3.0;
-            found[4 * j + i] = (1.0 - y) * ((1.0 - x) * corner[0] + x * corner[1]) +
-                               y * ((1.0 - x) * corner[3] + x * corner[2]);
+            found[4 * j + i] =
+                (1.0 - y) * ((1.0 - x) * corner[0] + x * corner[1]) + y * ((1.0 - x) * corner[3] + x * corner[2]);
         }
     }
     return found;
@@ -222,7 +223,10 @@ struct JacobianPart {
         } else {
             const Vec2 m01 = midpoint(c[0], c[1]), m12 = midpoint(c[1], c[2]), m23 = midpoint(c[2], c[3]),
                        m30 = midpoint(c[3], c[0]), centre = midpoint(m01, m23);
-            places = {{{c[0], m01, centre, m30}, {m01, c[1], m12, centre}, {centre, m12, c[2], m23}, {m30, centre, m23, c[3]}}};
+            places = {{{c[0], m01, centre, m30},
+                       {m01, c[1], m12, centre},
+                       {centre, m12, c[2], m23},
+                       {m30, centre, m23, c[3]}}};
         }
         return {JacobianPart{d[0], s[0], places[0], depth + 1}, JacobianPart{d[1], s[1], places[1], depth + 1},
                 JacobianPart{d[2], s[2], places[2], depth + 1}, JacobianPart{d[3], s[3], places[3], depth + 1}};
@@ -236,7 +240,8 @@ struct LeastRatio {
 
 /// Finds the minimum of determinant/scale over the reference element to within `tolerance`. Ends early where a value is
 /// below `enough`; parts with a bound above `clear` are left out.
-LeastRatio minimumOf(const Bernstein &determinant, const Bernstein &scale, double tolerance, double enough, double clear) {
+LeastRatio minimumOf(const Bernstein &determinant, const Bernstein &scale, double tolerance, double enough,
+                     double clear) {
     constexpr unsigned kMaxDepth = 15; // the bound is off by a share that falls by 4 with each division
     const std::array<Vec2, 4> whole = determinant.corners() == 3
                                           ? std::array<Vec2, 4>{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}, Vec2{}}

@@ -7,9 +7,9 @@
 namespace forefront {
 
 /// Returns a place where the map from the reference element to an element of second order is not one to one: its
-/// Jacobian determinant is zero or negative there, or exceeds zero by less than a billionth. Empty if the determinant is
-/// positive everywhere, which its Bernstein coefficients prove on parts of the element that are divided where they leave
-/// it open (A. Johnen, J.-F. Remacle, C. Geuzaine, Geometrical validity of curvilinear finite elements, 2013).
+/// Jacobian determinant is zero or negative there, or exceeds zero by less than a billionth. Empty if the determinant
+/// is positive everywhere, which its Bernstein coefficients prove on parts of the element that are divided where they
+/// leave it open (A. Johnen, J.-F. Remacle, C. Geuzaine, Geometrical validity of curvilinear finite elements, 2013).
 std::optional<Vec2> foldIn(const PlacedCell &cell);
 
 /// Returns the minimum over an element of second order of its Jacobian determinant divided by that for straight edges,

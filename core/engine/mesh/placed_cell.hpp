@@ -53,7 +53,8 @@ void forEachCell(const MeshView &mesh, Visit &&visit) {
 /// Returns true if the middle node of an edge is the middle of its chord, within rounding.
 bool isMiddleOfChord(Vec2 a, Vec2 b, Vec2 middle);
 
-/// Returns the length of an edge, along its curve if its middle node is off its chord. `middle`: kNoNode if it has none.
+/// Returns the length of an edge, along its curve if its middle node is off its chord. `middle`: kNoNode if it has
+/// none.
 double edgeLength(std::span<const Vec2> nodes, NodeId a, NodeId middle, NodeId b);
 
 /// Returns twice the area of an element, exact for its curved edges but for rounding: negative if it is clockwise.

@@ -41,7 +41,7 @@ NodeId nodeTwice(std::span<const NodeId> nodes) {
 }
 
 const char *numberWord(std::size_t number) {
-    constexpr std::array<const char *, kMaxCellNodes + 1> kWords = {"no",  "one", "two",   "three", "four",
+    constexpr std::array<const char *, kMaxCellNodes + 1> kWords = {"no",   "one", "two",   "three", "four",
                                                                     "five", "six", "seven", "eight", "nine"};
     return kWords[number];
 }
@@ -87,8 +87,9 @@ class ShapeCheck {
         } else if (signs.ofArea() == 0 && signs.positive < 2) {
             faults_.add("zero-area", named_.element(e) + " has zero area", cell.centre(), {id});
         } else if (signs.ofArea() == 0) {
-            faults_.add("concave-element", named_.element(e) + " crosses itself; expected its corners in order around it",
-                        cell.centre(), {id});
+            faults_.add("concave-element",
+                        named_.element(e) + " crosses itself; expected its corners in order around it", cell.centre(),
+                        {id});
         } else if (signs.positive < static_cast<int>(corners.size()) && !curved) {
             addConcave(corners, e);
         } else {
