@@ -1,7 +1,7 @@
 #include "tests/support/poisson.hpp"
 
 #include "core/engine/adapt/gradient_recovery.hpp"
-#include "core/engine/mesh/topology.hpp"
+#include "core/engine/mesh/edge_table.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -42,14 +42,11 @@ double squareOver(Vec2 a, Vec2 b, Vec2 c, Vec2 g, int depth) {
 
 std::vector<bool> boundaryNodes(const TriMesh &mesh) {
     std::vector<bool> on(mesh.nodes.size(), false);
-    const auto neighbours = elementNeighbours(mesh);
-    for (std::size_t e = 0; e < neighbours.size(); ++e) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (neighbours[e][k] == kNoElement) {
-                on[index(mesh.elements[e][k])] = on[index(mesh.elements[e][(k + 1) % 3])] = true;
-            }
+    EdgeTable(mesh).forEach([&on](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
+        if (sides.size() == 1) {
+            on[index(a)] = on[index(b)] = true;
         }
-    }
+    });
     return on;
 }
 

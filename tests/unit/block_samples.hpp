@@ -13,8 +13,8 @@
 namespace forefront::samples {
 
 /// Makes meshes of any kinds of cells from their corners. The middle node of an edge is made once, in the middle of its
-/// chord, and is shared by all cells and tagged edges that have it; so is no node between a cell of first order and one
-/// of second order, which therefore must not share an edge.
+/// chord, and all cells and tagged edges with that edge share it. A cell of first order must not share an edge with one
+/// of second order.
 class BlockMaker {
   public:
     explicit BlockMaker(std::vector<Vec2> corners) { mesh.nodes = std::move(corners); }

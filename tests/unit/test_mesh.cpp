@@ -3,6 +3,7 @@
 #include "core/engine/mesh/topology.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "tests/unit/block_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -78,16 +79,14 @@ TEST_CASE("meshHash: absent regions are the same as region 1 everywhere") {
 
 namespace {
 
-/// Finds neighbours by comparing all pairs of elements.
-std::vector<std::array<ElementId, 3>> neighboursByPairs(const TriMesh &mesh) {
-    std::vector<std::array<ElementId, 3>> result(mesh.elements.size(), {kNoElement, kNoElement, kNoElement});
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        for (std::size_t f = 0; f < mesh.elements.size(); ++f) {
-            for (unsigned i = 0; i < 9 && e != f; ++i) {
-                const Element &m = mesh.elements[e], &n = mesh.elements[f];
-                if (m[i / 3] == n[(i % 3 + 1) % 3] && m[(i / 3 + 1) % 3] == n[i % 3]) {
-                    result[e][i / 3] = ElementId{static_cast<std::uint32_t>(f)};
-                }
+/// Finds the sides across by comparing all pairs of sides.
+std::vector<HalfEdge> oppositeByPairs(const MeshView &mesh) {
+    const HalfEdges sides(mesh);
+    std::vector<HalfEdge> result(sides.count(), kNoHalfEdge);
+    for (HalfEdge h = 0; h < sides.count(); ++h) {
+        for (HalfEdge g = 0; g < sides.count(); ++g) {
+            if (sides.startOf(h) == sides.endOf(g) && sides.endOf(h) == sides.startOf(g)) {
+                result[h] = g;
             }
         }
     }
@@ -112,30 +111,53 @@ TriMesh fan(std::size_t n) {
 
 } // namespace
 
-TEST_CASE("elementNeighbours: agrees with a comparison of all pairs of elements") {
+TEST_CASE("oppositeHalfEdges: agrees with a comparison of all pairs of sides") {
     const TriMesh mesh = samples::square(9, 7, 0.2);
-    CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
+    CHECK(oppositeHalfEdges(EdgeTable(mesh)) == oppositeByPairs(mesh));
+    const Mesh blocks = samples::allKindsSample();
+    CHECK(oppositeHalfEdges(EdgeTable(blocks)) == oppositeByPairs(blocks));
 }
 
-TEST_CASE("elementNeighbours: joins the elements of a node of very high valence in any order") {
+TEST_CASE("oppositeHalfEdges: joins the elements of a node of very high valence in any order") {
     const TriMesh mesh = fan(500);
-    CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
+    CHECK(oppositeHalfEdges(EdgeTable(mesh)) == oppositeByPairs(mesh));
     const TriMesh large = fan(200'000);
-    std::size_t open = 0;
-    for (const auto &row : elementNeighbours(large)) {
-        open += static_cast<std::size_t>(std::count(row.begin(), row.end(), kNoElement));
-    }
-    CHECK(open == 200'000);
+    const std::vector<HalfEdge> opposite = oppositeHalfEdges(EdgeTable(large));
+    CHECK(std::count(opposite.begin(), opposite.end(), kNoHalfEdge) == 200'000);
 }
 
-TEST_CASE("elementNeighbours: joins the first two elements of an edge with three") {
+TEST_CASE("oppositeHalfEdges: joins the first two elements of an edge with three") {
     TriMesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {0, 1}, {0, -1}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}, {node(0), node(1), node(4)}};
-    const auto neighbours = elementNeighbours(mesh);
-    CHECK(neighbours[0][0] == ElementId{1});
-    CHECK(neighbours[1][0] == ElementId{0});
-    CHECK(neighbours[2][0] == kNoElement);
+    const std::vector<HalfEdge> opposite = oppositeHalfEdges(EdgeTable(mesh));
+    CHECK(opposite[0] == 3);
+    CHECK(opposite[3] == 0);
+    CHECK(opposite[6] == kNoHalfEdge);
+}
+
+TEST_CASE("HalfEdges: sides of all kinds of cells are numbered in turn and know their nodes") {
+    const Mesh mesh = samples::allKindsSample();
+    const MeshView view(mesh);
+    const HalfEdges sides(view);
+    HalfEdge h = 0;
+    for (std::size_t e = 0; e < view.elementCount(); ++e) {
+        const CellTraits &traits = traitsOf(view.kindOf(e));
+        const auto nodes = view.nodesOf(e);
+        CHECK(sides.sidesOf(e) == traits.corners);
+        for (unsigned k = 0; k < traits.corners; ++k, ++h) {
+            const unsigned next = (k + 1U) % traits.corners;
+            CHECK(sides.of(e, k) == h);
+            CHECK(sides.elementOf(h) == e);
+            CHECK(sides.sideOf(h) == k);
+            CHECK(sides.next(h) == sides.of(e, next));
+            CHECK(sides.startOf(h) == nodes[k]);
+            CHECK(sides.endOf(h) == nodes[next]);
+            CHECK(sides.middleOf(h) == (traits.order == 2 ? nodes[traits.corners + k] : kNoNode));
+        }
+    }
+    CHECK(h == sides.count());
+    CHECK(HalfEdges(Mesh()).count() == 0);
 }
 
 TEST_CASE("EdgeTable: visits each edge once, in order, with the half-edges that run along it") {

@@ -2,7 +2,7 @@
 
 #include "core/engine/base/raw_vector.hpp"
 #include "core/engine/base/thread_pool.hpp"
-#include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/tri_half_edge.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 
 #include <array>
@@ -11,8 +11,6 @@
 #include <vector>
 
 namespace forefront {
-
-inline constexpr HalfEdge kNoHalfEdge = kNoIndex;
 
 /// Returns the side after h in its element, counter-clockwise.
 constexpr HalfEdge nextSide(HalfEdge h) {

@@ -50,10 +50,11 @@ class Below {
 
 class Sweep {
   public:
-    Sweep(const TriMesh &mesh, const std::vector<HalfEdge> &boundary) : active_(Below(edges_)) {
+    Sweep(const MeshView &mesh, const HalfEdges &sides, const std::vector<HalfEdge> &boundary)
+        : active_(Below(edges_)) {
         edges_.reserve(boundary.size());
         for (const HalfEdge h : boundary) {
-            const NodeId a = startOf(mesh, h), b = endOf(mesh, h);
+            const NodeId a = sides.startOf(h), b = sides.endOf(h);
             const Vec2 pa = mesh.nodes[index(a)], pb = mesh.nodes[index(b)];
             if (comesBefore(pa, pb)) {
                 edges_.push_back({pa, pb, a, b, +1, 0});
@@ -155,8 +156,8 @@ class Sweep {
 
 } // namespace
 
-Coverage coverage(const TriMesh &mesh, const std::vector<HalfEdge> &boundary) {
-    return Sweep(mesh, boundary).run();
+Coverage coverage(const MeshView &mesh, const HalfEdges &sides, const std::vector<HalfEdge> &boundary) {
+    return Sweep(mesh, sides, boundary).run();
 }
 
 } // namespace forefront

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/edge_table.hpp"
+#include "core/engine/mesh/half_edges.hpp"
 
 #include <optional>
 #include <vector>
@@ -21,9 +21,9 @@ struct Coverage {
 
 /// Decides whether the elements of a conforming mesh overlap anywhere, from its boundary alone: where all elements are
 /// counter-clockwise, the number of elements over a point is the winding number of the mesh's boundary about it,
-/// because inner edges cancel. A plane sweep (M. I. Shamos, D. Hoey, Geometric intersection problems, 1976) with exact
-/// predicates finds that number between any two neighbouring edges; it must be 0 or 1. O(b log b) for b boundary edges.
-/// `boundary`: the half-edges whose edge has one element.
-Coverage coverage(const TriMesh &mesh, const std::vector<HalfEdge> &boundary);
+/// because inner edges cancel. Curved edges count as their chords. A plane sweep (M. I. Shamos, D. Hoey, Geometric
+/// intersection problems, 1976) with exact predicates finds that number between any two neighbouring edges; it must be
+/// 0 or 1. O(b log b) for b boundary edges. `boundary`: the half-edges whose edge has one element, of `sides`.
+Coverage coverage(const MeshView &mesh, const HalfEdges &sides, const std::vector<HalfEdge> &boundary);
 
 } // namespace forefront

@@ -4,20 +4,25 @@
 
 namespace forefront {
 
-std::uint32_t EdgeTable::lowerNode(HalfEdge h) const {
-    return static_cast<std::uint32_t>(std::min(startOf(*mesh_, h), endOf(*mesh_, h)));
+namespace {
+
+/// Counts the sides of the elements of a block at their lower nodes.
+template <std::size_t Corners>
+void countSides(const MeshView::Block &block, std::vector<std::uint32_t> &counts) {
+    const std::size_t step = block.traits().nodes;
+    for (const NodeId *n = block.connectivity.data(), *end = n + block.connectivity.size(); n != end; n += step) {
+        for (std::size_t k = 0; k < Corners; ++k) {
+            ++counts[index(std::min(n[k], n[(k + 1) % Corners]))];
+        }
+    }
 }
 
-std::uint32_t EdgeTable::upperNode(HalfEdge h) const {
-    return static_cast<std::uint32_t>(std::max(startOf(*mesh_, h), endOf(*mesh_, h)));
-}
+} // namespace
 
-EdgeTable::EdgeTable(const TriMesh &mesh)
-    : mesh_(&mesh), offsets_(mesh.nodes.size() + 1, 0), halfEdges_(3 * mesh.elements.size()) {
-    for (const Element &e : mesh.elements) {
-        ++offsets_[index(std::min(e[0], e[1]))];
-        ++offsets_[index(std::min(e[1], e[2]))];
-        ++offsets_[index(std::min(e[2], e[0]))];
+EdgeTable::EdgeTable(const MeshView &mesh)
+    : sides_(mesh), offsets_(mesh.nodes.size() + 1, 0), ordered_(sides_.count()) {
+    for (const MeshView::Block &block : mesh.blocks()) {
+        block.traits().corners == 3 ? countSides<3>(block, offsets_) : countSides<4>(block, offsets_);
     }
     std::uint32_t sum = 0;
     for (std::uint32_t &offset : offsets_) {
@@ -25,8 +30,8 @@ EdgeTable::EdgeTable(const TriMesh &mesh)
         offset = sum;
     }
     // Filled from the back, so that each row is ascending and its offset ends at its first entry.
-    for (HalfEdge h = static_cast<HalfEdge>(halfEdges_.size()); h-- > 0;) {
-        halfEdges_[--offsets_[lowerNode(h)]] = h;
+    for (HalfEdge h = static_cast<HalfEdge>(ordered_.size()); h-- > 0;) {
+        ordered_[--offsets_[lowerNode(h)]] = h;
     }
     for (std::size_t n = 0; n + 1 < offsets_.size(); ++n) {
         sortRow(offsets_[n], offsets_[n + 1]);
@@ -36,7 +41,7 @@ EdgeTable::EdgeTable(const TriMesh &mesh)
 void EdgeTable::sortRow(std::uint32_t begin, std::uint32_t end) {
     constexpr std::uint32_t kShort = 24;
     if (end - begin > kShort) {
-        std::sort(halfEdges_.begin() + begin, halfEdges_.begin() + end, [this](HalfEdge a, HalfEdge b) {
+        std::sort(ordered_.begin() + begin, ordered_.begin() + end, [this](HalfEdge a, HalfEdge b) {
             const std::uint32_t ua = upperNode(a), ub = upperNode(b);
             return ua != ub ? ua < ub : a < b;
         });
@@ -44,15 +49,15 @@ void EdgeTable::sortRow(std::uint32_t begin, std::uint32_t end) {
     }
     std::uint32_t keys[kShort];
     for (std::uint32_t i = begin; i < end; ++i) {
-        const HalfEdge h = halfEdges_[i];
+        const HalfEdge h = ordered_[i];
         const std::uint32_t key = upperNode(h);
         std::uint32_t j = i - begin;
         for (; j > 0 && keys[j - 1] > key; --j) {
             keys[j] = keys[j - 1];
-            halfEdges_[begin + j] = halfEdges_[begin + j - 1];
+            ordered_[begin + j] = ordered_[begin + j - 1];
         }
         keys[j] = key;
-        halfEdges_[begin + j] = h;
+        ordered_[begin + j] = h;
     }
 }
 
@@ -62,8 +67,8 @@ std::span<const HalfEdge> EdgeTable::find(NodeId a, NodeId b) const {
     if (index(lower) + 1 >= offsets_.size()) {
         return {};
     }
-    const auto begin = halfEdges_.begin() + offsets_[index(lower)];
-    const auto end = halfEdges_.begin() + offsets_[index(lower) + 1];
+    const auto begin = ordered_.begin() + offsets_[index(lower)];
+    const auto end = ordered_.begin() + offsets_[index(lower) + 1];
     const auto first =
         std::lower_bound(begin, end, upper, [this](HalfEdge h, std::uint32_t key) { return upperNode(h) < key; });
     auto last = first;

@@ -1,35 +1,24 @@
 #pragma once
 
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/half_edges.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace forefront {
 
-/// A side k of an element e as one number, 3·e + k. It runs from node k of the element to node (k+1)%3.
-using HalfEdge = std::uint32_t;
-
-constexpr std::size_t elementOf(HalfEdge h) {
-    return h / 3U;
-}
-constexpr unsigned sideOf(HalfEdge h) {
-    return h % 3U;
-}
-inline NodeId startOf(const TriMesh &mesh, HalfEdge h) {
-    return mesh.elements[elementOf(h)][sideOf(h)];
-}
-inline NodeId endOf(const TriMesh &mesh, HalfEdge h) {
-    return mesh.elements[elementOf(h)][(sideOf(h) + 1U) % 3U];
-}
-
-/// All edges of a mesh: its half-edges in rows by their lower node, each row ordered by (upper node, half-edge).
-/// Takes 12 bytes per element and 4 per node, and time O(n) except for nodes of very high valence, whose rows are
-/// sorted. The indices of the elements must be valid, and there may be at most 2³²/3 elements.
+/// All edges of a mesh between corners: the sides of its elements in rows by their lower node, each row ordered by
+/// (upper node, half-edge). Takes 4 bytes per side and per node, and time O(n) except for nodes of very high valence,
+/// whose rows are sorted. The nodes of the elements must exist, and there may be at most kNoIndex sides. Valid only as
+/// long as the mesh exists unchanged.
 class EdgeTable {
   public:
-    explicit EdgeTable(const TriMesh &mesh);
+    explicit EdgeTable(const MeshView &mesh);
+
+    /// Returns the sides of the elements with their nodes.
+    const HalfEdges &halfEdges() const { return sides_; }
 
     /// Returns the half-edges of the edge that joins two nodes, in either direction, ascending; empty without such an
     /// edge.
@@ -41,25 +30,29 @@ class EdgeTable {
         for (std::uint32_t lower = 0; lower + 1 < offsets_.size(); ++lower) {
             const std::uint32_t end = offsets_[lower + 1];
             for (std::uint32_t i = offsets_[lower]; i < end;) {
-                const std::uint32_t upper = upperNode(halfEdges_[i]);
+                const std::uint32_t upper = upperNode(ordered_[i]);
                 std::uint32_t j = i + 1;
-                while (j < end && upperNode(halfEdges_[j]) == upper) {
+                while (j < end && upperNode(ordered_[j]) == upper) {
                     ++j;
                 }
-                visit(NodeId{lower}, NodeId{upper}, std::span<const HalfEdge>(&halfEdges_[i], j - i));
+                visit(NodeId{lower}, NodeId{upper}, std::span<const HalfEdge>(&ordered_[i], j - i));
                 i = j;
             }
         }
     }
 
   private:
-    std::uint32_t lowerNode(HalfEdge h) const;
-    std::uint32_t upperNode(HalfEdge h) const;
+    std::uint32_t lowerNode(HalfEdge h) const {
+        return static_cast<std::uint32_t>(std::min(sides_.startOf(h), sides_.endOf(h)));
+    }
+    std::uint32_t upperNode(HalfEdge h) const {
+        return static_cast<std::uint32_t>(std::max(sides_.startOf(h), sides_.endOf(h)));
+    }
     void sortRow(std::uint32_t begin, std::uint32_t end);
 
-    const TriMesh *mesh_;
+    HalfEdges sides_;
     std::vector<std::uint32_t> offsets_;
-    std::vector<HalfEdge> halfEdges_;
+    std::vector<HalfEdge> ordered_;
 };
 
 } // namespace forefront

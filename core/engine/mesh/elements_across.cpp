@@ -15,7 +15,7 @@ struct Nearest {
 };
 
 /// Finds the nearest nodes on walls by a search that starts at all of them at once.
-Nearest nearestWall(const TriMesh &mesh, const MeshEdges &edges, const WallLoops &loops) {
+Nearest nearestWall(const MeshView &mesh, const MeshEdges &edges, const WallLoops &loops) {
     std::vector<std::uint32_t> offsets(mesh.nodes.size() + 1, 0);
     for (const MeshEdge &edge : edges.edges) {
         ++offsets[index(edge.a) + 1];
@@ -54,7 +54,7 @@ Nearest nearestWall(const TriMesh &mesh, const MeshEdges &edges, const WallLoops
 
 } // namespace
 
-std::vector<double> elementsAcross(const TriMesh &mesh, const MeshEdges &edges) {
+std::vector<double> elementsAcross(const MeshView &mesh, const MeshEdges &edges) {
     const WallLoops loops(mesh, edges);
     const Nearest nearest = nearestWall(mesh, edges, loops);
     std::vector<double> values(edges.edges.size(), std::numeric_limits<double>::quiet_NaN());

@@ -11,6 +11,6 @@ namespace forefront {
 /// edges such as constraints. The minimum is the number of elements across the narrowest gap or layer. Two nodes face
 /// each other if they lie on different loops of walls, or if the distance along their loop is more than four times the
 /// straight distance, so that corners of more than about 30 degrees are no gaps. O(n log n).
-std::vector<double> elementsAcross(const TriMesh &mesh, const MeshEdges &edges);
+std::vector<double> elementsAcross(const MeshView &mesh, const MeshEdges &edges);
 
 } // namespace forefront

@@ -10,9 +10,11 @@ constexpr double kNoMaximum = std::numeric_limits<double>::infinity();
 constexpr double kTiny = std::numeric_limits<double>::min();
 
 constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
-    {"minimum angle", "minAngle", Measure::MinAngle, true, 0.0, 60.0, "Smallest angle allowed, in degrees"},
+    {"minimum angle", "minAngle", Measure::MinAngle, true, 0.0, 90.0, "Smallest angle allowed, in degrees"},
     {"maximum angle", "maxAngle", Measure::MaxAngle, false, 60.0, 180.0, "Largest angle allowed, in degrees"},
     {"minimum \xce\xb1", "minAlpha", Measure::ShapeFactor, true, 0.0, 1.0, "Smallest shape factor \xce\xb1 allowed"},
+    {"minimum scaled Jacobian", "minScaledJacobian", Measure::ScaledJacobian, true, 0.0, 1.0,
+     "Smallest scaled Jacobian allowed: 1 for equilateral triangles and squares, 0 for flat elements"},
     {"maximum growth", "maxGrowth", Measure::AreaRatio, false, 1.0, 1e6,
      "Largest ratio allowed between the areas of elements that share an edge"},
     {"minimum edge length", "minLength", Measure::Length, true, kTiny, kNoMaximum, "Shortest edge allowed"},
@@ -31,7 +33,7 @@ bool breaks(const LimitInfo &info, double bound, double value) {
     return info.isMinimum ? value < bound - slack : value > bound + slack;
 }
 
-LimitVerdict verdictOf(MeshLimit limit, double bound, const TriMesh &mesh, const MeshEdges &edges,
+LimitVerdict verdictOf(MeshLimit limit, double bound, const MeshView &mesh, const MeshEdges &edges,
                        const std::vector<double> &values, std::size_t places) {
     const LimitInfo &info = limitInfo(limit);
     LimitVerdict verdict;
@@ -93,7 +95,7 @@ std::string limitFault(MeshLimit limit, double value) {
     return "expected " + range + ", got " + numberText(value, 6);
 }
 
-std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
+std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshEdges &edges, const MeshLimits &limits,
                                       const SpacingField *spacing, std::size_t places) {
     std::vector<LimitVerdict> verdicts;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
@@ -105,7 +107,7 @@ std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshEdges &edge
     return verdicts;
 }
 
-std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
+std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshLimits &limits, const SpacingField *spacing,
                                       std::size_t places) {
     return limits.any() ? checkLimits(mesh, edgesOf(mesh), limits, spacing, places) : std::vector<LimitVerdict>();
 }

@@ -21,6 +21,7 @@ enum class MeshLimit : std::uint8_t {
     MinAngle,
     MaxAngle,
     MinAlpha,
+    MinScaledJacobian,
     MaxGrowth,
     MinLength,
     MaxLength,
@@ -33,9 +34,9 @@ enum class MeshLimit : std::uint8_t {
 template <>
 struct EnumWords<MeshLimit> {
     static constexpr auto kLast = MeshLimit::MaxValence;
-    static constexpr std::array<std::string_view, 9> kList = {"min-angle",  "max-angle",  "min-alpha",
-                                                              "max-growth", "min-length", "max-length",
-                                                              "min-delta",  "min-across", "max-valence"};
+    static constexpr std::array<std::string_view, 10> kList = {
+        "min-angle",  "max-angle",  "min-alpha", "min-scaled-jacobian", "max-growth",
+        "min-length", "max-length", "min-delta", "min-across",          "max-valence"};
 };
 
 /// The description of a limit.
@@ -61,7 +62,7 @@ struct MeshLimits {
     friend bool operator==(const MeshLimits &, const MeshLimits &) = default;
 };
 
-/// Returns what is wrong with the value of a limit, "expected a number from 0 to 60, got 70"; empty if it is valid.
+/// Returns what is wrong with the value of a limit, "expected a number from 0 to 90, got 100"; empty if it is valid.
 std::string limitFault(MeshLimit limit, double value);
 
 /// A part of a mesh that violates a limit.
@@ -87,10 +88,10 @@ struct LimitVerdict {
 
 /// Checks a mesh against the limits that are set, in their order. A value within a relative 1e-9 of a limit meets it,
 /// so that rounding does not decide. Verdicts list at most `places` places. `spacing`: may be null.
-std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
+std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshLimits &limits, const SpacingField *spacing,
                                       std::size_t places = 20);
 /// Checks as above, with the edges of the mesh already known.
-std::vector<LimitVerdict> checkLimits(const TriMesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
+std::vector<LimitVerdict> checkLimits(const MeshView &mesh, const MeshEdges &edges, const MeshLimits &limits,
                                       const SpacingField *spacing, std::size_t places = 20);
 
 /// Returns the verdict as a line: "minimum angle 25°: violated by 3 of 1200 elements, worst 12.3° at (1.5, 2)".

@@ -2,10 +2,8 @@
 
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/elements_across.hpp"
-#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
-
-#include <numbers>
 
 namespace forefront {
 
@@ -18,11 +16,15 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kMeasureInfos = {{
     {"Shape factor", "\xce\xb1", "", MeshPart::Elements, BadEnd::Low, false, -1.0, 1.0,
      "Shape factor \xce\xb1 = 4\xe2\x88\x9a"
      "3\xc2\xb7"
-     "area/\xce\xa3l\xc2\xb2 of each element: 1 if equilateral, 0 if flat, negative if inverted"},
-    {"Minimum angle", "min \xe2\x88\xa0", "\xc2\xb0", MeshPart::Elements, BadEnd::Low, false, 0.0, 60.0,
-     "Smallest angle of each element; 0 if it is flat or inverted"},
+     "area/\xce\xa3l\xc2\xb2 of each triangle, and the minimum over the corner triangles of a quadrilateral: 1 if "
+     "equilateral or square, 0 if flat, negative if inverted"},
+    {"Scaled Jacobian", "SJ", "", MeshPart::Elements, BadEnd::Low, false, -1.0, 1.0,
+     "Minimum over the corners of each element of the sine of the angle, scaled to 1 for equilateral triangles and "
+     "squares, times the distortion by curved edges; not positive if the element folds over itself"},
+    {"Minimum angle", "min \xe2\x88\xa0", "\xc2\xb0", MeshPart::Elements, BadEnd::Low, false, 0.0, 90.0,
+     "Smallest angle of each element; 0 if it is flat, inverted or not convex"},
     {"Maximum angle", "max \xe2\x88\xa0", "\xc2\xb0", MeshPart::Elements, BadEnd::High, false, 60.0, 180.0,
-     "Largest angle of each element; 180 if it is flat or inverted"},
+     "Largest angle of each element; 180 if it is flat, inverted or not convex"},
     {"Area", "area", "", MeshPart::Elements, BadEnd::None, true, -kUnbounded, kUnbounded,
      "Area of each element; negative if it is inverted"},
     {"Area ratio", "growth", "", MeshPart::Elements, BadEnd::High, true, 1.0, kUnbounded,
@@ -37,48 +39,23 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kMeasureInfos = {{
      "Number of elements between facing parts of the boundary, interfaces and constraints, counted through each edge "
      "halfway between them"},
     {"Valence", "valence", "", MeshPart::Nodes, BadEnd::High, false, 0.0, kUnbounded,
-     "Number of elements around each node; 6 is ideal for interior nodes"},
+     "Number of elements around each node; 6 triangles or 4 quadrilaterals are ideal for interior nodes"},
     {"Region", "region", "", MeshPart::Elements, BadEnd::None, false, 1.0, kUnbounded, "Region tag of each element"},
     {"Creation order", "birth", "", MeshPart::Elements, BadEnd::None, false, 0.0, kUnbounded,
      "Number of each element: its position in the file or, until the mesh is improved, the order in which the front "
      "made it"},
 }};
 
-double degrees(double radians) {
-    return radians * 180.0 / std::numbers::pi;
-}
-
-/// Returns an angle of a triangle in degrees from the dot product of the sides at its tip.
-double angleAt(Vec2 tip, Vec2 b, Vec2 c, double twiceArea) {
-    return degrees(std::atan2(twiceArea, dot(b - tip, c - tip)));
-}
-
-/// The corners of an element.
-struct Corners {
-    Corners(const TriMesh &mesh, const Element &e)
-        : a(mesh.nodes[index(e[0])]), b(mesh.nodes[index(e[1])]), c(mesh.nodes[index(e[2])]) {}
-    double twiceArea() const { return cross(b - a, c - a); }
-    std::array<double, 3> angles() const {
-        const double twice = twiceArea();
-        if (!(twice > 0.0)) {
-            return {0.0, 0.0, 180.0};
-        }
-        return {angleAt(a, b, c, twice), angleAt(b, c, a, twice), angleAt(c, a, b, twice)};
-    }
-    Vec2 a, b, c;
-};
-
 template <class Value>
-std::vector<double> perElement(const TriMesh &mesh, Value &&value) {
-    std::vector<double> values(mesh.elements.size());
-    for (std::size_t e = 0; e < values.size(); ++e) {
-        values[e] = value(Corners(mesh, mesh.elements[e]));
-    }
+std::vector<double> perElement(const MeshView &mesh, Value &&value) {
+    std::vector<double> values(mesh.elementCount());
+    forEachCell(mesh, [&](const PlacedCell &cell, std::size_t e) { values[e] = value(cell); });
     return values;
 }
 
-std::vector<double> areaRatios(const TriMesh &mesh, const MeshEdges &edges) {
-    const std::vector<double> areas = perElement(mesh, [](const Corners &t) { return std::abs(t.twiceArea()); });
+std::vector<double> areaRatios(const MeshView &mesh, const MeshEdges &edges) {
+    const std::vector<double> areas =
+        perElement(mesh, [](const PlacedCell &cell) { return std::abs(twiceArea(cell)); });
     std::vector<double> ratios(areas.size(), kNone);
     for (const MeshEdge &edge : edges.edges) {
         if (edge.elements[1] == kNoElement) {
@@ -93,16 +70,16 @@ std::vector<double> areaRatios(const TriMesh &mesh, const MeshEdges &edges) {
     return ratios;
 }
 
-std::vector<double> lengths(const TriMesh &mesh, const MeshEdges &edges) {
+std::vector<double> lengths(const MeshView &mesh, const MeshEdges &edges) {
     std::vector<double> values(edges.edges.size());
     for (std::size_t k = 0; k < values.size(); ++k) {
-        values[k] = distance(mesh.nodes[index(edges.edges[k].a)], mesh.nodes[index(edges.edges[k].b)]);
+        values[k] = edgeLength(mesh.nodes, edges.edges[k].a, edges.edges[k].middle, edges.edges[k].b);
     }
     return values;
 }
 
 /// Returns the lengths of the edges divided by ρ at their middles.
-std::vector<double> lengthsOverSpacing(const TriMesh &mesh, const MeshEdges &edges, const SpacingField &spacing) {
+std::vector<double> lengthsOverSpacing(const MeshView &mesh, const MeshEdges &edges, const SpacingField &spacing) {
     constexpr std::size_t kBlock = 512;
     std::array<Vec2, kBlock> middles;
     std::array<double, kBlock> rho;
@@ -120,11 +97,13 @@ std::vector<double> lengthsOverSpacing(const TriMesh &mesh, const MeshEdges &edg
     return values;
 }
 
-std::vector<double> valences(const TriMesh &mesh) {
+std::vector<double> valences(const MeshView &mesh) {
     std::vector<double> values(mesh.nodes.size(), 0.0);
-    for (const Element &element : mesh.elements) {
-        for (const NodeId node : element) {
-            values[index(node)] += 1.0;
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            for (const NodeId corner : block.nodesOf(k).first(block.traits().corners)) {
+                values[index(corner)] += 1.0;
+            }
         }
     }
     std::replace(values.begin(), values.end(), 0.0, kNone);
@@ -145,35 +124,41 @@ const MeasureInfo &infoOf(Measure measure) {
     return kMeasureInfos[static_cast<std::size_t>(measure)];
 }
 
-MeshEdges edgesOf(const TriMesh &mesh) {
+MeshEdges edgesOf(const MeshView &mesh) {
     MeshEdges result;
-    result.edges.reserve(mesh.nodes.size() + mesh.elements.size());
-    result.ofElement.resize(mesh.elements.size());
-    EdgeTable(mesh).forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
+    result.edges.reserve(mesh.nodes.size() + mesh.elementCount());
+    const EdgeTable table(mesh);
+    const HalfEdges &halfEdges = table.halfEdges();
+    result.halfEdges = HalfEdgeNumbers(mesh);
+    result.ofHalfEdge.resize(halfEdges.count());
+    table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
         const auto number = static_cast<std::uint32_t>(result.edges.size());
         MeshEdge edge{a, b};
         for (std::size_t i = 0; i < sides.size(); ++i) {
-            result.ofElement[elementOf(sides[i])][sideOf(sides[i])] = number;
+            result.ofHalfEdge[sides[i]] = number;
             if (i < 2) {
-                edge.elements[i] = ElementId{static_cast<std::uint32_t>(elementOf(sides[i]))};
+                edge.elements[i] = ElementId{static_cast<std::uint32_t>(halfEdges.elementOf(sides[i]))};
             }
         }
+        edge.middle = halfEdges.middleOf(sides[0]);
         result.edges.push_back(edge);
     });
     return result;
 }
 
-std::vector<double> measureValues(Measure measure, const TriMesh &mesh, const MeshEdges &edges,
+std::vector<double> measureValues(Measure measure, const MeshView &mesh, const MeshEdges &edges,
                                   const SpacingField *spacing) {
     switch (measure) {
     case Measure::ShapeFactor:
-        return perElement(mesh, [](const Corners &t) { return shapeFactor(t.a, t.b, t.c); });
+        return perElement(mesh, [](const PlacedCell &cell) { return shapeFactor(cell); });
+    case Measure::ScaledJacobian:
+        return perElement(mesh, scaledJacobian);
     case Measure::MinAngle:
-        return perElement(mesh, [](const Corners &t) { return std::ranges::min(t.angles()); });
+        return perElement(mesh, [](const PlacedCell &cell) { return anglesOf(cell).smallest; });
     case Measure::MaxAngle:
-        return perElement(mesh, [](const Corners &t) { return std::ranges::max(t.angles()); });
+        return perElement(mesh, [](const PlacedCell &cell) { return anglesOf(cell).largest; });
     case Measure::Area:
-        return perElement(mesh, [](const Corners &t) { return 0.5 * t.twiceArea(); });
+        return perElement(mesh, [](const PlacedCell &cell) { return 0.5 * twiceArea(cell); });
     case Measure::AreaRatio:
         return areaRatios(mesh, edges);
     case Measure::Length:
@@ -194,22 +179,21 @@ std::vector<double> measureValues(Measure measure, const TriMesh &mesh, const Me
     case Measure::Valence:
         return valences(mesh);
     case Measure::Region:
-        return perElementIndex(mesh.elements.size(), [&](std::size_t e) { return mesh.region(e); });
+        return perElementIndex(mesh.elementCount(), [&](std::size_t e) { return mesh.region(e); });
     case Measure::Birth:
-        return perElementIndex(mesh.elements.size(), [](std::size_t e) { return e; });
+        return perElementIndex(mesh.elementCount(), [](std::size_t e) { return e; });
     }
     return {};
 }
 
-Vec2 placeOf(const TriMesh &mesh, const MeshEdges &edges, MeshPart part, std::size_t number) {
+Vec2 placeOf(const MeshView &mesh, const MeshEdges &edges, MeshPart part, std::size_t number) {
     switch (part) {
-    case MeshPart::Elements: {
-        const Corners t(mesh, mesh.elements[number]);
-        return (1.0 / 3.0) * (t.a + t.b + t.c);
-    }
+    case MeshPart::Elements:
+        return PlacedCell(mesh, number).centre();
     case MeshPart::Edges: {
         const MeshEdge &edge = edges.edges[number];
-        return midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+        return edge.middle != kNoNode ? mesh.nodes[index(edge.middle)]
+                                      : midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
     }
     case MeshPart::Nodes:
         break;

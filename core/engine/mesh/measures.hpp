@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
+#include "core/engine/mesh/half_edges.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ struct EnumWords<MeshPart> {
 /// A quantity that describes the quality of a mesh. infoOf() describes each one.
 enum class Measure : std::uint8_t {
     ShapeFactor,
+    ScaledJacobian,
     MinAngle,
     MaxAngle,
     Area,
@@ -46,9 +48,9 @@ enum class Measure : std::uint8_t {
 template <>
 struct EnumWords<Measure> {
     static constexpr auto kLast = Measure::Birth;
-    static constexpr std::array<std::string_view, 12> kList = {"alpha",      "min-angle", "max-angle", "area",
-                                                               "area-ratio", "length",    "size",      "delta",
-                                                               "across",     "valence",   "region",    "birth"};
+    static constexpr std::array<std::string_view, 13> kList = {
+        "alpha", "scaled-jacobian", "min-angle", "max-angle", "area",   "area-ratio", "length",
+        "size",  "delta",           "across",    "valence",   "region", "birth"};
 };
 
 /// The end of a measure's range at which values are bad.
@@ -79,25 +81,35 @@ const MeasureInfo &infoOf(Measure measure);
 struct MeshEdge {
     NodeId a = kNoNode, b = kNoNode;                              ///< a < b
     std::array<ElementId, 2> elements = {kNoElement, kNoElement}; ///< the second is kNoElement at the boundary
+    NodeId middle = kNoNode;                                      ///< of an edge of 3 nodes
 };
 
 /// All edges of a mesh, ordered by their nodes.
 struct MeshEdges {
     std::vector<MeshEdge> edges;
-    std::vector<std::array<std::uint32_t, 3>> ofElement; ///< its edge k joins its nodes k and (k+1)%3
+    HalfEdgeNumbers halfEdges;             ///< those of the mesh
+    std::vector<std::uint32_t> ofHalfEdge; ///< per half-edge, the index of its edge
+
+    /// Returns the index of edge k of an element, which joins its corner k to the next.
+    std::uint32_t of(std::size_t element, std::size_t k) const { return ofHalfEdge[halfEdges.of(element, k)]; }
+    /// Returns the indices of the edges of an element, in order.
+    std::span<const std::uint32_t> of(std::size_t element) const {
+        return std::span(ofHalfEdge).subspan(halfEdges.of(element, 0), halfEdges.sidesOf(element));
+    }
 };
 
 /// Returns the edges of a mesh. Edges with more than two elements keep the first two.
-MeshEdges edgesOf(const TriMesh &mesh);
+MeshEdges edgesOf(const MeshView &mesh);
 
 /// Returns the values of a measure, one for each part of its kind, in order; NaN where a part has none: the area ratio
-/// of an element without neighbours, the valence of a node without elements. `edges`: those of the mesh. Without a
+/// of an element without neighbours, the valence of a node that is no corner of an element. The measures of elements
+/// are those of placed_cell.hpp; a curved edge has the length of its curve. `edges`: those of the mesh. Without a
 /// spacing, the measures that compare with ρ have no values and the result is empty.
-std::vector<double> measureValues(Measure measure, const TriMesh &mesh, const MeshEdges &edges,
+std::vector<double> measureValues(Measure measure, const MeshView &mesh, const MeshEdges &edges,
                                   const SpacingField *spacing);
 
-/// Returns the place of a part: the centroid of an element, the middle of an edge, a node.
-Vec2 placeOf(const TriMesh &mesh, const MeshEdges &edges, MeshPart part, std::size_t index);
+/// Returns the place of a part: the centre of an element, the middle of an edge, a node.
+Vec2 placeOf(const MeshView &mesh, const MeshEdges &edges, MeshPart part, std::size_t index);
 
 /// Returns the value below which the given fraction of the values lies: that of rank ⌊fraction·(n−1)⌋, counted from 0.
 /// Reorders the values, of which there must be at least one.

@@ -3,10 +3,10 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/paced_progress.hpp"
 #include "core/engine/domain/unused_tag.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/mesh/topology.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -17,20 +17,23 @@ namespace {
 
 class MeshOutline {
   public:
-    MeshOutline(const TriMesh &mesh, const Progress &progress)
-        : mesh_(mesh), numbers_(mesh.nodes.size(), kNoIndex), tagged_(mesh.nodes.size(), false),
-          progress_(progress, "finding the outline", 2 * mesh.elements.size()) {}
+    MeshOutline(const MeshView &mesh, const Progress &progress)
+        : mesh_(mesh), sides_(mesh), numbers_(mesh.nodes.size(), kNoIndex), tagged_(mesh.nodes.size(), false),
+          progress_(progress, "finding the outline", 2 * mesh.elementCount()) {}
 
     Result<Domain> run() {
         collectTags();
         chooseTagsOfUnnamed();
-        if (!mesh_.elements.empty() && !elementEdges()) {
+        domain_.curves.assign(mesh_.curves.begin(), mesh_.curves.end());
+        if (mesh_.elementCount() != 0 && !elementEdges()) {
             return cancelled("finding the outline");
         }
         for (std::size_t k = 0; k < tags_.size(); ++k) {
             if (!used_[k]) {
-                addSegment(NodeId{tags_[k].a}, NodeId{tags_[k].b}, tags_[k].tag,
-                           mesh_.elements.empty() ? SegmentRole::Boundary : SegmentRole::Constraint, tags_[k].stretch);
+                const NodeId a{tags_[k].a}, b{tags_[k].b};
+                addSegment(a, b, tags_[k].tag,
+                           mesh_.elementCount() == 0 ? SegmentRole::Boundary : SegmentRole::Constraint,
+                           stretchOf(tags_[k], a, b, tags_[k].middle));
             }
         }
         for (const TaggedNode &point : mesh_.points) {
@@ -38,7 +41,6 @@ class MeshOutline {
         }
         domain_.boundaryNames = mesh_.boundaryNames;
         domain_.regionNames = mesh_.regionNames;
-        domain_.curves = mesh_.curves;
         return std::move(domain_);
     }
 
@@ -47,6 +49,7 @@ class MeshOutline {
         std::uint32_t low, high, a, b;
         std::int32_t tag;
         CurveStretch stretch; ///< from a to b
+        NodeId middle;
         auto key() const { return std::tuple(low, high); }
     };
 
@@ -56,7 +59,7 @@ class MeshOutline {
             const auto a = static_cast<std::uint32_t>(mesh_.edges[k].a);
             const auto b = static_cast<std::uint32_t>(mesh_.edges[k].b);
             const CurveStretch stretch = k < mesh_.edgeStretches.size() ? mesh_.edgeStretches[k] : CurveStretch();
-            tags_.push_back({std::min(a, b), std::max(a, b), a, b, mesh_.edges[k].tag, stretch});
+            tags_.push_back({std::min(a, b), std::max(a, b), a, b, mesh_.edges[k].tag, stretch, mesh_.edges[k].middle});
             tagged_[a] = tagged_[b] = true;
         }
         std::stable_sort(tags_.begin(), tags_.end(),
@@ -95,38 +98,40 @@ class MeshOutline {
 
     /// Returns false once cancelled.
     bool elementEdges() {
-        neighbours_ = elementNeighbours(mesh_);
-        divides_.resize(neighbours_.size());
-        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+        opposite_ = oppositeHalfEdges(EdgeTable(mesh_));
+        divides_.assign(opposite_.size(), false);
+        for (std::size_t e = 0; e < mesh_.elementCount(); ++e) {
             if (!progress_.next()) {
                 return false;
             }
-            for (std::size_t k = 0; k < 3; ++k) {
-                elementEdge(e, k);
+            const HalfEdge begin = sides_.of(e, 0), end = begin + sides_.sidesOf(e);
+            for (HalfEdge h = begin; h < end; ++h) {
+                elementEdge(e, h);
             }
         }
-        const bool named = !mesh_.regionNames.empty() ||
-                           std::any_of(mesh_.regions.begin(), mesh_.regions.end(), [](auto tag) { return tag != 1; });
+        const auto isNamed = [](const MeshView::Block &block) {
+            return std::any_of(block.regions.begin(), block.regions.end(), [](std::int32_t tag) { return tag != 1; });
+        };
+        const bool named =
+            !mesh_.regionNames.empty() || std::any_of(mesh_.blocks().begin(), mesh_.blocks().end(), isNamed);
         return !named || regionMarkers();
     }
 
-    void elementEdge(std::size_t e, std::size_t k) {
-        const ElementId neighbour = neighbours_[e][k];
-        const NodeId a = mesh_.elements[e][k];
-        const NodeId b = mesh_.elements[e][(k + 1) % 3];
+    void elementEdge(std::size_t e, HalfEdge h) {
+        const bool outer = opposite_[h] == kNoHalfEdge;
+        const NodeId a = sides_.startOf(h), b = sides_.endOf(h);
         const std::size_t found = findTag(a, b);
         const bool tagged = found < tags_.size();
-        const bool outer = neighbour == kNoElement;
-        if (!outer && !tagged && mesh_.region(e) == mesh_.region(index(neighbour))) {
+        if (!outer && !tagged && mesh_.region(e) == mesh_.region(sides_.elementOf(opposite_[h]))) {
             return;
         }
-        divides_[e][k] = true;
+        divides_[h] = true;
         if (tagged && used_[found]) {
             return;
         }
         if (tagged) {
             used_[found] = true;
-        } else if (!outer && index(neighbour) < e) {
+        } else if (!outer && opposite_[h] < h) {
             return;
         }
         addSegment(a, b,
@@ -134,14 +139,34 @@ class MeshOutline {
                    : outer ? outerTag_
                            : interfaceTag_,
                    outer ? SegmentRole::Boundary : SegmentRole::Constraint,
-                   !tagged                                           ? CurveStretch()
-                   : tags_[found].a == static_cast<std::uint32_t>(a) ? tags_[found].stretch
-                                                                     : tags_[found].stretch.reversed());
+                   tagged ? stretchOf(tags_[found], a, b, sides_.middleOf(h)) : parabola(a, b, sides_.middleOf(h)));
+    }
+
+    /// Returns the stretch of a tagged edge from a to b: the one that the mesh knows, else that through its middle.
+    CurveStretch stretchOf(const Tagged &tagged, NodeId a, NodeId b, NodeId middle) {
+        if (!tagged.stretch.follows()) {
+            return parabola(a, b, middle);
+        }
+        return tagged.a == static_cast<std::uint32_t>(a) ? tagged.stretch : tagged.stretch.reversed();
+    }
+
+    /// Adds the parabola through the middle node of an edge, unless it is straight.
+    CurveStretch parabola(NodeId a, NodeId b, NodeId middle) {
+        if (middle == kNoNode) {
+            return {};
+        }
+        const Vec2 from = place(a), to = place(b), through = place(middle);
+        constexpr double kStraight = 1e-6; // of the chord: more than what files with few digits round
+        if (std::abs(cross(to - from, through - from)) <= kStraight * lengthSquared(to - from)) {
+            return {};
+        }
+        domain_.curves.push_back(Curve::quadratic(from, 2.0 * through - 0.5 * (from + to), to));
+        return {static_cast<std::uint32_t>(domain_.curves.size() - 1), 0.0, 1.0};
     }
 
     /// Places a marker in every face, in its largest element. Returns false once cancelled.
     bool regionMarkers() {
-        std::vector<bool> seen(mesh_.elements.size(), false);
+        std::vector<bool> seen(mesh_.elementCount(), false);
         std::vector<std::size_t> stack;
         for (std::size_t start = 0; start < seen.size(); ++start) {
             if (seen[start]) {
@@ -157,26 +182,25 @@ class MeshOutline {
                 const std::size_t e = stack.back();
                 stack.pop_back();
                 largest = area(e) > area(largest) ? e : largest;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const ElementId next = neighbours_[e][k];
-                    if (!divides_[e][k] && next != kNoElement && !seen[index(next)]) {
-                        seen[index(next)] = true;
-                        stack.push_back(index(next));
+                const HalfEdge begin = sides_.of(e, 0), end = begin + sides_.sidesOf(e);
+                for (HalfEdge h = begin; h < end; ++h) {
+                    if (divides_[h] || opposite_[h] == kNoHalfEdge) {
+                        continue;
+                    }
+                    const std::size_t next = sides_.elementOf(opposite_[h]);
+                    if (!seen[next]) {
+                        seen[next] = true;
+                        stack.push_back(next);
                     }
                 }
             }
-            const Element &nodes = mesh_.elements[largest];
-            const Vec2 sum = place(nodes[0]) + place(nodes[1]) + place(nodes[2]);
-            domain_.regionMarkers.push_back({(1.0 / 3.0) * sum, mesh_.region(largest)});
+            domain_.regionMarkers.push_back({PlacedCell(mesh_, largest).centre(), mesh_.region(largest)});
         }
         return true;
     }
 
     Vec2 place(NodeId node) const { return mesh_.nodes[index(node)]; }
-    double area(std::size_t e) const {
-        const Element &nodes = mesh_.elements[e];
-        return std::abs(cross(place(nodes[1]) - place(nodes[0]), place(nodes[2]) - place(nodes[0])));
-    }
+    double area(std::size_t e) const { return std::abs(twiceArea(PlacedCell(mesh_, e))); }
 
     std::uint32_t number(NodeId node) {
         std::uint32_t &number = numbers_[index(node)];
@@ -191,24 +215,25 @@ class MeshOutline {
         domain_.segments.push_back({from, to, tag, role, stretch});
     }
 
-    const TriMesh &mesh_;
+    const MeshView &mesh_;
+    HalfEdges sides_;
     std::vector<std::uint32_t> numbers_; ///< per node of the mesh: its index in the domain
     std::vector<bool> tagged_;           ///< per node of the mesh: it is on an edge with a tag
     std::vector<Tagged> tags_;
     std::vector<bool> used_;
     std::int32_t outerTag_ = 1;     ///< for outer edges without a tag
     std::int32_t interfaceTag_ = 2; ///< for interfaces without a tag
-    std::vector<std::array<ElementId, 3>> neighbours_;
-    std::vector<std::array<bool, 3>> divides_;
+    std::vector<HalfEdge> opposite_;
+    std::vector<bool> divides_; ///< per half-edge: it is on a segment
     PacedProgress progress_;
     Domain domain_;
 };
 
 } // namespace
 
-Result<Domain> domainOfMesh(const TriMesh &mesh, const Progress &progress) {
-    if (mesh.elements.empty() && mesh.edges.empty()) {
-        return error("empty-domain", "the mesh has neither triangles nor lines that could bound a domain");
+Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress) {
+    if (mesh.elementCount() == 0 && mesh.edges.empty()) {
+        return error("empty-domain", "the mesh has neither elements nor lines that could bound a domain");
     }
     return MeshOutline(mesh, progress).run();
 }

@@ -3,13 +3,14 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 
 namespace forefront {
 
 /// Returns the domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges
 /// and points, with tags and names, and a marker in every face. Outer edges without a tag share the lowest unused tag,
-/// interfaces without a tag the next one. Errors: empty-domain, "cancelled".
-Result<Domain> domainOfMesh(const TriMesh &mesh, const Progress &progress = {});
+/// interfaces without a tag the next one. An edge of 3 nodes follows the parabola through its middle node, unless that
+/// is closer to the chord than a millionth of its length. Errors: empty-domain, "cancelled".
+Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress = {});
 
 } // namespace forefront

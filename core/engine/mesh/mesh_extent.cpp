@@ -1,10 +1,9 @@
 #include "core/engine/mesh/mesh_extent.hpp"
 
 #include "core/engine/base/ids.hpp"
-#include "core/engine/geometry/polygon.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace forefront {
@@ -34,21 +33,19 @@ class ConnectedNodes {
     std::vector<std::uint32_t> parent_;
 };
 
-double areaOf(const TriMesh &mesh, const Element &e) {
-    return signedArea(std::array{mesh.nodes[index(e[0])], mesh.nodes[index(e[1])], mesh.nodes[index(e[2])]});
-}
-
-std::vector<RegionExtent> regionsOf(const TriMesh &mesh) {
+std::vector<RegionExtent> regionsOf(const MeshView &mesh) {
     std::map<std::int32_t, RegionExtent> regions;
     RegionExtent *region = nullptr; // that of the last element, since most neighbours have the same
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        const std::int32_t tag = mesh.region(e);
-        if (region == nullptr || region->tag != tag) {
-            region = &regions[tag];
-            region->tag = tag;
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            const std::int32_t tag = block.region(k);
+            if (region == nullptr || region->tag != tag) {
+                region = &regions[tag];
+                region->tag = tag;
+            }
+            ++region->elements;
+            region->area += 0.5 * twiceArea(PlacedCell(block, k, mesh.nodes));
         }
-        ++region->elements;
-        region->area += areaOf(mesh, mesh.elements[e]);
     }
     std::vector<RegionExtent> found;
     for (auto &[tag, extent] : regions) {
@@ -59,12 +56,12 @@ std::vector<RegionExtent> regionsOf(const TriMesh &mesh) {
     return found;
 }
 
-std::vector<BoundaryExtent> boundariesOf(const TriMesh &mesh) {
+std::vector<BoundaryExtent> boundariesOf(const MeshView &mesh) {
     std::map<std::int32_t, BoundaryExtent> boundaries;
     for (const TaggedEdge &edge : mesh.edges) {
         BoundaryExtent &boundary = boundaries[edge.tag];
         ++boundary.edges;
-        boundary.length += distance(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+        boundary.length += edgeLength(mesh.nodes, edge.a, edge.middle, edge.b);
     }
     std::vector<BoundaryExtent> found;
     for (auto &[tag, extent] : boundaries) {
@@ -78,13 +75,17 @@ std::vector<BoundaryExtent> boundariesOf(const TriMesh &mesh) {
 
 } // namespace
 
-MeshExtent extentOf(const TriMesh &mesh, std::size_t edges) {
+MeshExtent extentOf(const MeshView &mesh, std::size_t edges) {
     ConnectedNodes connected(mesh.nodes.size());
     std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
-    for (const Element &e : mesh.elements) {
-        used[index(e[0])] = used[index(e[1])] = used[index(e[2])] = 1;
-        connected.join(e[0], e[1]);
-        connected.join(e[0], e[2]);
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            const std::span<const NodeId> corners = block.nodesOf(k).first(block.traits().corners);
+            for (const NodeId corner : corners) {
+                used[index(corner)] = 1;
+                connected.join(corners[0], corner);
+            }
+        }
     }
     MeshExtent extent;
     std::size_t nodes = 0;
@@ -93,7 +94,7 @@ MeshExtent extentOf(const TriMesh &mesh, std::size_t edges) {
         extent.parts += used[node] != 0 && connected.isRoot(node) ? 1 : 0;
     }
     extent.holes =
-        extent.parts + edges - nodes - mesh.elements.size(); // Euler: nodes - edges + elements + holes = parts
+        extent.parts + edges - nodes - mesh.elementCount(); // Euler: nodes - edges + elements + holes = parts
     extent.regions = regionsOf(mesh);
     extent.boundaries = boundariesOf(mesh);
     return extent;

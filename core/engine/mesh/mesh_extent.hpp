@@ -34,8 +34,8 @@ struct MeshExtent {
     std::vector<BoundaryExtent> boundaries; ///< by ascending tag
 };
 
-/// Measures what a valid mesh covers. `edges`: the number of different edges of its elements, as in
-/// MeshQuality::segments. Holes are counted by Euler's formula.
-MeshExtent extentOf(const TriMesh &mesh, std::size_t edges);
+/// Measures what a valid mesh covers, curved edges as they are. `edges`: the number of different edges of its elements,
+/// as in MeshQuality::segments. Holes are counted by Euler's formula.
+MeshExtent extentOf(const MeshView &mesh, std::size_t edges);
 
 } // namespace forefront

@@ -2,6 +2,7 @@
 
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/mesh/shape_tally.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
@@ -21,12 +22,16 @@ double spacingConformity(double segmentLength, double rho) {
     return segmentLength < rho ? segmentLength / rho : rho / segmentLength;
 }
 
-std::vector<float> shapeFactors(const TriMesh &mesh) {
-    std::vector<float> alpha(mesh.elements.size());
-    for (std::size_t e = 0; e < alpha.size(); ++e) {
-        const Element &n = mesh.elements[e];
-        alpha[e] =
-            static_cast<float>(shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
+std::vector<float> shapeFactors(const MeshView &mesh) {
+    std::vector<float> alpha(mesh.elementCount());
+    for (const MeshView::Block &block : mesh.blocks()) {
+        const std::size_t step = block.traits().nodes;
+        const NodeId *n = block.connectivity.data();
+        for (std::size_t k = 0, count = block.size(); k < count; ++k, n += step) {
+            alpha[block.first + k] = static_cast<float>(
+                step == 3 ? shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])])
+                          : shapeFactor(PlacedCell(block, k, mesh.nodes)));
+        }
     }
     return alpha;
 }
@@ -69,22 +74,31 @@ class ConformityMean {
     double sum_ = 0.0;
 };
 
-void measureShapes(const TriMesh &mesh, MeshQuality &quality) {
+void measureShapes(const MeshView &mesh, MeshQuality &quality) {
     ShapeTally tally;
-    for (const Element &n : mesh.elements) {
-        tally.add(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
+    for (const MeshView::Block &block : mesh.blocks()) {
+        if (block.kind == CellKind::Triangle3) {
+            const NodeId *const end = block.connectivity.data() + block.connectivity.size();
+            for (const NodeId *n = block.connectivity.data(); n != end; n += 3) {
+                tally.add(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
+            }
+        } else {
+            for (std::size_t k = 0; k < block.size(); ++k) {
+                tally.add(PlacedCell(block, k, mesh.nodes));
+            }
+        }
     }
     tally.into(quality);
 }
 
-void measurePercentiles(const TriMesh &mesh, MeshQuality &quality) {
+void measurePercentiles(const MeshView &mesh, MeshQuality &quality) {
     std::vector<float> alpha = shapeFactors(mesh);
     quality.alpha50 = percentile(alpha, 0.50);
     quality.alpha5 = percentile(alpha, 0.05);
     quality.alpha1 = percentile(alpha, 0.01);
 }
 
-void measureEdges(const TriMesh &mesh, const SpacingField *spacing, MeshQuality &quality) {
+void measureEdges(const MeshView &mesh, const SpacingField *spacing, MeshQuality &quality) {
     std::optional<ConformityMean> conformity;
     if (spacing != nullptr) {
         conformity.emplace(*spacing);
@@ -102,9 +116,13 @@ void measureEdges(const TriMesh &mesh, const SpacingField *spacing, MeshQuality 
     quality.deltaMean = conformity ? conformity->mean() : 0.0;
 
     std::vector<std::uint32_t> elementsAt(mesh.nodes.size(), 0);
-    for (const Element &element : mesh.elements) {
-        for (const NodeId node : element) {
-            ++elementsAt[index(node)];
+    for (const MeshView::Block &block : mesh.blocks()) {
+        const std::size_t step = block.traits().nodes, corners = block.traits().corners;
+        const NodeId *const end = block.connectivity.data() + block.connectivity.size();
+        for (const NodeId *n = block.connectivity.data(); n != end; n += step) {
+            for (std::size_t k = 0; k < corners; ++k) {
+                ++elementsAt[index(n[k])];
+            }
         }
     }
     for (std::size_t n = 0; n < elementsAt.size(); ++n) {
@@ -116,11 +134,11 @@ void measureEdges(const TriMesh &mesh, const SpacingField *spacing, MeshQuality 
 
 } // namespace
 
-MeshQuality measureQuality(const TriMesh &mesh, const SpacingField *spacing) {
+MeshQuality measureQuality(const MeshView &mesh, const SpacingField *spacing) {
     MeshQuality quality;
     quality.nodes = mesh.nodes.size();
-    quality.elements = mesh.elements.size();
-    if (mesh.elements.empty()) {
+    quality.elements = mesh.elementCount();
+    if (mesh.elementCount() == 0) {
         return quality;
     }
     measureShapes(mesh, quality);

@@ -31,18 +31,21 @@ struct MeshQuality {
     double alpha1 = 0.0, alpha5 = 0.0, alpha50 = 0.0; ///< percentiles 1, 5 and 50 %
     double deltaMean = 0.0;                           ///< 0 without a spacing
     double minAngle = 0.0, maxAngle = 0.0;            ///< degrees
+    double minScaledJacobian = 0.0;
+    std::array<std::size_t, wordsOf<CellKind>().size()> kinds{}; ///< numbers of elements, by CellKind
     std::array<std::uint64_t, kHistogramBins>
         alphaHistogram{};                    ///< equal bins over [0, 1]; negative α counts in the first
-    std::array<std::uint64_t, 13> valence{}; ///< interior nodes by number of elements; the last counts 12 and more
+    std::array<std::uint64_t, 13> valence{}; ///< interior corners by number of elements; the last counts 12 and more
     ElementId worst = kNoElement;            ///< the element with minimum α
-    std::size_t flat = 0;                    ///< elements of no area, within the rounding of their nodes
+    std::size_t flat = 0;                    ///< elements with a corner of no area, within the rounding of their nodes
 };
 
-/// Returns the quality statistics of a mesh. δ is left out if `spacing` is null. Throws std::bad_alloc if memory runs
+/// Returns the quality statistics of a mesh. They come from the corners of its elements, except for the area and the
+/// scaled Jacobian; see placed_cell.hpp. δ is left out if `spacing` is null. Throws std::bad_alloc if memory runs
 /// out.
-MeshQuality measureQuality(const TriMesh &mesh, const SpacingField *spacing);
+MeshQuality measureQuality(const MeshView &mesh, const SpacingField *spacing);
 
 /// Returns α of every element.
-std::vector<float> shapeFactors(const TriMesh &mesh);
+std::vector<float> shapeFactors(const MeshView &mesh);
 
 } // namespace forefront

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace forefront {
 
-void ShapeTally::AngleRange::add(Vec2 a, Vec2 b, Vec2 c) {
+void ShapeTally::CotangentRange::add(Vec2 a, Vec2 b, Vec2 c) {
     const double twiceArea = cross(b - a, c - a);
     if (!(twiceArea > 0.0)) {
         flat_ = true;
@@ -19,6 +20,17 @@ void ShapeTally::AngleRange::add(Vec2 a, Vec2 b, Vec2 c) {
     minCot_ = std::min(minCot_, std::min({atA, atB, atC}) / twiceArea);
 }
 
+void ShapeTally::CotangentRange::addAt(Vec2 before, Vec2 tip, Vec2 after) {
+    const double turn = cross(after - tip, before - tip);
+    if (!(turn > 0.0)) {
+        flat_ = true;
+        return;
+    }
+    const double cotangent = dot(after - tip, before - tip) / turn;
+    maxCot_ = std::max(maxCot_, cotangent);
+    minCot_ = std::min(minCot_, cotangent);
+}
+
 namespace {
 
 double degreesOfCotangent(double cotangent) {
@@ -27,25 +39,27 @@ double degreesOfCotangent(double cotangent) {
 
 } // namespace
 
-double ShapeTally::AngleRange::min() const {
+double ShapeTally::CotangentRange::min() const {
     return flat_ ? 0.0 : degreesOfCotangent(maxCot_);
 }
 
-double ShapeTally::AngleRange::max() const {
+double ShapeTally::CotangentRange::max() const {
     return flat_ ? 180.0 : degreesOfCotangent(minCot_);
 }
 
-void ShapeTally::add(Vec2 a, Vec2 b, Vec2 c) {
-    const double alpha = shapeFactor(a, b, c);
+double ShapeTally::CotangentRange::sineOfMin() const {
+    return flat_                                                 ? 0.0
+           : maxCot_ == -std::numeric_limits<double>::infinity() ? std::numeric_limits<double>::infinity()
+                                                                 : 1.0 / std::sqrt(1.0 + maxCot_ * maxCot_);
+}
+
+void ShapeTally::addAlpha(double alpha) {
     sum_ += alpha;
-    twiceArea_ += cross(b - a, c - a);
-    angles_.add(a, b, c);
     if (alpha < minAlpha_) {
         minAlpha_ = alpha;
         worst_ = ElementId{static_cast<std::uint32_t>(count_)};
     }
     allPositive_ = allPositive_ && alpha > 0.0;
-    flat_ += isFlat(a, b, c) ? 1 : 0;
     if (alpha > 0.0) {
         product_.multiply(alpha);
     }
@@ -54,18 +68,49 @@ void ShapeTally::add(Vec2 a, Vec2 b, Vec2 c) {
     ++count_;
 }
 
+void ShapeTally::add(Vec2 a, Vec2 b, Vec2 c) {
+    const double twice = cross(b - a, c - a);
+    twiceArea_ += twice;
+    angles_.add(a, b, c);
+    if (!(twice > 0.0)) { // the angles know of those that are positive
+        PlacedCell cell;
+        cell.nodes = {a, b, c};
+        minScaledJacobian_ = std::min(minScaledJacobian_, scaledJacobian(cell));
+    }
+    flat_ += isFlat(a, b, c) ? 1 : 0;
+    addAlpha(shapeFactor(a, b, c));
+}
+
+void ShapeTally::add(const PlacedCell &cell) {
+    twiceArea_ += twiceArea(cell);
+    bool flat = false;
+    for (std::size_t k = 0; k < cell.corners().size(); ++k) {
+        cornerAngles_.addAt(cell.cornerBefore(k), cell.nodes[k], cell.cornerAfter(k));
+        flat = flat || isFlat(cell.cornerBefore(k), cell.nodes[k], cell.cornerAfter(k));
+    }
+    minScaledJacobian_ = std::min(minScaledJacobian_, scaledJacobian(cell));
+    flat_ += flat ? 1 : 0;
+    ++others_[static_cast<std::size_t>(cell.kind)];
+    addAlpha(shapeFactor(cell));
+}
+
 void ShapeTally::into(MeshQuality &quality) const {
     if (count_ == 0) {
         return;
     }
     const auto count = static_cast<double>(count_);
     quality.elements = count_;
+    quality.kinds = others_;
+    quality.kinds[static_cast<std::size_t>(CellKind::Triangle3)] =
+        count_ - std::accumulate(others_.begin(), others_.end(), std::size_t{0});
     quality.area = 0.5 * twiceArea_;
     quality.alphaMean = sum_ / count;
     quality.alphaGeometricMean = allPositive_ ? std::exp(product_.logarithm() / count) : 0.0;
     quality.alphaMin = minAlpha_;
-    quality.minAngle = angles_.min();
-    quality.maxAngle = angles_.max();
+    quality.minAngle = std::min(angles_.min(), cornerAngles_.min());
+    quality.maxAngle = std::max(angles_.max(), cornerAngles_.max());
+    constexpr double kEquilateralSine = 0.5 * std::numbers::sqrt3;
+    quality.minScaledJacobian = std::min(minScaledJacobian_, angles_.sineOfMin() / kEquilateralSine);
     quality.worst = worst_;
     quality.flat = flat_;
     quality.alphaHistogram = histogram_;

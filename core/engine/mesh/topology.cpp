@@ -1,20 +1,18 @@
 #include "core/engine/mesh/topology.hpp"
 
 #include "core/engine/base/paced_progress.hpp"
-#include "core/engine/mesh/edge_table.hpp"
 
 namespace forefront {
 
-std::vector<std::array<ElementId, 3>> elementNeighbours(const TriMesh &mesh) {
-    std::vector<std::array<ElementId, 3>> neighbours(mesh.elements.size(), {kNoElement, kNoElement, kNoElement});
-    EdgeTable(mesh).forEach([&neighbours](NodeId, NodeId, std::span<const HalfEdge> sides) {
+std::vector<HalfEdge> oppositeHalfEdges(const EdgeTable &table) {
+    std::vector<HalfEdge> opposite(table.halfEdges().count(), kNoHalfEdge);
+    table.forEach([&opposite](NodeId, NodeId, std::span<const HalfEdge> sides) {
         if (sides.size() >= 2) {
-            const HalfEdge h = sides[0], g = sides[1];
-            neighbours[elementOf(h)][sideOf(h)] = ElementId{static_cast<std::uint32_t>(elementOf(g))};
-            neighbours[elementOf(g)][sideOf(g)] = ElementId{static_cast<std::uint32_t>(elementOf(h))};
+            opposite[sides[0]] = sides[1];
+            opposite[sides[1]] = sides[0];
         }
     });
-    return neighbours;
+    return opposite;
 }
 
 NodeElements nodeElements(const TriMesh &mesh) {

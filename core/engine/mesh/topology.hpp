@@ -1,17 +1,17 @@
 #pragma once
 
 #include "core/engine/base/progress.hpp"
+#include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace forefront {
 
-/// Returns for each edge k of each element e the element across it, or kNoElement at the boundary. Edges with more than
-/// two elements keep the first two; `verify` reports them.
-std::vector<std::array<ElementId, 3>> elementNeighbours(const TriMesh &mesh);
+/// Returns for each side of each element the side across it, of another element, or kNoHalfEdge at the boundary. Edges
+/// with more than two elements keep the first two; `verify` reports them.
+std::vector<HalfEdge> oppositeHalfEdges(const EdgeTable &table);
 
 /// The elements around each node in compressed rows: those of node n are elements[offsets[n] .. offsets[n+1]).
 struct NodeElements {

@@ -38,35 +38,36 @@ std::string segmentName(const DiscreteSegment &s, const MeshNumbers &numbers) {
 }
 
 /// Checks that each side of a segment has an element of the right region, or none outside the domain.
-void checkSides(const TriMesh &mesh, bool tagged, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
-                std::span<const HalfEdge> sides, const MeshNumbers &numbers, FaultList &faults) {
+void checkSides(const MeshView &mesh, bool tagged, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
+                const HalfEdges &halfEdges, std::span<const HalfEdge> sides, const MeshNumbers &numbers,
+                FaultList &faults) {
     const Vec2 place = midpoint(domain.nodes[s.a], domain.nodes[s.b]);
     for (const bool left : {true, false}) {
         const std::uint32_t region = left ? s.leftRegion : s.rightRegion;
         const char *sideName = left ? "left" : "right";
         const auto side =
-            std::find_if(sides.begin(), sides.end(), [&](HalfEdge h) { return (startOf(mesh, h) == a) == left; });
+            std::find_if(sides.begin(), sides.end(), [&](HalfEdge h) { return (halfEdges.startOf(h) == a) == left; });
         if (region == kOutside) {
             if (side != sides.end()) {
                 faults.add("element-outside",
                            std::string("an element lies ") + sideName + " of boundary segment " +
                                segmentName(s, numbers) + ", outside the domain",
-                           place, {static_cast<std::uint32_t>(elementOf(*side))});
+                           place, {static_cast<std::uint32_t>(halfEdges.elementOf(*side))});
             }
         } else if (side == sides.end()) {
             faults.add("missing-element",
                        std::string("no element lies ") + sideName + " of segment " + segmentName(s, numbers), place);
-        } else if (tagged && mesh.region(elementOf(*side)) != domain.regions[region].tag) {
+        } else if (tagged && mesh.region(halfEdges.elementOf(*side)) != domain.regions[region].tag) {
             faults.add("wrong-region",
-                       "element " + std::to_string(numbers.elements.of(elementOf(*side))) + " has region " +
-                           std::to_string(mesh.region(elementOf(*side))) + " instead of " +
+                       "element " + std::to_string(numbers.elements.of(halfEdges.elementOf(*side))) + " has region " +
+                           std::to_string(mesh.region(halfEdges.elementOf(*side))) + " instead of " +
                            std::to_string(domain.regions[region].tag),
-                       place, {static_cast<std::uint32_t>(elementOf(*side))});
+                       place, {static_cast<std::uint32_t>(halfEdges.elementOf(*side))});
         }
     }
 }
 
-RequiredEdges checkSegments(const TriMesh &mesh, bool tagged, const DiscreteDomain &domain, const EdgeTable &table,
+RequiredEdges checkSegments(const MeshView &mesh, bool tagged, const DiscreteDomain &domain, const EdgeTable &table,
                             const NodeFinder &nodes, const MeshNumbers &numbers, FaultList &faults) {
     RequiredEdges required;
     required.reserve(domain.segments.size());
@@ -80,7 +81,7 @@ RequiredEdges checkSegments(const TriMesh &mesh, bool tagged, const DiscreteDoma
             continue;
         }
         required.push_back({std::min(a, b), std::max(a, b), s.tag, isInner(s)});
-        checkSides(mesh, tagged, domain, s, a, sides, numbers, faults);
+        checkSides(mesh, tagged, domain, s, a, table.halfEdges(), sides, numbers, faults);
     }
     std::sort(required.begin(), required.end());
     return required;
@@ -88,7 +89,7 @@ RequiredEdges checkSegments(const TriMesh &mesh, bool tagged, const DiscreteDoma
 
 /// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged. Inner
 /// ones need no tag without `innerTags`.
-void checkTags(const TriMesh &mesh, const RequiredEdges &required, bool innerTags, FaultList &faults) {
+void checkTags(const MeshView &mesh, const RequiredEdges &required, bool innerTags, FaultList &faults) {
     std::vector<bool> tagged(required.size(), false);
     for (const TaggedEdge &edge : mesh.edges) {
         const Vec2 place = midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
@@ -119,10 +120,12 @@ void checkTags(const TriMesh &mesh, const RequiredEdges &required, bool innerTag
 }
 
 /// Checks that away from the segments the mesh has neither boundary edges nor changes of region.
-void checkInside(const TriMesh &mesh, const RequiredEdges &required, const EdgeTable &table, FaultList &faults) {
+void checkInside(const MeshView &mesh, const RequiredEdges &required, const EdgeTable &table, FaultList &faults) {
+    const HalfEdges &halfEdges = table.halfEdges();
     table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
         const bool open = sides.size() == 1;
-        const bool divided = !open && mesh.region(elementOf(sides[0])) != mesh.region(elementOf(sides[1]));
+        const bool divided =
+            !open && mesh.region(halfEdges.elementOf(sides[0])) != mesh.region(halfEdges.elementOf(sides[1]));
         if ((open || divided) && find(required, a, b) == nullptr) {
             faults.add(open ? "unexpected-boundary" : "wrong-region",
                        open ? "a boundary edge of the mesh does not lie on any segment of the domain"
@@ -133,9 +136,9 @@ void checkInside(const TriMesh &mesh, const RequiredEdges &required, const EdgeT
     });
 }
 
-void checkPoints(const TriMesh &mesh, bool tagged, const DiscreteDomain &domain, const NodeFinder &nodes,
+void checkPoints(const MeshView &mesh, bool tagged, const DiscreteDomain &domain, const NodeFinder &nodes,
                  const MeshNumbers &numbers, FaultList &faults) {
-    std::vector<TaggedNode> points = mesh.points;
+    std::vector<TaggedNode> points(mesh.points.begin(), mesh.points.end());
     std::sort(points.begin(), points.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
     for (const ConstraintPoint &point : domain.points) {
         const Vec2 place = domain.nodes[point.node];
@@ -201,7 +204,7 @@ double regionsError(const DiscreteDomain &domain) {
 }
 
 /// Compares the areas within their rounding errors.
-void checkArea(const TriMesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
+void checkArea(const MeshView &mesh, const DiscreteDomain &domain, FaultList &faults) {
     const BoundedArea is = meshArea(mesh), enclosed = enclosedArea(domain);
     for (const BoundedArea &must : {enclosed, BoundedArea{domain.area(), regionsError(domain)}}) {
         if (!(std::abs(is.area - must.area) <= is.error + must.error)) {
@@ -215,12 +218,15 @@ void checkArea(const TriMesh &mesh, const DiscreteDomain &domain, FaultList &fau
 
 } // namespace
 
-bool carriesNoTags(const TriMesh &mesh) {
+bool carriesNoTags(const MeshView &mesh) {
     return mesh.edges.empty() && mesh.points.empty() &&
-           std::all_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t region) { return region == 1; });
+           std::all_of(mesh.blocks().begin(), mesh.blocks().end(), [](const MeshView::Block &block) {
+               return std::all_of(block.regions.begin(), block.regions.end(),
+                                  [](std::int32_t region) { return region == 1; });
+           });
 }
 
-NodeFinder::NodeFinder(const TriMesh &mesh, bool innerTags) : mesh_(&mesh) {
+NodeFinder::NodeFinder(const MeshView &mesh, bool innerTags) : nodes_(mesh.nodes) {
     if (mesh.edges.empty() || !innerTags) {
         sorted_.reserve(mesh.nodes.size());
         for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -244,15 +250,21 @@ NodeFinder::NodeFinder(const TriMesh &mesh, bool innerTags) : mesh_(&mesh) {
 
 NodeId NodeFinder::find(Vec2 p) const {
     const auto it = std::lower_bound(sorted_.begin(), sorted_.end(), p,
-                                     [this](NodeId n, Vec2 q) { return comesBefore(mesh_->nodes[index(n)], q); });
-    return it != sorted_.end() && mesh_->nodes[index(*it)] == p ? *it : kNoNode;
+                                     [this](NodeId n, Vec2 q) { return comesBefore(nodes_[index(n)], q); });
+    return it != sorted_.end() && nodes_[index(*it)] == p ? *it : kNoNode;
 }
 
-BoundedArea meshArea(const TriMesh &mesh) {
+BoundedArea meshArea(const MeshView &mesh) {
     AreaSum sum;
-    for (const Element &e : mesh.elements) {
-        const Vec2 a = mesh.nodes[index(e[0])];
-        sum.add(a, mesh.nodes[index(e[1])], a, mesh.nodes[index(e[2])]);
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            const std::span<const NodeId> n = block.nodesOf(k);
+            const Vec2 a = mesh.nodes[index(n[0])], b = mesh.nodes[index(n[1])], c = mesh.nodes[index(n[2])];
+            sum.add(a, b, a, c);
+            if (block.traits().corners == 4) {
+                sum.add(a, c, a, mesh.nodes[index(n[3])]);
+            }
+        }
     }
     return sum.area();
 }
@@ -270,11 +282,11 @@ BoundedArea enclosedArea(const DiscreteDomain &domain) {
     return sum.area();
 }
 
-const TriMesh &turnedRight(const TriMesh &mesh, std::optional<TriMesh> &copy) {
-    return isClockwise(mesh) ? copy.emplace(turned(mesh)) : mesh;
+MeshView turnedRight(const MeshView &mesh, std::optional<Mesh> &copy) {
+    return isClockwise(mesh) ? MeshView(copy.emplace(turned(copyOf(mesh)))) : mesh;
 }
 
-void checkAgainst(const TriMesh &mesh, const DiscreteDomain &domain, FaultList &faults, const MeshNumbers &numbers,
+void checkAgainst(const MeshView &mesh, const DiscreteDomain &domain, FaultList &faults, const MeshNumbers &numbers,
                   bool innerTags) {
     const EdgeTable table(mesh);
     const NodeFinder nodes(mesh, innerTags);
@@ -288,14 +300,14 @@ void checkAgainst(const TriMesh &mesh, const DiscreteDomain &domain, FaultList &
     checkArea(mesh, domain, faults);
 }
 
-Diagnostics verifyAgainst(const TriMesh &mesh, const DiscreteDomain &domain, std::size_t limit) {
+Diagnostics verifyAgainst(const MeshView &mesh, const DiscreteDomain &domain, std::size_t limit) {
     return orOutOfMemory("to check the mesh", [&] {
         Diagnostics own = verify(mesh, limit);
         if (hasErrors(own)) {
             return own;
         }
         FaultList faults(limit);
-        std::optional<TriMesh> copy;
+        std::optional<Mesh> copy;
         checkAgainst(turnedRight(mesh, copy), domain, faults);
         Diagnostics found = faults.take();
         found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -22,7 +23,7 @@ namespace {
 /// keeps no tags.
 class ChainEdges {
   public:
-    ChainEdges(const TriMesh &mesh, bool tagged) : offsets_(mesh.nodes.size() + 1, 0) {
+    ChainEdges(const MeshView &mesh, bool tagged) : offsets_(mesh.nodes.size() + 1, 0) {
         std::vector<std::pair<NodeId, NodeId>> edges;
         if (tagged) {
             for (const TaggedEdge &edge : mesh.edges) {
@@ -59,7 +60,7 @@ class ChainEdges {
 
 /// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
 /// empty when there is no such chain.
-std::vector<NodeId> chain(const TriMesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
+std::vector<NodeId> chain(const MeshView &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
     const Vec2 a = mesh.nodes[index(from)];
     const Vec2 along = mesh.nodes[index(to)] - a;
     const double squared = lengthSquared(along);
@@ -160,7 +161,7 @@ class CurveWalk {
 
     /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end, or when an edge
     /// is farther from the curve than it may be.
-    std::vector<NodeId> nodes(const TriMesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
+    std::vector<NodeId> nodes(const MeshView &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
         return walk(from, to, chain_.t0, [&](const std::vector<NodeId> &nodes, double reached) {
             std::vector<NextNode> found;
             for (const NodeId next : edges.at(nodes.back())) {
@@ -176,6 +177,9 @@ class CurveWalk {
             return found;
         });
     }
+
+    /// Returns true if a place between its ends lies on the curve or its chords.
+    bool holds(Vec2 place) const { return find(NodeId{0}, place, chain_.t0).node != kNoNode; }
 
   private:
     /// Finds a node on the curve or its chords at the first parameter beyond another one; kNoNode: it is on neither.
@@ -216,7 +220,7 @@ DomainPart partAt(const Domain &domain, Vec2 place) {
 /// Bounds the area between a straight segment and a chain of mesh edges between its ends: its length times the maximum
 /// distance of the nodes. A distance c/|d|, with c a cross product of d and a vector no longer than d, errs by
 /// 5u·2·|d| (see AreaSum), and d itself by less.
-double areaBeside(const TriMesh &mesh, const std::vector<NodeId> &nodes) {
+double areaBeside(const MeshView &mesh, const std::vector<NodeId> &nodes) {
     const Vec2 a = mesh.nodes[index(nodes.front())];
     const Vec2 d = mesh.nodes[index(nodes.back())] - a;
     const double span = length(d);
@@ -227,20 +231,61 @@ double areaBeside(const TriMesh &mesh, const std::vector<NodeId> &nodes) {
     return farthest + 6.0 * std::numeric_limits<double>::epsilon() * span * span;
 }
 
+/// Checks that the middle nodes of the edges between successive nodes lie on their segment, or on the curve that it
+/// follows, or on the chord.
+class MiddleCheck {
+  public:
+    MiddleCheck(const MeshView &mesh, double tolerance, FaultList &faults)
+        : mesh_(mesh), tolerance_(tolerance), faults_(faults) {
+        if (mesh.hasSecondOrder()) {
+            table_.emplace(mesh);
+        }
+    }
+
+    /// `curve`: null for a straight segment.
+    void check(const std::vector<NodeId> &nodes, const CurveWalk *curve, const DiscreteSegment &segment) {
+        for (std::size_t i = 0; table_ && i + 1 < nodes.size(); ++i) {
+            const std::span<const HalfEdge> sides = table_->find(nodes[i], nodes[i + 1]);
+            const NodeId middle = sides.empty() ? kNoNode : table_->halfEdges().middleOf(sides[0]);
+            if (middle == kNoNode) {
+                continue;
+            }
+            const Vec2 a = mesh_.nodes[index(nodes[i])], b = mesh_.nodes[index(nodes[i + 1])],
+                       place = mesh_.nodes[index(middle)];
+            if (distanceToSegment(a, b, place) > tolerance_ && (curve == nullptr || !curve->holds(place))) {
+                faults_.add(
+                    "middle-node",
+                    "the middle node of an edge along a segment of the domain with tag " + std::to_string(segment.tag) +
+                        (curve == nullptr ? " does not lie on the segment"
+                                          : " lies neither on the segment's curve nor on the chord of the edge"),
+                    place, {static_cast<std::uint32_t>(middle)}, {aSegment(segment.source)});
+            }
+        }
+    }
+
+  private:
+    const MeshView &mesh_;
+    double tolerance_;
+    FaultList &faults_;
+    std::optional<EdgeTable> table_;
+};
+
 /// The domain with its segments divided as the mesh divides them, and the area by which straight ones may differ.
 struct CutDomain {
     DiscreteDomain domain;
     double areaBeside = 0.0;
 };
-CutDomain cutAsMeshed(const TriMesh &mesh, const Domain &domain, const CurveChains &chains, const DiscreteDomain &given,
-                      double tolerance, bool innerTags, FaultList &faults) {
+CutDomain cutAsMeshed(const MeshView &mesh, const Domain &domain, const CurveChains &chains,
+                      const DiscreteDomain &given, double tolerance, bool innerTags, FaultList &faults) {
     CutDomain result;
     DiscreteDomain &cut = result.domain;
-    cut.nodes = mesh.nodes;
+    cut.nodes.assign(mesh.nodes.begin(), mesh.nodes.end());
     cut.regions = given.regions;
     const NodeFinder finder(mesh, innerTags);
     const ChainEdges usual(mesh, !carriesNoTags(mesh));
-    const ChainEdges all(innerTags ? TriMesh{} : mesh, false);
+    MiddleCheck middles(mesh, tolerance, faults);
+    const Mesh none;
+    const ChainEdges all(innerTags ? MeshView(none) : mesh, false);
     for (DiscreteSegment s : given.segments) {
         const ChainEdges &edges = innerTags || !isInner(s) ? usual : all;
         const std::uint32_t number = chains.ofSegment[s.source];
@@ -263,9 +308,13 @@ CutDomain cutAsMeshed(const TriMesh &mesh, const Domain &domain, const CurveChai
                        from == kNoNode ? a : b, {s.source}, {aSegment(s.source)});
             continue;
         }
-        const std::vector<NodeId> nodes = curved != nullptr
-                                              ? CurveWalk(domain, *curved, tolerance).nodes(mesh, edges, from, to)
-                                              : chain(mesh, edges, from, to, tolerance);
+        std::optional<CurveWalk> curve;
+        if (curved != nullptr) {
+            curve.emplace(domain, *curved, tolerance);
+        }
+        const std::vector<NodeId> nodes =
+            curve ? curve->nodes(mesh, edges, from, to) : chain(mesh, edges, from, to, tolerance);
+        middles.check(nodes, curve ? &*curve : nullptr, s);
         if (nodes.empty()) {
             faults.add("missing-segment", name + " is not covered by edges of the mesh", midpoint(a, b), {s.source},
                        {aSegment(s.source)});
@@ -301,7 +350,7 @@ double roundingOf(const Box2 &bounds) {
 }
 
 /// Returns the deviations of a counter-clockwise mesh without faults from a domain.
-Diagnostics deviations(const TriMesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+Diagnostics deviations(const MeshView &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
                        bool innerTags) {
     Diagnostics wrong = validate(domain, limit);
     if (hasErrors(wrong)) {
@@ -350,14 +399,14 @@ Diagnostics deviations(const TriMesh &mesh, const Domain &domain, std::size_t li
 
 } // namespace
 
-Diagnostics verifyAgainst(const TriMesh &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
+Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
                           bool innerTags) {
     return orOutOfMemory("to check the mesh", [&] {
         Diagnostics own = verify(mesh, limit, numbers);
         if (hasErrors(own)) {
             return own;
         }
-        std::optional<TriMesh> copy;
+        std::optional<Mesh> copy;
         Diagnostics found = deviations(turnedRight(mesh, copy), domain, limit, numbers, innerTags);
         found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
         return found;

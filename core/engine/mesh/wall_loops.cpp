@@ -14,7 +14,7 @@ namespace {
 constexpr double kBeyond = 4.0; // larger than any angle in radians
 
 /// Marks the edges of a mesh that are walls.
-std::vector<std::uint8_t> wallsOf(const TriMesh &mesh, const MeshEdges &edges) {
+std::vector<std::uint8_t> wallsOf(const MeshView &mesh, const MeshEdges &edges) {
     std::vector<std::uint8_t> isWall(edges.edges.size(), 0);
     for (std::size_t k = 0; k < isWall.size(); ++k) {
         const auto [first, second] = edges.edges[k].elements;
@@ -38,7 +38,7 @@ double WallLoops::directionOf(NodeId from, NodeId to) const {
     return std::atan2(along.y, along.x);
 }
 
-WallLoops::WallLoops(const TriMesh &mesh, const MeshEdges &edges) : mesh_(mesh) {
+WallLoops::WallLoops(const MeshView &mesh, const MeshEdges &edges) : mesh_(mesh) {
     std::vector<Side> sides = sidesOf(edges);
     join(sides);
     followAll(sides);
@@ -48,11 +48,10 @@ WallLoops::WallLoops(const TriMesh &mesh, const MeshEdges &edges) : mesh_(mesh) 
 std::vector<WallLoops::Side> WallLoops::sidesOf(const MeshEdges &edges) const {
     const std::vector<std::uint8_t> isWall = wallsOf(mesh_, edges);
     std::vector<Side> sides;
-    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (isWall[edges.ofElement[e][k]] != 0) {
-                sides.push_back({mesh_.elements[e][k], mesh_.elements[e][(k + 1) % 3]});
-            }
+    const HalfEdges halfEdges(mesh_);
+    for (HalfEdge h = 0; h < halfEdges.count(); ++h) {
+        if (isWall[edges.ofHalfEdge[h]] != 0) {
+            sides.push_back({halfEdges.startOf(h), halfEdges.endOf(h)});
         }
     }
     return sides;

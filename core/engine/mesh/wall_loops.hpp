@@ -13,7 +13,7 @@ namespace forefront {
 /// A node where walls touch lies on several loops, or occurs several times on one.
 class WallLoops {
   public:
-    WallLoops(const TriMesh &mesh, const MeshEdges &edges);
+    WallLoops(const MeshView &mesh, const MeshEdges &edges);
 
     /// Returns true if a node lies on a wall.
     bool holds(NodeId node) const { return first_[index(node)] != first_[index(node) + 1]; }
@@ -43,7 +43,7 @@ class WallLoops {
     void sortPasses();
     std::span<const Pass> passes(NodeId node) const;
 
-    const TriMesh &mesh_;
+    MeshView mesh_;
     std::vector<Pass> passes_;         ///< ordered by node
     std::vector<std::uint32_t> first_; ///< per node, its first pass; one more at the end
     std::vector<double> lengths_;      ///< of the loops; infinite for open chains

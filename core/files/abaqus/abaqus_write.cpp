@@ -26,15 +26,16 @@ void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes,
 void writeSurface(const TriMesh &mesh, const EdgeTable &table, const std::string &name,
                   const std::vector<std::uint32_t> &edges, TextWriter &out) {
     out << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
+    const HalfEdges &halfEdges = table.halfEdges();
     for (const std::uint32_t k : edges) {
         const auto sides = table.find(mesh.edges[k].a, mesh.edges[k].b);
         if (sides.empty()) {
             continue; // the edge is a side of no element, as in a partial mesh
         }
         const auto along = std::find_if(sides.begin(), sides.end(),
-                                        [&](HalfEdge side) { return startOf(mesh, side) == mesh.edges[k].a; });
+                                        [&](HalfEdge side) { return halfEdges.startOf(side) == mesh.edges[k].a; });
         const HalfEdge side = along != sides.end() ? *along : sides.front();
-        out << elementOf(side) + 1 << ", S" << sideOf(side) + 1 << '\n';
+        out << halfEdges.elementOf(side) + 1 << ", S" << halfEdges.sideOf(side) + 1 << '\n';
     }
 }
 
