@@ -57,12 +57,8 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
     MeshReport report;
     report.quality = measureQuality(mesh, spacing);
     report.extent = extentOf(mesh, report.quality.edges);
-    const bool triangles = std::all_of(mesh.blocks().begin(), mesh.blocks().end(),
-                                       [](const MeshView::Block &block) { return block.traits().corners == 3; });
-    if (valid && triangles) {
+    if (valid) {
         report.sharp = sharpCorners(mesh, kSharpCorner);
-    } else if (valid) {
-        report.sharp.minAngleElsewhere = report.quality.minAngle;
     }
     report.hash = meshHash(mesh);
     return report;

@@ -20,7 +20,7 @@ inline constexpr double kSharpCorner = 20.0;
 struct MeshReport {
     MeshQuality quality;
     MeshExtent extent;
-    SharpCorners sharp; ///< corners of the domain below kSharpCorner; only of valid meshes of triangles
+    SharpCorners sharp; ///< corners of the domain below kSharpCorner; empty for an invalid mesh
     std::uint64_t hash = 0;
 };
 

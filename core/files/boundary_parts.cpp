@@ -20,11 +20,13 @@ std::string shown(double length) {
     return text;
 }
 
-Diagnostics compare(const TriMesh &mesh, const std::map<std::int32_t, MshCurveGroup> &groups,
+Diagnostics compare(const MeshView &mesh, const std::map<std::int32_t, MshCurveGroup> &groups,
                     const std::map<std::int32_t, double> &changes, double tolerance) {
     std::map<std::int32_t, double> lengths;
     for (const TaggedEdge &edge : mesh.edges) {
-        lengths[edge.tag] += distance(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+        const NodeId middle = edge.middle == kNoNode ? edge.a : edge.middle;
+        lengths[edge.tag] += distance(mesh.nodes[index(edge.a)], mesh.nodes[index(middle)]) +
+                             distance(mesh.nodes[index(middle)], mesh.nodes[index(edge.b)]);
     }
     Diagnostics faults;
     const auto fault = [&](const std::string &message) {
@@ -51,7 +53,7 @@ Diagnostics compare(const TriMesh &mesh, const std::map<std::int32_t, MshCurveGr
 
 } // namespace
 
-Diagnostics checkBoundaryParts(const TriMesh &mesh, const std::filesystem::path &domainFile,
+Diagnostics checkBoundaryParts(const MeshView &mesh, const std::filesystem::path &domainFile,
                                const ImportOptions &options, const std::map<std::int32_t, double> &changes) {
     if (mesh.edges.empty()) {
         return {};

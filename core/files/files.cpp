@@ -30,7 +30,7 @@ Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions
     return engineFormats().readDomain(path, options, notes);
 }
 
-Result<TriMesh> readMesh(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return engineFormats().readMesh(path, options, notes);
 }
 

@@ -20,8 +20,8 @@ namespace FOREFRONT_API forefront {
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
                           ImportNotes *notes = nullptr);
 /// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
-Result<TriMesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
-                         ImportNotes *notes = nullptr);
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
+                      ImportNotes *notes = nullptr);
 /// Reads a mesh and all its values of nodes and elements, see FormatList::readFields().
 Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
@@ -34,7 +34,7 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
 
 /// Read as above from memory, see FormatList.
 Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
-Result<TriMesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
+Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 

@@ -22,7 +22,7 @@ struct Format {
     bool (*recognise)(std::string_view head) = nullptr;
     bool mayShowLate = false; ///< recognise() takes all of a JSON text where its first bytes show no format
     Result<Domain> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
-    Result<TriMesh> (*readMesh)(const SourceText &) = nullptr;
+    Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;

@@ -4,7 +4,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/cell_set.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/source/import_notes.hpp"
@@ -76,8 +76,8 @@ class FormatList {
     Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults,
                              const ImportOptions &options = {}) const;
     /// Reads a mesh.
-    Result<TriMesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
-                             ImportNotes *notes = nullptr) const;
+    Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
+                          ImportNotes *notes = nullptr) const;
     /// Reads a mesh and all its scalar values of nodes and elements: point and cell data of VTU and VTK legacy files,
     /// $NodeData and $ElementData of MSH; none for other formats. Values are NaN where the file has none.
     Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
@@ -93,7 +93,7 @@ class FormatList {
     /// Read as above from memory. Parts that a format keeps in a second file, such as the .ele file of Triangle, are
     /// missing.
     Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
-    Result<TriMesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
+    Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
     Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {},
                                   ImportNotes *notes = nullptr) const;
     Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = {},

@@ -1,4 +1,5 @@
 #include "core/engine/mesh/mesh_domain.hpp"
+#include "core/engine/mesh/triangulated.hpp"
 #include "core/files/format.hpp"
 #include "core/files/read_file.hpp"
 
@@ -55,11 +56,11 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
     if (format.readDomain != nullptr) {
         return format.readDomain(source);
     }
-    const auto mesh = format.readMesh(source);
+    auto mesh = format.readMesh(source);
     if (!mesh) {
         return mesh.faults();
     }
-    return domainOfMesh(*mesh, source.options.progress);
+    return domainOfMesh(takeTriangulated(std::move(*mesh)).mesh, source.options.progress);
 }
 
 Result<Domain> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,
@@ -90,9 +91,9 @@ Diagnostics FormatList::locateFaults(const std::filesystem::path &path, Diagnost
     return named(std::move(faults), path);
 }
 
-Result<TriMesh> FormatList::readMesh(const std::filesystem::path &path, const ImportOptions &options,
-                                     ImportNotes *notes) const {
-    return readFile<TriMesh>(
+Result<Mesh> FormatList::readMesh(const std::filesystem::path &path, const ImportOptions &options,
+                                  ImportNotes *notes) const {
+    return readFile<Mesh>(
         *this, path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
         [](const Format &format, const SourceText &source) { return format.readMesh(source); });
 }
@@ -110,7 +111,7 @@ Result<MeshFields> FormatList::readFields(const std::filesystem::path &path, con
                 }
                 return fields;
             }
-            Result<TriMesh> mesh = format.readMesh(source);
+            Result<Mesh> mesh = format.readMesh(source);
             return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}, {}}) : mesh.faults();
         });
 }

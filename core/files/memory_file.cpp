@@ -29,7 +29,7 @@ Result<Domain> FormatList::readDomain(MemoryFile file, const ImportOptions &opti
     return readDomain(std::filesystem::path(file.name), own, notes);
 }
 
-Result<TriMesh> FormatList::readMesh(MemoryFile file, const ImportOptions &options, ImportNotes *notes) const {
+Result<Mesh> FormatList::readMesh(MemoryFile file, const ImportOptions &options, ImportNotes *notes) const {
     const ImportOptions own = memoryOptions(*this, file, options);
     return readMesh(std::filesystem::path(file.name), own, notes);
 }
@@ -48,7 +48,7 @@ Result<Domain> readDomain(MemoryFile file, const ImportOptions &options, ImportN
     return engineFormats().readDomain(std::move(file), options, notes);
 }
 
-Result<TriMesh> readMesh(MemoryFile file, const ImportOptions &options, ImportNotes *notes) {
+Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options, ImportNotes *notes) {
     return engineFormats().readMesh(std::move(file), options, notes);
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("Judge: elements, edges and nodes have the colours of their values") {
                                    : part == MeshPart::Edges ? lerp(middle, midpoint(corner, next), 0.5)
                                                              : middle;
                 const std::size_t number = part == MeshPart::Nodes   ? index(driver.mesh().elements[e][k])
-                                           : part == MeshPart::Edges ? judgement.edges->ofElement[e][k]
+                                           : part == MeshPart::Edges ? judgement.edges->of(e, k)
                                                                      : e;
                 const double value = judgement.values[number];
                 const Pixel pixel = driver.pixel(place);
@@ -387,7 +387,7 @@ TEST_CASE("Probe: hovering and clicking read values from elements, edges and nod
     CHECK(driver.context().probe.chosen ==
           MeshPick{MeshPart::Nodes, static_cast<std::uint32_t>(index(driver.mesh().elements[e][0]))});
     driver.clickPlace(midpoint(driver.nodeAt(e, 0), driver.nodeAt(e, 1)));
-    CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Edges, driver.judgement().edges->ofElement[e][0]});
+    CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Edges, driver.judgement().edges->of(e, 0)});
     driver.key(key::kEscape);
     CHECK_FALSE(driver.context().probe.chosen);
     driver.key('V');

@@ -38,7 +38,7 @@ TEST_CASE("Refused fields: what a command refuses is told at the field of a pane
     expectRefused(driver, "spacing/maximum", "0");
     driver.click("panel/checks");
     driver.settle();
-    expectRefused(driver, "checks/min-angle", "90");
+    expectRefused(driver, "checks/min-angle", "91");
     CHECK(driver.logHas("bad-limit"));
 }
 

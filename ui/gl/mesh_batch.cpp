@@ -51,7 +51,7 @@ float valueAt(const MeshSnapshot &view, const std::optional<MeshValues> &values,
         return shown(element);
     }
     if (values->part == MeshPart::Edges) {
-        return values->edges != nullptr ? shown(values->edges->ofElement[element][corner]) : kNoValue;
+        return values->edges != nullptr ? shown(values->edges->of(element, corner)) : kNoValue;
     }
     return shown(index(view.mesh.elements[element][corner]));
 }

@@ -13,10 +13,11 @@ constexpr std::size_t kBins = 40;
 ColourRange wholeRange(Measure measure, const MeasureSummary &summary) {
     switch (measure) {
     case Measure::ShapeFactor:
+    case Measure::ScaledJacobian:
     case Measure::Conformity:
         return {0.0, 1.0};
     case Measure::MinAngle:
-        return {0.0, 60.0};
+        return {0.0, summary.maximum > 60.5 ? 90.0 : 60.0}; // of quadrilaterals, or of triangles
     case Measure::MaxAngle:
         return {60.0, 180.0};
     case Measure::Valence:

@@ -166,7 +166,7 @@ std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double re
     }
     for (std::size_t k = 0; k < 3; ++k) {
         if (distanceToSegment(p[k], p[(k + 1) % 3], place) <= 0.5 * near) {
-            return MeshPick{MeshPart::Edges, judgement.edges->ofElement[element][k]};
+            return MeshPick{MeshPart::Edges, judgement.edges->of(element, k)};
         }
     }
     return MeshPick{MeshPart::Elements, element};

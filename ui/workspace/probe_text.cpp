@@ -29,7 +29,7 @@ class PartReader {
         std::string neighbours, lengths, ratios;
         double growth = 1.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t edge = judgement_.edges->ofElement[number][k];
+            const std::uint32_t edge = judgement_.edges->of(number, k);
             lengths += (k == 0 ? "" : "  ") + ui::number(lengthOf(edge), 3);
             ratios += (k == 0 ? "" : "  ") + ratioText(edge);
             if (const ElementId other = acrossFrom(edge, number); other != kNoElement) {
@@ -82,7 +82,7 @@ class PartReader {
             elements += (elements.empty() ? "" : "  ") + std::to_string(element);
         }
         const bool boundary = std::any_of(around.begin(), around.end(), [&](std::uint32_t element) {
-            const auto &edges = judgement_.edges->ofElement[element];
+            const std::span<const std::uint32_t> edges = judgement_.edges->of(element);
             return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t side) {
                 const MeshEdge &edge = judgement_.edges->edges[side];
                 return edge.elements[1] == kNoElement && (edge.a == id || edge.b == id);

@@ -19,17 +19,6 @@ double turnFrom(Vec2 u, Vec2 v) {
     return angle < 0.0 ? angle + 360.0 : angle;
 }
 
-/// Calls visit(const Element &) with the corners of each element.
-template <class Visit>
-void forTriangles(const MeshView &mesh, Visit &&visit) {
-    for (const MeshView::Block &block : mesh.blocks()) {
-        for (std::size_t k = 0; k < block.size(); ++k) {
-            const auto nodes = block.nodesOf(k);
-            visit(Element{nodes[0], nodes[1], nodes[2]});
-        }
-    }
-}
-
 /// The wedge at a node from one tagged edge counter-clockwise to the next.
 struct Wedge {
     NodeId node;
@@ -76,36 +65,56 @@ std::vector<Wedge> sharpWedges(const MeshView &mesh, double limit) {
     return wedges;
 }
 
-/// Returns the minimum angle of an element in degrees; 0 if it is not positive.
-double minAngle(const MeshView &mesh, const Element &e) {
-    const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
-    const double twiceArea = cross(b - a, c - a);
-    if (!(twiceArea > 0.0)) {
-        return 0.0;
+/// The corners of an element, counter-clockwise.
+using CornerRing = std::span<const NodeId>;
+
+NodeId after(CornerRing e, std::size_t k) {
+    return e[k + 1 == e.size() ? 0 : k + 1];
+}
+NodeId before(CornerRing e, std::size_t k) {
+    return e[k == 0 ? e.size() - 1 : k - 1];
+}
+
+/// Returns the minimum angle of an element in degrees; 0 if one is not positive.
+double minAngle(const MeshView &mesh, CornerRing e) {
+    if (e.size() == 3) { // with one call of atan2
+        const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
+        const double twiceArea = cross(b - a, c - a);
+        const double cosines = std::max({dot(b - a, c - a), dot(a - b, c - b), dot(a - c, b - c)});
+        return twiceArea > 0.0 ? std::atan2(twiceArea, cosines) * kDegrees : 0.0;
     }
-    const double cosines = std::max({dot(b - a, c - a), dot(a - b, c - b), dot(a - c, b - c)});
-    return std::atan2(twiceArea, cosines) * kDegrees;
+    double least = 180.0;
+    for (std::size_t k = 0; k < e.size(); ++k) {
+        const Vec2 at = mesh.nodes[index(e[k])];
+        const Vec2 ahead = mesh.nodes[index(after(e, k))] - at, back = mesh.nodes[index(before(e, k))] - at;
+        const double turn = cross(ahead, back);
+        if (!(turn > 0.0)) {
+            return 0.0;
+        }
+        least = std::min(least, std::atan2(turn, dot(ahead, back)) * kDegrees);
+    }
+    return least;
 }
 
 /// Sharp elements, and which of them lie side by side.
 class Bands {
   public:
-    explicit Bands(std::vector<Element> elements) : elements_(std::move(elements)), taken_(elements_.size(), 0) {
+    explicit Bands(std::vector<CornerRing> elements) : elements_(std::move(elements)), taken_(elements_.size(), 0) {
         for (std::size_t i = 0; i < elements_.size(); ++i) {
-            for (unsigned k = 0; k < 3; ++k) {
-                withSide_[{elements_[i][k], elements_[i][(k + 1) % 3]}] = i;
+            for (std::size_t k = 0; k < elements_[i].size(); ++k) {
+                withSide_[{elements_[i][k], after(elements_[i], k)}] = i;
             }
         }
     }
 
     /// Takes the elements that can be reached from the given ones across common sides and have not been taken yet.
-    std::vector<Element> take(std::vector<Element> from) {
-        std::vector<Element> found;
+    std::vector<CornerRing> take(std::vector<CornerRing> from) {
+        std::vector<CornerRing> found;
         while (!from.empty()) {
-            const Element e = from.back();
+            const CornerRing e = from.back();
             from.pop_back();
-            for (unsigned k = 0; k < 3; ++k) {
-                const auto across = withSide_.find({e[(k + 1) % 3], e[k]});
+            for (std::size_t k = 0; k < e.size(); ++k) {
+                const auto across = withSide_.find({after(e, k), e[k]});
                 if (across != withSide_.end() && taken_[across->second] == 0) {
                     taken_[across->second] = 1;
                     from.push_back(elements_[across->second]);
@@ -118,7 +127,7 @@ class Bands {
 
     /// Takes the next element that has not been taken yet and all that can be reached from it. Returns an empty list
     /// when all are taken.
-    std::vector<Element> takeNext() {
+    std::vector<CornerRing> takeNext() {
         while (next_ < elements_.size() && taken_[next_] != 0) {
             ++next_;
         }
@@ -126,13 +135,13 @@ class Bands {
             return {};
         }
         taken_[next_] = 1;
-        std::vector<Element> found = take({elements_[next_]});
+        std::vector<CornerRing> found = take({elements_[next_]});
         found.push_back(elements_[next_]);
         return found;
     }
 
   private:
-    std::vector<Element> elements_;
+    std::vector<CornerRing> elements_;
     std::vector<std::uint8_t> taken_;
     std::size_t next_ = 0;
     std::map<std::pair<NodeId, NodeId>, std::size_t> withSide_; // each direction of a side has one element
@@ -157,15 +166,16 @@ class Gaps {
 
     /// Returns true if a gap forces this sharp element: all its nodes, or the ends of its shortest side, lie across a
     /// gap, as between two tips.
-    bool force(const Element &e) const {
-        return isTagged(e[0]) && isTagged(e[1]) && isTagged(e[2]) ? !cutsFlatCorner(e) : hasShortestSideAcross(e);
+    bool force(CornerRing e) const {
+        return std::all_of(e.begin(), e.end(), [this](NodeId n) { return isTagged(n); }) ? !cutsFlatCorner(e)
+                                                                                         : hasShortestSideAcross(e);
     }
 
   private:
     /// Returns true if the element cuts off a flat corner between two tagged edges.
-    bool cutsFlatCorner(const Element &e) const {
-        for (unsigned k = 0; k < 3; ++k) {
-            const NodeId at = e[k], b = e[(k + 1) % 3], c = e[(k + 2) % 3];
+    bool cutsFlatCorner(CornerRing e) const {
+        for (std::size_t k = 0; k < e.size(); ++k) {
+            const NodeId at = e[k], b = after(e, k), c = before(e, k);
             const Vec2 p = mesh_.nodes[index(at)];
             const Vec2 u = mesh_.nodes[index(b)] - p, v = mesh_.nodes[index(c)] - p;
             if (dot(u, v) < -0.5 * length(u) * length(v)) { // at most one angle is beyond 120 degrees
@@ -175,15 +185,15 @@ class Gaps {
         return false;
     }
 
-    bool hasShortestSideAcross(const Element &e) const {
-        const auto side = [&](unsigned k) {
-            return distance(mesh_.nodes[index(e[k])], mesh_.nodes[index(e[(k + 1) % 3])]);
+    bool hasShortestSideAcross(CornerRing e) const {
+        const auto side = [&](std::size_t k) {
+            return distance(mesh_.nodes[index(e[k])], mesh_.nodes[index(after(e, k))]);
         };
-        unsigned shortest = 0;
-        for (unsigned k = 1; k < 3; ++k) {
+        std::size_t shortest = 0;
+        for (std::size_t k = 1; k < e.size(); ++k) {
             shortest = side(k) < side(shortest) ? k : shortest;
         }
-        const NodeId a = e[shortest], b = e[(shortest + 1) % 3];
+        const NodeId a = e[shortest], b = after(e, shortest);
         return isTagged(a) && isTagged(b) && !isTagged(a, b);
     }
 
@@ -197,13 +207,22 @@ class Gaps {
     std::vector<std::pair<NodeId, NodeId>> sides_;
 };
 
-NarrowPlace placeOf(const MeshView &mesh, const std::vector<Element> &band) {
+NarrowPlace placeOf(const MeshView &mesh, const std::vector<CornerRing> &band) {
     NarrowPlace place{{}, std::numeric_limits<double>::infinity(), band.size()};
-    for (const Element &e : band) {
-        const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
-        const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-        const double height = longest > 0.0 ? std::max(0.0, cross(b - a, c - a)) / longest : 0.0;
-        const Vec2 centre = (1.0 / 3.0) * (a + b + c);
+    for (CornerRing e : band) {
+        double longest = 0.0, twiceArea = 0.0;
+        Vec2 sum;
+        for (std::size_t k = 0; k < e.size(); ++k) {
+            const Vec2 first = mesh.nodes[index(e[0])], at = mesh.nodes[index(e[k])],
+                       next = mesh.nodes[index(after(e, k))];
+            longest = std::max(longest, distance(at, next));
+            twiceArea += cross(at - first, next - first);
+            sum += at;
+        }
+        // Of a triangle its height, of a quadrilateral its mean width along the longest side.
+        const double over = e.size() == 3 ? longest : 2.0 * longest;
+        const double height = longest > 0.0 ? std::max(0.0, twiceArea) / over : 0.0;
+        const Vec2 centre = (1.0 / static_cast<double>(e.size())) * sum;
         if (height < place.width ||
             (height == place.width && std::pair(centre.x, centre.y) < std::pair(place.at.x, place.at.y))) {
             place.width = height;
@@ -214,15 +233,15 @@ NarrowPlace placeOf(const MeshView &mesh, const std::vector<Element> &band) {
 }
 
 /// Returns true if an element lies in a wedge at one of its nodes, and marks all such wedges as meshed.
-bool liesInWedge(const MeshView &mesh, const Element &e, const std::vector<std::uint8_t> &sharp,
+bool liesInWedge(const MeshView &mesh, CornerRing e, const std::vector<std::uint8_t> &sharp,
                  std::vector<Wedge> &wedges) {
     bool inWedge = false;
-    for (unsigned k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < e.size(); ++k) {
         if (sharp[index(e[k])] == 0) {
             continue;
         }
         const Vec2 at = mesh.nodes[index(e[k])];
-        const Vec2 middle = midpoint(mesh.nodes[index(e[(k + 1) % 3])], mesh.nodes[index(e[(k + 2) % 3])]) - at;
+        const Vec2 middle = midpoint(mesh.nodes[index(after(e, k))], mesh.nodes[index(before(e, k))]) - at;
         for (auto w = std::lower_bound(wedges.begin(), wedges.end(), e[k]); w != wedges.end() && w->node == e[k]; ++w) {
             if (turnFrom(w->from, middle) < w->angle) {
                 w->meshed = inWedge = true;
@@ -232,12 +251,19 @@ bool liesInWedge(const MeshView &mesh, const Element &e, const std::vector<std::
     return inWedge;
 }
 
+/// Returns the largest minimum angle that elements of a mesh can have, in degrees.
+double largestMinimum(const MeshView &mesh) {
+    const bool hasTriangles = std::any_of(mesh.blocks().begin(), mesh.blocks().end(),
+                                          [](const MeshView::Block &block) { return block.traits().corners == 3; });
+    return hasTriangles ? 60.0 : 90.0;
+}
+
 /// The sharp elements of a mesh by their reason.
 struct SharpElements {
-    std::vector<Element> tips;   ///< in sharp corners, as are some elements that are not sharp
-    std::vector<Element> bands;  ///< forced by a gap
-    std::vector<Element> others; ///< beside those, or without a reason
-    double minAngleElsewhere = 60.0;
+    std::vector<CornerRing> tips;   ///< in sharp corners, as are some elements that are not sharp
+    std::vector<CornerRing> bands;  ///< forced by a gap
+    std::vector<CornerRing> others; ///< beside those, or without a reason
+    double minAngleElsewhere;
 };
 
 /// Sorts the sharp elements by their reason, and marks the wedges that elements lie in.
@@ -247,24 +273,28 @@ SharpElements sortElements(const MeshView &mesh, double limit, std::vector<Wedge
         sharp[index(w.node)] = 1;
     }
     const Gaps gaps(mesh);
-    SharpElements sorted;
-    forTriangles(mesh, [&](const Element &e) {
-        if (liesInWedge(mesh, e, sharp, wedges)) {
-            sorted.tips.push_back(e);
-            return;
+    SharpElements sorted{{}, {}, {}, largestMinimum(mesh)};
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            const CornerRing e = block.nodesOf(k).first(block.traits().corners);
+            if (liesInWedge(mesh, e, sharp, wedges)) {
+                sorted.tips.push_back(e);
+                continue;
+            }
+            const double angle = minAngle(mesh, e);
+            if (angle < limit) {
+                (gaps.force(e) ? sorted.bands : sorted.others).push_back(e);
+            } else {
+                sorted.minAngleElsewhere = std::min(sorted.minAngleElsewhere, angle);
+            }
         }
-        const double angle = minAngle(mesh, e);
-        if (angle < limit) {
-            (gaps.force(e) ? sorted.bands : sorted.others).push_back(e);
-        } else {
-            sorted.minAngleElsewhere = std::min(sorted.minAngleElsewhere, angle);
-        }
-    });
+    }
     return sorted;
 }
 
 /// Returns the minimum angle of the sharp elements that no chain of sharp elements, each sharing a node with the next,
-/// connects to tips or bands; 60 if there are none. (Cleanup lets elements around a gap share its small angles.)
+/// connects to tips or bands; largestMinimum() if there are none. (Cleanup lets elements around a gap share its small
+/// angles.)
 double minAngleApart(const MeshView &mesh, const SharpElements &sorted) {
     std::vector<std::pair<NodeId, std::uint32_t>> others; // those at each node
     for (std::uint32_t i = 0; i < sorted.others.size(); ++i) {
@@ -273,11 +303,11 @@ double minAngleApart(const MeshView &mesh, const SharpElements &sorted) {
         }
     }
     std::sort(others.begin(), others.end());
-    std::vector<Element> open = sorted.tips;
+    std::vector<CornerRing> open = sorted.tips;
     open.insert(open.end(), sorted.bands.begin(), sorted.bands.end());
     std::vector<std::uint8_t> reached(sorted.others.size(), 0);
     while (!open.empty()) {
-        const Element e = open.back();
+        const CornerRing e = open.back();
         open.pop_back();
         for (const NodeId n : e) {
             for (auto at = std::lower_bound(others.begin(), others.end(), std::pair(n, 0U));
@@ -288,7 +318,7 @@ double minAngleApart(const MeshView &mesh, const SharpElements &sorted) {
             }
         }
     }
-    double minimum = 60.0;
+    double minimum = largestMinimum(mesh);
     for (std::size_t i = 0; i < sorted.others.size(); ++i) {
         minimum = reached[i] == 0 ? std::min(minimum, minAngle(mesh, sorted.others[i])) : minimum;
     }
@@ -300,7 +330,7 @@ std::vector<NarrowPlace> narrowPlaces(const MeshView &mesh, const SharpElements 
     Bands rest(sorted.bands);
     rest.take(sorted.tips);
     std::vector<NarrowPlace> places;
-    for (std::vector<Element> band = rest.takeNext(); !band.empty(); band = rest.takeNext()) {
+    for (std::vector<CornerRing> band = rest.takeNext(); !band.empty(); band = rest.takeNext()) {
         places.push_back(placeOf(mesh, band));
     }
     std::stable_sort(places.begin(), places.end(),

@@ -16,7 +16,7 @@ struct SharpCorner {
 /// A gap between tagged edges or nodes, filled with elements that have no room for good angles.
 struct NarrowPlace {
     Vec2 at;                  ///< centre of its narrowest element
-    double width = 0.0;       ///< minimum height of its elements
+    double width = 0.0;       ///< minimum height of its triangles, or mean width of its quadrilaterals
     std::size_t elements = 0; ///< number of elements sharper than the limit
 };
 
@@ -33,8 +33,8 @@ struct SharpCorners {
 /// on tagged edges or tagged themselves: the band along its two edges without room for a node. The other elements of
 /// this kind, side by side, make the narrow places, except those that cut off a flat corner. Sharp elements whose
 /// shortest side crosses a gap, as between two tips, count as narrow places. Corners count if adjacent tagged edges are
-/// sharper than the limit and elements lie between them. The elements must be triangles, of either order; their sides
-/// count as straight. O(n log n) in tagged edges.
+/// sharper than the limit and elements lie between them. Curved edges count as their chords. O(n log n) in tagged
+/// edges.
 SharpCorners sharpCorners(const MeshView &mesh, double limit);
 
 } // namespace forefront

@@ -10,7 +10,7 @@
 namespace forefront {
 
 /// Reads Abaqus and CalculiX input (.inp). Every fault carries its place in the source.
-Result<TriMesh> readAbaqus(const SourceText &source);
+Result<Mesh> readAbaqus(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
 bool looksLikeAbaqus(std::string_view head);
 /// Writes Abaqus and CalculiX input (.inp).

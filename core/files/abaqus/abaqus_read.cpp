@@ -8,8 +8,11 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -19,13 +22,42 @@ namespace {
 constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t kNoSet = 0; ///< in place of the tag of elements outside every set
 
-/// Reads Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Other
+/// Lines of 3 nodes have their middle node between the ends.
+constexpr CellOrder kAbaqusEdge3 = {0, 2, 1};
+
+/// Returns the kind of cells of an element type such as "CPS8R": a family of plane elements, the number of nodes, and
+/// letters about its formulation.
+std::optional<CellKind> abaqusKind(const std::string &type) {
+    constexpr std::array kLines = {"T3D2", "T2D2", "B21", "B31", "R2D2"}, kLines3 = {"T3D3", "T2D3", "B22", "B32"};
+    constexpr std::array<std::string_view, 11> kFamilies = {"CPS",   "CPE", "CAX",  "S",    "STRI", "M3D",
+                                                            "SFM3D", "R3D", "DC2D", "DCAX", "AC2D"};
+    if (std::find(kLines.begin(), kLines.end(), type) != kLines.end()) {
+        return CellKind::Edge2;
+    }
+    if (std::find(kLines3.begin(), kLines3.end(), type) != kLines3.end()) {
+        return CellKind::Edge3;
+    }
+    if (type == "STRI65") {
+        return CellKind::Triangle6;
+    }
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    for (const std::string_view family : kFamilies) {
+        const std::size_t at = family.size();
+        if (type.starts_with(family) && type.size() > at && isDigit(type[at]) &&
+            (type.size() == at + 1 || !isDigit(type[at + 1]))) {
+            return elementOfNodes(type[at] - '0');
+        }
+    }
+    return std::nullopt;
+}
+
+/// Reads Abaqus input: nodes, plane elements, element sets as regions, element surfaces as tagged edges. Other
 /// keywords are skipped.
 class AbaqusReader {
   public:
     explicit AbaqusReader(const SourceText &source) : scanner_(source, '\0', ',') {}
 
-    Result<TriMesh> read() {
+    Result<Mesh> read() {
         const std::string_view text = scanner_.source().text;
         TagNames names = readNameComments(text, "**");
         for (const auto &[tag, name] : names.boundary) {
@@ -51,8 +83,8 @@ class AbaqusReader {
         tagTheRest();
         noteNodeSets();
         sortElements();
-        scanner_.source().numbered(PartNumbers(builder_.table.numbers()), PartNumbers(numbers_));
-        TriMesh mesh = builder_.finish();
+        scanner_.source().numbered(PartNumbers(builder_.table.numbers()), builder_.elements.numbered(numbers_));
+        Mesh mesh = builder_.finish();
         mesh.boundaryNames = std::move(names.boundary);
         mesh.regionNames = std::move(names.region);
         mesh.boundaryNames.insert(boundaries_.names().begin(), boundaries_.names().end());
@@ -189,37 +221,36 @@ class AbaqusReader {
     }
 
     void elements(const Keyword &keyword) {
-        constexpr std::array kTriangles = {"CPS3",  "CPE3", "CAX3",  "S3",     "S3R",
-                                           "STRI3", "M3D3", "DC2D3", "SFM3D3", "R3D3"};
-        constexpr std::array kLines = {"T3D2", "T2D2", "B21", "B31", "R2D2"};
         const std::string type = upperCase(parameter(keyword, "TYPE"));
         const std::string set = parameter(keyword, "ELSET");
-        const bool triangle = std::find(kTriangles.begin(), kTriangles.end(), type) != kTriangles.end();
-        if (!triangle && std::find(kLines.begin(), kLines.end(), type) == kLines.end()) {
+        const std::optional<CellKind> kind = abaqusKind(type);
+        if (!kind) {
             scanner_.fail(keyword.offset, "unknown-element",
-                          "elements of type " + inQuotes(type) + " cannot be read; expected 3-node plane elements");
+                          "elements of type " + inQuotes(type) +
+                              " cannot be read; expected plane elements of 3, 4, 6, 8 or 9 nodes");
             return;
         }
+        const bool plane = traitsOf(*kind).dimension == 2;
         const std::int32_t tag = tagComment_ > 0 ? tagComment_
                                  : set.empty()   ? kNoSet
-                                                 : (triangle ? regions_ : boundaries_).of(set);
-        const std::uint32_t first = static_cast<std::uint32_t>(builder_.mesh.elements.size());
+                                                 : (plane ? regions_ : boundaries_).of(set);
+        const std::uint32_t first = static_cast<std::uint32_t>(builder_.elements.size());
         while (more()) {
             std::int64_t number = 0;
             if (!scanner_.integer(number, 1, kGreatest, {"the number of an element"})) {
                 return;
             }
             const Expect expect{"element", static_cast<std::uint64_t>(number)};
-            if (!triangle) {
-                builder_.readEdge(scanner_, tag, expect);
-            } else if (builder_.readElement(scanner_, tag, expect)) {
+            if (!plane) {
+                builder_.readEdge(scanner_, *kind, tag, expect, *kind == CellKind::Edge3 ? kAbaqusEdge3 : kSameOrder);
+            } else if (builder_.readElement(scanner_, *kind, tag, expect)) {
                 numbers_.push_back(number);
                 ownSet_.push_back(!set.empty());
             }
         }
-        if (triangle && !set.empty()) {
+        if (plane && !set.empty()) {
             std::vector<std::uint32_t> &members = sets_[upperCase(set)];
-            for (std::uint32_t e = first; e < builder_.mesh.elements.size(); ++e) {
+            for (std::uint32_t e = first; e < builder_.elements.size(); ++e) {
                 members.push_back(e);
             }
         }
@@ -280,7 +311,7 @@ class AbaqusReader {
         sets_[upperCase(name)] = std::move(members);
     }
 
-    /// `others`: number of members that are no triangles.
+    /// `others`: number of members that are no plane elements.
     void makeRegion(const std::string &name, const std::vector<std::uint32_t> &members, std::size_t others,
                     std::size_t place) {
         const auto note = [&](const std::string &message, std::size_t count) {
@@ -290,7 +321,7 @@ class AbaqusReader {
         };
         std::size_t ofOwn = 0, again = 0;
         for (const std::uint32_t e : members) {
-            std::int32_t &region = builder_.mesh.regions[e];
+            std::int32_t &region = builder_.elements.regions[e];
             if (ownSet_[e]) {
                 ++ofOwn;
                 continue;
@@ -301,12 +332,12 @@ class AbaqusReader {
         note("the region of elements in several sets is the last one listed", again);
         note("the set " + inQuotes(name) + " makes no region of elements that have a set of their own",
              upperCase(name) == "EALL" ? 0 : ofOwn); // EALL: all elements, as our writer lists them
-        note("elements in the set " + inQuotes(name) + " that are no triangles are left out of it", others);
+        note("elements in the set " + inQuotes(name) + " that are no plane elements are left out of it", others);
     }
 
     /// Gives elements and lines outside every set a free tag each.
     void tagTheRest() {
-        for (std::int32_t &region : builder_.mesh.regions) {
+        for (std::int32_t &region : builder_.elements.regions) {
             region = region == kNoSet ? regions_.of({}) : region;
         }
         for (TaggedEdge &edge : builder_.mesh.edges) {
@@ -346,15 +377,15 @@ class AbaqusReader {
             const std::size_t place = scanner_.offset();
             const std::string member = upperCase(scanner_.word());
             const std::string side = upperCase(scanner_.word());
-            if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '3') {
-                scanner_.fail(place, "bad-side", "expected an element or element set and a side S1, S2 or S3");
+            if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '4') {
+                scanner_.fail(place, "bad-side", "expected an element or element set and a side S1, S2, S3 or S4");
                 return;
             }
             const auto k = static_cast<std::size_t>(side[1] - '1');
             const auto set = sets_.find(member);
             if (set != sets_.end()) {
                 for (const std::uint32_t e : set->second) {
-                    addSide(e, k, tag);
+                    addSide(e, k, tag, place);
                 }
                 continue;
             }
@@ -367,13 +398,19 @@ class AbaqusReader {
                               "the surface refers to element " + inQuotes(member) + ", which does not exist");
                 return;
             }
-            addSide(e, k, tag);
+            addSide(e, k, tag, place);
         }
     }
 
-    void addSide(std::uint32_t e, std::size_t k, std::int32_t tag) {
-        const Element &nodes = builder_.mesh.elements[e];
-        builder_.mesh.edges.push_back({nodes[k], nodes[(k + 1) % 3], tag});
+    void addSide(std::uint32_t e, std::size_t k, std::int32_t tag, std::size_t place) {
+        const CellTraits &traits = traitsOf(builder_.elements.kindOf(e));
+        if (k >= traits.corners) {
+            scanner_.fail(place, "bad-side", "element " + std::to_string(numbers_[e]) + ", a triangle, has no side S4");
+            return;
+        }
+        const std::span<const NodeId> nodes = builder_.elements.nodesOf(e);
+        builder_.mesh.edges.push_back(
+            {nodes[k], nodes[(k + 1) % traits.corners], tag, traits.order == 2 ? nodes[traits.corners + k] : kNoNode});
     }
 
     /// Sets group elements by region; sorting by number restores the order of the writer.
@@ -385,11 +422,7 @@ class AbaqusReader {
         std::iota(order.begin(), order.end(), 0U);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return numbers_[a] < numbers_[b]; });
-        const TriMesh old = builder_.mesh;
-        for (std::size_t e = 0; e < order.size(); ++e) {
-            builder_.mesh.elements[e] = old.elements[order[e]];
-            builder_.mesh.regions[e] = old.regions[order[e]];
-        }
+        builder_.elements.arrange(order);
         std::sort(numbers_.begin(), numbers_.end());
     }
 
@@ -416,7 +449,7 @@ bool looksLikeAbaqus(std::string_view head) {
     return text.starts_with("*HEADING") || text.starts_with("*NODE") || text.find("\n*NODE") != std::string::npos;
 }
 
-Result<TriMesh> readAbaqus(const SourceText &source) {
+Result<Mesh> readAbaqus(const SourceText &source) {
     return AbaqusReader(source).read();
 }
 

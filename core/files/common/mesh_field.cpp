@@ -28,8 +28,8 @@ Result<MeshField> meshWithField(MeshFields fields, std::string_view name, const 
                                    "the field " + inQuotes(name) + " has " + std::to_string(field.values.size()) +
                                        " values for " + std::to_string(field.mesh.nodes.size()) + " nodes")};
     }
-    for (const Element &element : field.mesh.elements) {
-        for (const NodeId node : element) {
+    for (const CellBlock &block : field.mesh.blocks) {
+        for (const NodeId node : block.connectivity()) {
             if (!std::isfinite(field.values[index(node)])) {
                 Diagnostic fault =
                     faultAt(source, 0, "bad-values", "the field " + inQuotes(name) + " has no finite value at a node");

@@ -2,7 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh.hpp"
 #include "core/files/source/source.hpp"
 
 #include <map>
@@ -14,7 +14,7 @@ namespace FOREFRONT_API forefront {
 
 /// A mesh with one value per node.
 struct MeshField {
-    TriMesh mesh;
+    Mesh mesh;
     std::vector<double> values;
 };
 
@@ -23,7 +23,7 @@ using NamedFields = std::map<std::string, std::vector<double>>;
 
 /// A mesh with all its scalar values of nodes and elements; NaN where one has none.
 struct MeshFields {
-    TriMesh mesh;
+    Mesh mesh;
     NamedFields fields;        ///< of nodes
     NamedFields elementFields; ///< one value per element
 };

@@ -18,7 +18,7 @@ std::vector<std::int32_t> nodeLabels(const MeshView &mesh) {
     return labels;
 }
 
-void noteUnusedLabels(const std::vector<std::int32_t> &labels, const TriMesh &mesh, const char *code,
+void noteUnusedLabels(const std::vector<std::int32_t> &labels, const Mesh &mesh, const char *code,
                       const SourceText &source) {
     std::vector<std::uint8_t> carried(labels.size(), 0);
     const auto see = [&](NodeId node, std::int32_t tag) {
@@ -27,6 +27,9 @@ void noteUnusedLabels(const std::vector<std::int32_t> &labels, const TriMesh &me
     for (const TaggedEdge &edge : mesh.edges) {
         see(edge.a, edge.tag);
         see(edge.b, edge.tag);
+        if (edge.middle != kNoNode) {
+            see(edge.middle, edge.tag);
+        }
     }
     for (const TaggedNode &point : mesh.points) {
         see(point.node, point.tag);

@@ -12,7 +12,7 @@ namespace forefront {
 /// tagged edges that meet there, else 0.
 std::vector<std::int32_t> nodeLabels(const MeshView &mesh);
 /// Notes how many nodes of a mesh as read have a label other than 0 that no tagged edge or point there carries.
-void noteUnusedLabels(const std::vector<std::int32_t> &labels, const TriMesh &mesh, const char *code,
+void noteUnusedLabels(const std::vector<std::int32_t> &labels, const Mesh &mesh, const char *code,
                       const SourceText &source);
 
 } // namespace forefront

@@ -4,8 +4,28 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace forefront {
+
+std::optional<CellKind> cellNumbered(int CellTraits::*format, std::int64_t number) {
+    for (const CellKind kind : valuesOf<CellKind>()) {
+        if (traitsOf(kind).*format == number) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<CellKind> elementOfNodes(std::int64_t nodes) {
+    for (const CellKind kind : kElementKinds) {
+        if (traitsOf(kind).nodes == nodes) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
 
 bool PlanarMeshBuilder::readPlace(TextScanner &scanner, std::int64_t number, int dimension, Vec2 &place) {
     const Expect expect{"the coordinates of node", static_cast<std::uint64_t>(number)};
@@ -82,33 +102,78 @@ bool PlanarMeshBuilder::readNodeId(TextScanner &scanner, NodeId &id, Expect expe
     return true;
 }
 
-bool PlanarMeshBuilder::readElement(TextScanner &scanner, std::int32_t region, Expect expect) {
-    Element element{};
+bool PlanarMeshBuilder::readNodes(TextScanner &scanner, CellKind kind, Expect expect, const CellOrder &order,
+                                  std::array<NodeId, kMaxCellNodes> &nodes) {
+    const std::size_t count = traitsOf(kind).nodes;
     scanner.peek();
     const std::size_t offset = scanner.offset();
-    for (NodeId &node : element) {
-        if (!readNodeId(scanner, node, expect)) {
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!readNodeId(scanner, nodes[order[k]], expect)) {
             return false;
         }
     }
-    if (!requireDistinct(scanner, offset, element, expect)) {
+    return requireDistinct(scanner, offset, std::span(nodes).first(count), expect);
+}
+
+bool PlanarMeshBuilder::readElement(TextScanner &scanner, CellKind kind, std::int32_t region, Expect expect,
+                                    const CellOrder &order) {
+    std::array<NodeId, kMaxCellNodes> nodes{};
+    if (!readNodes(scanner, kind, expect, order, nodes)) {
         return false;
     }
-    addElement(element, region);
+    elements.add(kind, std::span(nodes).first(traitsOf(kind).nodes), region);
     return true;
 }
 
-bool PlanarMeshBuilder::readEdge(TextScanner &scanner, std::int32_t tag, Expect expect) {
-    TaggedEdge edge;
-    edge.tag = tag;
-    scanner.peek();
-    const std::size_t offset = scanner.offset();
-    if (!readNodeId(scanner, edge.a, expect) || !readNodeId(scanner, edge.b, expect) ||
-        !requireDistinct(scanner, offset, std::array{edge.a, edge.b}, expect)) {
+bool PlanarMeshBuilder::readEdge(TextScanner &scanner, CellKind kind, std::int32_t tag, Expect expect,
+                                 const CellOrder &order) {
+    std::array<NodeId, kMaxCellNodes> nodes{};
+    if (!readNodes(scanner, kind, expect, order, nodes)) {
         return false;
     }
-    mesh.edges.push_back(edge);
+    addCell(kind, std::span(nodes).first(traitsOf(kind).nodes), tag);
     return true;
+}
+
+void PlanarMeshBuilder::addCell(CellKind kind, std::span<const NodeId> nodes, std::int32_t tag) {
+    switch (traitsOf(kind).dimension) {
+    case 0:
+        mesh.points.push_back({nodes[0], tag});
+        break;
+    case 1:
+        mesh.edges.push_back({nodes[0], nodes[1], tag, nodes.size() > 2 ? nodes[2] : kNoNode});
+        break;
+    default:
+        elements.add(kind, nodes, tag);
+    }
+}
+
+void PlanarMeshBuilder::findMiddles() {
+    if (!elements.hasSecondOrder()) {
+        return;
+    }
+    std::map<std::pair<NodeId, NodeId>, NodeId> middles;
+    for (const TaggedEdge &edge : mesh.edges) {
+        middles.emplace(std::minmax(edge.a, edge.b), kNoNode);
+    }
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const CellTraits &traits = traitsOf(elements.kindOf(e));
+        const std::span<const NodeId> nodes = elements.nodesOf(e);
+        for (std::size_t k = 0; k < traits.corners && traits.order == 2; ++k) {
+            const auto found = middles.find(std::minmax(nodes[k], nodes[(k + 1) % traits.corners]));
+            if (found != middles.end()) {
+                found->second = nodes[traits.corners + k];
+            }
+        }
+    }
+    for (TaggedEdge &edge : mesh.edges) {
+        edge.middle = edge.middle == kNoNode ? middles.at(std::minmax(edge.a, edge.b)) : edge.middle;
+    }
+}
+
+Mesh PlanarMeshBuilder::finish() {
+    mesh.blocks = elements.takeBlocks();
+    return std::move(mesh);
 }
 
 bool PlanarMeshBuilder::readPoint(TextScanner &scanner, std::int32_t tag, Expect expect) {

@@ -100,7 +100,7 @@ void noteRaised(const std::vector<std::string> &list, const SourceText &source) 
 
 } // namespace
 
-void raiseTags(TriMesh &mesh, const SourceText &source) {
+void raiseTags(Mesh &mesh, const SourceText &source) {
     std::vector<std::string> list;
     raiseKind(
         LowTags(mesh.boundaryNames, boundaryName),
@@ -115,7 +115,12 @@ void raiseTags(TriMesh &mesh, const SourceText &source) {
         list);
     raiseKind(
         LowTags(mesh.regionNames, regionName),
-        [&](auto visit) { std::for_each(mesh.regions.begin(), mesh.regions.end(), visit); }, list);
+        [&](auto visit) {
+            for (CellBlock &block : mesh.blocks) {
+                std::for_each(block.regions.begin(), block.regions.end(), visit);
+            }
+        },
+        list);
     noteRaised(list, source);
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/domain/unused_tag.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh.hpp"
 #include "core/files/source/source.hpp"
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace forefront {
 /// Gives each distinct tag below 1, as other programs write them, a free tag and a name that shows the one in the file,
 /// such as "boundary_-2" or "region_0"; one note lists them. Names of tags below 1 move to the new tags. Where the
 /// boundary or the regions have no tag but 0, which then means none, all become 1. Call after reading, with the names.
-void raiseTags(TriMesh &mesh, const SourceText &source);
+void raiseTags(Mesh &mesh, const SourceText &source);
 /// Does the same for the segments, points and region markers of a domain.
 void raiseTags(Domain &domain, const SourceText &source);
 

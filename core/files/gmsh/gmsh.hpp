@@ -12,7 +12,7 @@
 namespace forefront {
 
 /// Reads Gmsh MSH 2.2 (ASCII) and 4.1 (ASCII and binary). Every fault carries its place in the source.
-Result<TriMesh> readMsh(const SourceText &source);
+Result<Mesh> readMsh(const SourceText &source);
 /// Reads the first scalar $NodeData as the spacing on a background mesh. Faults: no-values, bad-values.
 Result<SpacingSpec> readMshSpacing(const SourceText &source);
 /// Reads the mesh and its scalar nodal values; of several time steps, the last.

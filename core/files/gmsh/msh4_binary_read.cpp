@@ -168,18 +168,6 @@ bool MshFile::findNode(std::int64_t number, NodeId &node, std::size_t place) {
     return node != kNoNode || scanner_.fail(place, "bad-index", "there is no node " + std::to_string(number));
 }
 
-void MshFile::addConnection(std::int32_t type, const Element &nodes, std::int32_t tag, std::int64_t number) {
-    if (type == kMshPoint) {
-        builder_.mesh.points.push_back({nodes[0], tag});
-    } else if (type == kMshLine) {
-        builder_.mesh.edges.push_back({nodes[0], nodes[1], tag});
-        edgeNumbers_.push_back(number);
-    } else {
-        builder_.addElement(nodes, tag);
-        elementNumbers_.push_back(number);
-    }
-}
-
 bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
     std::int32_t dimension = 0, entity = 0, type = 0;
     std::size_t size = 0;
@@ -191,12 +179,14 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
     if (!bytes.number(type, {"the type of an element block"})) {
         return false;
     }
-    if (type != kMshPoint && type != kMshLine && type != kMshTriangle) {
-        return failType("an element block", type, typePlace);
+    CellKind kind = CellKind::Point;
+    if (!findKind(type, kind, "an element block", typePlace)) {
+        return false;
     }
-    const std::size_t corners = type == kMshPoint ? 1 : type == kMshLine ? 2 : 3;
+    const std::size_t width = traitsOf(kind).nodes;
+    const int cellDimension = traitsOf(kind).dimension;
     const std::size_t sizePlace = bytes.offset();
-    if (!bytes.count(size, (1 + corners) * kSize, {"the number of elements of a block"})) {
+    if (!bytes.count(size, (1 + width) * kSize, {"the number of elements of a block"})) {
         return false;
     }
     if (size > left) {
@@ -204,31 +194,35 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
     }
     left -= size;
     const std::size_t place = bytes.offset();
-    const char *const rows = bytes.block(size, (1 + corners) * kSize, {"the elements of a block"});
+    const char *const rows = bytes.block(size, (1 + width) * kSize, {"the elements of a block"});
     const std::int32_t tag = tagOf(dimension, entity);
     const MshPiece *const piece = pieceOf(dimension, entity);
     for (std::size_t k = 0; rows != nullptr && k < size; ++k) {
-        if (!scanner_.proceed(place + k * (1 + corners) * kSize)) {
+        if (!scanner_.proceed(place + k * (1 + width) * kSize)) {
             return false;
         }
-        const auto number = numberAt<std::int64_t>(rows, k * (1 + corners));
-        Element nodes{};
-        for (std::size_t corner = 0; corner < corners; ++corner) {
-            const std::size_t item = k * (1 + corners) + 1 + corner;
-            if (!findNode(numberAt<std::int64_t>(rows, item), nodes[corner], place + item * kSize)) {
+        const auto number = numberAt<std::int64_t>(rows, k * (1 + width));
+        std::array<NodeId, kMaxCellNodes> all{};
+        const std::span<NodeId> nodes = std::span(all).first(width);
+        for (std::size_t n = 0; n < width; ++n) {
+            const std::size_t item = k * (1 + width) + 1 + n;
+            if (!findNode(numberAt<std::int64_t>(rows, item), nodes[n], place + item * kSize)) {
                 return false;
             }
         }
-        if (!requireDistinct(scanner_, place + k * (1 + corners) * kSize, std::span(nodes).first(corners),
+        if (!requireDistinct(scanner_, place + k * (1 + width) * kSize, nodes,
                              {"element", static_cast<std::uint64_t>(number)})) {
             return false;
         }
-        if (piece != nullptr && piece->isInterface && type != kMshTriangle) {
+        if (piece != nullptr && piece->isInterface && cellDimension != 2) {
             ++interfaceParts_;
             continue;
         }
-        addConnection(type, nodes, tag, number);
-        if (type == kMshTriangle) {
+        builder_.addCell(kind, nodes, tag);
+        if (cellDimension == 1) {
+            edgeNumbers_.push_back(number);
+        } else if (cellDimension == 2) {
+            elementNumbers_.push_back(number);
             elementPartitions_.push_back(piece != nullptr ? piece->partition : 0);
         }
     }

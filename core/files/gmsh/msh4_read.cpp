@@ -192,8 +192,7 @@ void MshFile::restoreOrder() {
     }
     if (!std::is_sorted(elementNumbers_.begin(), elementNumbers_.end())) {
         const auto positions = order(elementNumbers_);
-        apply(builder_.mesh.elements, positions);
-        apply(builder_.mesh.regions, positions);
+        builder_.elements.arrange(positions);
         apply(elementPartitions_, positions);
         apply(elementNumbers_, positions);
     }
@@ -225,21 +224,26 @@ bool MshFile::readElementBlock4(std::size_t &left) {
         return scanner_.fail(typeOffset, "bad-count", "the blocks hold more elements than the section declares");
     }
     left -= size;
+    CellKind kind = CellKind::Point;
+    if (size > 0 && !findKind(type, kind, "an element block", typeOffset)) {
+        return false;
+    }
     const std::int32_t tag = tagOf(static_cast<int>(dimension), entity);
     const MshPiece *const piece = pieceOf(static_cast<int>(dimension), entity);
     for (std::size_t k = 0; k < size; ++k) {
         if (!scanner_.integer(number, 0, kAnyInteger, {"the number of an element"}) ||
-            !readConnection(type, tag, typeOffset, {"element", static_cast<std::uint64_t>(number)})) {
+            !readConnection(kind, tag, {"element", static_cast<std::uint64_t>(number)})) {
             return false;
         }
-        if (piece != nullptr && piece->isInterface && type != kMshTriangle) {
+        const int cellDimension = traitsOf(kind).dimension;
+        if (piece != nullptr && piece->isInterface && cellDimension != 2) {
             ++interfaceParts_;
-            type == kMshLine ? builder_.mesh.edges.pop_back() : builder_.mesh.points.pop_back();
+            cellDimension == 1 ? builder_.mesh.edges.pop_back() : builder_.mesh.points.pop_back();
         }
         if (builder_.mesh.edges.size() > edgeNumbers_.size()) {
             edgeNumbers_.push_back(number);
         }
-        if (builder_.mesh.elements.size() > elementNumbers_.size()) {
+        if (builder_.elements.size() > elementNumbers_.size()) {
             elementNumbers_.push_back(number);
             elementPartitions_.push_back(piece != nullptr ? piece->partition : 0);
         }

@@ -15,9 +15,6 @@
 
 namespace forefront {
 
-/// Types of elements as MSH numbers them.
-inline constexpr std::int32_t kMshLine = 1, kMshTriangle = 2, kMshPoint = 15;
-
 /// Returns a number below 1 that stands for the tag of an entity without a physical group until all groups are known.
 std::int32_t ungrouped(std::int64_t entity);
 
@@ -52,10 +49,11 @@ class MshFile {
     bool read();
     const Diagnostics &faults() const { return scanner_.faults(); }
     TextScanner &scanner() { return scanner_; }
-    PlanarMeshBuilder &builder() { return builder_; }
+    /// Returns the mesh after read(), which can be done once.
+    Mesh takeMesh();
     /// Returns the nodal values in the order of the file.
     const std::vector<MshValues> &values() const { return values_; }
-    /// Returns the values of triangles in the order of the file.
+    /// Returns the values of elements in the order of the file; each field in the order of the mesh.
     const std::vector<MshValues> &elementValues() const { return elementValues_; }
 
   private:
@@ -66,7 +64,7 @@ class MshFile {
     bool readData(bool ofNodes);
     bool readDataHeader(MshValues &field, std::size_t &count, std::int64_t &components);
     bool readValue(bool ofNodes, std::size_t k, MshValues &field);
-    /// Finds a triangle by its number; false if there is none.
+    /// Finds an element by its number; false if there is none.
     bool findElement(std::int64_t number, std::size_t &element);
     bool readComments();
     bool skipSection(std::string_view name);
@@ -106,7 +104,6 @@ class MshFile {
                              std::vector<NumberedNode> &nodes);
     bool readElementsBinary();
     bool findNode(std::int64_t number, NodeId &node, std::size_t place);
-    void addConnection(std::int32_t type, const Element &nodes, std::int32_t tag, std::int64_t number);
     bool readElementBlockBinary(ByteScanner &bytes, std::size_t &left);
     bool readValuesBinary(bool ofNodes, std::size_t count, MshValues &field);
 
@@ -122,9 +119,10 @@ class MshFile {
     void dropConstructionPoints();
     void placePoints(class MshTags &tags, bool groupedEdges);
 
-    /// Refuses a type of elements that cannot be read; returns false.
-    bool failType(const std::string &what, std::int64_t type, std::size_t place);
-    bool readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect);
+    /// Finds the kind of cells of this type; refuses others.
+    bool findKind(std::int64_t type, CellKind &kind, const std::string &what, std::size_t place);
+    /// Reads the nodes of a cell that is number `number` in the file.
+    bool readConnection(CellKind kind, std::int32_t tag, Expect expect);
 
     TextScanner scanner_;
     PlanarMeshBuilder builder_;
@@ -137,10 +135,10 @@ class MshFile {
     std::map<std::int32_t, std::string> bareNames_;                 ///< MSH 2.0: of groups of any dimension
     std::size_t elementsOffset_ = 0;                                ///< of $Elements
     std::vector<std::int64_t> edgeNumbers_;                         ///< MSH 4.1: as in the file
-    std::vector<std::int64_t> elementNumbers_;                      ///< of the triangles of the mesh
+    std::vector<std::int64_t> elementNumbers_;                      ///< of the elements, in the order of the file
     std::map<std::pair<int, std::int64_t>, MshPiece> pieces_;       ///< of a partitioned mesh, by dimension and number
-    std::vector<std::int32_t> elementPartitions_;                   ///< of the triangles of the mesh; 0: none
-    std::size_t interfaceParts_ = 0;                                ///< lines and points between partitions
+    std::vector<std::int32_t> elementPartitions_; ///< of the elements, in the order of the file; 0: none
+    std::size_t interfaceParts_ = 0;              ///< lines and points between partitions
 };
 
 } // namespace forefront

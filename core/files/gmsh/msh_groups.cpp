@@ -184,7 +184,7 @@ std::vector<MshGroup> readMshOrigins(std::string_view comments) {
     return origins;
 }
 
-void restoreTags(const std::vector<MshGroup> &origins, TriMesh &mesh) {
+void restoreTags(const std::vector<MshGroup> &origins, Mesh &mesh) {
     std::array<std::map<std::int32_t, std::int32_t>, 3> tags;
     for (const MshGroup &group : origins) {
         tags[static_cast<std::size_t>(group.dimension)].emplace(group.number, group.tag);
@@ -205,8 +205,10 @@ void restoreTags(const std::vector<MshGroup> &origins, TriMesh &mesh) {
         restore(1, edge.tag);
     }
     if (!tags[2].empty()) {
-        for (std::int32_t &region : mesh.regions) {
-            restore(2, region);
+        for (CellBlock &block : mesh.blocks) {
+            for (std::int32_t &region : block.regions) {
+                restore(2, region);
+            }
         }
     }
 }

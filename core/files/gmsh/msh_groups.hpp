@@ -54,7 +54,7 @@ class MshGroups {
 /// Reads the content of a $Comments section that writeOrigins wrote; other lines are skipped. Labels stay empty.
 std::vector<MshGroup> readMshOrigins(std::string_view comments);
 
-/// Gives the points, edges and triangles of a mesh as read the tags and names that its groups had before.
-void restoreTags(const std::vector<MshGroup> &origins, TriMesh &mesh);
+/// Gives the points, edges and elements of a mesh as read the tags and names that its groups had before.
+void restoreTags(const std::vector<MshGroup> &origins, Mesh &mesh);
 
 } // namespace forefront

@@ -117,14 +117,14 @@ const MshPiece *MshFile::pieceOf(int dimension, std::int64_t entity) const {
     return found == pieces_.end() ? nullptr : &found->second;
 }
 
-/// Makes the partitions of the triangles a field, and notes the lines and points between them, which were left out.
+/// Makes the partitions of the elements a field, and notes the lines and points between them, which were left out.
 void MshFile::takePartitions() {
     const std::size_t known = elementPartitions_.size();
     std::int32_t greatest = 0;
     for (const std::int32_t partition : elementPartitions_) {
         greatest = std::max(greatest, partition);
     }
-    if (known != builder_.mesh.elements.size() || greatest == 0) {
+    if (known != builder_.elements.size() || greatest == 0) {
         return;
     }
     const bool named = std::any_of(elementValues_.begin(), elementValues_.end(),

@@ -218,17 +218,24 @@ class GroupScanner {
     }
 
     void connection(std::int64_t type, std::int32_t group) {
-        constexpr std::int64_t kLine = 1, kTriangle = 2;
-        const std::int64_t a = integer();
-        if (type != kLine) {
-            skipReals(type == kTriangle ? 2 : 0);
+        // Numbers of nodes by type, of points, lines, triangles and quadrilaterals.
+        static const std::map<std::int64_t, std::int64_t> kNodes = {{15, 1}, {1, 2}, {8, 3},  {2, 3},
+                                                                    {9, 6},  {3, 4}, {16, 8}, {10, 9}};
+        constexpr std::int64_t kLine = 1, kLine3 = 8;
+        const auto nodes = kNodes.find(type);
+        if (nodes == kNodes.end()) {
+            sound_ = false;
             return;
         }
-        const std::int64_t b = integer();
+        if (type != kLine && type != kLine3) {
+            skipIntegers(nodes->second);
+            return;
+        }
+        const std::int64_t a = integer(), b = integer(), middle = type == kLine3 ? integer() : a;
         if (group > 0 && lines_.insert(std::minmax(a, b)).second) {
             MshCurveGroup &entry = groups_[group];
             entry.name = names_[group];
-            entry.length += distance(places_[a], places_[b]);
+            entry.length += distance(places_[a], places_[middle]) + distance(places_[middle], places_[b]);
         }
     }
 

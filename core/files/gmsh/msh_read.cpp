@@ -1,9 +1,11 @@
+#include "core/engine/mesh/triangulated.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/gmsh/msh_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -15,6 +17,25 @@ namespace {
 
 constexpr std::int64_t kAny = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kGreatestTag = std::numeric_limits<std::int32_t>::max();
+
+/// Cells that cannot be read, for messages.
+struct OtherType {
+    std::int64_t type;
+    const char *name;
+};
+constexpr std::array<OtherType, 13> kOtherTypes = {{{4, "a tetrahedron"},
+                                                    {5, "a hexahedron"},
+                                                    {6, "a prism"},
+                                                    {7, "a pyramid"},
+                                                    {11, "a tetrahedron of 10 nodes"},
+                                                    {12, "a hexahedron of 27 nodes"},
+                                                    {17, "a hexahedron of 20 nodes"},
+                                                    {20, "a triangle of 9 nodes"},
+                                                    {21, "a triangle of 10 nodes"},
+                                                    {23, "a triangle of 15 nodes"},
+                                                    {26, "a line of 4 nodes"},
+                                                    {27, "a line of 5 nodes"},
+                                                    {36, "a quadrilateral of 16 nodes"}}};
 
 } // namespace
 
@@ -41,12 +62,20 @@ bool MshFile::read() {
         if (!version4_) {
             dropRepeats();
         }
-        scanner_.source().numbered(PartNumbers(builder_.table.numbers()), PartNumbers(elementNumbers_));
+        scanner_.source().numbered(PartNumbers(builder_.table.numbers()), builder_.elements.numbered(elementNumbers_));
         takePartitions();
         resolveTags();
-        restoreTags(origins_, builder_.mesh);
+        for (MshValues &field : elementValues_) {
+            builder_.elements.regroup(field.values);
+        }
     }
     return scanner_.ok();
+}
+
+Mesh MshFile::takeMesh() {
+    Mesh mesh = builder_.finish();
+    restoreTags(origins_, mesh);
+    return mesh;
 }
 
 bool MshFile::readSection(std::string_view name) {
@@ -209,45 +238,51 @@ bool MshFile::readElement2(std::size_t number) {
         partition = t == 3 ? std::abs(tag) : partition;
     }
     const std::int32_t tag = group > 0 ? static_cast<std::int32_t>(group) : ungrouped(entity);
-    if (!readConnection(type, tag, typeOffset, expect)) {
+    CellKind kind = CellKind::Point;
+    if (!findKind(type, kind, expect.words(), typeOffset) || !readConnection(kind, tag, expect)) {
         return false;
     }
-    if (type == kMshTriangle) {
+    if (traitsOf(kind).dimension == 2) {
         elementNumbers_.push_back(id);
         elementPartitions_.push_back(static_cast<std::int32_t>(partition));
     }
     return true;
 }
 
-bool MshFile::readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect) {
-    switch (type) {
-    case kMshPoint:
+bool MshFile::readConnection(CellKind kind, std::int32_t tag, Expect expect) {
+    switch (traitsOf(kind).dimension) {
+    case 0:
         return builder_.readPoint(scanner_, tag, expect);
-    case kMshLine:
-        return builder_.readEdge(scanner_, tag, expect);
-    case kMshTriangle:
-        return builder_.readElement(scanner_, tag, expect);
+    case 1:
+        return builder_.readEdge(scanner_, kind, tag, expect);
     default:
-        return failType(expect.words(), type, typeOffset);
+        return builder_.readElement(scanner_, kind, tag, expect);
     }
 }
 
-bool MshFile::failType(const std::string &what, std::int64_t type, std::size_t place) {
+bool MshFile::findKind(std::int64_t type, CellKind &kind, const std::string &what, std::size_t place) {
+    if (const auto found = cellNumbered(&CellTraits::gmsh, type)) {
+        kind = *found;
+        return true;
+    }
+    const auto known = std::find_if(kOtherTypes.begin(), kOtherTypes.end(),
+                                    [&](const OtherType &other) { return other.type == type; });
+    const std::string name = known == kOtherTypes.end() ? "" : std::string(" (") + known->name + ')';
     return scanner_.fail(place, "unknown-element",
-                         what + " is of MSH type " + std::to_string(type) +
-                             "; only points, 2-node lines and 3-node triangles can be read");
+                         what + " is of MSH type " + std::to_string(type) + name + "; only " + kReadableCells +
+                             " can be read");
 }
 
 bool looksLikeMsh(std::string_view head) {
     return head.find("$MeshFormat") != std::string_view::npos || head.starts_with("$NOD");
 }
 
-Result<TriMesh> readMsh(const SourceText &source) {
+Result<Mesh> readMsh(const SourceText &source) {
     MshFile file(source);
     if (!file.read()) {
         return file.faults();
     }
-    return file.builder().finish();
+    return file.takeMesh();
 }
 
 Result<MeshFields> readMshFields(const SourceText &source) {
@@ -266,7 +301,7 @@ Result<MeshFields> readMshFields(const SourceText &source) {
         return fields;
     };
     NamedFields fields = lastSteps(file.values()), elementFields = lastSteps(file.elementValues());
-    return MeshFields{file.builder().finish(), std::move(fields), std::move(elementFields)};
+    return MeshFields{file.takeMesh(), std::move(fields), std::move(elementFields)};
 }
 
 Result<SpacingSpec> readMshSpacing(const SourceText &source) {
@@ -275,9 +310,9 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         return file.faults();
     }
     TextScanner &scanner = file.scanner();
-    const TriMesh mesh = file.builder().finish();
+    TriMesh mesh = takeTriangulated(file.takeMesh()).mesh;
     if (file.values().empty() || mesh.elements.empty()) {
-        scanner.fail(0, "no-values", "the file holds no triangles with nodal values ($NodeData) to use as spacing");
+        scanner.fail(0, "no-values", "the file holds no elements with nodal values ($NodeData) to use as spacing");
         return scanner.faults();
     }
     const MshValues &values = file.values().front();
@@ -291,7 +326,7 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         return scanner.faults();
     }
     auto background = std::make_shared<BackgroundMesh>();
-    background->nodes = mesh.nodes;
+    background->nodes = std::move(mesh.nodes);
     background->values = values.values;
     background->elements.reserve(mesh.elements.size());
     for (const Element &element : mesh.elements) {
@@ -299,13 +334,13 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         for (std::size_t k = 0; k < 3; ++k) {
             corners[k] = static_cast<std::uint32_t>(element[k]);
             if (std::isnan(values.values[corners[k]])) {
-                scanner.fail(values.offset, "no-values", "some nodes of triangles have no value in $NodeData");
+                scanner.fail(values.offset, "no-values", "some nodes of elements have no value in $NodeData");
                 return scanner.faults();
             }
         }
         background->elements.push_back(corners);
     }
-    // Nodes that no triangle uses have no value; any positive value will do.
+    // Nodes that no element uses have no value; any positive value will do.
     for (double &value : background->values) {
         value = std::isnan(value) ? 1.0 : value;
     }

@@ -1,7 +1,9 @@
 #include "core/files/gmsh/msh_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <span>
 
 namespace forefront {
 
@@ -32,25 +34,39 @@ void dropMarked(std::vector<T> &items, const std::vector<std::uint8_t> &marked) 
     items.resize(kept);
 }
 
+/// Returns the corners of each element in the order of their indices; those of a triangle end with kNoNode.
+std::vector<std::array<NodeId, kMaxCellCorners>> sortedCorners(const ElementList &elements) {
+    std::vector<std::array<NodeId, kMaxCellCorners>> keys(elements.size());
+    for (std::size_t e = 0; e < keys.size(); ++e) {
+        keys[e].fill(kNoNode);
+        const std::span<const NodeId> corners = elements.cornersOf(e);
+        std::copy(corners.begin(), corners.end(), keys[e].begin());
+        std::sort(keys[e].begin(), keys[e].end());
+    }
+    return keys;
+}
+
 } // namespace
 
-/// MSH 2 lists a line or triangle once for each physical group that it is in. Keeps the first.
+/// MSH 2 lists a line or element once for each physical group that it is in. Keeps the first.
 void MshFile::dropRepeats() {
-    TriMesh &mesh = builder_.mesh;
+    Mesh &mesh = builder_.mesh;
+    ElementList &elements = builder_.elements;
     const auto differ = [](const auto &items, auto tagOf) {
         return std::any_of(items.begin(), items.end(),
                            [&](const auto &item) { return tagOf(item) != tagOf(items.front()); });
     };
     std::size_t dropped = 0;
-    if (differ(mesh.regions, [](std::int32_t region) { return region; })) {
-        std::vector<Element> keys = mesh.elements;
-        for (Element &key : keys) {
-            std::sort(key.begin(), key.end());
-        }
-        const std::vector<std::uint8_t> repeated = repeatedItems(keys);
+    if (differ(elements.regions, [](std::int32_t region) { return region; })) {
+        const std::vector<std::uint8_t> repeated = repeatedItems(sortedCorners(elements));
         dropped += static_cast<std::size_t>(std::count(repeated.begin(), repeated.end(), 1));
-        dropMarked(mesh.elements, repeated);
-        dropMarked(mesh.regions, repeated);
+        std::vector<std::uint32_t> kept;
+        for (std::uint32_t e = 0; e < repeated.size(); ++e) {
+            if (repeated[e] == 0) {
+                kept.push_back(e);
+            }
+        }
+        elements.arrange(kept);
         dropMarked(elementNumbers_, repeated);
         dropMarked(elementPartitions_, repeated);
         for (MshValues &field : elementValues_) {
@@ -69,7 +85,7 @@ void MshFile::dropRepeats() {
     }
     if (dropped > 0) {
         scanner_.source().note("several-groups",
-                               "lines and triangles in several physical groups are kept once, in the first",
+                               "lines and elements in several physical groups are kept once, in the first",
                                elementsOffset_, dropped);
     }
 }

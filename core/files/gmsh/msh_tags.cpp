@@ -85,13 +85,13 @@ void MshFile::spreadBareNames() {
     for (const TaggedEdge &edge : builder_.mesh.edges) {
         give(edge.tag, 1);
     }
-    for (const std::int32_t region : builder_.mesh.regions) {
+    for (const std::int32_t region : builder_.elements.regions) {
         give(region, 2);
     }
 }
 
 void MshFile::resolveRegions() {
-    std::vector<std::int32_t> &regions = builder_.mesh.regions;
+    std::vector<std::int32_t> &regions = builder_.elements.regions;
     MshTags tags(names_[2], TagKind::Region);
     for (const std::int32_t region : regions) {
         if (region > 0) {
@@ -106,14 +106,14 @@ void MshFile::resolveRegions() {
         }
     }
     if (count > 0 && count < regions.size()) {
-        scanner_.source().note("no-group", "triangles outside every physical group are put in a separate region",
+        scanner_.source().note("no-group", "elements outside every physical group are put in a separate region",
                                elementsOffset_, count);
     }
 }
 
 /// Edges and points share one table of names, but their groups are numbered apart in MSH.
 void MshFile::resolveEdgesAndPoints() {
-    TriMesh &mesh = builder_.mesh;
+    Mesh &mesh = builder_.mesh;
     mesh.boundaryNames = names_[1];
     MshTags tags(mesh.boundaryNames, TagKind::Boundary);
     std::size_t grouped = 0;
@@ -135,13 +135,14 @@ void MshFile::resolveEdgesAndPoints() {
 
 /// Leaves out points without a group that no element uses, such as the centres of arcs that Gmsh saves, too.
 void MshFile::dropConstructionPoints() {
-    TriMesh &mesh = builder_.mesh;
-    if (mesh.elements.empty() || mesh.points.empty()) {
+    Mesh &mesh = builder_.mesh;
+    const ElementList &elements = builder_.elements;
+    if (elements.empty() || mesh.points.empty()) {
         return;
     }
     std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
-    for (const Element &element : mesh.elements) {
-        for (const NodeId node : element) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        for (const NodeId node : elements.nodesOf(e)) {
             used[index(node)] = 1;
         }
     }
@@ -157,7 +158,7 @@ void MshFile::dropConstructionPoints() {
 }
 
 void MshFile::placePoints(MshTags &tags, bool groupedEdges) {
-    TriMesh &mesh = builder_.mesh;
+    Mesh &mesh = builder_.mesh;
     std::map<std::int32_t, std::int32_t> moved; ///< new tag by group number; 0: points without a group
     for (TaggedNode &point : mesh.points) {
         const std::int32_t group = std::max(point.tag, 0);

@@ -72,7 +72,7 @@ bool MshFile::readData(bool ofNodes) {
         scanner_.seek(end == std::string_view::npos ? scanner_.source().text.size() : end);
         return true;
     }
-    field.values.assign(ofNodes ? builder_.mesh.nodes.size() : builder_.mesh.elements.size(),
+    field.values.assign(ofNodes ? builder_.mesh.nodes.size() : builder_.elements.size(),
                         std::numeric_limits<double>::quiet_NaN());
     if (binary_) {
         if (!readValuesBinary(ofNodes, count, field)) {

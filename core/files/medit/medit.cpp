@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 namespace forefront {
@@ -92,7 +93,7 @@ class MeditReader {
   public:
     explicit MeditReader(const SourceText &source) : scanner_(source, '#') {}
 
-    Result<TriMesh> read() {
+    Result<Mesh> read() {
         while (scanner_.ok() && !scanner_.atEnd()) {
             const std::size_t place = scanner_.offset();
             const std::string_view word = scanner_.word();
@@ -107,16 +108,17 @@ class MeditReader {
         if (!scanner_.ok()) {
             return scanner_.faults();
         }
-        for (TaggedNode &point : builder_.mesh.points) {
+        scanner_.source().numbered(PartNumbers(1), builder_.elements.numberedFrom(1));
+        Mesh mesh = builder_.finish();
+        for (TaggedNode &point : mesh.points) {
             point.tag = labels_[index(point.node)];
         }
         TagNames names = readNameComments(scanner_.source().text, "#");
-        builder_.mesh.boundaryNames = std::move(names.boundary);
-        builder_.mesh.regionNames = std::move(names.region);
-        noteUnusedLabels(labels_, builder_.mesh, "vertex-references", scanner_.source());
-        scanner_.source().numbered(PartNumbers(1), PartNumbers(1));
-        raiseTags(builder_.mesh, scanner_.source());
-        return builder_.finish();
+        mesh.boundaryNames = std::move(names.boundary);
+        mesh.regionNames = std::move(names.region);
+        noteUnusedLabels(labels_, mesh, "vertex-references", scanner_.source());
+        raiseTags(mesh, scanner_.source());
+        return mesh;
     }
 
   private:
@@ -133,7 +135,8 @@ class MeditReader {
         if (word == "Vertices" && !verticesRead_) {
             return vertices();
         }
-        const bool used = word == "Edges" || word == "Triangles" || word == "RequiredVertices";
+        const std::optional<CellKind> kind = cellsOf(word);
+        const bool used = kind || word == "RequiredVertices";
         if (used && !verticesRead_) {
             return scanner_.fail(place, "bad-syntax", inQuotes(word) + " come before Vertices");
         }
@@ -145,18 +148,28 @@ class MeditReader {
             return false;
         }
         for (std::size_t k = 0; k < count; ++k) {
-            if (!item(word, k + 1)) {
+            if (!item(kind, k + 1)) {
                 return false;
             }
         }
         return true;
     }
 
-    /// Returns true for sections of elements that are not 2-node edges or 3-node triangles.
+    /// Returns the kind of cells in a section.
+    static std::optional<CellKind> cellsOf(std::string_view word) {
+        for (const CellKind kind : valuesOf<CellKind>()) {
+            if (traitsOf(kind).medit != nullptr && word == traitsOf(kind).medit) {
+                return kind;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Returns true for sections of elements of other kinds, such as TrianglesP3.
     static bool holdsOtherElements(std::string_view word) {
         constexpr std::array kOthers = {"Quadrilaterals", "Tetrahedra", "Hexahedra", "Prisms",
                                         "Pentahedra",     "Pyramids",   "Polygons",  "Polyhedra"};
-        const std::string_view base = word.substr(0, word.find_last_not_of("PQ0123456789") + 1); // EdgesP2
+        const std::string_view base = word.substr(0, word.find_last_not_of("PQ0123456789") + 1);
         return std::find(kOthers.begin(), kOthers.end(), base) != kOthers.end() ||
                (base != word && (base == "Edges" || base == "Triangles"));
     }
@@ -173,7 +186,8 @@ class MeditReader {
         const std::string first(scanner_.peek());
         if (holdsOtherElements(word) && first != "0") {
             return scanner_.fail(place, "unknown-element",
-                                 "the section " + inQuotes(word) + " cannot be read; expected 3-node triangles");
+                                 "the section " + inQuotes(word) + " cannot be read; only " + kReadableCells +
+                                     " can be read");
         }
         while (!scanner_.atEnd() && !isLetter(scanner_.peek().front())) {
             std::string_view quoted;
@@ -187,17 +201,20 @@ class MeditReader {
         return true;
     }
 
-    bool item(std::string_view word, std::size_t number) {
+    /// Reads a cell of a kind and its reference, or a required vertex.
+    bool item(std::optional<CellKind> kind, std::size_t number) {
         const std::int32_t tag = 1;
-        if (word == "Triangles") {
-            return builder_.readElement(scanner_, tag, {"triangle", number}) &&
-                   readTag(scanner_, builder_.mesh.regions.back(), {"the reference of triangle", number});
+        if (!kind) {
+            return builder_.readPoint(scanner_, tag, {"required vertex", number});
         }
-        if (word == "Edges") {
-            return builder_.readEdge(scanner_, tag, {"edge", number}) &&
+        if (traitsOf(*kind).dimension == 1) {
+            return builder_.readEdge(scanner_, *kind, tag, {"edge", number}) &&
                    readTag(scanner_, builder_.mesh.edges.back().tag, {"the reference of edge", number});
         }
-        return builder_.readPoint(scanner_, tag, {"required vertex", number});
+        const bool triangle = traitsOf(*kind).corners == 3;
+        return builder_.readElement(scanner_, *kind, tag, {triangle ? "triangle" : "quadrilateral", number}) &&
+               readTag(scanner_, builder_.elements.regions.back(),
+                       {triangle ? "the reference of triangle" : "the reference of quadrilateral", number});
     }
 
     bool vertices() {
@@ -230,7 +247,7 @@ bool looksLikeMedit(std::string_view head) {
     return head.find("MeshVersionFormatted") != std::string_view::npos;
 }
 
-Result<TriMesh> readMedit(const SourceText &source) {
+Result<Mesh> readMedit(const SourceText &source) {
     return MeditReader(source).read();
 }
 

@@ -10,7 +10,7 @@
 namespace forefront {
 
 /// Reads MEDIT (.mesh), ASCII. Every fault carries its place in the source.
-Result<TriMesh> readMedit(const SourceText &source);
+Result<Mesh> readMedit(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
 bool looksLikeMedit(std::string_view head);
 /// Writes MEDIT (.mesh), ASCII.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace forefront {
@@ -19,7 +20,7 @@ class NetgenReader {
   public:
     explicit NetgenReader(const SourceText &source) : scanner_(source, '#') {}
 
-    Result<TriMesh> read() {
+    Result<Mesh> read() {
         findSections();
         if (scanner_.ok() && places_.count("points") == 0) {
             scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no points");
@@ -34,9 +35,11 @@ class NetgenReader {
         if (!scanner_.ok()) {
             return scanner_.faults();
         }
-        scanner_.source().numbered(PartNumbers(1), PartNumbers(1));
-        raiseTags(builder_.mesh, scanner_.source());
-        return builder_.finish();
+        scanner_.source().numbered(PartNumbers(1), builder_.elements.numberedFrom(1));
+        builder_.findMiddles(); // segments have no middle points
+        Mesh mesh = builder_.finish();
+        raiseTags(mesh, scanner_.source());
+        return mesh;
     }
 
   private:
@@ -155,13 +158,13 @@ class NetgenReader {
             !anyInteger(line, outside, what) || !line.integer(nodes, 1, 100, what)) {
             return false;
         }
-        if (nodes != 3) {
-            return line.fail(line.offset(), "not-a-triangle",
+        const std::optional<CellKind> kind = elementOfNodes(nodes);
+        if (!kind) {
+            return line.fail(line.offset(), "unknown-element",
                              "surface element " + std::to_string(number) + " has " + std::to_string(nodes) +
-                                 " nodes; expected 3",
-                             "mesh with straight-sided triangles");
+                                 " nodes; expected 3, 4, 6, 8 or 9");
         }
-        return builder_.readElement(line, region, what);
+        return builder_.readElement(line, *kind, region, what, traitsOf(*kind).opposite);
     }
 
     /// Reads "surfid 0 p1 p2 ...": in a plane mesh, the first number is that of the boundary condition.
@@ -169,7 +172,8 @@ class NetgenReader {
         std::int32_t surface = 1;
         std::int64_t unused = 0;
         const Expect what{"edge segment", number};
-        return readTag(line, surface, what) && anyInteger(line, unused, what) && builder_.readEdge(line, surface, what);
+        return readTag(line, surface, what) && anyInteger(line, unused, what) &&
+               builder_.readEdge(line, CellKind::Edge2, surface, what);
     }
 
     bool pointElement(TextScanner &line, std::size_t number) {
@@ -210,7 +214,7 @@ bool looksLikeNetgen(std::string_view head) {
     return head.starts_with("mesh3d") || head.find("\nmesh3d") != std::string_view::npos;
 }
 
-Result<TriMesh> readNetgen(const SourceText &source) {
+Result<Mesh> readNetgen(const SourceText &source) {
     return NetgenReader(source).read();
 }
 

@@ -65,7 +65,7 @@ class ObjReader {
   public:
     explicit ObjReader(const SourceText &source) : scanner_(source) {}
 
-    Result<TriMesh> read() {
+    Result<Mesh> read() {
         TagNames names = readNameComments(scanner_.source().text, "#");
         for (const auto &[tag, name] : names.boundary) {
             boundaries_.reserve(tag);
@@ -85,8 +85,8 @@ class ObjReader {
         if (!builder_.finishNodes(scanner_) || !faces()) {
             return scanner_.faults();
         }
-        scanner_.source().numbered(PartNumbers(1), PartNumbers(1));
-        TriMesh mesh = builder_.finish();
+        scanner_.source().numbered(PartNumbers(1), builder_.elements.numberedFrom(1));
+        Mesh mesh = builder_.finish();
         mesh.boundaryNames = std::move(names.boundary);
         mesh.regionNames = std::move(names.region);
         mesh.boundaryNames.insert(boundaries_.names().begin(), boundaries_.names().end());
@@ -175,12 +175,13 @@ class ObjReader {
             }
             TextScanner line = scanner_.part(item.offset, std::min(text.find('\n', item.offset), text.size()));
             const Expect expect{item.kind == Kind::Face ? "face" : "line or point", k + 1};
-            NodeId nodes[3] = {};
-            const std::size_t expected = item.kind == Kind::Face ? 3 : item.kind == Kind::Line ? 2 : 1;
+            NodeId nodes[4] = {};
+            std::size_t expected = item.kind == Kind::Face ? 3 : item.kind == Kind::Line ? 2 : 1;
             for (std::size_t n = 0; n < expected; ++n) {
                 if (!node(line, item, nodes[n], expect)) {
                     return false;
                 }
+                expected = item.kind == Kind::Face && n == 2 && !line.atEnd() ? 4 : expected;
             }
             if (!requireDistinct(scanner_, item.offset, std::span(nodes).first(expected), expect)) {
                 return false;
@@ -188,9 +189,10 @@ class ObjReader {
             const std::int32_t tag = tagOf(item);
             if (item.kind == Kind::Face) {
                 if (!line.atEnd()) {
-                    return scanner_.fail(line.offset(), "unknown-element", "only faces with 3 nodes can be read");
+                    return scanner_.fail(line.offset(), "unknown-element", "only faces with 3 or 4 nodes can be read");
                 }
-                builder_.addElement({nodes[0], nodes[1], nodes[2]}, tag);
+                builder_.elements.add(expected == 3 ? CellKind::Triangle3 : CellKind::Quadrilateral4,
+                                      std::span(nodes).first(expected), tag);
             } else if (item.kind == Kind::Point) {
                 builder_.mesh.points.push_back({nodes[0], tag});
                 while (!line.atEnd()) {
@@ -206,7 +208,7 @@ class ObjReader {
         return true;
     }
 
-    bool polyline(TextScanner &line, const Item &item, NodeId (&nodes)[3], std::int32_t tag, Expect expect) {
+    bool polyline(TextScanner &line, const Item &item, NodeId (&nodes)[4], std::int32_t tag, Expect expect) {
         builder_.mesh.edges.push_back({nodes[0], nodes[1], tag});
         while (!line.atEnd()) {
             nodes[0] = nodes[1];
@@ -228,7 +230,7 @@ class ObjReader {
 
 } // namespace
 
-Result<TriMesh> readObj(const SourceText &source) {
+Result<Mesh> readObj(const SourceText &source) {
     return ObjReader(source).read();
 }
 

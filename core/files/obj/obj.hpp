@@ -8,7 +8,7 @@
 namespace forefront {
 
 /// Reads Wavefront OBJ (.obj). Every fault carries its place in the source.
-Result<TriMesh> readObj(const SourceText &source);
+Result<Mesh> readObj(const SourceText &source);
 /// Writes Wavefront OBJ (.obj).
 void writeObj(const MeshView &mesh, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -17,7 +18,7 @@ namespace forefront {
 
 namespace {
 
-constexpr int kVertex = 1, kLine = 3, kTriangle = 5; // as in VTK
+constexpr int kLine = 3, kTriangle = 5; // as in VTK
 
 FileNames markersOf(const TagList &tags) {
     UniqueNames unique;
@@ -91,7 +92,7 @@ class Su2Reader {
   public:
     explicit Su2Reader(const SourceText &source) : scanner_(source, '%', '=') {}
 
-    Result<TriMesh> read() {
+    Result<Mesh> read() {
         comments();
         TextScanner line = scanner_;
         while (scanner_.ok() && scanner_.nextLine(line)) {
@@ -109,6 +110,7 @@ class Su2Reader {
         if (!scanner_.ok()) {
             return scanner_.faults();
         }
+        scanner_.source().numbered(PartNumbers(), builder_.elements.numberedFrom(0));
         return builder_.finish();
     }
 
@@ -116,7 +118,7 @@ class Su2Reader {
     /// Positions of the connections in the file.
     struct Connection {
         std::size_t offset;
-        std::int32_t tag; ///< of the edge; 0: a triangle
+        std::int32_t tag; ///< of the edge; 0: an element
     };
 
     bool keyword(TextScanner &line) {
@@ -242,20 +244,21 @@ class Su2Reader {
             TextScanner item = scanner_.part(connections_[k].offset, scanner_.source().text.size());
             std::int64_t type = 0;
             const Expect expect{connections_[k].tag == 0 ? "element" : "marker element", k};
-            const std::int64_t expected = connections_[k].tag == 0 ? kTriangle : kLine;
             if (!item.integer(type, 1, 100, expect)) {
                 scanner_.fail(item);
                 return;
             }
-            if (type != expected && !(expected == kLine && type == kVertex)) {
+            const std::optional<CellKind> kind = cellNumbered(&CellTraits::vtk, type); // SU2 numbers cells as VTK does
+            const bool isElement = kind && traitsOf(*kind).dimension == 2;
+            if (!kind || traitsOf(*kind).order != 1 || isElement != (connections_[k].tag == 0)) {
                 scanner_.fail(connections_[k].offset, "unknown-element",
                               "an element of type " + std::to_string(type) +
-                                  " cannot be read; only triangles (5) and lines (3) on markers");
+                                  " cannot be read; only triangles (5), quadrilaterals (9) and lines (3) on markers");
                 return;
             }
-            const bool done = type == kTriangle ? builder_.readElement(item, 1, expect)
-                              : type == kLine   ? builder_.readEdge(item, connections_[k].tag, expect)
-                                                : builder_.readPoint(item, connections_[k].tag, expect);
+            const bool done = isElement                  ? builder_.readElement(item, *kind, 1, expect)
+                              : *kind == CellKind::Point ? builder_.readPoint(item, connections_[k].tag, expect)
+                                                         : builder_.readEdge(item, *kind, connections_[k].tag, expect);
             if (!done) {
                 scanner_.fail(item);
                 return;
@@ -277,8 +280,8 @@ class Su2Reader {
         const std::string_view text = scanner_.source().text;
         std::size_t element = 0;
         forEachComment(text, "% elements ", [&](std::int64_t count, std::int32_t tag) {
-            for (; count > 0 && element < builder_.mesh.regions.size(); --count) {
-                builder_.mesh.regions[element++] = tag;
+            for (; count > 0 && element < builder_.elements.size(); --count) {
+                builder_.elements.regions[element++] = tag;
             }
         });
         forEachComment(text, "% point ", [&](std::int64_t node, std::int32_t tag) {
@@ -323,7 +326,7 @@ bool looksLikeSu2(std::string_view head) {
     return head.find("NDIME") != std::string_view::npos || head.find("NELEM") != std::string_view::npos;
 }
 
-Result<TriMesh> readSu2(const SourceText &source) {
+Result<Mesh> readSu2(const SourceText &source) {
     return Su2Reader(source).read();
 }
 

@@ -10,7 +10,7 @@
 namespace forefront {
 
 /// Reads SU2 (.su2), two-dimensional. Every fault carries its place in the source.
-Result<TriMesh> readSu2(const SourceText &source);
+Result<Mesh> readSu2(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
 bool looksLikeSu2(std::string_view head);
 /// Writes SU2 (.su2), two-dimensional.

@@ -13,9 +13,9 @@
 namespace forefront {
 
 /// Reads a .node or .ele file with the other one beside it, and an .edge file if there is one.
-Result<TriMesh> readTriangle(const SourceText &source);
+Result<Mesh> readTriangle(const SourceText &source);
 /// Reads a mesh from the texts of its files; `edges` may be null.
-Result<TriMesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges);
+Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges);
 /// Extensions of the files that writeTriangle writes side by side: nodes, elements, tagged edges.
 inline constexpr std::array<const char *, 3> kTriangleExtensions{".node", ".ele", ".edge"};
 /// Adds PATH.node, PATH.ele and PATH.edge to a set of files. A comment in each names the mesh, so that files of

@@ -146,19 +146,21 @@ class TriangleMeshReader {
         std::size_t count = 0;
         std::int64_t corners = 0, attributes = 0, number = 0;
         if (!scanner.count(count, 8, {"the number of triangles"}) ||
-            !scanner.integer(corners, 3, 3, {"the nodes of a triangle"}) ||
+            !scanner.integer(corners, 3, 6, {"the nodes of a triangle"}) || !hasKind(scanner, corners) ||
             !scanner.integer(attributes, 0, 1000, {"the number of attributes"})) {
             return fail(scanner);
         }
         if (attributes > 1) {
             source.note("attributes", "attributes of triangles after the first one are ignored", 0, count);
         }
+        const CellKind kind = corners == 3 ? CellKind::Triangle3 : CellKind::Triangle6;
         AttributeTags tags(builder_.mesh.regionNames, TagKind::Region);
         for (std::size_t k = 0; k < count; ++k) {
             double attribute = 0.0;
             std::int32_t region = attributes > 0 ? 0 : 1;
             if (!scanner.integer(number, 0, std::numeric_limits<std::int32_t>::max(), {"triangle", k + 1}) ||
-                !builder_.readElement(scanner, 1, {"triangle", static_cast<std::uint64_t>(number)})) {
+                !builder_.readElement(scanner, kind, 1, {"triangle", static_cast<std::uint64_t>(number)},
+                                      traitsOf(kind).opposite)) {
                 return fail(scanner);
             }
             numbers_.push_back(number);
@@ -168,7 +170,7 @@ class TriangleMeshReader {
                 }
                 region = a == 0 ? tags.of(attribute) : region;
             }
-            builder_.mesh.regions.back() = region;
+            builder_.elements.regions.back() = region;
         }
         return noMore(scanner, count, "triangle");
     }
@@ -185,7 +187,7 @@ class TriangleMeshReader {
             const Expect expect{"edge", k + 1};
             std::int64_t marker = 0;
             if (!scanner.integer(number, 0, std::numeric_limits<std::int32_t>::max(), expect) ||
-                !builder_.readEdge(scanner, 1, expect) ||
+                !builder_.readEdge(scanner, CellKind::Edge2, 1, expect) ||
                 (markers == 1 && !scanner.integer(marker, -std::numeric_limits<std::int32_t>::max(),
                                                   std::numeric_limits<std::int32_t>::max(), expect))) {
                 return fail(scanner);
@@ -199,15 +201,23 @@ class TriangleMeshReader {
         return noMore(scanner, count, "edge");
     }
 
-    Result<TriMesh> finish(const SourceText &source, const SourceText &nodes) {
-        noteUnusedLabels(labels_, builder_.mesh, "node-markers", nodes);
-        source.numbered(PartNumbers(builder_.table.numbers()), PartNumbers(numbers_));
-        raiseTags(builder_.mesh, source);
-        return builder_.finish();
+    Result<Mesh> finish(const SourceText &source, const SourceText &nodes) {
+        builder_.findMiddles(); // the edges have none
+        source.numbered(PartNumbers(builder_.table.numbers()), builder_.elements.numbered(numbers_));
+        Mesh mesh = builder_.finish();
+        noteUnusedLabels(labels_, mesh, "node-markers", nodes);
+        raiseTags(mesh, source);
+        return mesh;
     }
     const Diagnostics &faults() const { return faults_; }
 
   private:
+    static bool hasKind(TextScanner &scanner, std::int64_t nodes) {
+        return nodes == 3 || nodes == 6 ||
+               scanner.fail(scanner.offset(), "unknown-element",
+                            "the triangles have " + std::to_string(nodes) + " nodes; expected 3 or 6");
+    }
+
     /// Refuses a file that goes on after as many items as its first line announces.
     bool noMore(TextScanner &scanner, std::size_t count, const char *what) {
         if (!scanner.atEnd()) {
@@ -257,7 +267,7 @@ Diagnostics otherMesh(const SourceText &nodes, const SourceText &other) {
 
 } // namespace
 
-Result<TriMesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges) {
+Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges) {
     Diagnostics mixed = otherMesh(nodes, elements);
     if (mixed.empty() && edges != nullptr) {
         mixed = otherMesh(nodes, *edges);
@@ -272,7 +282,7 @@ Result<TriMesh> readTriangleParts(const SourceText &nodes, const SourceText &ele
     return reader.finish(elements, nodes);
 }
 
-Result<TriMesh> readTriangle(const SourceText &source) {
+Result<Mesh> readTriangle(const SourceText &source) {
     const std::string extension = source.path.extension().string();
     const bool isElements = extension == ".ele" || extension == ".ELE";
     const auto other = readCompanion(source, isElements ? ".node" : ".ele");

@@ -11,7 +11,7 @@
 namespace forefront {
 
 /// Reads a VTK XML unstructured grid (.vtu). Every fault carries its place in the source.
-Result<TriMesh> readVtu(const SourceText &source);
+Result<Mesh> readVtu(const SourceText &source);
 /// Reads the mesh and its scalar point and cell data.
 Result<MeshFields> readVtuFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTU.
@@ -20,7 +20,7 @@ bool looksLikeVtu(std::string_view head);
 void writeVtu(const MeshView &mesh, TextWriter &out);
 
 /// Reads a VTK legacy file (.vtk), ASCII. Every fault carries its place in the source.
-Result<TriMesh> readVtk(const SourceText &source);
+Result<Mesh> readVtk(const SourceText &source);
 /// Reads the mesh and its scalar point and cell data.
 Result<MeshFields> readVtkFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTK legacy.

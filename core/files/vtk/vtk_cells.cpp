@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -88,7 +89,7 @@ class CellTags {
     AttributeTags tags_;
 };
 
-void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, TriMesh &mesh) {
+void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, Mesh &mesh) {
     for (const auto &[field, tags] : grid.fields) {
         const bool region = field.starts_with("region:");
         if (!region && !field.starts_with("boundary:")) {
@@ -107,9 +108,36 @@ void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, Tri
     }
 }
 
+/// Returns the number of a type of cells that cannot be read, with its name if it is a usual one.
+std::string typeName(std::int64_t type) {
+    constexpr std::array<std::pair<std::int64_t, const char *>, 17> kNames = {{{2, "a set of vertices"},
+                                                                               {4, "a polyline"},
+                                                                               {6, "a strip of triangles"},
+                                                                               {7, "a polygon"},
+                                                                               {8, "a pixel"},
+                                                                               {10, "a tetrahedron"},
+                                                                               {11, "a voxel"},
+                                                                               {12, "a hexahedron"},
+                                                                               {13, "a wedge"},
+                                                                               {14, "a pyramid"},
+                                                                               {24, "a tetrahedron of 10 nodes"},
+                                                                               {25, "a hexahedron of 20 nodes"},
+                                                                               {34, "a triangle of 7 nodes"},
+                                                                               {35, "a line of 4 nodes"},
+                                                                               {68, "a Lagrange curve"},
+                                                                               {69, "a Lagrange triangle"},
+                                                                               {70, "a Lagrange quadrilateral"}}};
+    for (const auto &[number, name] : kNames) {
+        if (number == type) {
+            return std::to_string(type) + " (" + name + ')';
+        }
+    }
+    return std::to_string(type);
+}
+
 } // namespace
 
-bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, TriMesh &mesh) {
+bool meshOfVtk(VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
     const auto refuse = [&](const char *code, const std::string &message) {
         return scanner.fail(grid.offset, code, message);
     };
@@ -123,7 +151,8 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, TriMesh &mesh) {
     noteRealTags(ofBoundaries != ofRegions ? ofBoundaries : nullptr, grid, scanner.source());
     CellTags regions(ofRegions, mesh.regionNames, TagKind::Region);
     CellTags boundaries(ofBoundaries, mesh.boundaryNames, TagKind::Boundary);
-    std::vector<std::int64_t> cells; // of the elements
+    PlanarMeshBuilder builder;
+    std::vector<std::int64_t> &cells = grid.elementCells;
     std::int64_t begin = 0;
     for (std::size_t c = 0; c < grid.types.size(); ++c) {
         if (c % kStopInterval == 0 && scanner.stopped()) {
@@ -131,50 +160,52 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, TriMesh &mesh) {
         }
         const std::int64_t end = grid.ends[c];
         const std::int64_t type = grid.types[c];
-        const std::int64_t expected = type == kVtkTriangle ? 3 : type == kVtkLine ? 2 : type == kVtkVertex ? 1 : 0;
-        if (expected == 0) {
-            return refuse("unknown-element", "cell " + std::to_string(c) + " is of VTK type " + std::to_string(type) +
-                                                 "; only triangles (5), lines (3) and vertices (1) can be read");
+        const std::optional<CellKind> kind = cellNumbered(&CellTraits::vtk, type);
+        if (!kind) {
+            return refuse("unknown-element", "cell " + std::to_string(c) + " is of VTK type " + typeName(type) +
+                                                 "; only " + kReadableCells + " can be read");
         }
+        const auto expected = static_cast<std::int64_t>(traitsOf(*kind).nodes);
         if (end - begin != expected || begin < 0 || end > static_cast<std::int64_t>(grid.connectivity.size())) {
             return refuse("bad-count", "cell " + std::to_string(c) + " has the wrong number of nodes");
         }
-        NodeId nodes[3] = {};
+        std::array<NodeId, kMaxCellNodes> all{};
+        const std::span<NodeId> nodes = std::span(all).first(static_cast<std::size_t>(expected));
         for (std::int64_t k = begin; k < end; ++k) {
             const std::int64_t node = grid.connectivity[static_cast<std::size_t>(k)];
             if (node < 0 || node >= static_cast<std::int64_t>(grid.nodes.size())) {
                 return refuse("bad-index", "cell " + std::to_string(c) + " refers to node " + std::to_string(node) +
                                                ", which does not exist");
             }
-            nodes[k - begin] = NodeId{static_cast<std::uint32_t>(node)};
+            nodes[static_cast<std::size_t>(k - begin)] = NodeId{static_cast<std::uint32_t>(node)};
         }
         begin = end;
-        if (!requireDistinct(scanner, grid.offset, std::span(nodes).first(static_cast<std::size_t>(expected)),
-                             {"cell", c})) {
+        if (!requireDistinct(scanner, grid.offset, nodes, {"cell", c})) {
             return false;
         }
-        if (type == kVtkTriangle) {
-            mesh.elements.push_back({nodes[0], nodes[1], nodes[2]});
+        const bool isElement = traitsOf(*kind).dimension == 2;
+        builder.addCell(*kind, nodes, isElement ? regions.at(c) : boundaries.at(c));
+        if (isElement) {
             cells.push_back(static_cast<std::int64_t>(c));
-            mesh.regions.push_back(regions.at(c));
-        } else if (type == kVtkLine) {
-            mesh.edges.push_back({nodes[0], nodes[1], boundaries.at(c)});
-        } else {
-            mesh.points.push_back({nodes[0], boundaries.at(c)});
         }
     }
     if (begin != static_cast<std::int64_t>(grid.connectivity.size())) {
         return refuse("bad-count", "the cells have " + std::to_string(begin) + " nodes, but " +
                                        std::to_string(grid.connectivity.size()) + " are listed");
     }
+    builder.elements.regroup(cells);
+    Mesh cellsOnly = builder.finish();
+    mesh.blocks = std::move(cellsOnly.blocks);
+    mesh.edges = std::move(cellsOnly.edges);
+    mesh.points = std::move(cellsOnly.points);
     mesh.nodes = grid.nodes;
     readNames(grid, regions, boundaries, mesh);
-    scanner.source().numbered(PartNumbers(), PartNumbers(std::move(cells)));
+    scanner.source().numbered(PartNumbers(), PartNumbers(cells));
     raiseTags(mesh, scanner.source());
     return true;
 }
 
-MeshFields fieldsOfVtk(VtkGrid grid, TriMesh mesh, const SourceText &source) {
+MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source) {
     MeshFields read{std::move(mesh), std::move(grid.pointArrays), {}};
     const auto fits = [&](const std::string &name, std::size_t values, std::size_t items, const char *kind) {
         if (values != items) {
@@ -191,11 +222,9 @@ MeshFields fieldsOfVtk(VtkGrid grid, TriMesh mesh, const SourceText &source) {
             continue;
         }
         std::vector<double> &ofElements = read.elementFields[name];
-        ofElements.reserve(read.mesh.elements.size());
-        for (std::size_t c = 0; c < values.size(); ++c) {
-            if (grid.types[c] == kVtkTriangle) {
-                ofElements.push_back(values[c]);
-            }
+        ofElements.reserve(grid.elementCells.size());
+        for (const std::int64_t c : grid.elementCells) {
+            ofElements.push_back(values[static_cast<std::size_t>(c)]);
         }
     }
     return read;

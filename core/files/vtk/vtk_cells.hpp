@@ -30,14 +30,16 @@ struct VtkGrid {
     std::map<std::string, std::vector<double>> pointArrays; ///< with one component; only where asked for
     std::map<std::string, std::vector<double>> cellReals;   ///< of all cells; likewise
     std::size_t offset = 0;                                 ///< of the cells, for faults
+    std::vector<std::int64_t> elementCells;                 ///< the cell of each element of the mesh
 };
 
-/// Converts a grid to a mesh, with the names of its tags. Failures are recorded in the scanner.
-bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, TriMesh &mesh);
+/// Converts a grid to a mesh, with the names of its tags, and fills in its `elementCells`. Failures are recorded in the
+/// scanner.
+bool meshOfVtk(VtkGrid &grid, TextScanner &scanner, Mesh &mesh);
 
 /// Returns the mesh of a grid with its values of nodes and elements; tags are not values. Notes arrays whose length is
 /// not that of the mesh.
-MeshFields fieldsOfVtk(VtkGrid grid, TriMesh mesh, const SourceText &source);
+MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source);
 
 /// Notes an array that is not read because it has several components.
 void noteComponents(const SourceText &source, const std::string &name, std::size_t components, std::size_t offset);

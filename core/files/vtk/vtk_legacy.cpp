@@ -111,8 +111,8 @@ class VtkReader {
   public:
     explicit VtkReader(const SourceText &source) : scanner_(source) {}
 
-    Result<TriMesh> read() {
-        TriMesh mesh;
+    Result<Mesh> read() {
+        Mesh mesh;
         if (header()) {
             while (scanner_.ok() && !scanner_.atEnd()) {
                 const std::size_t place = scanner_.offset();
@@ -129,7 +129,7 @@ class VtkReader {
         return mesh;
     }
 
-    MeshFields takeFields(TriMesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
+    MeshFields takeFields(Mesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
 
   private:
     bool header() {
@@ -379,13 +379,13 @@ bool looksLikeVtk(std::string_view head) {
     return head.starts_with("# vtk DataFile");
 }
 
-Result<TriMesh> readVtk(const SourceText &source) {
+Result<Mesh> readVtk(const SourceText &source) {
     return VtkReader(source).read();
 }
 
 Result<MeshFields> readVtkFields(const SourceText &source) {
     VtkReader reader(source);
-    Result<TriMesh> mesh = reader.read();
+    Result<Mesh> mesh = reader.read();
     if (!mesh) {
         return mesh.faults();
     }

@@ -83,15 +83,15 @@ class VtuReader {
     VtuReader(const SourceText &source, bool wantsValues)
         : scanner_(source), text_(source.text), wantsValues_(wantsValues) {}
 
-    Result<TriMesh> read() {
-        TriMesh mesh;
+    Result<Mesh> read() {
+        Mesh mesh;
         if (!parse() || !grid() || !meshOfVtk(grid_, scanner_, mesh)) {
             return scanner_.faults();
         }
         return mesh;
     }
 
-    MeshFields takeFields(TriMesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
+    MeshFields takeFields(Mesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
 
   private:
     static std::size_t offsetOf(const pugi::xml_node &node) {
@@ -374,13 +374,13 @@ bool looksLikeVtu(std::string_view head) {
     return head.find("<VTKFile") != std::string_view::npos;
 }
 
-Result<TriMesh> readVtu(const SourceText &source) {
+Result<Mesh> readVtu(const SourceText &source) {
     return VtuReader(source, false).read();
 }
 
 Result<MeshFields> readVtuFields(const SourceText &source) {
     VtuReader reader(source, true);
-    Result<TriMesh> mesh = reader.read();
+    Result<Mesh> mesh = reader.read();
     if (!mesh) {
         return mesh.faults();
     }
