@@ -1,5 +1,6 @@
 #version 330 core
 in vec3 corner;
+in vec3 wall;
 flat in vec3 shades;      // values of the element (three times), of its edges, or of its nodes
 
 uniform vec4 face;        // of elements not coloured by a value
@@ -19,7 +20,7 @@ out vec4 result;
 // The value of the element, of the nearest edge (k joins the corners k and k + 1), or of the nearest node.
 float valueHere() {
     if (part == 1) {
-        return corner.z <= min(corner.x, corner.y) ? shades.x : corner.x <= corner.y ? shades.y : shades.z;
+        return wall.z <= min(wall.x, wall.y) ? shades.x : wall.x <= wall.y ? shades.y : shades.z;
     }
     if (part == 2) {
         return corner.x >= max(corner.y, corner.z) ? shades.x : corner.y >= corner.z ? shades.y : shades.z;
@@ -39,7 +40,7 @@ void main() {
     float shade = valueHere();
     bool known = shade > -9e29;
     vec3 rate = fwidth(corner);
-    vec3 pixels = corner / max(rate, vec3(1e-9));
+    vec3 pixels = wall / max(rate, vec3(1e-9));
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
     // Edges of triangles only a few pixels high would cover the colours beneath them, so they fade out.
     float height = 1.0 / max(max(rate.x, rate.y), rate.z);

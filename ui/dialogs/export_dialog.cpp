@@ -6,6 +6,7 @@
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/mesh/element_words.hpp"
 
 #include <imgui.h>
 
@@ -79,9 +80,9 @@ bool drawMeshLine(Shell &context, bool &asked) {
         }
         return false;
     }
-    ImGui::TextUnformatted((ui::count(mesh->mesh.elements.size()) + " triangles, " +
-                            ui::count(mesh->mesh.nodes.size()) + " nodes, " + ui::count(mesh->mesh.edges.size()) +
-                            " tagged edges")
+    const MeshView view = mesh->view();
+    ImGui::TextUnformatted((elementsInWords(view) + ", " + ui::count(view.nodes.size()) + " nodes, " +
+                            ui::count(view.edges.size()) + " tagged edges")
                                .c_str());
     if (context.run.outOfDate()) {
         ImGui::SameLine(0, context.px(16));
@@ -141,6 +142,21 @@ void drawInnerEdges(Shell &context, const FileFilter &filter, bool &keep) {
     ui::mark(context, "dialog/export/no-inner-edges");
 }
 
+/// Returns true if files of a format can hold the mesh; says why if they cannot.
+bool drawHeld(Shell &context, const FileFilter &filter) {
+    const std::shared_ptr<const MeshSnapshot> mesh = finishedMesh(context);
+    const Status faults = mesh ? checkElements(*allFormats().withId(filter.id), mesh->view()) : Status();
+    if (faults.empty()) {
+        return true;
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
+    ImGui::TextUnformatted(faults.front().message.c_str());
+    ImGui::PopStyleColor();
+    ui::mark(context, "dialog/export/not-held");
+    return false;
+}
+
 /// Returns the size of all files that were written, in bytes.
 std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &format) {
     std::uintmax_t sum = 0;
@@ -161,13 +177,13 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
         Progress progress;
         progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
         progress.stop = std::move(stop);
-        const TriMesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->mesh) : TriMesh();
-        const TriMesh &exported = innerEdges == InnerEdges::Drop ? outline : mesh->mesh;
+        const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->view()) : Mesh();
+        const MeshView exported = innerEdges == InnerEdges::Drop ? MeshView(outline) : mesh->view();
         const Status written = writeMesh(file, exported, format, progress);
         return hasErrors(written) ? written : exportNotes(file, exported, format);
     };
-    const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](Shell &c) {
-        c.log.announce("Exported mesh to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
+    const auto done = [file, format = filter.id, elements = elementsInWords(mesh->view())](Shell &c) {
+        c.log.announce("Exported mesh to " + file.string() + ": " + elements + ", " +
                        fileSizeText(bytesOf(file, format)));
     };
     context.dialogs.open(std::make_unique<WriteDialog>(file.string(), job, done));
@@ -214,8 +230,11 @@ void exportMesh(Shell &context, std::string_view proposed) {
     request.extraLines = 2;
     request.extra = [keepsInnerEdges, asked = false](Shell &c, const FileFilter &filter) mutable {
         const bool ready = drawMeshLine(c, asked);
-        drawInnerEdges(c, filter, *keepsInnerEdges);
-        return ready;
+        const bool held = ready && drawHeld(c, filter);
+        if (held || !ready) {
+            drawInnerEdges(c, filter, *keepsInnerEdges);
+        }
+        return held;
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }

@@ -9,6 +9,7 @@
 #include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/mesh/element_words.hpp"
 
 #include <algorithm>
 #include <future>
@@ -22,17 +23,17 @@ namespace forefront {
 namespace {
 
 /// Returns why a mesh cannot be drawn.
-Diagnostics drawingFaults(const TriMesh &mesh) {
+Diagnostics drawingFaults(const MeshView &mesh) {
     const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
-    const bool elements = std::all_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element &element) {
-        return std::all_of(element.begin(), element.end(), known);
+    const bool elements = std::all_of(mesh.blocks().begin(), mesh.blocks().end(), [&](const MeshView::Block &block) {
+        return std::all_of(block.connectivity.begin(), block.connectivity.end(), known);
     });
     const bool edges = std::all_of(mesh.edges.begin(), mesh.edges.end(),
                                    [&](const TaggedEdge &edge) { return known(edge.a) && known(edge.b); });
     const bool points =
         std::all_of(mesh.points.begin(), mesh.points.end(), [&](const TaggedNode &point) { return known(point.node); });
     const bool finite = std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite);
-    if (mesh.elements.empty()) {
+    if (mesh.elementCount() == 0) {
         return error("empty-mesh", "the mesh has no elements", "open it as a drawing instead");
     }
     return elements && edges && points && finite
@@ -57,11 +58,11 @@ void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path 
     context.view.measureRange.reset();
     context.view.field.clear();
     context.view.fitPending = true;
-    const std::size_t elements = opened.mesh.view->mesh.elements.size();
+    const std::string elements = elementsInWords(opened.mesh.view->view());
     context.run.showFile(opened.mesh);
     showMeshColours(context);
-    context.log.announce(file.filename().string() + ": " + ui::count(elements) +
-                         " triangles, shown as they are in the file; press 2 to remesh the outline");
+    context.log.announce(file.filename().string() + ": " + elements +
+                         ", shown as they are in the file; press 2 to remesh the outline");
     context.log.add(opened.notes);
     context.animate();
 }
@@ -106,7 +107,7 @@ OpenedMesh evaluate(MeshFields read, Diagnostics notes, const Progress &progress
     opened.mesh = takeMesh(std::move(read));
     // Without a policy, get() does the work if the system refuses another thread.
     std::future<Result<Domain>> found =
-        std::async([&mesh = opened.mesh.view->mesh, &progress] { return domainOfMesh(mesh, progress); });
+        std::async([&view = *opened.mesh.view, &progress] { return domainOfMesh(view.view(), progress); });
     measureMesh(opened.mesh);
     const Result<Domain> outline = found.get();
     if (!outline) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <utility>
 
 namespace forefront {
@@ -18,6 +19,9 @@ namespace {
 /// The first value in the buffer. Three attributes read the buffer at each vertex and the two entries after it, so that
 /// the last vertex of an element, whose flat outputs count, has the values of all three corners.
 constexpr std::size_t kSkip = 2;
+/// The attribute of the edges that are drawn, and its value for all three.
+constexpr unsigned kEdgesAttribute = 4;
+constexpr float kAllEdges = 7.0F;
 /// Stands for a missing value; the shader draws such parts in the plain colour.
 constexpr float kNoValue = -1e30F;
 /// Stands for infinity; more than the logarithm of any float, but less than the end of the last bar of a histogram.
@@ -36,9 +40,36 @@ bool sameNodes(const std::vector<Vec2> &a, const std::vector<Vec2> &b) {
     return common == 0 || std::memcmp(a.data(), b.data(), common * sizeof(Vec2)) == 0;
 }
 
-/// Returns the value of a corner of an element as the shader reads it.
-float valueAt(const MeshSnapshot &view, const std::optional<MeshValues> &values, std::size_t element,
+constexpr std::size_t kNoSide = 4;
+
+/// Returns the side of its element that edge k of a triangle is, or is half of; kNoSide for one inside the element.
+std::size_t sideOf(const MeshSnapshot &view, std::size_t triangle, std::size_t k) {
+    if (!view.whole) {
+        return k;
+    }
+    if (!view.isReal(triangle, k)) {
+        return kNoSide;
+    }
+    const MeshView mesh = view.view();
+    const std::span<const NodeId> nodes = mesh.nodesOf(view.element(triangle));
+    const std::size_t corners = mesh.cornersOf(view.element(triangle)).size();
+    const Element &ends = view.mesh.elements[triangle];
+    for (std::size_t side = 0; side < corners; ++side) {
+        const auto onSide = [&](NodeId node) {
+            return node == nodes[side] || node == nodes[(side + 1) % corners] ||
+                   (nodes.size() > corners && node == nodes[corners + side]);
+        };
+        if (onSide(ends[k]) && onSide(ends[(k + 1) % 3])) {
+            return side;
+        }
+    }
+    return kNoSide;
+}
+
+/// Returns the value of a corner of a triangle as the shader reads it.
+float valueAt(const MeshSnapshot &view, const std::optional<MeshValues> &values, std::size_t triangle,
               std::size_t corner) {
+    const std::size_t element = view.element(triangle);
     if (!values) {
         return element < view.alpha.size() ? view.alpha[element] : 1.0F;
     }
@@ -51,9 +82,10 @@ float valueAt(const MeshSnapshot &view, const std::optional<MeshValues> &values,
         return shown(element);
     }
     if (values->part == MeshPart::Edges) {
-        return values->edges != nullptr ? shown(values->edges->of(element, corner)) : kNoValue;
+        const std::size_t side = values->edges != nullptr ? sideOf(view, triangle, corner) : kNoSide;
+        return side != kNoSide ? shown(values->edges->of(element, side)) : kNoValue;
     }
-    return shown(index(view.mesh.elements[element][corner]));
+    return shown(index(view.mesh.elements[triangle][corner]));
 }
 
 GLsizeiptr bytesOf(std::size_t entries, std::size_t each) {
@@ -65,6 +97,7 @@ GLsizeiptr bytesOf(std::size_t entries, std::size_t each) {
 /// Buffers for the corners and values of a number of elements.
 struct MeshBatch::Page {
     unsigned array = 0, corners = 0, values = 0;
+    unsigned edges = 0;       ///< per vertex, which edges of its element are drawn; 0: all, without a buffer
     std::size_t capacity = 0; ///< elements
 
     Page() {
@@ -87,6 +120,7 @@ struct MeshBatch::Page {
     ~Page() {
         glDeleteBuffers(1, &corners);
         glDeleteBuffers(1, &values);
+        glDeleteBuffers(1, &edges);
         glDeleteVertexArrays(1, &array);
     }
     Page(const Page &) = delete;
@@ -99,6 +133,30 @@ struct MeshBatch::Page {
         glBufferData(GL_ARRAY_BUFFER, bytesOf(3 * capacity, sizeof(glm::vec2)), nullptr, GL_DYNAMIC_DRAW);
         glBindBuffer(GL_ARRAY_BUFFER, values);
         glBufferData(GL_ARRAY_BUFFER, bytesOf(3 * capacity + kSkip, sizeof(float)), nullptr, GL_DYNAMIC_DRAW);
+        dropEdges();
+    }
+
+    /// Makes a buffer for the edges that are drawn, for all its elements.
+    void needEdges() {
+        if (edges != 0) {
+            return;
+        }
+        glGenBuffers(1, &edges);
+        glBindVertexArray(array);
+        glBindBuffer(GL_ARRAY_BUFFER, edges);
+        glBufferData(GL_ARRAY_BUFFER, bytesOf(3 * capacity, 1), nullptr, GL_DYNAMIC_DRAW);
+        glEnableVertexAttribArray(kEdgesAttribute);
+        glVertexAttribPointer(kEdgesAttribute, 1, GL_UNSIGNED_BYTE, GL_FALSE, 1, nullptr);
+        glBindVertexArray(0);
+    }
+    void dropEdges() {
+        if (edges != 0) {
+            glBindVertexArray(array);
+            glDisableVertexAttribArray(kEdgesAttribute);
+            glBindVertexArray(0);
+            glDeleteBuffers(1, &edges);
+            edges = 0;
+        }
     }
 };
 
@@ -115,7 +173,8 @@ std::size_t MeshBatch::bytes() const {
 }
 
 std::size_t MeshBatch::commonPrefix(const MeshSnapshot &view) const {
-    if (!shown_ || byPlace_ || sorter_ || !sameNodes(shown_->mesh.nodes, view.mesh.nodes)) {
+    if (!shown_ || byPlace_ || sorter_ || shown_->whole || view.whole ||
+        !sameNodes(shown_->mesh.nodes, view.mesh.nodes)) {
         return 0;
     }
     const auto &a = shown_->mesh.elements, &b = view.mesh.elements;
@@ -192,6 +251,26 @@ void MeshBatch::makeRoom() {
     }
 }
 
+/// Uploads which edges of the elements to come are drawn, if some are not.
+void MeshBatch::uploadEdges(const Chunk &chunk) {
+    Page &page = pageOf(chunk);
+    if (shown_->realEdges.empty()) {
+        page.dropEdges();
+        return;
+    }
+    std::array<std::uint8_t, 3 * kMeshChunk> edges;
+    std::size_t end = 0;
+    for (std::size_t i = chunk.corners; i < chunk.count; ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            edges[end++] = shown_->realEdges[elementAt(chunk.first + i)];
+        }
+    }
+    page.needEdges();
+    glBindBuffer(GL_ARRAY_BUFFER, page.edges);
+    glBufferSubData(GL_ARRAY_BUFFER, bytesOf(3 * (chunk.first % kPageElements + chunk.corners), 1), bytesOf(end, 1),
+                    edges.data());
+}
+
 void MeshBatch::uploadCorners(Chunk &chunk) {
     std::array<glm::vec2, 3 * kMeshChunk> corners;
     std::size_t end = 0;
@@ -206,6 +285,7 @@ void MeshBatch::uploadCorners(Chunk &chunk) {
     glBindBuffer(GL_ARRAY_BUFFER, pageOf(chunk).corners);
     glBufferSubData(GL_ARRAY_BUFFER, bytesOf(3 * (chunk.first % kPageElements + chunk.corners), sizeof(glm::vec2)),
                     bytesOf(end, sizeof(glm::vec2)), corners.data());
+    uploadEdges(chunk);
     sent_ += chunk.count - chunk.corners;
     chunk.corners = chunk.count;
     chunk.measured = true;
@@ -328,6 +408,7 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
         slice->done += done;
     }
     use(gl, camera, style);
+    glVertexAttrib1f(kEdgesAttribute, kAllEdges); // where a page has no buffer of them
     for (std::size_t k = first; k < end; ++k) {
         const Chunk &chunk = chunks_[k];
         if (!inView(chunk)) {

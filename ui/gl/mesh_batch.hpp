@@ -97,6 +97,7 @@ class MeshBatch {
     Page &pageOf(const Chunk &chunk) { return *pages_[chunk.first / kPageElements]; }
     void makeRoom();
     void upload(Chunk &chunk);
+    void uploadEdges(const Chunk &chunk);
     void uploadCorners(Chunk &chunk);
     void uploadValues(Chunk &chunk);
     void use(const GlKit &gl, const Camera &camera, const MeshStyle &style) const;

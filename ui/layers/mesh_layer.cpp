@@ -1,5 +1,5 @@
 #include "core/engine/base/hash.hpp"
-#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/gl/gl_kit.hpp"
@@ -161,14 +161,14 @@ class QualityLayer final : public Layer {
             return;
         }
         findBad(*frame.snapshot.mesh);
-        const TriMesh &mesh = frame.snapshot.mesh->mesh;
+        const MeshView mesh = frame.snapshot.mesh->view();
         const Box2 visible = frame.camera.visible();
         std::size_t shown = 0;
         for (const std::size_t i : bad_) {
-            const Element &e = mesh.elements[i];
-            const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
-            const Vec2 middle = (1.0 / 3.0) * (a + b + c);
-            if (!visible.contains(middle) || frame.camera.zoom * distance(a, b) < 24.0 * frame.scale) {
+            const PlacedCell cell(mesh, i);
+            const Vec2 middle = cell.centre();
+            if (!visible.contains(middle) ||
+                frame.camera.zoom * distance(cell.nodes[0], cell.nodes[1]) < 24.0 * frame.scale) {
                 continue;
             }
             painter.freeLabel(middle, {-12, -7}, ui::format("%.2f", static_cast<double>(frame.snapshot.mesh->alpha[i])),
@@ -218,7 +218,7 @@ class QualityLayer final : public Layer {
         }
         version_ = view.version;
         bad_.clear();
-        for (std::size_t i = 0; i < view.alpha.size() && i < view.mesh.elements.size(); ++i) {
+        for (std::size_t i = 0; i < view.alpha.size(); ++i) {
             if (static_cast<double>(view.alpha[i]) < kBad) {
                 bad_.push_back(i);
             }

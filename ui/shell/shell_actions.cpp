@@ -1,4 +1,5 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
@@ -216,16 +217,13 @@ void addPlaceActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          const SessionSnapshot &s = c.run.now();
-                         const Element &e = s.mesh->mesh.elements[index(s.quality.worst)];
-                         const auto &n = s.mesh->mesh.nodes;
-                         c.view.goTo((1.0 / 3.0) * (n[index(e[0])] + n[index(e[1])] + n[index(e[2])]),
-                                     c.platform.now());
+                         c.view.goTo(PlacedCell(s.mesh->view(), index(s.quality.worst)).centre(), c.platform.now());
                      },
                  .enabled =
                      [](const Shell &c) {
                          const SessionSnapshot &s = c.run.now();
                          return s.mesh && s.quality.worst != kNoElement &&
-                                index(s.quality.worst) < s.mesh->mesh.elements.size();
+                                index(s.quality.worst) < s.mesh->view().elementCount();
                      },
                  .separatorBefore = true});
     actions.add({.id = "view.firstFault",

@@ -6,8 +6,9 @@
 #include "ui/workspace/workspace.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace forefront {
 
@@ -80,10 +81,10 @@ void goToPart(Workspace &context, const MeshPick &pick) {
     }
     context.probe.follow(judgement.of.mesh->version);
     context.probe.chosen = pick;
-    const TriMesh &mesh = judgement.of.mesh->mesh;
+    const MeshView mesh = judgement.of.mesh->view();
     Box2 box;
     if (pick.part == MeshPart::Elements) {
-        for (const NodeId node : mesh.elements[pick.index]) {
+        for (const NodeId node : mesh.nodesOf(pick.index)) {
             box.add(mesh.nodes[index(node)]);
         }
     } else if (pick.part == MeshPart::Edges) {
@@ -113,7 +114,8 @@ namespace {
 
 /// Returns the element that contains a place; the lowest number if elements overlap there.
 std::uint32_t elementAt(const Judgement &judgement, Vec2 place) {
-    const TriMesh &mesh = judgement.of.mesh->mesh;
+    const MeshSnapshot &shown = *judgement.of.mesh;
+    const TriMesh &mesh = shown.mesh;
     std::uint32_t found = kNoIndex;
     judgement.tree->query(boxAround(place, 0.0), [&](std::uint32_t number) {
         const Element &n = mesh.elements[number];
@@ -121,22 +123,34 @@ std::uint32_t elementAt(const Judgement &judgement, Vec2 place) {
         const double turn = cross(b - a, c - a) < 0.0 ? -1.0 : 1.0;
         const bool inside = turn * cross(b - a, place - a) >= 0.0 && turn * cross(c - b, place - b) >= 0.0 &&
                             turn * cross(a - c, place - c) >= 0.0;
-        found = inside ? std::min(found, number) : found;
+        found = inside ? std::min(found, static_cast<std::uint32_t>(shown.element(number))) : found;
     });
     return found;
 }
 
-/// Returns the nodes of a part.
+/// Returns the nodes of a part in the order of a line along it: round an element, or from end to end of an edge.
 std::vector<Vec2> nodesOf(const Judgement &judgement, const MeshPick &pick) {
-    const TriMesh &mesh = judgement.of.mesh->mesh;
+    const MeshView mesh = judgement.of.mesh->view();
     const auto at = [&](NodeId node) { return mesh.nodes[index(node)]; };
-    if (pick.part == MeshPart::Elements && pick.index < mesh.elements.size()) {
-        const Element &n = mesh.elements[pick.index];
-        return {at(n[0]), at(n[1]), at(n[2])};
+    std::vector<Vec2> line;
+    if (pick.part == MeshPart::Elements && pick.index < mesh.elementCount()) {
+        const std::span<const NodeId> nodes = mesh.nodesOf(pick.index);
+        const std::size_t corners = mesh.cornersOf(pick.index).size();
+        for (std::size_t k = 0; k < corners; ++k) {
+            line.push_back(at(nodes[k]));
+            if (nodes.size() > corners) {
+                line.push_back(at(nodes[corners + k]));
+            }
+        }
+        return line;
     }
     if (pick.part == MeshPart::Edges && judgement.edges && pick.index < judgement.edges->edges.size()) {
         const MeshEdge &edge = judgement.edges->edges[pick.index];
-        return {at(edge.a), at(edge.b)};
+        line = {at(edge.a), at(edge.b)};
+        if (edge.middle != kNoNode) {
+            line.insert(line.begin() + 1, at(edge.middle));
+        }
+        return line;
     }
     return pick.part == MeshPart::Nodes && pick.index < mesh.nodes.size() ? std::vector<Vec2>{mesh.nodes[pick.index]}
                                                                           : std::vector<Vec2>();
@@ -152,21 +166,23 @@ std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double re
     if (element == kNoIndex) {
         return std::nullopt;
     }
-    const TriMesh &mesh = judgement.of.mesh->mesh;
-    const Element &n = mesh.elements[element];
-    std::array<Vec2, 3> p{};
-    std::transform(n.begin(), n.end(), p.begin(), [&](NodeId node) { return mesh.nodes[index(node)]; });
+    const MeshView mesh = judgement.of.mesh->view();
+    const std::vector<Vec2> line = nodesOf(judgement, {MeshPart::Elements, element});
     constexpr double kShare = 0.22; // of its shortest side: the middle of a small element is the element itself
-    const double shortest = std::min({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        shortest = std::min(shortest, distance(line[k], line[(k + 1) % line.size()]));
+    }
     const double near = std::min(reach, kShare * shortest);
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (distance(place, p[k]) <= near) {
-            return MeshPick{MeshPart::Nodes, static_cast<std::uint32_t>(index(n[k]))};
+    for (const NodeId node : mesh.nodesOf(element)) {
+        if (distance(place, mesh.nodes[index(node)]) <= near) {
+            return MeshPick{MeshPart::Nodes, static_cast<std::uint32_t>(index(node))};
         }
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (distanceToSegment(p[k], p[(k + 1) % 3], place) <= 0.5 * near) {
-            return MeshPick{MeshPart::Edges, judgement.edges->of(element, k)};
+    const std::size_t perEdge = line.size() / mesh.cornersOf(element).size();
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        if (distanceToSegment(line[k], line[(k + 1) % line.size()], place) <= 0.5 * near) {
+            return MeshPick{MeshPart::Edges, judgement.edges->of(element, k / perEdge)};
         }
     }
     return MeshPick{MeshPart::Elements, element};
@@ -183,7 +199,7 @@ void drawProbe(CanvasPainter &painter, const Workspace &context) {
         if (nodes.size() == 1) {
             painter.ring(nodes.front(), 7.0, colour, width);
         } else if (!nodes.empty()) {
-            painter.polyline(nodes, nodes.size() > 2, colour, width);
+            painter.polyline(nodes, pick->part == MeshPart::Elements, colour, width);
         }
     };
     if (probe.hovered != probe.chosen) {

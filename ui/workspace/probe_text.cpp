@@ -1,11 +1,12 @@
 #include "core/drawing/names/region_commands.hpp"
-#include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace forefront {
 
@@ -16,19 +17,22 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
 /// Collects the rows of one part of the evaluated mesh.
 class PartReader {
   public:
-    explicit PartReader(const Judgement &judgement) : judgement_(judgement), mesh_(judgement.of.mesh->mesh) {}
+    explicit PartReader(const Judgement &judgement) : judgement_(judgement), mesh_(judgement.of.mesh->view()) {}
 
     Rows element(std::uint32_t number) const {
-        const Element &nodes = mesh_.elements[number];
-        const Vec2 a = at(nodes[0]), b = at(nodes[1]), c = at(nodes[2]);
-        Rows rows{{"Element", std::to_string(number)}, {"\xce\xb1", ui::format("%.4f", shapeFactor(a, b, c))}};
-        const double twice = cross(b - a, c - a);
-        rows.emplace_back("Angles", angleText(a, b, c, twice) + "  " + angleText(b, c, a, twice) + "  " +
-                                        angleText(c, a, b, twice));
+        const PlacedCell cell(mesh_, number);
+        const std::size_t corners = cell.corners().size();
+        Rows rows{{"Element", std::to_string(number)}, {"\xce\xb1", ui::format("%.4f", shapeFactor(cell))}};
+        if (cell.kind != CellKind::Triangle3) {
+            rows.insert(rows.begin() + 1, {"Kind", cell.traits().name});
+            rows.emplace_back("Scaled Jacobian", ui::format("%.4f", scaledJacobian(cell)));
+        }
+        rows.emplace_back("Angles", angleTexts(cell));
+        const double twice = twiceArea(cell);
         rows.emplace_back("Area", ui::number(0.5 * twice));
         std::string neighbours, lengths, ratios;
         double growth = 1.0;
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < corners; ++k) {
             const std::uint32_t edge = judgement_.edges->of(number, k);
             lengths += (k == 0 ? "" : "  ") + ui::number(lengthOf(edge), 3);
             ratios += (k == 0 ? "" : "  ") + ratioText(edge);
@@ -43,7 +47,11 @@ class PartReader {
         }
         rows.emplace_back("Neighbours", neighbours.empty() ? "none" : neighbours);
         rows.emplace_back("Growth", neighbours.empty() ? "none" : ui::number(growth));
-        rows.emplace_back("Nodes", nodeText(nodes[0]) + "  " + nodeText(nodes[1]) + "  " + nodeText(nodes[2]));
+        std::string nodes;
+        for (const NodeId node : mesh_.nodesOf(number)) {
+            nodes += (nodes.empty() ? "" : "  ") + nodeText(node);
+        }
+        rows.emplace_back("Nodes", nodes);
         const std::int32_t tag = mesh_.region(number);
         rows.emplace_back("Region", tagText(tag, regionName(mesh_.regionNames, tag)));
         if (judgement_.of.fieldValues && judgement_.info.part == MeshPart::Elements) {
@@ -104,11 +112,13 @@ class PartReader {
     std::vector<std::uint32_t> elementsAround(NodeId node) const {
         std::vector<std::uint32_t> found;
         judgement_.tree->query(boxAround(at(node), 0.0), [&](std::uint32_t element) {
-            if (std::ranges::find(mesh_.elements[element], node) != mesh_.elements[element].end()) {
+            element = static_cast<std::uint32_t>(judgement_.of.mesh->element(element));
+            if (std::ranges::find(mesh_.nodesOf(element), node) != mesh_.nodesOf(element).end()) {
                 found.push_back(element);
             }
         });
         std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
         return found;
     }
     Vec2 at(NodeId node) const { return mesh_.nodes[index(node)]; }
@@ -117,13 +127,19 @@ class PartReader {
     static std::string tagText(std::int32_t tag, const std::string &name) {
         return std::to_string(tag) + (name.empty() ? "" : ", " + name);
     }
-    static std::string angleText(Vec2 tip, Vec2 b, Vec2 c, double twiceArea) {
-        const double radians = std::atan2(twiceArea, dot(b - tip, c - tip));
-        return ui::format("%.1f\xc2\xb0", radians * 180.0 / 3.14159265358979323846);
+    /// Returns the angles at the corners, between the chords of the edges.
+    static std::string angleTexts(const PlacedCell &cell) {
+        std::string texts;
+        for (std::size_t k = 0; k < cell.corners().size(); ++k) {
+            const Vec2 ahead = cell.cornerAfter(k) - cell.nodes[k], back = cell.cornerBefore(k) - cell.nodes[k];
+            const double degrees = std::atan2(cross(ahead, back), dot(ahead, back)) * 180.0 / std::numbers::pi;
+            texts += (k == 0 ? "" : "  ") + ui::format("%.1f\xc2\xb0", degrees);
+        }
+        return texts;
     }
     double lengthOf(std::uint32_t edge) const {
         const MeshEdge &e = judgement_.edges->edges[edge];
-        return distance(at(e.a), at(e.b));
+        return edgeLength(mesh_.nodes, e.a, e.middle, e.b);
     }
     double ratioOf(std::uint32_t edge) const {
         const MeshEdge &e = judgement_.edges->edges[edge];
@@ -137,15 +153,14 @@ class PartReader {
         return index(pair[0]) == element ? pair[1] : pair[0];
     }
     double areaRatio(double twice, ElementId other) const {
-        const Element &n = mesh_.elements[index(other)];
-        const double beside = std::abs(cross(at(n[1]) - at(n[0]), at(n[2]) - at(n[0])));
+        const double beside = std::abs(twiceArea(PlacedCell(mesh_, index(other))));
         const double own = std::abs(twice); // named, since minmax() returns references
         const auto [smaller, larger] = std::minmax(own, beside);
         return smaller > 0.0 ? larger / smaller : INFINITY;
     }
 
     const Judgement &judgement_;
-    const TriMesh &mesh_;
+    MeshView mesh_;
 };
 
 } // namespace
@@ -156,10 +171,10 @@ Rows describePart(const Workspace &context, const MeshPick &pick) {
         return {};
     }
     const PartReader reader(judgement);
-    const TriMesh &mesh = judgement.of.mesh->mesh;
+    const MeshView mesh = judgement.of.mesh->view();
     switch (pick.part) {
     case MeshPart::Elements:
-        return pick.index < mesh.elements.size() ? reader.element(pick.index) : Rows();
+        return pick.index < mesh.elementCount() ? reader.element(pick.index) : Rows();
     case MeshPart::Edges:
         return pick.index < judgement.edges->edges.size() ? reader.edge(pick.index) : Rows();
     case MeshPart::Nodes:

@@ -140,7 +140,7 @@ std::vector<FrontSegmentView> MeshStepper::front() {
 Mesh MeshStepper::mesh() {
     SessionSnapshot snapshot;
     run_->fill(snapshot, {.mesh = true, .front = false}, false);
-    return snapshot.mesh->mesh;
+    return copyOf(snapshot.mesh->view());
 }
 
 std::shared_ptr<const AdvanceExplanation> MeshStepper::explanation() {

@@ -2,8 +2,8 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
-#include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/mesher/trace.hpp"
 #include "core/engine/session/breakpoints.hpp"
@@ -83,12 +83,18 @@ struct RunCurves {
     std::vector<Sample> samples;
 };
 
-/// An immutable, shared mesh. A partial mesh has all boundary nodes and edges.
-struct MeshSnapshot {
-    TriMesh mesh;
-    std::vector<float> alpha;  ///< per element
-    std::uint64_t version = 0; ///< changes whenever the content does
+/// An immutable, shared mesh with the triangles by which it is drawn. A partial mesh has all boundary nodes and edges.
+struct MeshSnapshot : Triangulated {
+    std::shared_ptr<const Mesh> whole; ///< the mesh, if it has other elements than triangles of 3 nodes; else null
+    std::vector<float> alpha;          ///< per element of view()
+    std::uint64_t version = 0;         ///< changes whenever the content does
+
+    /// Returns the mesh.
+    MeshView view() const { return whole ? MeshView(*whole) : MeshView(mesh); }
 };
+
+/// Returns a snapshot of a mesh, with its α, whose version is yet to be set.
+std::shared_ptr<MeshSnapshot> snapshotOf(Mesh mesh);
 
 /// An immutable copy of the state of a session for the UI thread.
 struct SessionSnapshot {

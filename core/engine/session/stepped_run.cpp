@@ -23,16 +23,14 @@ bool SteppedRun::improve(const Progress &progress) {
         return false;
     }
     secondsImprove_ = state.improvement.seconds;
-    keepFinal(takeTriMesh(std::move(state.mesh)));
+    keepFinal(std::move(state.mesh));
     return true;
 }
 
-void SteppedRun::keepFinal(TriMesh mesh) {
-    auto view = std::make_shared<MeshSnapshot>();
-    view->alpha = shapeFactors(mesh);
+void SteppedRun::keepFinal(Mesh mesh) {
     finalQuality_ = measureQuality(mesh, prepared_.spacing.get());
     finalHash_ = meshHash(mesh);
-    view->mesh = std::move(mesh);
+    std::shared_ptr<MeshSnapshot> view = snapshotOf(std::move(mesh));
     view->version = std::numeric_limits<std::uint64_t>::max() - number_;
     finalMesh_ = std::move(view);
 }

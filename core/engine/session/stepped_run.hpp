@@ -32,7 +32,7 @@ class SteppedRun {
     void fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting);
 
   private:
-    void keepFinal(TriMesh mesh);
+    void keepFinal(Mesh mesh);
 
     std::shared_ptr<const MeshingJob> job_;
     PreparedJob prepared_;

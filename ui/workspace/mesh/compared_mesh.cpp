@@ -7,9 +7,7 @@ namespace forefront {
 ComparedFile comparedFile(MeshFields read) {
     ComparedFile file;
     file.fields = takeFields(read);
-    file.view = std::make_shared<MeshSnapshot>();
-    file.view->alpha = shapeFactors(read.mesh);
-    file.view->mesh = std::move(read.mesh);
+    file.view = snapshotOf(std::move(read.mesh));
     return file;
 }
 

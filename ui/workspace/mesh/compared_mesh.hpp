@@ -28,6 +28,7 @@ class ComparedMesh {
     ComparedMesh(std::string name, ComparedFile file, std::uint64_t version, std::function<void()> wake);
 
     const std::string &name() const { return name_; }
+    /// Returns the triangles by which the mesh is drawn.
     const TriMesh &mesh() const { return view_->mesh; }
     const std::shared_ptr<const MeshSnapshot> &view() const { return view_; }
     /// Returns the evaluation of this frame; never null.

@@ -64,7 +64,7 @@ void measureInto(Judgement &judgement) {
         showField(judgement);
         return;
     }
-    judgement.values = measureValues(of.measure, of.mesh->mesh, edges, of.spacing.get());
+    judgement.values = measureValues(of.measure, of.mesh->view(), edges, of.spacing.get());
     judgement.summary = summarise(judgement.values);
     judgement.histogram = shownHistogram(of.measure, judgement.values, judgement.summary);
     judgement.fitted = fittedRange(of.measure, judgement.summary);
@@ -79,14 +79,15 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
     if (!request.mesh) {
         return judgement;
     }
-    const TriMesh &mesh = request.mesh->mesh;
+    const MeshView mesh = request.mesh->view();
     const bool same = earlier.of.mesh == request.mesh;
     const bool sameSpacing = same && earlier.of.spacing == request.spacing;
     if (needsEdges(request)) {
         judgement->edges = same && earlier.edges ? earlier.edges : std::make_shared<const MeshEdges>(edgesOf(mesh));
     }
     if (request.parts) {
-        judgement->tree = same && earlier.tree ? earlier.tree : std::make_shared<const BoxTree>(treeOf(mesh));
+        judgement->tree =
+            same && earlier.tree ? earlier.tree : std::make_shared<const BoxTree>(treeOf(request.mesh->mesh));
     }
     if (request.outline && judgement->edges) {
         judgement->outline = same && earlier.outline ? earlier.outline : singleEdges(*judgement->edges);
@@ -109,7 +110,7 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
 
 Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index) {
     static const MeshEdges kNoEdges;
-    return placeOf(judgement.of.mesh->mesh, judgement.edges ? *judgement.edges : kNoEdges, part, index);
+    return placeOf(judgement.of.mesh->view(), judgement.edges ? *judgement.edges : kNoEdges, part, index);
 }
 
 namespace {

@@ -43,10 +43,10 @@ struct Judgement {
     /// Edges of the mesh; null if the request does not need them.
     std::shared_ptr<const MeshEdges> edges;
     std::shared_ptr<const std::vector<MeshEdge>> outline; ///< edges with one element; null unless `outline`
-    std::shared_ptr<const BoxTree> tree;                  ///< over the boxes of the elements; null unless `parts`
-    std::vector<double> values;                           ///< of the measure
-    std::string name;                                     ///< of the measure or the field
-    MeasureInfo info = infoOf(Measure::ShapeFactor);      ///< of the measure or the field
+    std::shared_ptr<const BoxTree> tree; ///< over the boxes of the triangles that are drawn; null unless `parts`
+    std::vector<double> values;          ///< of the measure
+    std::string name;                    ///< of the measure or the field
+    MeasureInfo info = infoOf(Measure::ShapeFactor); ///< of the measure or the field
     MeasureSummary summary;
     MeasureHistogram histogram;       ///< over all values
     ColourRange fitted;               ///< range of the colours that shows the differences within the mesh

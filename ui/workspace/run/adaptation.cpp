@@ -13,7 +13,7 @@ namespace forefront {
 
 Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &progress, const AdaptReport &report) {
     const Result<Domain> domain =
-        request.drawing ? Result<Domain>(toDomain(*request.drawing)) : outlineOf(request.mesh->mesh, progress);
+        request.drawing ? Result<Domain>(toDomain(*request.drawing)) : outlineOf(request.mesh->view(), progress);
     if (!domain) {
         return domain.faults();
     }

@@ -182,14 +182,12 @@ void RunControl::want(SnapshotLayers layers) {
 FileMesh takeMesh(MeshFields read) {
     FileMesh file;
     file.fields = takeFields(read);
-    file.view = std::make_shared<MeshSnapshot>();
-    file.view->mesh = std::move(read.mesh);
+    file.view = snapshotOf(std::move(read.mesh));
     return file;
 }
 
 void measureMesh(FileMesh &file) {
-    const TriMesh &mesh = file.view->mesh;
-    file.view->alpha = shapeFactors(mesh);
+    const MeshView mesh = file.view->view();
     file.quality = measureQuality(mesh, nullptr);
     file.hash = meshHash(mesh);
 }
