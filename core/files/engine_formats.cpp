@@ -16,62 +16,75 @@
 namespace forefront {
 namespace {
 
+using enum CellKind;
+
+constexpr CellSet kFirstOrder = {Point, Edge2, Triangle3, Quadrilateral4};
+// GMF has a keyword for quadrilaterals of 9 nodes, but none for those of 8.
+constexpr CellSet kMeditCells = {Point, Edge2, Edge3, Triangle3, Triangle6, Quadrilateral4, Quadrilateral9};
+// Abaqus has no plane element of 9 nodes. Edges are sides of elements, with the middle nodes of those.
+constexpr CellSet kAbaqusCells = {Point, Edge2, Edge3, Triangle3, Triangle6, Quadrilateral4, Quadrilateral8};
+// The middle nodes of edges are those of the triangles beside them.
+constexpr CellSet kTriangleCells = {Point, Edge2, Edge3, Triangle3, Triangle6};
+constexpr CellSet kNetgenCells = {Point, Edge2, Edge3, Triangle3, Triangle6, Quadrilateral4, Quadrilateral8};
+
 // Every format with its name, its capabilities and its functions.
 constexpr std::array kFormats = {
     Format{.about = {"poly", "Triangle domain", ".poly", true, false, false}, .readDomain = readPoly},
-    Format{.about = {"svg", "SVG drawing", ".svg", false, false, true}, .writeMesh = writeSvg},
-    Format{.about = {"msh2", "Gmsh MSH 2.2", ".msh", true, true, true},
+    Format{.about = {"svg", "SVG drawing", ".svg", false, false, true, kAllCells}, .writeMesh = writeSvg},
+    Format{.about = {"msh2", "Gmsh MSH 2.2", ".msh", true, true, true, kAllCells},
            .recognise = looksLikeMsh,
            .readMesh = readMsh,
            .readSpacing = readMshSpacing,
            .readFields = readMshFields,
            .writeMesh = writeMsh2,
            .noteChanges = noteMshChanges},
-    Format{.about = {"msh41", "Gmsh MSH 4.1", ".msh", true, true, true},
+    Format{.about = {"msh41", "Gmsh MSH 4.1", ".msh", true, true, true, kAllCells},
            .recognise = looksLikeMsh,
            .readMesh = readMsh,
            .readSpacing = readMshSpacing,
            .readFields = readMshFields,
            .writeMesh = writeMsh4,
            .noteChanges = noteMshChanges},
-    Format{.about = {"msh41-binary", "Gmsh MSH 4.1, binary", ".msh", true, true, true},
+    Format{.about = {"msh41-binary", "Gmsh MSH 4.1, binary", ".msh", true, true, true, kAllCells},
            .recognise = looksLikeMsh,
            .readMesh = readMsh,
            .readSpacing = readMshSpacing,
            .readFields = readMshFields,
            .writeMesh = writeMsh4Binary,
            .noteChanges = noteMshChanges},
-    Format{.about = {"vtu", "VTK unstructured grid", ".vtu", true, true, true},
+    Format{.about = {"vtu", "VTK unstructured grid", ".vtu", true, true, true, kAllCells},
            .recognise = looksLikeVtu,
            .readMesh = readVtu,
            .readFields = readVtuFields,
            .writeMesh = writeVtu},
-    Format{.about = {"vtk", "VTK legacy", ".vtk", true, true, true},
+    Format{.about = {"vtk", "VTK legacy", ".vtk", true, true, true, kAllCells},
            .recognise = looksLikeVtk,
            .readMesh = readVtk,
            .readFields = readVtkFields,
            .writeMesh = writeVtk},
-    Format{.about = {"medit", "MEDIT", ".mesh", true, true, true},
+    Format{.about = {"medit", "MEDIT", ".mesh", true, true, true, kMeditCells},
            .recognise = looksLikeMedit,
            .readMesh = readMedit,
            .writeMesh = writeMedit},
-    Format{.about = {"inp", "Abaqus and CalculiX", ".inp", true, true, true},
+    Format{.about = {"inp", "Abaqus and CalculiX", ".inp", true, true, true, kAbaqusCells},
            .recognise = looksLikeAbaqus,
            .readMesh = readAbaqus,
            .writeMesh = writeAbaqus,
            .noteChanges = noteAbaqusChanges},
-    Format{.about = {"su2", "SU2", ".su2", true, true, true, false, false},
+    Format{.about = {"su2", "SU2", ".su2", true, true, true, kFirstOrder, false, false},
            .recognise = looksLikeSu2,
            .readMesh = readSu2,
            .writeMesh = writeSu2,
            .noteChanges = noteSu2Changes},
-    Format{.about = {"triangle", "Triangle .node/.ele/.edge", ".node", true, true, true},
+    Format{.about = {"triangle", "Triangle .node/.ele/.edge", ".node", true, true, true, kTriangleCells, false, true,
+                     true},
            .otherExtensions = ".ele",
            .readMesh = readTriangle,
            .writeFiles = writeTriangle},
-    Format{
-        .about = {"netgen", "Netgen", ".vol", true, true, false}, .recognise = looksLikeNetgen, .readMesh = readNetgen},
-    Format{.about = {"obj", "Wavefront OBJ", ".obj", true, true, true},
+    Format{.about = {"netgen", "Netgen", ".vol", true, true, false, kNetgenCells},
+           .recognise = looksLikeNetgen,
+           .readMesh = readNetgen},
+    Format{.about = {"obj", "Wavefront OBJ", ".obj", true, true, true, kFirstOrder},
            .readMesh = readObj,
            .writeMesh = writeObj,
            .noteChanges = noteObjChanges},

@@ -1,5 +1,6 @@
 #include "core/files/files.hpp"
 
+#include "core/files/common/tagged_cells.hpp"
 #include "core/files/format.hpp"
 #include "core/files/named_faults.hpp"
 #include "core/files/triangle/triangle.hpp"
@@ -46,7 +47,7 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
     return engineFormats().readSpacing(path, options, notes);
 }
 
-Status writeMesh(FileSet &files, const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId,
+Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId,
                  const Progress &progress) {
     const Format *format = meshFormat(path, formatId);
     if (format == nullptr) {
@@ -57,6 +58,9 @@ Status writeMesh(FileSet &files, const std::filesystem::path &path, const TriMes
                                                                   : engineFormats().ids(writesMesh))),
                      path);
     }
+    if (Status refused = checkElements(format->about, mesh); !refused.empty()) {
+        return named(std::move(refused), path);
+    }
     try {
         if (format->writeFiles != nullptr) {
             format->writeFiles(files, path, mesh, progress);
@@ -65,21 +69,21 @@ Status writeMesh(FileSet &files, const std::filesystem::path &path, const TriMes
         constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
         files.write(
             path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
-            1 + mesh.nodes.size() * kBytesPerNode + mesh.elements.size() * kBytesPerElement);
+            1 + mesh.nodes.size() * kBytesPerNode + nodesOfElements(mesh) / 3 * kBytesPerElement);
         return files.status();
     } catch (const std::bad_alloc &) {
         return named(error("out-of-memory", "not enough memory to write the file"), path);
     }
 }
 
-Status writeMesh(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId,
+Status writeMesh(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId,
                  const Progress &progress) {
     FileSet files;
     Status status = writeMesh(files, path, mesh, formatId, progress);
     return status.empty() ? files.commit() : status;
 }
 
-Status writeMesh(ByteSink &sink, const TriMesh &mesh, std::string_view formatId) {
+Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId) {
     const Format *const format = engineFormats().ofId(formatId);
     if (format == nullptr || format->writeMesh == nullptr) {
         return error("unknown-format",
@@ -87,12 +91,15 @@ Status writeMesh(ByteSink &sink, const TriMesh &mesh, std::string_view formatId)
                                        : std::string(format->about.name) + " cannot be written to a stream",
                      "expected one of " + engineFormats().ids([](const Format &f) { return f.writeMesh != nullptr; }));
     }
+    if (Status refused = checkElements(format->about, mesh); !refused.empty()) {
+        return refused;
+    }
     TextWriter out(sink);
     format->writeMesh(mesh, out);
     return out.flush() ? Status{} : error("cannot-write", "cannot write to the stream");
 }
 
-Diagnostics exportNotes(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId) {
+Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId) {
     const Format *const format = meshFormat(path, formatId);
     return format != nullptr && format->noteChanges != nullptr ? named(format->noteChanges(mesh), path) : Diagnostics{};
 }

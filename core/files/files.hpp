@@ -4,7 +4,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/text/atomic_file.hpp"
@@ -40,19 +40,24 @@ Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = 
 
 /// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: writes
 /// a temporary file beside it, then renames that. Triangle: PATH.node, PATH.ele and PATH.edge, all of them or none. SVG
-/// draws the mesh.
-Status writeMesh(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId = {},
+/// draws the mesh. Faults: unknown-format; unsupported-elements, as checkElements() returns it, before anything is
+/// written; cannot-write; cancelled.
+Status writeMesh(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 /// Does the same for a file, or several, that get their names with the set. Returns the faults of the set.
-Status writeMesh(FileSet &files, const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId = {},
-                 const Progress &progress = {});
+Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshView &mesh,
+                 std::string_view formatId = {}, const Progress &progress = {});
 /// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
-/// formats of several files; cannot-write.
-Status writeMesh(ByteSink &sink, const TriMesh &mesh, std::string_view formatId);
+/// formats of several files; unsupported-elements; cannot-write.
+Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId);
+
+/// Returns the fault "unsupported-elements" if files of a format cannot hold all elements and edges of a mesh; it names
+/// the kinds that they lack and the formats that hold all of them.
+Status checkElements(const FileFormat &format, const MeshView &mesh);
 
 /// Returns notes on the tag names of the mesh that the format changes, such as to identifiers; empty if there are none.
 /// Parameters as for writeMesh().
-Diagnostics exportNotes(const std::filesystem::path &path, const TriMesh &mesh, std::string_view formatId = {});
+Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId = {});
 
 /// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
 /// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().

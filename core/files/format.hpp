@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/progress.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/file_set.hpp"
@@ -24,11 +25,11 @@ struct Format {
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
-    void (*writeMesh)(const TriMesh &, TextWriter &) = nullptr;
+    void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
     /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
-    Diagnostics (*noteChanges)(const TriMesh &) = nullptr;
+    Diagnostics (*noteChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
-    void (*writeFiles)(FileSet &, const std::filesystem::path &, const TriMesh &, const Progress &) = nullptr;
+    void (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const Progress &) = nullptr;
 
     bool canReadDomain() const { return readDomain != nullptr || readMesh != nullptr; }
     bool canWriteMesh() const { return writeMesh != nullptr || writeFiles != nullptr; }

@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/cell_set.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "core/files/common/mesh_field.hpp"
@@ -25,12 +26,17 @@ struct FileFormat {
     const char *name;      ///< "Gmsh MSH 2.2"
     const char *extension; ///< with the dot, ".msh"
     bool readsDomain, readsMesh, writesMesh;
+    /// The kinds of cells that its files hold. Meshes with others are not written.
+    CellSet holds = {};
     /// Its lines may cross, touch and overlap: reading arranges them (see ImportOptions::weldTolerance).
     bool arranges = false;
     /// Programs that read it accept tagged edges inside the domain, such as constraints and interfaces, rather than
     /// take each for a boundary.
     bool acceptsInnerEdges = true;
+    /// All elements of a file are of one kind.
+    bool oneElementKind = false;
 };
+
 /// A file in memory.
 struct MemoryFile {
     std::string bytes;

@@ -1,27 +1,18 @@
 #include "core/files/inner_edges.hpp"
 
-#include "core/engine/mesh/edge_table.hpp"
-
-#include <algorithm>
-#include <vector>
+#include "core/files/common/tagged_sides.hpp"
 
 namespace forefront {
 
-bool hasInnerEdges(const TriMesh &mesh) {
-    if (mesh.edges.empty()) {
-        return false;
-    }
-    const EdgeTable table(mesh);
-    return std::any_of(mesh.edges.begin(), mesh.edges.end(),
-                       [&](const TaggedEdge &edge) { return table.find(edge.a, edge.b).size() > 1; });
-}
+namespace {
 
-TriMesh withoutInnerEdges(const TriMesh &mesh) {
-    TriMesh result = mesh;
-    const EdgeTable table(mesh);
+template <class AnyMesh>
+AnyMesh outlineOf(const AnyMesh &mesh) {
+    AnyMesh result = mesh;
+    const TaggedSides sides(mesh);
     std::size_t kept = 0;
     for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-        if (table.find(mesh.edges[e].a, mesh.edges[e].b).size() <= 1) {
+        if (sides.of(e).size() <= 1) {
             result.edges[kept] = mesh.edges[e];
             if (!mesh.edgeStretches.empty()) {
                 result.edgeStretches[kept] = mesh.edgeStretches[e];
@@ -32,6 +23,26 @@ TriMesh withoutInnerEdges(const TriMesh &mesh) {
     result.edges.resize(kept);
     result.edgeStretches.resize(mesh.edgeStretches.empty() ? 0 : kept);
     return result;
+}
+
+} // namespace
+
+bool hasInnerEdges(const MeshView &mesh) {
+    const TaggedSides sides(mesh);
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+        if (sides.of(e).size() > 1) {
+            return true;
+        }
+    }
+    return false;
+}
+
+TriMesh withoutInnerEdges(const TriMesh &mesh) {
+    return outlineOf(mesh);
+}
+
+Mesh withoutInnerEdges(const Mesh &mesh) {
+    return outlineOf(mesh);
 }
 
 } // namespace forefront

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/enum_words.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Treatment of inner edges in an exported mesh: tagged edges with triangles on both sides, such as constraints and
+/// Treatment of inner edges in an exported mesh: tagged edges with elements on both sides, such as constraints and
 /// interfaces between regions. Some programs, deal.II among them, refuse boundary tags there.
 enum class InnerEdges : std::uint8_t { Keep, Drop };
 
@@ -20,9 +20,10 @@ struct EnumWords<InnerEdges> {
 };
 
 /// Returns true if the mesh has inner edges.
-bool hasInnerEdges(const TriMesh &mesh);
+bool hasInnerEdges(const MeshView &mesh);
 
 /// Returns a copy of the mesh without its inner edges. Names of tags no longer in use stay in the mesh.
 TriMesh withoutInnerEdges(const TriMesh &mesh);
+Mesh withoutInnerEdges(const Mesh &mesh);
 
 } // namespace forefront

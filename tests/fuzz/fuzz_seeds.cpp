@@ -25,7 +25,7 @@ TriMesh smallMesh() {
     return mesh;
 }
 
-std::string text(void (*write)(const TriMesh &, TextWriter &)) {
+std::string text(void (*write)(const MeshView &, TextWriter &)) {
     StringSink sink;
     TextWriter out(sink);
     write(smallMesh(), out);

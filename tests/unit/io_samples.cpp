@@ -160,7 +160,7 @@ std::string difference(const TriMesh &a, const TriMesh &b) {
     return text;
 }
 
-std::string written(void (*write)(const TriMesh &, TextWriter &), const TriMesh &mesh) {
+std::string written(void (*write)(const MeshView &, TextWriter &), const MeshView &mesh) {
     StringSink sink;
     TextWriter out(sink);
     write(mesh, out);

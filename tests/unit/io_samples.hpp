@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/source/source.hpp"
@@ -26,7 +27,7 @@ TriMesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
 std::string difference(const TriMesh &a, const TriMesh &b);
 
 /// Returns the text that a format writes for a mesh.
-std::string written(void (*write)(const TriMesh &, TextWriter &), const TriMesh &mesh);
+std::string written(void (*write)(const MeshView &, TextWriter &), const MeshView &mesh);
 
 /// Returns source text for a reader, without a file.
 inline SourceText sourceOf(std::string_view text, std::string name = "memory") {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -15,8 +14,8 @@ Result<Mesh> readAbaqus(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
 bool looksLikeAbaqus(std::string_view head);
 /// Writes Abaqus and CalculiX input (.inp).
-void writeAbaqus(const TriMesh &mesh, TextWriter &out);
+void writeAbaqus(const MeshView &mesh, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.
-Diagnostics noteAbaqusChanges(const TriMesh &mesh);
+Diagnostics noteAbaqusChanges(const MeshView &mesh);
 
 } // namespace forefront

@@ -1,10 +1,12 @@
-#include "core/engine/mesh/edge_table.hpp"
 #include "core/files/abaqus/abaqus.hpp"
 #include "core/files/common/names.hpp"
+#include "core/files/common/tagged_cells.hpp"
+#include "core/files/common/tagged_sides.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 
 namespace forefront {
 
@@ -23,19 +25,18 @@ void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes,
 
 /// Writes the sides of elements along the edges of one tag. If an edge has two sides, the one in its direction is
 /// taken.
-void writeSurface(const TriMesh &mesh, const EdgeTable &table, const std::string &name,
-                  const std::vector<std::uint32_t> &edges, TextWriter &out) {
+void writeSurface(const TaggedSides &table, const std::string &name, const std::vector<std::uint32_t> &edges,
+                  TextWriter &out) {
     out << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
     const HalfEdges &halfEdges = table.halfEdges();
     for (const std::uint32_t k : edges) {
-        const auto sides = table.find(mesh.edges[k].a, mesh.edges[k].b);
+        const std::span<const ElementSide> sides = table.of(k);
         if (sides.empty()) {
             continue; // the edge is a side of no element, as in a partial mesh
         }
-        const auto along = std::find_if(sides.begin(), sides.end(),
-                                        [&](HalfEdge side) { return halfEdges.startOf(side) == mesh.edges[k].a; });
-        const HalfEdge side = along != sides.end() ? *along : sides.front();
-        out << halfEdges.elementOf(side) + 1 << ", S" << halfEdges.sideOf(side) + 1 << '\n';
+        const auto along = std::find_if(sides.begin(), sides.end(), [](const ElementSide &side) { return side.along; });
+        const ElementSide &side = along != sides.end() ? *along : sides.front();
+        out << side.element + std::uint64_t{1} << ", S" << side.side + 1 << '\n';
     }
 }
 
@@ -56,42 +57,45 @@ struct AbaqusNames {
     }
 };
 
-void writeElements(const TriMesh &mesh, const AbaqusNames &names, TextWriter &out) {
-    std::map<std::int32_t, std::vector<std::uint32_t>> regions;
-    for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
-        regions[mesh.region(e)].push_back(e);
-    }
-    for (const auto &[tag, elements] : regions) {
-        out << "** tag " << tag << "\n*ELEMENT, TYPE=CPS3, ELSET=" << names.sets.regions.at(tag) << '\n';
+/// Writes a list of elements for each region and each kind in it.
+void writeElements(const MeshView &mesh, const AbaqusNames &names, TextWriter &out) {
+    for (const auto &[tag, elements] : elementsByRegion(mesh)) {
+        CellKind kind = CellKind::Point;
         for (std::size_t k = 0; k < elements.size() && out.ok(); ++k) {
-            const Element &nodes = mesh.elements[elements[k]];
-            out << elements[k] + std::uint64_t{1} << ", " << index(nodes[0]) + 1 << ", " << index(nodes[1]) + 1 << ", "
-                << index(nodes[2]) + 1 << '\n';
+            const MeshView::Block &block = mesh.blockOf(elements[k]);
+            if (block.kind != kind) {
+                kind = block.kind;
+                out << "** tag " << tag << "\n*ELEMENT, TYPE=" << block.traits().abaqus
+                    << ", ELSET=" << names.sets.regions.at(tag) << '\n';
+            }
+            out << elements[k] + std::uint64_t{1};
+            for (const NodeId node : block.nodesOf(elements[k] - block.first)) {
+                out << ", " << index(node) + 1;
+            }
+            out << '\n';
         }
     }
-    if (!mesh.elements.empty()) {
-        out << "*ELSET, ELSET=" << names.allElements << ", GENERATE\n1, " << mesh.elements.size() << ", 1\n";
+    if (mesh.elementCount() > 0) {
+        out << "*ELSET, ELSET=" << names.allElements << ", GENERATE\n1, " << mesh.elementCount() << ", 1\n";
     }
 }
 
-void writeBoundaries(const TriMesh &mesh, const AbaqusNames &names, TextWriter &out) {
-    std::map<std::int32_t, std::vector<std::uint32_t>> boundaries;
-    for (std::uint32_t k = 0; k < mesh.edges.size(); ++k) {
-        boundaries[mesh.edges[k].tag].push_back(k);
-    }
-    const EdgeTable table(mesh);
-    for (const auto &[tag, edges] : boundaries) {
+void writeBoundaries(const MeshView &mesh, const AbaqusNames &names, TextWriter &out) {
+    const TaggedSides table(mesh);
+    for (const auto &[tag, edges] : edgesByTag(mesh)) {
         std::set<std::uint32_t> nodes;
         for (const std::uint32_t k : edges) {
-            nodes.insert({static_cast<std::uint32_t>(mesh.edges[k].a), static_cast<std::uint32_t>(mesh.edges[k].b)});
+            for (const NodeId node : EdgeNodes(mesh.edges[k])) {
+                nodes.insert(static_cast<std::uint32_t>(node));
+            }
         }
         writeNodeSet(names.sets.edges.at(tag), nodes, out);
         out << "** tag " << tag << '\n';
-        writeSurface(mesh, table, names.surfaces.at(tag), edges, out);
+        writeSurface(table, names.surfaces.at(tag), edges, out);
     }
 }
 
-void writePoints(const TriMesh &mesh, const AbaqusNames &names, TextWriter &out) {
+void writePoints(const MeshView &mesh, const AbaqusNames &names, TextWriter &out) {
     std::map<std::int32_t, std::set<std::uint32_t>> points;
     for (const TaggedNode &point : mesh.points) {
         points[point.tag].insert(static_cast<std::uint32_t>(point.node));
@@ -104,25 +108,25 @@ void writePoints(const TriMesh &mesh, const AbaqusNames &names, TextWriter &out)
 
 } // namespace
 
-/// Writes Abaqus input for CalculiX and Abaqus: CPS3 elements in a set per region, a node set and a surface per
-/// boundary tag, a node set per tag of points. The names become identifiers; comments keep the original names and the
-/// tags.
-void writeAbaqus(const TriMesh &mesh, TextWriter &out) {
+/// Writes Abaqus input for CalculiX and Abaqus: elements of plane stress in a set per region, a node set and a surface
+/// per boundary tag, a node set per tag of points. The names become identifiers; comments keep the original names and
+/// the tags.
+void writeAbaqus(const MeshView &mesh, TextWriter &out) {
     const AbaqusNames names(tagsOf(mesh));
-    out << "*HEADING\nPlane triangle mesh\n";
+    out << "*HEADING\n" << titleOf(mesh) << '\n';
     writeNameComments(mesh, "**", out);
     out << "*NODE, NSET=" << names.allNodes << '\n';
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << n + 1 << ", " << mesh.nodes[n].x << ", " << mesh.nodes[n].y << ", 0\n";
     }
     writeElements(mesh, names, out);
-    if (!mesh.elements.empty()) {
+    if (mesh.elementCount() > 0) {
         writeBoundaries(mesh, names, out);
     }
     writePoints(mesh, names, out);
 }
 
-Diagnostics noteAbaqusChanges(const TriMesh &mesh) {
+Diagnostics noteAbaqusChanges(const MeshView &mesh) {
     const TagList tags = tagsOf(mesh);
     return noteChangedNames(tags, AbaqusNames(tags).sets);
 }

@@ -147,7 +147,7 @@ std::string UniqueNames::claim(const std::string &name, std::size_t maximum) {
     return candidate;
 }
 
-TagList tagsOf(const TriMesh &mesh) {
+TagList tagsOf(const MeshView &mesh) {
     TagList tags;
     for (const TaggedEdge &edge : mesh.edges) {
         tags.edges.try_emplace(edge.tag);
@@ -155,9 +155,11 @@ TagList tagsOf(const TriMesh &mesh) {
     for (const TaggedNode &point : mesh.points) {
         tags.points.try_emplace(point.tag);
     }
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        if (e == 0 || mesh.region(e) != mesh.region(e - 1)) { // most neighbours have the same
-            tags.regions.try_emplace(mesh.region(e));
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            if (k == 0 || block.region(k) != block.region(k - 1)) { // most neighbours have the same
+                tags.regions.try_emplace(block.region(k));
+            }
         }
     }
     for (auto &[tag, name] : tags.edges) {
@@ -224,7 +226,7 @@ void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const
     }
 }
 
-void writeNameComments(const TriMesh &mesh, std::string_view prefix, TextWriter &out) {
+void writeNameComments(const MeshView &mesh, std::string_view prefix, TextWriter &out) {
     const TagList tags = tagsOf(mesh);
     auto boundaries = tags.points;
     boundaries.insert(tags.edges.begin(), tags.edges.end());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/diagnostic.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/text/text_writer.hpp"
 
 #include <cstdint>
@@ -57,7 +57,7 @@ class UniqueNames {
 struct TagList {
     std::map<std::int32_t, std::string> edges, points, regions;
 };
-TagList tagsOf(const TriMesh &mesh);
+TagList tagsOf(const MeshView &mesh);
 
 /// The names of tags in a file that cannot hold those of the mesh.
 struct FileNames {
@@ -76,7 +76,7 @@ void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const
 
 /// Writes a comment line `PREFIX boundary TAG "NAME"` or `PREFIX region TAG "NAME"` for every tag in use, for formats
 /// that cannot hold any name. The lines are ASCII: other characters of a name are written as %XX.
-void writeNameComments(const TriMesh &mesh, std::string_view prefix, TextWriter &out);
+void writeNameComments(const MeshView &mesh, std::string_view prefix, TextWriter &out);
 struct TagNames {
     std::map<std::int32_t, std::string> boundary, region;
 };

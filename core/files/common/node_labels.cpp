@@ -1,11 +1,13 @@
 #include "core/files/common/node_labels.hpp"
 
+#include "core/files/common/tagged_cells.hpp"
+
 namespace forefront {
 
-std::vector<std::int32_t> nodeLabels(const TriMesh &mesh) {
+std::vector<std::int32_t> nodeLabels(const MeshView &mesh) {
     std::vector<std::int32_t> labels(mesh.nodes.size(), 0);
     for (const TaggedEdge &edge : mesh.edges) {
-        for (const NodeId node : {edge.a, edge.b}) {
+        for (const NodeId node : EdgeNodes(edge)) {
             std::int32_t &label = labels[index(node)];
             label = label == 0 || edge.tag < label ? edge.tag : label;
         }

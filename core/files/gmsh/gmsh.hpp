@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/source/source.hpp"
@@ -21,12 +21,12 @@ Result<MeshFields> readMshFields(const SourceText &source);
 bool looksLikeMsh(std::string_view head);
 
 /// Writes MSH 2.2, ASCII.
-void writeMsh2(const TriMesh &mesh, TextWriter &out);
+void writeMsh2(const MeshView &mesh, TextWriter &out);
 /// Writes MSH 4.1, ASCII.
-void writeMsh4(const TriMesh &mesh, TextWriter &out);
+void writeMsh4(const MeshView &mesh, TextWriter &out);
 /// Writes MSH 4.1, binary.
-void writeMsh4Binary(const TriMesh &mesh, TextWriter &out);
+void writeMsh4Binary(const MeshView &mesh, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.
-Diagnostics noteMshChanges(const TriMesh &mesh);
+Diagnostics noteMshChanges(const MeshView &mesh);
 
 } // namespace forefront

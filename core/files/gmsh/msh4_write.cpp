@@ -115,7 +115,7 @@ void writeBlockHead(const MshEntity &entity, int number, std::size_t count, Rows
 }
 
 template <class Rows>
-void writeNodes(const TriMesh &mesh, const MshModel &model, Rows &rows) {
+void writeNodes(const MeshView &mesh, const MshModel &model, Rows &rows) {
     const std::size_t blocks = model.nodeBlocks();
     rows.begin("Nodes");
     writeHead(blocks, blocks > 0 ? mesh.nodes.size() : 0, rows);
@@ -137,26 +137,26 @@ void writeNodes(const TriMesh &mesh, const MshModel &model, Rows &rows) {
 }
 
 template <class Rows>
-void writeElements(const TriMesh &mesh, const MshModel &model, Rows &rows) {
+void writeElements(const MeshView &mesh, const MshModel &model, Rows &rows) {
     rows.begin("Elements");
-    writeHead(model.entities().size(), mesh.points.size() + mesh.edges.size() + mesh.elements.size(), rows);
+    writeHead(model.cellBlocks(), mesh.points.size() + mesh.edges.size() + mesh.elementCount(), rows);
     for (const MshEntity &entity : model.entities()) {
-        writeBlockHead(entity, entity.elementType(), entity.parts.size(), rows);
-        for (std::size_t k = 0; k < entity.parts.size() && rows.ok(); ++k) {
-            const std::uint32_t part = entity.parts[k];
-            rows.size(model.firstNumber(entity.dimension) + part);
-            const Element nodes = model.nodesOf(entity.dimension, part);
-            for (std::size_t corner = 0; corner < entity.cornerCount(); ++corner) {
-                rows.size(index(nodes[corner]) + std::size_t{1});
+        for (const MshRun &run : entity.runs) {
+            writeBlockHead(entity, traitsOf(run.kind).gmsh, run.end - run.begin, rows);
+            for (std::size_t k = run.begin; k < run.end && rows.ok(); ++k) {
+                const std::uint32_t part = entity.parts[k];
+                rows.size(model.firstNumber(entity.dimension) + part);
+                model.forEachNode(entity.dimension, part,
+                                  [&](NodeId node) { rows.size(index(node) + std::size_t{1}); });
+                rows.endRow();
             }
-            rows.endRow();
         }
     }
     rows.end("Elements");
 }
 
 template <class Rows>
-void writeSections(const TriMesh &mesh, TextWriter &out) {
+void writeSections(const MeshView &mesh, TextWriter &out) {
     const MshGroups groups(mesh);
     const MshModel model(mesh, groups);
     Rows rows(out);
@@ -169,12 +169,12 @@ void writeSections(const TriMesh &mesh, TextWriter &out) {
 
 } // namespace
 
-void writeMsh4(const TriMesh &mesh, TextWriter &out) {
+void writeMsh4(const MeshView &mesh, TextWriter &out) {
     out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     writeSections<TextRows>(mesh, out);
 }
 
-void writeMsh4Binary(const TriMesh &mesh, TextWriter &out) {
+void writeMsh4Binary(const MeshView &mesh, TextWriter &out) {
     out << "$MeshFormat\n4.1 1 8\n";
     BinaryRows(out).integer(1); // shows the byte order
     out << "\n$EndMeshFormat\n";

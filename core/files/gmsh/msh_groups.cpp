@@ -68,7 +68,7 @@ std::string labelOf(const std::string &name, std::string_view ending, std::set<s
 
 } // namespace
 
-MshGroups::MshGroups(const TriMesh &mesh) {
+MshGroups::MshGroups(const MeshView &mesh) {
     const TagList tags = tagsOf(mesh);
     const std::int64_t base = baseAbove(tags);
     const std::int64_t raiseRegions = meet(tags.regions, tags.edges) || meet(tags.regions, tags.points) ? base : 0;
@@ -139,7 +139,7 @@ void MshGroups::writeOrigins(TextWriter &out) const {
     out << "$EndComments\n";
 }
 
-Diagnostics noteMshChanges(const TriMesh &mesh) {
+Diagnostics noteMshChanges(const MeshView &mesh) {
     const MshGroups groups(mesh);
     FileNames labels;
     for (const MshGroup &group : groups.groups()) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/text/text_writer.hpp"
 
 #include <cstddef>
@@ -12,9 +11,9 @@
 
 namespace forefront {
 
-/// A physical group of an MSH file: the points, edges or triangles of one tag.
+/// A physical group of an MSH file: the points, edges or elements of one tag.
 struct MshGroup {
-    int dimension = 0;       ///< 0 points, 1 edges, 2 triangles
+    int dimension = 0;       ///< 0 points, 1 edges, 2 elements
     std::int32_t tag = 1;    ///< in the mesh
     std::int32_t number = 1; ///< in the file
     std::string name;        ///< in the mesh, given or default
@@ -32,7 +31,7 @@ struct MshGroup {
 /// ... follow where that is not enough.
 class MshGroups {
   public:
-    explicit MshGroups(const TriMesh &mesh);
+    explicit MshGroups(const MeshView &mesh);
 
     /// By dimension, then tag.
     const std::vector<MshGroup> &groups() const { return groups_; }

@@ -4,16 +4,66 @@
 #include "core/files/common/node_labels.hpp"
 #include "core/files/common/planar_mesh.hpp"
 #include "core/files/common/raise_tags.hpp"
+#include "core/files/common/tagged_cells.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 namespace forefront {
 
+namespace {
+
+void writeMeditItem(std::span<const NodeId> nodes, std::int32_t tag, TextWriter &out) {
+    for (const NodeId node : nodes) {
+        out << index(node) + 1 << ' ';
+    }
+    out << tag << '\n';
+}
+
+/// Writes a section for each kind of edges that the mesh has; an empty one if it has no edges.
+void writeEdgeSections(const MeshView &mesh, TextWriter &out) {
+    for (const CellKind kind : {CellKind::Edge2, CellKind::Edge3}) {
+        const auto count = std::count_if(mesh.edges.begin(), mesh.edges.end(),
+                                         [kind](const TaggedEdge &edge) { return cellKindOf(edge) == kind; });
+        if (count == 0 && (kind == CellKind::Edge3 || !mesh.edges.empty())) {
+            continue;
+        }
+        out << '\n' << traitsOf(kind).medit << '\n' << count << '\n';
+        for (const TaggedEdge &edge : mesh.edges) {
+            if (cellKindOf(edge) == kind) {
+                writeMeditItem(EdgeNodes(edge), edge.tag, out);
+            }
+        }
+    }
+}
+
+/// Writes a section for each kind of elements that the mesh has; an empty one if it has no elements. Readers expect a
+/// section at most once.
+void writeElementSections(const MeshView &mesh, TextWriter &out) {
+    for (const CellKind kind : kElementKinds) {
+        std::size_t count = 0;
+        for (const MeshView::Block &block : mesh.blocks()) {
+            count += block.kind == kind ? block.size() : 0;
+        }
+        if (count == 0 && (kind != CellKind::Triangle3 || mesh.elementCount() > 0)) {
+            continue;
+        }
+        out << '\n' << traitsOf(kind).medit << '\n' << count << '\n';
+        for (const MeshView::Block &block : mesh.blocks()) {
+            for (std::size_t k = 0; block.kind == kind && k < block.size() && out.ok(); ++k) {
+                writeMeditItem(block.nodesOf(k), block.region(k), out);
+            }
+        }
+    }
+}
+
+} // namespace
+
 /// Writes MEDIT .mesh (the Gamma mesh format of INRIA), ASCII, in two dimensions. Comments hold the names. Gmsh expects
 /// `Dimension` and its number on separate lines.
-void writeMedit(const TriMesh &mesh, TextWriter &out) {
+void writeMedit(const MeshView &mesh, TextWriter &out) {
     out << "MeshVersionFormatted 2\n";
     writeNameComments(mesh, "#", out);
     out << "Dimension\n2\n\nVertices\n" << mesh.nodes.size() << '\n';
@@ -26,17 +76,8 @@ void writeMedit(const TriMesh &mesh, TextWriter &out) {
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << ' ' << labels[n] << '\n';
     }
-    out << "\nEdges\n" << mesh.edges.size() << '\n';
-    for (const TaggedEdge &edge : mesh.edges) {
-        out << index(edge.a) + 1 << ' ' << index(edge.b) + 1 << ' ' << edge.tag << '\n';
-    }
-    out << "\nTriangles\n" << mesh.elements.size() << '\n';
-    for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
-        for (const NodeId node : mesh.elements[e]) {
-            out << index(node) + 1 << ' ';
-        }
-        out << mesh.region(e) << '\n';
-    }
+    writeEdgeSections(mesh, out);
+    writeElementSections(mesh, out);
     if (!mesh.points.empty()) {
         out << "\nRequiredVertices\n" << mesh.points.size() << '\n';
         for (const TaggedNode &point : mesh.points) {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -15,6 +14,6 @@ Result<Mesh> readMedit(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
 bool looksLikeMedit(std::string_view head);
 /// Writes MEDIT (.mesh), ASCII.
-void writeMedit(const TriMesh &mesh, TextWriter &out);
+void writeMedit(const MeshView &mesh, TextWriter &out);
 
 } // namespace forefront

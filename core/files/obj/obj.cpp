@@ -3,6 +3,7 @@
 #include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
 #include "core/files/common/tag_allocator.hpp"
+#include "core/files/common/tagged_cells.hpp"
 
 #include <limits>
 #include <span>
@@ -20,39 +21,32 @@ FileNames groupsOf(const TagList &tags) {
 
 /// Writes Wavefront OBJ: a group of faces per region, a group of lines per boundary tag, a group of points per tag.
 /// Comments hold the original names and the tags: "# tag TAG" belongs to the group before it.
-void writeObj(const TriMesh &mesh, TextWriter &out) {
+void writeObj(const MeshView &mesh, TextWriter &out) {
     writeNameComments(mesh, "#", out);
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << "v " << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
     }
     const FileNames names = groupsOf(tagsOf(mesh));
-    std::map<std::int32_t, std::vector<std::uint32_t>> regions, boundaries, points;
-    for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
-        regions[mesh.region(e)].push_back(e);
-    }
-    for (std::uint32_t k = 0; k < mesh.edges.size(); ++k) {
-        boundaries[mesh.edges[k].tag].push_back(k);
-    }
-    for (std::uint32_t k = 0; k < mesh.points.size(); ++k) {
-        points[mesh.points[k].tag].push_back(k);
-    }
     const auto group = [&](const std::string &name, std::int32_t tag) {
         out << "g " << name << "\n# tag " << tag << '\n';
     };
-    for (const auto &[tag, elements] : regions) {
+    for (const auto &[tag, elements] : elementsByRegion(mesh)) {
         group(names.regions.at(tag), tag);
         for (std::size_t k = 0; k < elements.size() && out.ok(); ++k) {
-            const Element &nodes = mesh.elements[elements[k]];
-            out << "f " << index(nodes[0]) + 1 << ' ' << index(nodes[1]) + 1 << ' ' << index(nodes[2]) + 1 << '\n';
+            out << 'f';
+            for (const NodeId node : mesh.cornersOf(elements[k])) {
+                out << ' ' << index(node) + 1;
+            }
+            out << '\n';
         }
     }
-    for (const auto &[tag, edges] : boundaries) {
+    for (const auto &[tag, edges] : edgesByTag(mesh)) {
         group(names.edges.at(tag), tag);
         for (const std::uint32_t k : edges) {
             out << "l " << index(mesh.edges[k].a) + 1 << ' ' << index(mesh.edges[k].b) + 1 << '\n';
         }
     }
-    for (const auto &[tag, items] : points) {
+    for (const auto &[tag, items] : pointsByTag(mesh)) {
         group(names.points.at(tag), tag);
         for (const std::uint32_t k : items) {
             out << "p " << index(mesh.points[k].node) + 1 << '\n';
@@ -60,7 +54,7 @@ void writeObj(const TriMesh &mesh, TextWriter &out) {
     }
 }
 
-Diagnostics noteObjChanges(const TriMesh &mesh) {
+Diagnostics noteObjChanges(const MeshView &mesh) {
     const TagList tags = tagsOf(mesh);
     return noteChangedNames(tags, groupsOf(tags));
 }

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -11,8 +10,8 @@ namespace forefront {
 /// Reads Wavefront OBJ (.obj). Every fault carries its place in the source.
 Result<Mesh> readObj(const SourceText &source);
 /// Writes Wavefront OBJ (.obj).
-void writeObj(const TriMesh &mesh, TextWriter &out);
+void writeObj(const MeshView &mesh, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.
-Diagnostics noteObjChanges(const TriMesh &mesh);
+Diagnostics noteObjChanges(const MeshView &mesh);
 
 } // namespace forefront

@@ -4,12 +4,15 @@
 #include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
 #include "core/files/common/tag_allocator.hpp"
+#include "core/files/common/tagged_cells.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -22,53 +25,62 @@ FileNames markersOf(const TagList &tags) {
     return identifiersOf({.edges = tags.edges, .points = {}, .regions = {}}, unique);
 }
 
+/// Writes the regions of runs of elements, unless all are 1.
+void writeRegionRuns(const MeshView &mesh, TextWriter &out) {
+    std::vector<std::pair<std::size_t, std::int32_t>> runs; // number of elements, region
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            if (runs.empty() || runs.back().second != block.region(k)) {
+                runs.emplace_back(0, block.region(k));
+            }
+            ++runs.back().first;
+        }
+    }
+    if (std::all_of(runs.begin(), runs.end(), [](const auto &run) { return run.second == 1; })) {
+        return;
+    }
+    for (const auto &[count, region] : runs) {
+        out << "% elements " << count << ' ' << region << '\n';
+    }
+}
+
 } // namespace
 
 /// Writes a two-dimensional SU2 mesh. Each boundary tag is a marker. Comments hold what SU2 cannot express: "% tag TAG"
 /// before a marker, "% elements COUNT TAG" for each run of elements of a region, "% point NODE TAG". The file is ASCII,
 /// since SU2 stops at other characters, even in comments.
-void writeSu2(const TriMesh &mesh, TextWriter &out) {
+void writeSu2(const MeshView &mesh, TextWriter &out) {
     writeNameComments(mesh, "%", out);
     for (const TaggedNode &point : mesh.points) {
         out << "% point " << index(point.node) << ' ' << point.tag << '\n';
     }
-    const bool tagged =
-        std::any_of(mesh.regions.begin(), mesh.regions.end(), [](std::int32_t tag) { return tag != 1; });
-    for (std::size_t begin = 0; begin < mesh.elements.size() && tagged && out.ok();) {
-        std::size_t end = begin;
-        while (end < mesh.elements.size() && mesh.regions[end] == mesh.regions[begin]) {
-            ++end;
+    writeRegionRuns(mesh, out);
+    out << "NDIME= 2\nNELEM= " << mesh.elementCount() << '\n';
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size() && out.ok(); ++k) {
+            out << block.traits().vtk;
+            for (const NodeId node : block.nodesOf(k)) {
+                out << ' ' << index(node);
+            }
+            out << ' ' << block.first + k << '\n';
         }
-        out << "% elements " << end - begin << ' ' << mesh.regions[begin] << '\n';
-        begin = end;
-    }
-    out << "NDIME= 2\nNELEM= " << mesh.elements.size() << '\n';
-    for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
-        out << kTriangle;
-        for (const NodeId node : mesh.elements[e]) {
-            out << ' ' << index(node);
-        }
-        out << ' ' << e << '\n';
     }
     out << "NPOIN= " << mesh.nodes.size() << '\n';
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << ' ' << n << '\n';
     }
-    std::map<std::int32_t, std::vector<std::size_t>> markers;
-    for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
-        markers[mesh.edges[k].tag].push_back(k);
-    }
+    const PartsByTag markers = edgesByTag(mesh);
     const FileNames names = markersOf(tagsOf(mesh));
     out << "NMARK= " << markers.size() << '\n';
     for (const auto &[tag, edges] : markers) {
         out << "% tag " << tag << "\nMARKER_TAG= " << names.edges.at(tag) << "\nMARKER_ELEMS= " << edges.size() << '\n';
-        for (const std::size_t k : edges) {
+        for (const std::uint32_t k : edges) {
             out << kLine << ' ' << index(mesh.edges[k].a) << ' ' << index(mesh.edges[k].b) << '\n';
         }
     }
 }
 
-Diagnostics noteSu2Changes(const TriMesh &mesh) {
+Diagnostics noteSu2Changes(const MeshView &mesh) {
     const TagList tags = tagsOf(mesh);
     return noteChangedNames(tags, markersOf(tags));
 }

@@ -2,20 +2,21 @@
 
 #include "core/engine/domain/domain.hpp"
 #include "core/files/common/names.hpp"
+#include "core/files/common/tagged_cells.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <span>
 
 namespace forefront {
 
 namespace {
 
 constexpr double kWidth = 1000.0; ///< length of the drawing's longer side, in drawing units
-/// The number of elements and edges, at most 50 bytes each, from which on paths are divided, and the number in one path
-/// then. libxml2, and with it librsvg, refuses attributes of more than 10 MB, and some larger files with paths of 450
-/// KB.
+/// The number of triangles and edges, at most 50 bytes each, from which on paths are divided, and the number in one
+/// path then; elements with more nodes count in proportion. libxml2, and with it librsvg, refuses attributes of more
+/// than 10 MB, and some larger files with paths of 450 KB.
 constexpr std::size_t kManyParts = 150'000;
 constexpr std::size_t kPartsPerPath = 1'000;
 
@@ -38,10 +39,48 @@ struct SvgPathStyle {
     std::string title;
 };
 
+/// Calls visit(a, b, middle) for each edge with a middle node: those of elements, and tagged ones.
+template <class Visit>
+void forEachCurvedEdge(const MeshView &mesh, Visit visit) {
+    for (const MeshView::Block &block : mesh.blocks()) {
+        const std::size_t corners = block.traits().corners;
+        for (std::size_t k = 0; block.traits().order == 2 && k < block.size(); ++k) {
+            const std::span<const NodeId> nodes = block.nodesOf(k);
+            for (std::size_t side = 0; side < corners; ++side) {
+                visit(nodes[side], nodes[(side + 1) % corners], nodes[corners + side]);
+            }
+        }
+    }
+    for (const TaggedEdge &edge : mesh.edges) {
+        if (edge.middle != kNoNode) {
+            visit(edge.a, edge.b, edge.middle);
+        }
+    }
+}
+
+/// Returns the control point of the quadratic Bézier curve from a to b that is at `middle` half-way, as an edge of
+/// second order is.
+Vec2 controlPoint(Vec2 a, Vec2 middle, Vec2 b) {
+    return 2.0 * middle - 0.5 * (a + b);
+}
+
+/// Adds the points of such a curve where a coordinate has a maximum or minimum between its ends.
+void addExtremes(Box2 &box, Vec2 a, Vec2 middle, Vec2 b) {
+    const Vec2 control = controlPoint(a, middle, b);
+    for (const double Vec2::*coordinate : {&Vec2::x, &Vec2::y}) {
+        const double fall = a.*coordinate - control.*coordinate;
+        const double bend = fall + (b.*coordinate - control.*coordinate);
+        const double t = fall / bend; // NaN or infinite for a straight edge
+        if (t > 0.0 && t < 1.0) {
+            box.add((1.0 - t) * (1.0 - t) * a + 2.0 * t * (1.0 - t) * control + t * t * b);
+        }
+    }
+}
+
 /// Maps the mesh to the drawing: y points down, coordinates are rounded to hundredths.
 class Sheet {
   public:
-    explicit Sheet(const TriMesh &mesh) : box_(mesh.bounds()) {
+    explicit Sheet(const MeshView &mesh) : box_(boxOf(mesh)) {
         const Vec2 size = box_.empty() ? Vec2{1.0, 1.0} : box_.size();
         const double longer = std::max(size.x, size.y);
         scale_ = longer > 0.0 ? kWidth / longer : 1.0;
@@ -53,6 +92,14 @@ class Sheet {
     }
 
   private:
+    /// Curved edges can leave the bounds of the nodes.
+    static Box2 boxOf(const MeshView &mesh) {
+        Box2 box = mesh.bounds();
+        forEachCurvedEdge(mesh, [&](NodeId a, NodeId b, NodeId middle) {
+            addExtremes(box, mesh.nodes[index(a)], mesh.nodes[index(middle)], mesh.nodes[index(b)]);
+        });
+        return box;
+    }
     static double rounded(double value) { return std::round(value * 100.0) / 100.0; }
 
     Box2 box_;
@@ -77,41 +124,51 @@ void writePaths(TextWriter &out, const SvgPathStyle &style, const std::vector<st
 
 } // namespace
 
-void writeSvg(const TriMesh &mesh, TextWriter &out) {
+void writeSvg(const MeshView &mesh, TextWriter &out) {
     const Sheet sheet(mesh);
     constexpr double kMargin = 10.0;
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" << -kMargin << ' ' << -kMargin << ' '
         << sheet.extent().x + 2.0 * kMargin << ' ' << sheet.extent().y + 2.0 * kMargin
         << "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
-    std::map<std::int32_t, std::vector<std::uint32_t>> regions, boundaries;
-    for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
-        regions[mesh.region(e)].push_back(e);
-    }
-    for (std::uint32_t k = 0; k < mesh.edges.size(); ++k) {
-        boundaries[mesh.edges[k].tag].push_back(k);
-    }
     const double pitch =
-        mesh.elements.empty()
+        mesh.elementCount() == 0
             ? kWidth
-            : std::sqrt(sheet.extent().x * sheet.extent().y / static_cast<double>(mesh.elements.size()));
+            : std::sqrt(sheet.extent().x * sheet.extent().y / static_cast<double>(mesh.elementCount()));
     const double thin = std::min(0.8, 0.06 * pitch);
     const auto at = [&](NodeId node) { sheet.put(out, mesh.nodes[index(node)]); };
-    const std::size_t count = mesh.elements.size() + mesh.edges.size();
+    const auto lineTo = [&](NodeId a, NodeId b, NodeId middle) {
+        if (middle == kNoNode) {
+            out << 'L', at(b);
+            return;
+        }
+        out << 'Q';
+        sheet.put(out, controlPoint(mesh.nodes[index(a)], mesh.nodes[index(middle)], mesh.nodes[index(b)]));
+        out << ' ', at(b);
+    };
+    const std::size_t count = nodesOfElements(mesh) / 3 + mesh.edges.size();
     const std::size_t perPath = count < kManyParts ? kManyParts : kPartsPerPath;
     std::size_t number = 0;
-    for (const auto &[tag, elements] : regions) {
+    for (const auto &[tag, elements] : elementsByRegion(mesh)) {
         const SvgPathStyle style{kFills[number++ % kFills.size()], "#445566", thin, regionName(mesh.regionNames, tag)};
         writePaths(out, style, elements, perPath, [&](std::uint32_t element) {
-            const Element &nodes = mesh.elements[element];
-            out << 'M', at(nodes[0]), out << 'L', at(nodes[1]), out << 'L', at(nodes[2]), out << "Z\n";
+            const MeshView::Block &block = mesh.blockOf(element);
+            const std::span<const NodeId> nodes = block.nodesOf(element - block.first);
+            const std::size_t corners = block.traits().corners;
+            const bool curved = block.traits().order == 2;
+            out << 'M', at(nodes[0]);
+            for (std::size_t k = 0; k < (curved ? corners : corners - 1); ++k) { // Z closes straight outlines
+                lineTo(nodes[k], nodes[(k + 1) % corners], curved ? nodes[corners + k] : kNoNode);
+            }
+            out << "Z\n";
         });
     }
     number = 0;
-    for (const auto &[tag, edges] : boundaries) {
+    for (const auto &[tag, edges] : edgesByTag(mesh)) {
         const SvgPathStyle style{"none", kStrokes[number++ % kStrokes.size()], 3.0 * thin,
                                  boundaryName(mesh.boundaryNames, tag)};
         writePaths(out, style, edges, perPath, [&](std::uint32_t edge) {
-            out << 'M', at(mesh.edges[edge].a), out << 'L', at(mesh.edges[edge].b), out << '\n';
+            const TaggedEdge &item = mesh.edges[edge];
+            out << 'M', at(item.a), lineTo(item.a, item.b, item.middle), out << '\n';
         });
     }
     for (const TaggedNode &point : mesh.points) {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/text/text_writer.hpp"
 
 namespace forefront {
 
 /// Writes a drawing of the mesh: the elements of a region, or the edges of a boundary tag, are one path named by its
 /// title, or several if there are many.
-void writeSvg(const TriMesh &mesh, TextWriter &out);
+void writeSvg(const MeshView &mesh, TextWriter &out);
 
 } // namespace forefront

@@ -3,8 +3,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
-#include "core/engine/mesh/mesh.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/file_set.hpp"
 
@@ -21,7 +20,7 @@ Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elemen
 inline constexpr std::array<const char *, 3> kTriangleExtensions{".node", ".ele", ".edge"};
 /// Adds PATH.node, PATH.ele and PATH.edge to a set of files. A comment in each names the mesh, so that files of
 /// different meshes are not read as one.
-void writeTriangle(FileSet &files, const std::filesystem::path &path, const TriMesh &mesh, const Progress &progress);
+void writeTriangle(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, const Progress &progress);
 
 /// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes.
 Result<Domain> readPoly(const SourceText &source);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,14 +21,14 @@ namespace forefront {
 namespace {
 
 /// Returns a text that differs between meshes, also if they differ in the numbers of their nodes alone.
-std::string numberingOf(const TriMesh &mesh) {
+std::string numberingOf(const MeshView &mesh) {
     Hash64 hash;
     for (const Vec2 node : mesh.nodes) {
         hash.add(node.x);
         hash.add(node.y);
     }
-    for (const Element &element : mesh.elements) {
-        for (const NodeId node : element) {
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (const NodeId node : block.connectivity) {
             hash.add(static_cast<std::uint64_t>(index(node)));
         }
     }
@@ -47,7 +48,7 @@ std::string_view meshOf(std::string_view text) {
     return line.substr(0, line.find_first_of("\r\n"));
 }
 
-void writeNodes(const TriMesh &mesh, TextWriter &out) {
+void writeNodes(const MeshView &mesh, TextWriter &out) {
     out << mesh.nodes.size() << " 2 0 1\n";
     const std::vector<std::int32_t> labels = nodeLabels(mesh);
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
@@ -59,18 +60,23 @@ void writeNodes(const TriMesh &mesh, TextWriter &out) {
     }
 }
 
-void writeElements(const TriMesh &mesh, TextWriter &out) {
-    out << mesh.elements.size() << " 3 1\n";
-    for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
-        out << e + 1;
-        for (const NodeId node : mesh.elements[e]) {
-            out << ' ' << index(node) + 1;
+/// Writes triangles of 3 or of 6 nodes. The middle nodes of edges stand only here.
+void writeElements(const MeshView &mesh, TextWriter &out) {
+    const CellTraits &traits = mesh.elementCount() > 0 ? mesh.blocks().front().traits() : traitsOf(CellKind::Triangle3);
+    out << mesh.elementCount() << ' ' << traits.nodes << " 1\n";
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size() && out.ok(); ++k) {
+            out << block.first + k + 1;
+            const std::span<const NodeId> nodes = block.nodesOf(k);
+            for (std::size_t n = 0; n < nodes.size(); ++n) {
+                out << ' ' << index(nodes[traits.opposite[n]]) + 1;
+            }
+            out << ' ' << block.region(k) << '\n';
         }
-        out << ' ' << mesh.region(e) << '\n';
     }
 }
 
-void writeEdges(const TriMesh &mesh, TextWriter &out) {
+void writeEdges(const MeshView &mesh, TextWriter &out) {
     out << mesh.edges.size() << " 1\n";
     for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
         const TaggedEdge &edge = mesh.edges[k];
@@ -82,8 +88,8 @@ void writeEdges(const TriMesh &mesh, TextWriter &out) {
 
 /// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the
 /// tagged edges.
-void writeTriangle(FileSet &files, const std::filesystem::path &path, const TriMesh &mesh, const Progress &progress) {
-    using Write = void (*)(const TriMesh &, TextWriter &);
+void writeTriangle(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, const Progress &progress) {
+    using Write = void (*)(const MeshView &, TextWriter &);
     static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};
     const std::string id = numberingOf(mesh);
     for (std::size_t i = 0; i < kWrites.size(); ++i) {
@@ -93,7 +99,7 @@ void writeTriangle(FileSet &files, const std::filesystem::path &path, const TriM
             kWrites[i](mesh, out);
             out << kMeshComment << id << '\n';
         };
-        files.write(file, fill, progress, 1 + mesh.elements.size() * 32);
+        files.write(file, fill, progress, 1 + mesh.elementCount() * 32);
     }
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/mesh.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
@@ -18,7 +17,7 @@ Result<MeshFields> readVtuFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTU.
 bool looksLikeVtu(std::string_view head);
 /// Writes a VTK XML unstructured grid (.vtu).
-void writeVtu(const TriMesh &mesh, TextWriter &out);
+void writeVtu(const MeshView &mesh, TextWriter &out);
 
 /// Reads a VTK legacy file (.vtk), ASCII. Every fault carries its place in the source.
 Result<Mesh> readVtk(const SourceText &source);
@@ -27,6 +26,6 @@ Result<MeshFields> readVtkFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTK legacy.
 bool looksLikeVtk(std::string_view head);
 /// Writes a VTK legacy file, ASCII.
-void writeVtk(const TriMesh &mesh, TextWriter &out);
+void writeVtk(const MeshView &mesh, TextWriter &out);
 
 } // namespace forefront

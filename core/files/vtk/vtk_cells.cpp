@@ -14,7 +14,7 @@
 
 namespace forefront {
 
-std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const TriMesh &mesh) {
+std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const MeshView &mesh) {
     const TagList tags = tagsOf(mesh);
     auto boundaries = tags.points;
     boundaries.insert(tags.edges.begin(), tags.edges.end());

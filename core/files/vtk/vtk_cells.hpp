@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/engine/mesh/mesh.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/text/text_scanner.hpp"
 #include "core/files/text/text_writer.hpp"
@@ -19,7 +18,7 @@ namespace forefront {
 inline constexpr std::uint8_t kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5;
 
 /// Returns the names of the field arrays of a VTU file with their tags, for all tags in use.
-std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const TriMesh &mesh);
+std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const MeshView &mesh);
 
 /// An unstructured grid as read, before its indices are checked.
 struct VtkGrid {

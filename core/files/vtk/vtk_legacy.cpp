@@ -3,12 +3,14 @@
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
+#include "core/files/common/tagged_cells.hpp"
 #include "core/files/vtk/vtk.hpp"
 #include "core/files/vtk/vtk_cells.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <span>
 
 namespace forefront {
 
@@ -29,7 +31,7 @@ std::string nameWord(const std::string &name) {
 /// Writes the names of tags. Legacy files have no place for names that every reader skips: a FIELD block before POINTS
 /// stops Gmsh, FreeFem++ and deal.II, and deal.II expects as many values in it as there are cells. All of them skip
 /// look-up tables, so each name is that of a table of one colour: "boundary:3:inlet".
-void writeNames(const TriMesh &mesh, TextWriter &out) {
+void writeNames(const MeshView &mesh, TextWriter &out) {
     const TagList tags = tagsOf(mesh);
     const auto table = [&](const char *kind, std::int32_t tag, const std::string &name) {
         out << "LOOKUP_TABLE " << kind << ':' << tag << ':' << nameWord(name) << " 1\n0.5 0.5 0.5 1\n";
@@ -50,49 +52,54 @@ void writeNames(const TriMesh &mesh, TextWriter &out) {
 
 } // namespace
 
-/// Writes version 3.0, ASCII. `MaterialID` is the region of triangles and the boundary tag of lines and vertices, as
+/// Writes version 3.0, ASCII. `MaterialID` is the region of elements and the boundary tag of lines and vertices, as
 /// deal.II expects it first; the arrays `region` and `boundary` hold the two apart, 0 where they do not apply.
-void writeVtk(const TriMesh &mesh, TextWriter &out) {
-    const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
-    out << "# vtk DataFile Version 3.0\nPlane triangle mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n";
+void writeVtk(const MeshView &mesh, TextWriter &out) {
+    const std::size_t cells = mesh.elementCount() + mesh.edges.size() + mesh.points.size();
+    out << "# vtk DataFile Version 3.0\n" << titleOf(mesh) << "\nASCII\nDATASET UNSTRUCTURED_GRID\n";
     out << "POINTS " << mesh.nodes.size() << " double\n";
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
     }
-    out << "CELLS " << cells << ' ' << 4 * mesh.elements.size() + 3 * mesh.edges.size() + 2 * mesh.points.size()
-        << '\n';
-    for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
-        const Element &nodes = mesh.elements[e];
-        out << "3 " << index(nodes[0]) << ' ' << index(nodes[1]) << ' ' << index(nodes[2]) << '\n';
-    }
-    for (const TaggedEdge &edge : mesh.edges) {
-        out << "2 " << index(edge.a) << ' ' << index(edge.b) << '\n';
-    }
-    for (const TaggedNode &point : mesh.points) {
-        out << "1 " << index(point.node) << '\n';
-    }
-    const auto column = [&](auto triangle, auto edge, auto point) {
-        for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
-            out << triangle(e) << '\n';
+    out << "CELLS " << cells << ' ' << cells + nodesOfElements(mesh) + nodesOfEdges(mesh) + mesh.points.size() << '\n';
+    const auto writeCell = [&](const auto &nodes) {
+        out << nodes.size();
+        for (const NodeId node : nodes) {
+            out << ' ' << index(node);
         }
-        for (const TaggedEdge &item : mesh.edges) {
-            out << edge(item) << '\n';
-        }
-        for (const TaggedNode &item : mesh.points) {
-            out << point(item) << '\n';
-        }
+        out << '\n';
     };
-    const auto constant = [](int value) { return [value](const auto &) { return value; }; };
-    const auto region = [&](std::size_t e) { return mesh.region(e); };
+    const auto forEachCell = [&](auto element, auto edge, auto point) {
+        for (const MeshView::Block &block : mesh.blocks()) {
+            for (std::size_t k = 0; k < block.size() && out.ok(); ++k) {
+                element(block, k);
+            }
+        }
+        std::for_each(mesh.edges.begin(), mesh.edges.end(), edge);
+        std::for_each(mesh.points.begin(), mesh.points.end(), point);
+    };
+    using Block = MeshView::Block;
+    forEachCell([&](const Block &block, std::size_t k) { writeCell(block.nodesOf(k)); },
+                [&](const TaggedEdge &edge) { writeCell(EdgeNodes(edge)); },
+                [&](const TaggedNode &point) { writeCell(std::span(&point.node, 1)); });
+    const auto column = [&](auto element, auto edge, auto point) {
+        forEachCell([&](const Block &block, std::size_t k) { out << element(block, k) << '\n'; },
+                    [&](const TaggedEdge &item) { out << edge(item) << '\n'; },
+                    [&](const TaggedNode &item) { out << point(item) << '\n'; });
+    };
+    const auto none = [](const auto &...) { return 0; };
+    const auto region = [](const Block &block, std::size_t k) { return block.region(k); };
     const auto tag = [](const auto &item) { return item.tag; };
     out << "CELL_TYPES " << cells << '\n';
-    column(constant(kVtkTriangle), constant(kVtkLine), constant(kVtkVertex));
+    column([](const Block &block, std::size_t) { return block.traits().vtk; },
+           [](const TaggedEdge &edge) { return traitsOf(cellKindOf(edge)).vtk; },
+           [](const TaggedNode &) { return traitsOf(CellKind::Point).vtk; });
     out << "CELL_DATA " << cells << "\nSCALARS MaterialID int 1\nLOOKUP_TABLE default\n";
     column(region, tag, tag);
     out << "FIELD FieldData 2\nregion 1 " << cells << " int\n";
-    column(region, constant(0), constant(0));
+    column(region, none, none);
     out << "boundary 1 " << cells << " int\n";
-    column(constant(0), tag, tag);
+    column(none, tag, tag);
     writeNames(mesh, out);
 }
 

@@ -1,8 +1,10 @@
 #include "core/files/common/names.hpp"
+#include "core/files/common/tagged_cells.hpp"
 #include "core/files/vtk/vtk.hpp"
 #include "core/files/vtk/vtk_cells.hpp"
 
 #include <bit>
+#include <span>
 
 namespace forefront {
 
@@ -57,17 +59,19 @@ class AppendedArrays {
     std::vector<std::size_t> sizes_;
 };
 
-void writeData(const TriMesh &mesh, AppendedArrays &arrays, const TextWriter &out) {
+void writeData(const MeshView &mesh, AppendedArrays &arrays, const TextWriter &out) {
     arrays.begin();
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         arrays.put(mesh.nodes[n].x);
         arrays.put(mesh.nodes[n].y);
         arrays.put(0.0);
     }
-    const auto column = [&](auto triangle, auto edge, auto point) {
+    const auto column = [&](auto element, auto edge, auto point) {
         arrays.begin();
-        for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
-            triangle(e);
+        for (const MeshView::Block &block : mesh.blocks()) {
+            for (std::size_t k = 0; k < block.size() && out.ok(); ++k) {
+                element(block, k);
+            }
         }
         for (const TaggedEdge &item : mesh.edges) {
             edge(item);
@@ -76,28 +80,36 @@ void writeData(const TriMesh &mesh, AppendedArrays &arrays, const TextWriter &ou
             point(item);
         }
     };
+    using Block = MeshView::Block;
     const auto put = [&](auto value) { arrays.put(value); };
-    const auto node = [&](NodeId id) { put(static_cast<std::int32_t>(index(id))); };
-    column([&](std::size_t e) { node(mesh.elements[e][0]), node(mesh.elements[e][1]), node(mesh.elements[e][2]); },
-           [&](const TaggedEdge &edge) { node(edge.a), node(edge.b); },
-           [&](const TaggedNode &point) { node(point.node); });
+    const auto putNodes = [&](const auto &nodes) {
+        for (const NodeId node : nodes) {
+            put(static_cast<std::int32_t>(index(node)));
+        }
+    };
+    column([&](const Block &block, std::size_t k) { putNodes(block.nodesOf(k)); },
+           [&](const TaggedEdge &edge) { putNodes(EdgeNodes(edge)); },
+           [&](const TaggedNode &point) { putNodes(std::span(&point.node, 1)); });
     std::int32_t end = 0;
-    column([&](std::size_t) { put(end += 3); }, [&](const TaggedEdge &) { put(end += 2); },
+    column([&](const Block &block, std::size_t) { put(end += block.traits().nodes); },
+           [&](const TaggedEdge &edge) { put(end += static_cast<std::int32_t>(EdgeNodes(edge).size())); },
            [&](const TaggedNode &) { put(end += 1); });
-    column([&](std::size_t) { put(kVtkTriangle); }, [&](const TaggedEdge &) { put(kVtkLine); },
-           [&](const TaggedNode &) { put(kVtkVertex); });
-    column([&](std::size_t e) { put(mesh.region(e)); }, [&](const TaggedEdge &) { put(std::int32_t{0}); },
-           [&](const TaggedNode &) { put(std::int32_t{0}); });
-    column([&](std::size_t) { put(std::int32_t{0}); }, [&](const TaggedEdge &edge) { put(edge.tag); },
+    const auto putType = [&](CellKind kind) { put(static_cast<std::uint8_t>(traitsOf(kind).vtk)); };
+    column([&](const Block &block, std::size_t) { putType(block.kind); },
+           [&](const TaggedEdge &edge) { putType(cellKindOf(edge)); },
+           [&](const TaggedNode &) { putType(CellKind::Point); });
+    column([&](const Block &block, std::size_t k) { put(block.region(k)); },
+           [&](const TaggedEdge &) { put(std::int32_t{0}); }, [&](const TaggedNode &) { put(std::int32_t{0}); });
+    column([&](const Block &, std::size_t) { put(std::int32_t{0}); }, [&](const TaggedEdge &edge) { put(edge.tag); },
            [&](const TaggedNode &point) { put(point.tag); });
 }
 
 } // namespace
 
 /// Writes VTU with raw appended data, which is compact and exact.
-void writeVtu(const TriMesh &mesh, TextWriter &out) {
-    const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
-    const std::size_t corners = 3 * mesh.elements.size() + 2 * mesh.edges.size() + mesh.points.size();
+void writeVtu(const MeshView &mesh, TextWriter &out) {
+    const std::size_t cells = mesh.elementCount() + mesh.edges.size() + mesh.points.size();
+    const std::size_t corners = nodesOfElements(mesh) + nodesOfEdges(mesh) + mesh.points.size();
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
     for (const auto &[name, tags] : vtkNameFields(mesh)) {
