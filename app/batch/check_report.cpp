@@ -56,7 +56,7 @@ Diagnostics addSavedLimits(const std::filesystem::path &project, const std::map<
     return {};
 }
 
-void printMeasures(const TriMesh &mesh, const SpacingField *spacing) {
+void printMeasures(const MeshView &mesh, const SpacingField *spacing) {
     std::printf("%s%10s", padded("measure", 22).c_str(), "minimum");
     for (const int percent : kPercentiles) {
         std::printf("%9d%%", percent);

@@ -22,7 +22,7 @@ Diagnostics addSavedLimits(const std::filesystem::path &project, const std::map<
                            MeshLimits &limits);
 
 /// Prints a table of all quality measures of a mesh, with minimum, percentiles, maximum and mean.
-void printMeasures(const TriMesh &mesh, const SpacingField *spacing);
+void printMeasures(const MeshView &mesh, const SpacingField *spacing);
 
 /// Number of places listed for each violated limit.
 inline constexpr std::size_t kListedPlaces = 5;

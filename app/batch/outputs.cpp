@@ -122,7 +122,7 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs) {
 
 namespace {
 
-Diagnostics writeOutput(FileSet &files, const Output &output, const TriMesh &mesh, const Progress &progress) {
+Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &mesh, const Progress &progress) {
     if (!isStandardStream(output.path)) {
         Status written = writeMesh(files, output.path, mesh, output.format, progress);
         return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
@@ -146,16 +146,16 @@ Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
 
 } // namespace
 
-Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const TriMesh &mesh,
+Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh,
                          std::optional<InnerEdges> innerEdges, const Progress &progress) {
     const auto drops = [&](const Output &output) {
         return innerEdges ? *innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
     };
     const bool anyDrops = std::any_of(outputs.begin(), outputs.end(), drops);
-    const TriMesh outline = anyDrops ? withoutInnerEdges(mesh) : TriMesh();
+    const Mesh outline = anyDrops ? withoutInnerEdges(copyOf(mesh)) : Mesh();
     Diagnostics notes;
     for (const Output &output : outputs) {
-        Diagnostics faults = writeOutput(files, output, drops(output) ? outline : mesh, progress);
+        Diagnostics faults = writeOutput(files, output, drops(output) ? MeshView(outline) : mesh, progress);
         if (hasErrors(faults)) {
             return faults;
         }

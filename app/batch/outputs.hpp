@@ -3,7 +3,7 @@
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/mesh/tri_mesh.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/inner_edges.hpp"
 #include "core/files/text/file_set.hpp"
 
@@ -45,7 +45,7 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first
 /// error. Returns the errors or, if there are none, the notes of exportNotes(). Where `innerEdges` is absent, inner
 /// edges are left out of the formats that do not accept them, with a note.
-Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const TriMesh &mesh,
+Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh,
                          std::optional<InnerEdges> innerEdges, const Progress &progress);
 
 /// Prints "wrote PATH" for each output that is a file.

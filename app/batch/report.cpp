@@ -53,7 +53,7 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
 
 } // namespace
 
-MeshReport reportOf(const TriMesh &mesh, const SpacingField *spacing, bool valid) {
+MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid) {
     MeshReport report;
     report.quality = measureQuality(mesh, spacing);
     report.extent = extentOf(mesh, report.quality.edges);

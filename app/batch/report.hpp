@@ -37,7 +37,7 @@ struct RunReport : MeshReport {
 };
 
 /// Measures a mesh. `spacing`: may be null. `valid`: whether its corners can be found.
-MeshReport reportOf(const TriMesh &mesh, const SpacingField *spacing, bool valid);
+MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool valid);
 /// Measures the mesh of a finished run.
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns a warning if elements of a mesh are flat; else nothing.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <future>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,17 +23,19 @@ namespace forefront {
 namespace {
 
 /// Returns why a mesh cannot be drawn.
-Diagnostics drawingFaults(const TriMesh &mesh) {
+Diagnostics drawingFaults(const Mesh &mesh) {
     const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
-    const bool elements = std::all_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element &element) {
-        return std::all_of(element.begin(), element.end(), known);
+    const bool elements = std::all_of(mesh.blocks.begin(), mesh.blocks.end(), [&](const CellBlock &block) {
+        const std::span<const NodeId> nodes = block.connectivity();
+        return std::all_of(nodes.begin(), nodes.end(), known);
     });
-    const bool edges = std::all_of(mesh.edges.begin(), mesh.edges.end(),
-                                   [&](const TaggedEdge &edge) { return known(edge.a) && known(edge.b); });
+    const bool edges = std::all_of(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) {
+        return known(edge.a) && known(edge.b) && (edge.middle == kNoNode || known(edge.middle));
+    });
     const bool points =
         std::all_of(mesh.points.begin(), mesh.points.end(), [&](const TaggedNode &point) { return known(point.node); });
     const bool finite = std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite);
-    if (mesh.elements.empty()) {
+    if (mesh.elementCount() == 0) {
         return error("empty-mesh", "the mesh has no elements", "open it as a drawing instead");
     }
     return elements && edges && points && finite

@@ -28,7 +28,6 @@ void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes,
 void writeSurface(const TaggedSides &table, const std::string &name, const std::vector<std::uint32_t> &edges,
                   TextWriter &out) {
     out << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
-    const HalfEdges &halfEdges = table.halfEdges();
     for (const std::uint32_t k : edges) {
         const std::span<const ElementSide> sides = table.of(k);
         if (sides.empty()) {

@@ -6,10 +6,10 @@ namespace forefront {
 
 ComparedFile comparedFile(MeshFields read) {
     ComparedFile file;
-    file.fields = takeFields(read);
     file.view = std::make_shared<MeshSnapshot>();
-    file.view->alpha = shapeFactors(read.mesh);
-    file.view->mesh = std::move(read.mesh);
+    file.view->mesh = takeTriangles(read);
+    file.view->alpha = shapeFactors(file.view->mesh);
+    file.fields = takeFields(read, file.view->mesh);
     return file;
 }
 

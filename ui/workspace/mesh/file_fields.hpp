@@ -17,8 +17,11 @@ struct FileFields {
     const std::vector<double> *find(MeshPart part, const std::string &name) const;
 };
 
-/// Takes the values out of `read`, except arrays that do not have one value for each node or element; null if there
-/// are none.
-std::shared_ptr<const FileFields> takeFields(MeshFields &read);
+/// Takes the mesh out of `read` as triangles, and makes its values of elements those of the triangles.
+TriMesh takeTriangles(MeshFields &read);
+
+/// Takes the values out of `read`, except arrays that do not have one value for each node or element of its triangles,
+/// `mesh`; null if there are none.
+std::shared_ptr<const FileFields> takeFields(MeshFields &read, const TriMesh &mesh);
 
 } // namespace forefront

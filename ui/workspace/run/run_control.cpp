@@ -181,9 +181,9 @@ void RunControl::want(SnapshotLayers layers) {
 
 FileMesh takeMesh(MeshFields read) {
     FileMesh file;
-    file.fields = takeFields(read);
     file.view = std::make_shared<MeshSnapshot>();
-    file.view->mesh = std::move(read.mesh);
+    file.view->mesh = takeTriangles(read);
+    file.fields = takeFields(read, file.view->mesh);
     return file;
 }
 
