@@ -25,6 +25,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
   forefront check MESH      check a mesh                   (forefront check --help)
   forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
+  forefront convert MESH -o OUT  write a mesh in another format (forefront convert --help)
   forefront film IN -o GIF  film a run step by step        (forefront film --help)
   forefront tables          reproduce the published tables (forefront tables --help)
   forefront --version       print the version
@@ -70,11 +71,9 @@ using Command = int (*)(int, const char *const *);
 
 /// Returns the batch command of this name; null if there is none.
 Command batchCommand(std::string_view name) {
-    constexpr std::pair<std::string_view, Command> kCommands[] = {{"mesh", meshCommand},
-                                                                  {"check", checkCommand},
-                                                                  {"adapt", adaptCommand},
-                                                                  {"film", filmCommand},
-                                                                  {"tables", tablesCommand}};
+    constexpr std::pair<std::string_view, Command> kCommands[] = {{"mesh", meshCommand},   {"check", checkCommand},
+                                                                  {"adapt", adaptCommand}, {"convert", convertCommand},
+                                                                  {"film", filmCommand},   {"tables", tablesCommand}};
     const auto *const found =
         std::find_if(std::begin(kCommands), std::end(kCommands), [&](const auto &c) { return c.first == name; });
     return found != std::end(kCommands) ? found->second : nullptr;

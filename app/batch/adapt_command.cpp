@@ -9,6 +9,7 @@
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/adapt/mesh_outline.hpp"
 #include "core/engine/mesh/orientation.hpp"
+#include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
@@ -86,15 +87,15 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
         }
         input = std::move(*read);
     } else {
-        Result<TriMesh> read = allFormats().readMesh(file.path, file.options, &notes);
+        Result<Mesh> read = allFormats().readMesh(file.path, file.options, &notes);
         if (!read) {
             return read.faults();
         }
         input.mesh = std::move(*read);
     }
     printNotes(notes, arguments.quiet);
-    if (input.mesh.elements.empty()) {
-        return allFormats().locateFaults(file.path, error("empty-mesh", "the file has no triangles"), file.options);
+    if (input.mesh.elementCount() == 0) {
+        return allFormats().locateFaults(file.path, error("empty-mesh", "the file has no elements"), file.options);
     }
     Diagnostics faults = verify(input.mesh, kMaxListedFaults, notes.numbers());
     if (hasErrors(faults)) {
@@ -110,13 +111,13 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
 }
 
 /// Makes one new mesh, on which a solver must compute the field.
-Result<TriMesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
-                             const Progress &progress) {
+Result<TriMesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const TriMesh &mesh,
+                             const std::vector<double> &values, const Progress &progress) {
     const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
     Result<AdaptOutcome> outcome =
-        adaptMeshOnce(domain, input.mesh, input.values, arguments.target, arguments.options(), progress, tell);
+        adaptMeshOnce(domain, mesh, values, arguments.target, arguments.options(), progress, tell);
     if (!outcome) {
         return outcome.faults();
     }
@@ -191,9 +192,10 @@ int runAdapt(const AdaptArguments &arguments) {
     }
     printNotes(notes, arguments.quiet);
     interrupt.deferToStop();
+    TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles
     const Result<TriMesh> mesh = arguments.field
-                                     ? adaptToField(arguments, *domain, *input, progress)
-                                     : adaptToExpression(arguments, *domain, std::move(input->mesh), progress, bar);
+                                     ? adaptToField(arguments, *domain, triangles, input->values, progress)
+                                     : adaptToExpression(arguments, *domain, std::move(triangles), progress, bar);
     bar.clear();
     if (!mesh) {
         const bool mistyped = hasCode(mesh.faults(), "expression-syntax");

@@ -76,7 +76,7 @@ struct CheckArguments {
 
 /// Builds the requested node spacing: that of the options, or that of the project with the limits if one of them needs
 /// a spacing; null if there is none.
-Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const TriMesh &mesh) {
+Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const MeshView &mesh) {
     if (!arguments.size && !arguments.expression) {
         if (!arguments.savedLimits || !arguments.limits[MeshLimit::MinDelta]) {
             return std::shared_ptr<const SpacingField>();
@@ -111,7 +111,7 @@ bool hasConstraints(const Domain &domain) {
 }
 
 /// Returns the differences between a mesh and the domain it was made from.
-Diagnostics checkAgainst(const TriMesh &mesh, const MeshNumbers &numbers, const CheckArguments &arguments,
+Diagnostics checkAgainst(const MeshView &mesh, const MeshNumbers &numbers, const CheckArguments &arguments,
                          Input &input) {
     arguments.drawing.applyTo(input.options);
     Result<Domain> domain = allFormats().readDomain(input.path, input.options);
@@ -179,10 +179,10 @@ void printFigures(const CheckArguments &arguments, const MeshReport &report, boo
 }
 
 /// Prints the figures of a mesh, those of a clockwise one as if it were turned. Returns the exit code.
-int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const TriMesh &given,
+int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const MeshView &given,
                   const MeshNumbers &numbers, bool valid) {
-    std::optional<TriMesh> copy;
-    const TriMesh &mesh = isClockwise(given) ? copy.emplace(turned(given)) : given;
+    std::optional<Mesh> copy;
+    const MeshView mesh = isClockwise(given) ? MeshView(copy.emplace(turned(copyOf(given)))) : given;
     const auto spacing = readWanted(arguments, mesh);
     if (!spacing) {
         printFaults(spacing.faults());
@@ -224,7 +224,7 @@ int check(CheckArguments &arguments) {
         return kRefused;
     }
     ImportNotes notes;
-    const Result<TriMesh> mesh = allFormats().readMesh(input->path, input->options, &notes);
+    const Result<Mesh> mesh = allFormats().readMesh(input->path, input->options, &notes);
     if (!mesh) {
         printFaults(mesh.faults());
         return kRefused;
@@ -249,7 +249,7 @@ int check(CheckArguments &arguments) {
     } else {
         faults = verify(*mesh, kMaxListedFaults, notes.numbers());
     }
-    if (mesh->elements.empty()) {
+    if (mesh->elementCount() == 0) {
         faults = error("empty-mesh", "the mesh has no elements");
     }
     printFaults(allFormats().locateFaults(input->path, faults, input->options));

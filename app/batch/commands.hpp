@@ -11,6 +11,9 @@ int checkCommand(int argc, const char *const *argv);
 /// Runs `forefront adapt ...` and returns the exit code; argv[0] is the word "adapt".
 int adaptCommand(int argc, const char *const *argv);
 
+/// Runs `forefront convert ...` and returns the exit code; argv[0] is the word "convert".
+int convertCommand(int argc, const char *const *argv);
+
 /// Runs `forefront film ...` and returns the exit code; argv[0] is the word "film".
 int filmCommand(int argc, const char *const *argv);
 

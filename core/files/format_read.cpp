@@ -1,5 +1,4 @@
 #include "core/engine/mesh/mesh_domain.hpp"
-#include "core/engine/mesh/triangulated.hpp"
 #include "core/files/format.hpp"
 #include "core/files/read_file.hpp"
 
@@ -56,11 +55,11 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
     if (format.readDomain != nullptr) {
         return format.readDomain(source);
     }
-    auto mesh = format.readMesh(source);
+    const auto mesh = format.readMesh(source);
     if (!mesh) {
         return mesh.faults();
     }
-    return domainOfMesh(takeTriangulated(std::move(*mesh)).mesh, source.options.progress);
+    return domainOfMesh(*mesh, source.options.progress);
 }
 
 Result<Domain> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,

@@ -53,10 +53,10 @@ class CellCounts {
     std::array<std::size_t, kCellTraits.size()> counts_ = {};
 };
 
-std::string joined(const std::vector<std::string> &parts, const std::string &last) {
+std::string joined(const std::vector<std::string> &parts, const std::string &between, const std::string &last) {
     std::string text;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-        text += (k == 0 ? "" : k + 1 == parts.size() ? last : ", ") + parts[k];
+        text += (k == 0 ? "" : k + 1 == parts.size() ? last : between) + parts[k];
     }
     return text;
 }
@@ -83,7 +83,7 @@ std::string adviceFor(CellSet kinds) {
             extensions.emplace_back(about.extension);
         }
     }
-    return extensions.empty() ? "" : "write " + joined(extensions, " or ") + " instead";
+    return extensions.empty() ? "" : "write " + joined(extensions, ", ", " or ") + " instead";
 }
 
 } // namespace
@@ -106,9 +106,10 @@ Status checkElements(const FileFormat &format, const MeshView &mesh) {
     }
     const std::vector<std::string> lacking = counts.described(missing);
     return error("unsupported-elements",
-                 std::string(format.name) + (lacking.empty() ? " files hold elements of one kind, but the mesh has " +
-                                                                   joined(counts.described(elements), " and ")
-                                                             : " files hold no " + joined(lacking, " and no ")),
+                 std::string(format.name) + (lacking.empty()
+                                                 ? " files hold elements of one kind, but the mesh has " +
+                                                       joined(counts.described(elements), ", ", " and ")
+                                                 : " files hold no " + joined(lacking, ", no ", " and no ")),
                  adviceFor(kinds));
 }
 

@@ -28,8 +28,9 @@ Diagnostics drawingFaults(const MeshView &mesh) {
     const bool elements = std::all_of(mesh.blocks().begin(), mesh.blocks().end(), [&](const MeshView::Block &block) {
         return std::all_of(block.connectivity.begin(), block.connectivity.end(), known);
     });
-    const bool edges = std::all_of(mesh.edges.begin(), mesh.edges.end(),
-                                   [&](const TaggedEdge &edge) { return known(edge.a) && known(edge.b); });
+    const bool edges = std::all_of(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) {
+        return known(edge.a) && known(edge.b) && (edge.middle == kNoNode || known(edge.middle));
+    });
     const bool points =
         std::all_of(mesh.points.begin(), mesh.points.end(), [&](const TaggedNode &point) { return known(point.node); });
     const bool finite = std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite);

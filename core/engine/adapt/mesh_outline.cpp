@@ -112,7 +112,7 @@ Domain withoutStraightNodes(const Domain &domain) {
     return StraightRuns(domain).run();
 }
 
-Result<Domain> outlineOf(const TriMesh &mesh, const Progress &progress) {
+Result<Domain> outlineOf(const MeshView &mesh, const Progress &progress) {
     const Result<Domain> domain = domainOfMesh(mesh, progress);
     if (!domain) {
         return domain.faults();

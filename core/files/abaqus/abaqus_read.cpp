@@ -28,7 +28,8 @@ constexpr CellOrder kAbaqusEdge3 = {0, 2, 1};
 /// Returns the kind of cells of an element type such as "CPS8R": a family of plane elements, the number of nodes, and
 /// letters about its formulation.
 std::optional<CellKind> abaqusKind(const std::string &type) {
-    constexpr std::array kLines = {"T3D2", "T2D2", "B21", "B31", "R2D2"}, kLines3 = {"T3D3", "T2D3", "B22", "B32"};
+    constexpr std::array kLines = {"T3D2", "T2D2", "B21", "B31", "R2D2"};
+    constexpr std::array kLines3 = {"T3D3", "T2D3", "B22", "B32"};
     constexpr std::array<std::string_view, 11> kFamilies = {"CPS",   "CPE", "CAX",  "S",    "STRI", "M3D",
                                                             "SFM3D", "R3D", "DC2D", "DCAX", "AC2D"};
     if (std::find(kLines.begin(), kLines.end(), type) != kLines.end()) {

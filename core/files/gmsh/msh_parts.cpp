@@ -235,7 +235,11 @@ class GroupScanner {
         if (group > 0 && lines_.insert(std::minmax(a, b)).second) {
             MshCurveGroup &entry = groups_[group];
             entry.name = names_[group];
-            entry.length += distance(places_[a], places_[middle]) + distance(places_[middle], places_[b]);
+            const Vec2 from = places_[a], to = places_[b], through = places_[middle];
+            constexpr double kStraight = 1e-12;
+            entry.length += distance(from, to);
+            entry.curved = entry.curved ||
+                           distance(from, through) + distance(through, to) > (1.0 + kStraight) * distance(from, to);
         }
     }
 

@@ -11,7 +11,8 @@ namespace forefront {
 /// A physical group of curves as its file states it.
 struct MshCurveGroup {
     std::string name;
-    double length = 0.0; ///< of all its lines; a line in several groups counts for the first
+    double length = 0.0; ///< of the chords of its lines; a line in several groups counts for the first
+    bool curved = false; ///< it has lines of 3 nodes that are not straight
 };
 
 /// Returns the physical groups of curves of a valid ASCII file by number; std::nullopt for binary files. It shares no

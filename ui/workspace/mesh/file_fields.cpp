@@ -12,9 +12,9 @@ const std::vector<double> *FileFields::find(MeshPart part, const std::string &na
 }
 
 std::shared_ptr<const FileFields> takeFields(MeshFields &read) {
-    const TriMesh &mesh = read.mesh;
+    const Mesh &mesh = read.mesh;
     std::erase_if(read.fields, [&](const auto &field) { return field.second.size() != mesh.nodes.size(); });
-    std::erase_if(read.elementFields, [&](const auto &field) { return field.second.size() != mesh.elements.size(); });
+    std::erase_if(read.elementFields, [&](const auto &field) { return field.second.size() != mesh.elementCount(); });
     if (read.fields.empty() && read.elementFields.empty()) {
         return nullptr;
     }

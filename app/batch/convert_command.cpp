@@ -1,0 +1,186 @@
+#include "app/batch/cli_options.hpp"
+#include "app/batch/commands.hpp"
+#include "app/batch/exit_code.hpp"
+#include "app/batch/inputs.hpp"
+#include "app/batch/interrupt.hpp"
+#include "app/batch/outputs.hpp"
+#include "app/batch/progress_bar.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/mesh/triangulated.hpp"
+#include "core/files/common/names.hpp"
+#include "core/files/files.hpp"
+#include "core/files/inner_edges.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kConvertExamples = R"help(
+Nodes, elements, tags and names stay as they are. Values of nodes and elements are left out, with a note. A mesh with
+elements that a format does not have is refused, and the message names formats that have them.
+
+Examples:
+  forefront convert plate.inp -o plate.msh
+        triangles and quadrilaterals of both orders, with sets as regions and boundary parts
+  forefront convert plate.msh -o plate.vtu -o plate.su2
+        the same mesh in two formats
+  forefront convert quads.msh -o triangles.node --triangles
+        quadrilaterals become triangles, and elements of second order become several of first order
+
+Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
+
+struct ConvertArguments {
+    std::filesystem::path mesh; ///< "-": standard input
+    std::string inputFormat;
+    std::vector<std::filesystem::path> outputs;
+    std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
+    std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
+    bool triangles = false;               ///< split all elements into triangles of 3 nodes
+    bool quiet = false;
+
+    /// Returns the stream for messages: stderr if a mesh goes to standard output.
+    std::FILE *messages() const { return usesStandardOutput(outputs) ? stderr : stdout; }
+};
+
+/// Prints a note with the names of the values that no output holds.
+void noteDroppedFields(const MeshFields &read, const Input &file) {
+    std::vector<std::string> names;
+    for (const NamedFields *fields : {&read.fields, &read.elementFields}) {
+        for (const auto &[name, values] : *fields) {
+            names.push_back(name);
+        }
+    }
+    if (names.empty()) {
+        return;
+    }
+    constexpr std::size_t kListed = 8;
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "dropped-fields";
+    note.message = "values of nodes and elements are left out: " + listed(names, kListed);
+    note.file = file.path.string();
+    printFaults({note});
+}
+
+/// Returns the faults of a mesh that a format of the outputs cannot hold, before anything is written.
+Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) {
+    for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
+        for (const FileFormat *format : output.format.empty() ? allFormats().withExtensionOf(output.path)
+                                                              : std::vector{allFormats().withId(output.format)}) {
+            if (!format->writesMesh) {
+                continue;
+            }
+            Diagnostics faults = checkElements(*format, mesh);
+            for (Diagnostic &fault : faults) {
+                fault.file = isStandardStream(output.path) ? "" : output.path.string();
+                fault.advice += fault.advice.empty() ? "split the elements with --triangles"
+                                                     : ", or split the elements with --triangles";
+            }
+            if (!faults.empty()) {
+                return faults;
+            }
+            break; // the first one with the extension is written
+        }
+    }
+    return {};
+}
+
+void printSize(const Mesh &mesh, const ConvertArguments &arguments) {
+    std::string text = std::to_string(mesh.nodes.size()) + " nodes";
+    for (const CellBlock &block : mesh.blocks) {
+        text += ", " + std::to_string(block.size()) + ' ' + (block.size() == 1 ? block.traits().name : block.traits().plural);
+    }
+    std::fprintf(arguments.messages(), "%s\n", text.c_str());
+}
+
+int runConvert(const ConvertArguments &arguments) {
+    InterruptWatch interrupt;
+    ProgressBar bar(!arguments.quiet);
+    Progress progress;
+    progress.stop = interrupt.token();
+    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+    bar.show("reading", 0.0);
+    const Result<Input> file = openInput(arguments.mesh, arguments.inputFormat);
+    if (!file) {
+        bar.clear();
+        return refuse(file.faults(), interrupt);
+    }
+    ImportNotes notes;
+    Result<MeshFields> read = allFormats().readFields(file->path, file->options, &notes);
+    bar.clear();
+    if (!read) {
+        return refuse(read.faults(), interrupt);
+    }
+    printNotes(notes, arguments.quiet);
+    if (!arguments.quiet) {
+        noteDroppedFields(*read, *file);
+    }
+    Mesh mesh = std::move(read->mesh);
+    if (mesh.elementCount() == 0) {
+        return refuse(
+            allFormats().locateFaults(file->path, error("empty-mesh", "the mesh has no elements"), file->options),
+            interrupt);
+    }
+    if (arguments.triangles) {
+        mesh = takeTriangulated(std::move(mesh)).mesh;
+    }
+    if (const Diagnostics unsupported = checkConverted(mesh, arguments); !unsupported.empty()) {
+        return refuse(unsupported, interrupt);
+    }
+    interrupt.deferToStop();
+    FileSet files;
+    Diagnostics written =
+        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+    if (!hasErrors(written)) {
+        const Status committed = files.commit();
+        written = committed.empty() ? written : committed;
+    }
+    bar.clear();
+    if (hasErrors(written)) {
+        return refuse(written, interrupt);
+    }
+    if (!arguments.quiet) {
+        printFaults(written);
+        printSize(mesh, arguments);
+        printWritten(arguments.outputs, arguments.messages());
+    }
+    return kDone;
+}
+
+} // namespace
+
+int convertCommand(int argc, const char *const *argv) {
+    ConvertArguments arguments;
+    CLI::App app("Writes a mesh in other formats.", "forefront convert");
+    app.footer(kConvertExamples);
+    app.add_option("MESH", arguments.mesh,
+                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj, .vol; -: standard input")
+        ->required();
+    addInputFormatOption(app, "MESH", arguments.inputFormat);
+    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
+    app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
+    app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
+    if (const auto code = parseOptions(app, argc, argv)) {
+        return *code;
+    }
+    std::string wrong = checkFormats(arguments.outputs, arguments.formats);
+    if (wrong.empty()) {
+        wrong = checkInputs({arguments.mesh}, arguments.inputFormat);
+    }
+    if (!wrong.empty()) {
+        return wrongUsage(app.get_name(), wrong);
+    }
+    const Diagnostics faults = checkOutputs(pairFormats(arguments.outputs, arguments.formats), {arguments.mesh});
+    printFaults(faults);
+    return faults.empty() ? runConvert(arguments) : static_cast<int>(kRefused);
+}
+
+} // namespace forefront
