@@ -16,7 +16,8 @@ std::string elementsInWords(const MeshView &mesh) {
     for (const CellKind kind : kElementKinds) {
         if (const std::size_t count = counts[static_cast<std::size_t>(kind)]; count > 0) {
             const CellTraits &traits = traitsOf(kind);
-            kinds += (different++ == 0 ? "" : ", ") + ui::count(count) + ' ' + (count == 1 ? traits.name : traits.plural);
+            kinds +=
+                (different++ == 0 ? "" : ", ") + ui::count(count) + ' ' + (count == 1 ? traits.name : traits.plural);
         }
     }
     if (different == 1) {
