@@ -2,7 +2,8 @@
 /// The public interface of Forefront: this header and everything it includes.
 ///
 /// @mainpage Forefront
-/// Forefront fills a planar domain with triangles by the advancing front technique. The same input gives the same mesh
+/// Forefront fills a planar domain with triangles by the advancing front technique, and reads, judges and writes meshes
+/// of triangles and quadrilaterals of both orders. The same input gives the same mesh
 /// bit for bit, for any number of threads.
 ///
 /// Nine lines mesh a rectangle and write it for Gmsh:
@@ -26,12 +27,14 @@
 /// | set the element size, also by a function | forefront::SpacingSpec, forefront::SizeGrid |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
+/// | hold a mesh of any kinds of cells | forefront::Mesh, forefront::CellBlock, forefront::CellTraits |
 /// | use the mesh as plain arrays | forefront::coordinates, forefront::connectivity |
+/// | split it into triangles | forefront::triangulated |
 /// | find boundary parts and interfaces | forefront::edgesWithTag, forefront::edgeSides |
 /// | check a mesh | forefront::verify, forefront::verifyAgainst |
 /// | measure its quality | forefront::measureQuality, forefront::measureValues, forefront::checkLimits |
 /// | adapt a mesh to a field | forefront::adaptMesh |
-/// | read and write meshes | forefront::readMesh, forefront::writeMesh |
+/// | read and write meshes | forefront::readMesh, forefront::writeMesh, forefront::checkElements |
 /// | read drawings, maps and projects; repair a domain | drawing.hpp, in Forefront::drawing |
 ///
 /// A function that can fail returns a forefront::Result, which holds either the value or the diagnostics: what is
@@ -51,6 +54,7 @@
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/mesh_access.hpp"
 #include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
