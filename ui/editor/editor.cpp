@@ -321,7 +321,8 @@ void Editor::Parts::followDocument() {
     context.run.follow(gestureOver, hasErrors(context.preview->faults));
     // During a gesture, previews keep step with meshes: both need the same field, and are drawn together.
     if (!gestureUnderWay() || context.run.followedRevision() == context.run.meshRevision()) {
-        context.examiner.submit(context.document.current(), context.document.revision(), context.document.spacing());
+        context.examiner.submit(context.document.sharedDomain(), context.document.revision(),
+                                context.document.spacing());
     }
 }
 

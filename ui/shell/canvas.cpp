@@ -1,6 +1,5 @@
 #include "ui/shell/canvas.hpp"
 
-#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/hash.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -76,9 +75,8 @@ struct Canvas::Parts {
         std::size_t chunk = 0;
     };
     Slicing slicing;
-    std::vector<DrawPace> paces; ///< of the layers, then of the compared mesh
-    Domain domain;               ///< domain of the document with `domainRevision`
-    std::uint64_t domainRevision = 0;
+    std::vector<DrawPace> paces;          ///< of the layers, then of the compared mesh
+    std::shared_ptr<const Domain> domain; ///< of the document of this frame
 
     Box2 rasterBox;
     double rasterZoom = 0.0;
@@ -123,7 +121,7 @@ bool Canvas::drawsNews() const {
 /// no longer covers the view or is too coarse, so that panning does not resample constantly.
 void Canvas::Parts::requestRaster(Shell &context) {
     const LayerSlot *layer = context.layer("size");
-    const Box2 bounds = domain.bounds();
+    const Box2 bounds = domain->bounds();
     if (layer == nullptr || !layer->visible || bounds.empty()) {
         context.examiner.submitRaster({}, 0, 0);
         rasterBox = {};
@@ -172,7 +170,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .snapshot = context.run.now(),
             .breakpoints = context.run.breakpoints(),
             .document = *context.document.current(),
-            .domain = domain,
+            .domain = *domain,
             .revision = context.document.revision(),
             .preview = *context.preview,
             .raster = raster,
@@ -375,10 +373,7 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
 }
 
 void Canvas::draw(Shell &context) {
-    if (parts_->domainRevision != context.document.revision()) {
-        parts_->domainRevision = context.document.revision();
-        parts_->domain = toDomain(*context.document.current());
-    }
+    parts_->domain = context.document.domain();
     parts_->requestRaster(context);
     parts_->takeRaster(context);
     const LayerFrame frame = parts_->frameOf(context, context.view.camera);

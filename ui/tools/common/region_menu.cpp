@@ -1,7 +1,6 @@
 #include "ui/tools/common/region_menu.hpp"
 
 #include "core/drawing/commands/region_fill.hpp"
-#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -47,7 +46,7 @@ std::shared_ptr<const FaceMap> currentFaces(const Shell &context) {
     if (context.preview->faces && context.preview->revision == context.document.revision()) {
         return context.preview->faces;
     }
-    return faceMapOf(std::make_shared<const Domain>(toDomain(*context.document.current())));
+    return faceMapOf(context.document.domain());
 }
 
 ContextGroup regionMenu(const Shell &context, Vec2 place, bool makes, std::int32_t next) {

@@ -1,6 +1,5 @@
 #include "ui/tools/look/measure_tool.hpp"
 
-#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
@@ -99,7 +98,8 @@ void MeasureTool::placeObject(Shell &context) {
         picked_.push_back(*segment);
         return;
     }
-    const Domain domain = toDomain(*context.document.current());
+    const std::shared_ptr<const Domain> drawn = context.document.domain();
+    const Domain &domain = *drawn;
     face_ = measureFace(domain, place_);
     faceAt_ = place_;
     missed_ = !face_;

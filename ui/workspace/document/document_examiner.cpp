@@ -1,7 +1,6 @@
 #include "ui/workspace/document/document_examiner.hpp"
 
 #include "core/drawing/document/document.hpp"
-#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/boundary/estimate.hpp"
@@ -25,13 +24,13 @@ DocumentExaminer::~DocumentExaminer() {
     changed_.notify_all();
 }
 
-void DocumentExaminer::submit(std::shared_ptr<const Document> document, std::uint64_t revision,
+void DocumentExaminer::submit(std::shared_ptr<SharedDomain> drawn, std::uint64_t revision,
                               std::shared_ptr<SharedSpacing> spacing) {
     const std::lock_guard lock(mutex_);
     if (revision == wantedRevision_) {
         return;
     }
-    wanted_ = std::move(document);
+    wanted_ = std::move(drawn);
     wantedSpacing_ = std::move(spacing);
     wantedRevision_ = revision;
     changed_.notify_all();
@@ -98,11 +97,12 @@ double largestSpacingIn(const Domain &domain, const FaceMap &faces, const Spacin
 
 } // namespace
 
-std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document &document, std::uint64_t revision,
+std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(SharedDomain &drawn, std::uint64_t revision,
                                                                  SharedSpacing &spacing, const std::stop_token &stop) {
     auto preview = std::make_shared<DocumentPreview>();
     preview->revision = revision;
-    auto domain = std::make_shared<Domain>(toDomain(document));
+    const Document &document = *drawn.document();
+    const std::shared_ptr<const Domain> domain = drawn.get();
     preview->domain = domain;
     if (domain->nodes.empty()) {
         return preview;
@@ -188,7 +188,7 @@ void DocumentExaminer::work(const std::stop_token &stop) {
             rasterNumber_ = request.number;
             rasterRevision_ = revision;
         } else if (doneRevision_ != wantedRevision_) {
-            const std::shared_ptr<const Document> document = wanted_;
+            const std::shared_ptr<SharedDomain> drawn = wanted_;
             const std::shared_ptr<SharedSpacing> spacing = wantedSpacing_;
             const std::uint64_t revision = wantedRevision_;
             examining_ = std::stop_source();
@@ -196,7 +196,7 @@ void DocumentExaminer::work(const std::stop_token &stop) {
             lock.unlock();
             std::shared_ptr<const DocumentPreview> preview;
             try {
-                preview = examine(*document, revision, *spacing, superseded);
+                preview = examine(*drawn, revision, *spacing, superseded);
             } catch (const std::bad_alloc &) {
                 preview = withoutMemory(revision);
             }

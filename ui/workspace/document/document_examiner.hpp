@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/domain/shared_domain.hpp"
 #include "core/drawing/picking/face_map.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/domain/domain.hpp"
@@ -48,11 +49,10 @@ class DocumentExaminer {
     DocumentExaminer(const DocumentExaminer &) = delete;
     DocumentExaminer &operator=(const DocumentExaminer &) = delete;
 
-    /// Sets the document to examine; cheap if the revision has not changed. Work on an earlier revision is finished and
-    /// shown first, so that the preview keeps moving when edits come faster than it can be computed. `spacing`: where
-    /// others need the field of this document, too.
-    void submit(std::shared_ptr<const Document> document, std::uint64_t revision,
-                std::shared_ptr<SharedSpacing> spacing);
+    /// Sets the document to examine, with its domain; cheap if the revision has not changed. Work on an earlier
+    /// revision is finished and shown first, so that the preview keeps moving when edits come faster than it can be
+    /// computed. `spacing`: where others need the field of this document, too.
+    void submit(std::shared_ptr<SharedDomain> drawn, std::uint64_t revision, std::shared_ptr<SharedSpacing> spacing);
     /// Sets the raster of ρ to compute; cheap when unchanged. With 0 columns, no raster is computed.
     void submitRaster(const Box2 &box, int columns, int rows);
     /// Stops the current work, because another document is about to be opened.
@@ -70,13 +70,13 @@ class DocumentExaminer {
         std::uint64_t number = 0;
     };
     void work(const std::stop_token &stop);
-    static std::shared_ptr<const DocumentPreview> examine(const Document &document, std::uint64_t revision,
+    static std::shared_ptr<const DocumentPreview> examine(SharedDomain &drawn, std::uint64_t revision,
                                                           SharedSpacing &spacing, const std::stop_token &stop);
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
-    std::shared_ptr<const Document> wanted_;
+    std::shared_ptr<SharedDomain> wanted_;
     std::shared_ptr<SharedSpacing> wantedSpacing_;
     std::uint64_t wantedRevision_ = 0;
     RasterRequest wantedRaster_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/document/history.hpp"
+#include "core/drawing/domain/shared_domain.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
@@ -103,6 +104,10 @@ class DocumentStore {
 
     /// Returns where the spacing field of the current document is built, once for the preview and the mesh.
     const std::shared_ptr<SharedSpacing> &spacing() const { return spacing_; }
+    /// Returns where the domain of the current document is made, once for all who need it.
+    const std::shared_ptr<SharedDomain> &sharedDomain() const { return domain_; }
+    /// Returns the domain of the current document.
+    std::shared_ptr<const Domain> domain() const { return domain_->get(); }
 
     /// Calls `observer` with the new document whenever another one becomes current.
     void observe(std::function<void(const Document &)> observer) { observer_ = std::move(observer); }
@@ -121,6 +126,7 @@ class DocumentStore {
     bool tell(bool changed) {
         if (changed) {
             spacing_ = std::make_shared<SharedSpacing>();
+            domain_ = std::make_shared<SharedDomain>(current());
         }
         if (changed && observer_) {
             observer_(*current());
@@ -137,6 +143,7 @@ class DocumentStore {
     std::uint64_t loads_ = 1;
     std::function<void(const Document &)> observer_;
     std::shared_ptr<SharedSpacing> spacing_ = std::make_shared<SharedSpacing>();
+    std::shared_ptr<SharedDomain> domain_ = std::make_shared<SharedDomain>(current());
 };
 
 } // namespace forefront

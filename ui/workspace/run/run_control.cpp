@@ -1,7 +1,6 @@
 #include "ui/workspace/run/run_control.hpp"
 
 #include "core/drawing/document/equality.hpp"
-#include "core/drawing/domain/document_domain.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/document/document_store.hpp"
 #include "ui/workspace/messages/message_log.hpp"
@@ -213,7 +212,7 @@ void RunControl::showFile(FileMesh read) {
 
 MeshingJob RunControl::job() const {
     const std::shared_ptr<const Document> document = document_.current();
-    return jobOf(*document);
+    return {*document_.domain(), spacingOf(*document), document->options};
 }
 
 void RunControl::start(StartMode mode, Extent extent) {
