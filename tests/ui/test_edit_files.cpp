@@ -166,9 +166,9 @@ TEST_CASE("Export: a drawing is meshed and written as a valid MSH file") {
     driver.chooseFile("export", place.path / "bay");
     driver.settle();
     CHECK_FALSE(driver.has("dialog/export/ok"));
-    const Result<TriMesh> mesh = allFormats().readMesh(place.path / "bay.msh");
+    const Result<Mesh> mesh = allFormats().readMesh(place.path / "bay.msh");
     REQUIRE(mesh.ok());
-    CHECK(mesh->elements.size() == driver.run().quality.elements);
+    CHECK(mesh->elementCount() == driver.run().quality.elements);
     CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
 }
 
@@ -219,9 +219,9 @@ TEST_CASE("Export: edges inside the domain can be left out") {
         }
         driver.chooseFile("export", place.path / (keeps ? "whole.msh" : "outline.msh"));
         driver.settle();
-        const Result<TriMesh> mesh = allFormats().readMesh(place.path / (keeps ? "whole.msh" : "outline.msh"));
+        const Result<Mesh> mesh = allFormats().readMesh(place.path / (keeps ? "whole.msh" : "outline.msh"));
         REQUIRE(mesh.ok());
-        CHECK(mesh->elements.size() == driver.run().quality.elements);
+        CHECK(mesh->elementCount() == driver.run().quality.elements);
         edges[keeps ? 0 : 1] = mesh->edges.size();
         CHECK((withoutInnerEdges(*mesh).edges.size() == mesh->edges.size()) != keeps);
     }
@@ -234,7 +234,7 @@ TEST_CASE("Export: edges inside the domain can be left out") {
     CHECK_FALSE(driver.has("dialog/export/inner-edges"));
     driver.chooseFile("export", place.path / "flow.su2");
     driver.settle();
-    const Result<TriMesh> flow = allFormats().readMesh(place.path / "flow.su2");
+    const Result<Mesh> flow = allFormats().readMesh(place.path / "flow.su2");
     REQUIRE(flow.ok());
     CHECK(flow->edges.size() == edges[1]);
 }

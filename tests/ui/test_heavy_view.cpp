@@ -56,12 +56,13 @@ class HeavySquare : public Draughtsman {
     }
     /// Shows a part of the mesh, moved to the right, as if it had been read from a file.
     void showPart(std::size_t elements, double moved = 0.0) {
-        MeshFields part{run().mesh->mesh, {}, {}};
-        part.mesh.elements.resize(elements);
-        for (Vec2 &node : part.mesh.nodes) {
+        TriMesh part = run().mesh->mesh;
+        part.elements.resize(elements);
+        part.regions.resize(elements);
+        for (Vec2 &node : part.nodes) {
             node.x += moved;
         }
-        context().run.showFile(fileMeshOf(std::move(part)));
+        context().run.showFile(fileMeshOf({std::move(part), {}, {}}));
     }
     int redAt(const Picture &picture, Vec2 place) {
         const Pixel p = pixel(place);

@@ -70,7 +70,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
         openMesh(driver.context(), file);
         driver.settle();
         REQUIRE(driver.context().run.showsFile());
-        const TriMesh read = allFormats().readMesh(file).value();
+        const Mesh read = allFormats().readMesh(file).value();
         const MeshQuality quality = measureQuality(read, nullptr);
         CHECK(driver.run().quality.elements == made.elements.size());
         CHECK(driver.run().quality.alphaMin == quality.alphaMin);
@@ -227,7 +227,7 @@ TEST_CASE("Judge: nodal values of a file are shown smoothly, with contour lines"
 TEST_CASE("Judge: values of elements in a file colour their elements, with histogram and probe") {
     JudgedSquare maker;
     MeshFields made{maker.mesh(), {}, {}};
-    for (std::size_t e = 0; e < made.mesh.elements.size(); ++e) {
+    for (std::size_t e = 0; e < made.mesh.elementCount(); ++e) {
         made.elementFields["flux"].push_back(static_cast<double>(e % 10));
     }
     made.fields["flux"].assign(made.mesh.nodes.size(), 1.0);
@@ -245,13 +245,13 @@ TEST_CASE("Judge: values of elements in a file colour their elements, with histo
     const Judgement &judgement = *driver.context().judgement;
     REQUIRE(judgement.of.fieldValues);
     CHECK(judgement.info.part == MeshPart::Elements);
-    CHECK(judgement.summary.count == made.mesh.elements.size());
+    CHECK(judgement.summary.count == made.mesh.elementCount());
     CHECK(judgement.summary.maximum == 9.0);
     CHECK(driver.has("canvas/legend/quality"));
     const Driver::Picture picture = driver.picture();
     for (std::size_t e = 0; e < 20; ++e) {
         CAPTURE(e);
-        const Element &n = made.mesh.elements[e];
+        const Element &n = made.mesh.triangles()[e];
         const Vec2 middle =
             (1.0 / 3.0) * (made.mesh.nodes[index(n[0])] + made.mesh.nodes[index(n[1])] + made.mesh.nodes[index(n[2])]);
         const Colour expected = viridis(static_cast<double>(e % 10) / 9.0);

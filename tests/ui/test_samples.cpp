@@ -88,7 +88,7 @@ TriMesh goodMesh(const Document &document) {
     const MeshQuality quality = measureQuality(outcome->mesh, nullptr);
     CHECK(quality.alphaMean > 0.93);
     CHECK(quality.alphaMin > 0.3);
-    return std::move(outcome->mesh);
+    return takeTriMesh(std::move(outcome->mesh));
 }
 
 } // namespace

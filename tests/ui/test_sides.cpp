@@ -147,7 +147,7 @@ TEST_CASE("Side by side: the compared mesh shows its own values of the field on 
     for (const Vec2 place : made.mesh.nodes) {
         made.fields["heat"].push_back(place.x);
     }
-    for (std::size_t e = 0; e < made.mesh.elements.size(); ++e) {
+    for (std::size_t e = 0; e < made.mesh.elementCount(); ++e) {
         made.elementFields["flux"].push_back(static_cast<double>(e));
     }
     MeshFields other = made;
@@ -194,7 +194,7 @@ TEST_CASE("Side by side: the other mesh is laid over that of the canvas, in its 
     MeshFields other;
     other.mesh.nodes = {{1, 1}, {9, 1}, {9, 8}, {1, 8}, {5.2, 4.1}};
     for (std::uint32_t k = 0; k < 4; ++k) {
-        other.mesh.elements.push_back({NodeId{k}, NodeId{(k + 1) % 4}, NodeId{4}});
+        other.mesh.block(CellKind::Triangle3).add(std::array{NodeId{k}, NodeId{(k + 1) % 4}, NodeId{4}});
     }
     driver.context().sides.compareWith("other.msh", comparedFile(other), [] {});
     driver.settle();
