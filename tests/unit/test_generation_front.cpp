@@ -1,5 +1,6 @@
 #include "core/engine/front/base_order.hpp"
 #include "core/engine/front/generation_front.hpp"
+#include "core/engine/front/order_key.hpp"
 #include "tests/support/discrete_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -205,7 +206,7 @@ TEST_CASE("BaseOrder: similar lengths come in batches, oldest batch first, the s
     struct Expected {
         double about; ///< the length cut off after five binary digits
         std::uint32_t portion;
-        double length;
+        std::int64_t key; ///< of its length
         std::uint32_t serial;
         SlotId slot;
         auto operator<=>(const Expected &) const = default;
@@ -216,7 +217,7 @@ TEST_CASE("BaseOrder: similar lengths come in batches, oldest batch first, the s
         const FrontSlot &slot = front[SlotId{i}];
         const double step = std::exp2(std::ilogb(slot.length) - 4);
         const std::uint32_t portion = slot.mark.serial / 16384;
-        expected.push_back({std::floor(slot.length / step) * step, portion, slot.length, slot.mark.serial, SlotId{i}});
+        expected.push_back({std::floor(slot.length / step) * step, portion, orderKey(slot.length), slot.mark.serial, SlotId{i}});
         older += portion > 1 ? 1 : 0;
     }
     REQUIRE(older > 1000);

@@ -1,7 +1,10 @@
 #include "core/engine/front/base_order.hpp"
 
+#include "core/engine/front/order_key.hpp"
+
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace forefront {
 
@@ -10,7 +13,7 @@ bool BaseOrder::ComesLater::operator()(const Entry &a, const Entry &b) const {
     if (byBatches && batchA != batchB) {
         return batchA > batchB;
     }
-    return a.length != b.length ? a.length > b.length : a.serial > b.serial;
+    return a.key != b.key ? a.key > b.key : a.serial > b.serial;
 }
 
 bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass) {
@@ -19,10 +22,9 @@ bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::siz
 }
 
 std::size_t BaseOrder::classOf(const FrontSlot &slot) {
-    constexpr unsigned kDroppedBits = 52 - kDigits;
-    return slot.mark.failureClass > 0
-               ? kDeferred + std::min<std::size_t>(slot.mark.failureClass, kFailureClasses) - 1
-               : static_cast<std::size_t>(std::bit_cast<std::uint64_t>(slot.length) >> kDroppedBits);
+    constexpr unsigned kDroppedBits = 52 - kTieBits - kDigits;
+    return slot.mark.failureClass > 0 ? kDeferred + std::min<std::size_t>(slot.mark.failureClass, kFailureClasses) - 1
+                                      : static_cast<std::size_t>(orderKey(slot.length) >> kDroppedBits);
 }
 
 std::size_t BaseOrder::lowestClass() const {
@@ -44,7 +46,7 @@ void BaseOrder::push(const GenerationFront &front, SlotId id) {
         heapOf_[c] = static_cast<std::uint32_t>(heaps_.size());
     }
     Heap &heap = heaps_[heapOf_[c] - 1U];
-    heap.push_back({std::bit_cast<std::uint64_t>(slot.length), slot.mark.serial, id});
+    heap.push_back({orderKey(slot.length), slot.mark.serial, id});
     std::push_heap(heap.begin(), heap.end(), orderOf(c));
     filled_[c / 64] |= std::uint64_t{1} << (c % 64);
     summary_[c / 64 / 64] |= std::uint64_t{1} << (c / 64 % 64);
@@ -117,6 +119,25 @@ SlotId BaseOrder::take(const GenerationFront &front) {
         __builtin_prefetch(&front[heap->front().slot]);
     }
     return id;
+}
+
+ShortestBases shortestBases(const GenerationFront &front, SlotId base) {
+    const std::uint32_t baseClass = front[base].mark.failureClass;
+    const std::int64_t baseKey = orderKey(front[base].length);
+    ShortestBases found;
+    bool first = true;
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const SlotId id{i};
+        if (!front[id].alive || front.isolated(id)) {
+            continue;
+        }
+        const std::uint32_t failureClass = front[id].mark.failureClass;
+        const std::int64_t key = orderKey(front[id].length);
+        first = first && std::pair{failureClass, key} >= std::pair{baseClass, baseKey};
+        found.equal += failureClass == baseClass && key == baseKey ? 1U : 0U;
+        found.shorterDeferred = found.shorterDeferred || (failureClass > baseClass && key < baseKey);
+    }
+    return first ? found : ShortestBases{};
 }
 
 } // namespace forefront

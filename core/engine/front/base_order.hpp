@@ -7,11 +7,12 @@
 
 namespace forefront {
 
-/// Selects the next base: the shortest segment of the lowest failure class, ties by serial.
+/// Selects the next base: the shortest segment of the lowest failure class, the oldest of equal ones. Lengths are
+/// compared by orderKey(), so that those that differ only by rounding are equal.
 ///
 /// On a large front the shortest segments are scattered, and their surroundings would not be in the caches. So segments
-/// that were never deferred are taken in batches by age: lengths count as equal if their first five binary digits are
-/// the same, hence within 1/16, and of equal ones the oldest batch comes first, with its shortest segment first. A
+/// that were never deferred are taken in batches by age: lengths are similar if their first five binary digits are
+/// the same, hence within 1/16, and of similar ones the oldest batch comes first, with its shortest segment first. A
 /// batch is a number of consecutive segments that fit in a cache; up to about 10,000 elements there is only one. On
 /// Lo's rows this lowers the exponent of the cost in Ne from 1.05 to 1.035 at the same quality; α of a uniform disc of
 /// 1e6 elements falls from .997 to .995.
@@ -32,7 +33,7 @@ class BaseOrder {
 
   private:
     struct Entry {
-        std::uint64_t length; ///< its bits: positive doubles compare as their bits do
+        std::int64_t key; ///< orderKey() of its length
         std::uint32_t serial;
         SlotId slot;
     };
@@ -66,5 +67,14 @@ class BaseOrder {
     std::array<std::uint64_t, kClasses / 64 / 64 + 1> summary_{}; ///< bit per word of filled_ that is not 0
     std::size_t entries_ = 0;
 };
+
+/// The segments that BaseOrder chooses a base from by age.
+struct ShortestBases {
+    std::size_t equal = 0;        ///< as short within rounding and as often deferred as the base, which is one of them
+    bool shorterDeferred = false; ///< a shorter segment waits that was deferred more often
+};
+/// Returns the segments as short as a base; none if a segment comes before it by failure class and length, as on a
+/// large front. Looks at all of Γ.
+ShortestBases shortestBases(const GenerationFront &front, SlotId base);
 
 } // namespace forefront

@@ -74,7 +74,7 @@ bool ApexSearch<Grid, Trace>::seenAll(const Base &base) const {
 
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candidate &apex) {
-    gather(reach(base, limits.radius));
+    gather(reach(base, limits.radius * (1.0 + slack_)));
     rank(base, limits);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         trace_.beginTest(i);
@@ -129,11 +129,11 @@ void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
 }
 
 /// Collects the front nodes within the radius, and the ideal point unless it is too near to Γ; best score first, ties
-/// by id (steps 5 to 7).
+/// by id (steps 5 to 7). A node at the radius is within it.
 template <class Grid, class Trace>
 void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
     candidates_.clear();
-    const double radius2 = limits.radius * limits.radius;
+    const double radius2 = (1.0 + slack_) * limits.radius * limits.radius;
     for (const Neighbour &n : neighbours_) {
         if (n.nodeA != base.nodeA && n.nodeA != base.nodeB && distanceSquared(n.a, base.ideal) <= radius2) {
             candidates_.push_back({score(base, n.a), n.a, n.nodeA, n.slot});
@@ -148,19 +148,23 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
             ++work_.candidates;
         }
     }
-    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate &p, const Candidate &q) {
-        if (p.score != q.score) {
-            return p.score > q.score;
+    std::sort(candidates_.begin(), candidates_.end(), [this](const Candidate &p, const Candidate &q) {
+        const std::int64_t keyP = orderKey(p.score, droppedBits_), keyQ = orderKey(q.score, droppedBits_);
+        if (keyP != keyQ) {
+            return keyP > keyQ;
         }
         return p.node != q.node ? p.node < q.node : p.slot < q.slot;
     });
     trace_.rank(base, candidates_, limits.radius, withdrawn);
 }
 
+/// Returns true if the ideal point keeps its distance from Γ. Just the minimum distance is enough: beside a square
+/// corner, half a segment away from the other side, that is the rule.
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
-    const double node2 = kNodeClearance * kNodeClearance * base.rho * base.rho;
-    const double segment2 = kSegmentClearance * kSegmentClearance * base.rho * base.rho;
+    const double rho2 = (1.0 - slack_) * base.rho * base.rho;
+    const double node2 = kNodeClearance * kNodeClearance * rho2;
+    const double segment2 = kSegmentClearance * kSegmentClearance * rho2;
     return std::none_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
         if (n.slot == base.slotA) {
             return false;

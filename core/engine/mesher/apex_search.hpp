@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/front/order_key.hpp"
 #include "core/engine/mesher/front_state.hpp"
 #include "core/engine/mesher/recorder.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
@@ -56,6 +57,12 @@ struct SearchWork {
     }
 };
 
+/// How scores and distances compare that differ only by rounding.
+enum class Ties : std::uint8_t {
+    Rounded, ///< as equal: the mesh does not depend on the position and the unit of the drawing
+    Exact
+};
+
 /// Performs steps 3 to 8 of the ten: finds the apex for a base segment. Changes only its own scratch memory.
 template <class Grid, class Trace>
 class ApexSearch {
@@ -66,8 +73,9 @@ class ApexSearch {
         bool flat = false; ///< accept flat elements, and sides that rounding cannot tell from touching a node of Γ
     };
 
-    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace)
-        : state_(state), grid_(grid), spacing_(spacing), trace_(trace) {}
+    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace, Ties ties)
+        : state_(state), grid_(grid), spacing_(spacing), trace_(trace),
+          droppedBits_(ties == Ties::Rounded ? kTieBits : 0U), slack_(ties == Ties::Rounded ? kTieWidth : 0.0) {}
 
     /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is the mean of its values at the midpoint of AB and at
     /// the ideal point that follows from the first.
@@ -106,6 +114,8 @@ class ApexSearch {
     const Grid &grid_;
     const SpacingField &spacing_;
     Trace &trace_;
+    unsigned droppedBits_; ///< of scores, see orderKey()
+    double slack_;         ///< relative, of squared distances that equal a limit
 
     std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
     std::uint32_t stamp_ = 0;

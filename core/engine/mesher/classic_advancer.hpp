@@ -9,7 +9,8 @@ inline constexpr double kFirstRadius = 1.2;
 inline constexpr double kSecondRadius = 1.75;
 
 /// The classic method: Lo's ten steps. Each advance takes the shortest base (see BaseOrder) and makes at most
-/// one element.
+/// one element. Lengths and scores that differ only by rounding are equal: then the oldest segment goes first, and the
+/// node with the lowest number.
 ///
 /// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is
 /// deferred once; the second time, after a wider search, only existing nodes are taken and the search grows until it
@@ -26,7 +27,8 @@ class ClassicAdvancer {
     static constexpr double kCellPerLength = 3.5;
 
     ClassicAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, Trace trace)
-        : state_(state), trace_(trace), search_(state, grid, spacing, trace_), update_(state, grid, nullptr) {}
+        : state_(state), trace_(trace), search_(state, grid, spacing, trace_, Ties::Rounded),
+          update_(state, grid, nullptr) {}
     ClassicAdvancer(const ClassicAdvancer &) = delete; // its parts share one trace
     ClassicAdvancer &operator=(const ClassicAdvancer &) = delete;
 

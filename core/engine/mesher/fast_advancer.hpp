@@ -20,8 +20,8 @@ class FastAdvancer {
     static constexpr double kCellPerLength = 12.0;
 
     FastAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, Trace trace)
-        : state_(state), trace_(trace), fans_(state, grid, spacing, trace_), search_(state, grid, spacing, trace_),
-          update_(state, grid, &spacing), spacing_(spacing) {}
+        : state_(state), trace_(trace), fans_(state, grid, spacing, trace_),
+          search_(state, grid, spacing, trace_, Ties::Exact), update_(state, grid, &spacing), spacing_(spacing) {}
     FastAdvancer(const FastAdvancer &) = delete; // its parts share one trace
     FastAdvancer &operator=(const FastAdvancer &) = delete;
 

@@ -19,7 +19,7 @@ class SharedSpacing;
 /// The method that advances the front.
 enum class Method : std::uint8_t {
     Fast,   ///< walks along the front; a new node makes up to three elements
-    Classic ///< Lo's ten steps: shortest segment first, one element per advance
+    Classic ///< Lo's ten steps: shortest segment first, of equal ones the oldest, one element per advance
 };
 
 template <>

@@ -1,5 +1,6 @@
 #include "core/engine/mesher/recorder.hpp"
 
+#include "core/engine/front/order_key.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/fan.hpp"
 
@@ -12,6 +13,16 @@ void Recorder::event(Step step, std::uint32_t candidate, std::uint32_t test) {
                            static_cast<std::uint32_t>(out_.candidates.size()), out_.delivered});
 }
 
+void Recorder::eventWithTies(Step step, std::uint32_t candidate, std::size_t equal) {
+    event(step, candidate);
+    out_.events.back().equal = static_cast<std::uint32_t>(equal);
+}
+
+void Recorder::takeShortest(const GenerationFront &front, SlotId slotA) {
+    roundsTies_ = true;
+    shortest_ = shortestBases(front, slotA);
+}
+
 void Recorder::begin(const FrontState &state, const Base &base) {
     const bool walked = out_.walked;
     out_ = {};
@@ -21,7 +32,8 @@ void Recorder::begin(const FrontState &state, const Base &base) {
     out_.b = base.b;
     out_.nodeA = base.nodeA;
     out_.nodeB = base.nodeB;
-    event(Step::TakeBase);
+    out_.shorterDeferred = shortest_.shorterDeferred;
+    eventWithTies(Step::TakeBase, kNoIndex, shortest_.equal);
 }
 
 void Recorder::evaluateSpacing(const Base &base) {
@@ -55,7 +67,9 @@ void Recorder::rank(const Base &base, std::span<const Candidate> candidates, dou
     }
     event(Step::FindCandidates);
     event(Step::Score);
-    event(Step::Sort, candidates.empty() ? kNoIndex : firstOfSearch_);
+    const auto asGood = [&](const Candidate &c) { return orderKey(c.score) == orderKey(candidates.front().score); };
+    const auto equal = roundsTies_ ? std::count_if(candidates.begin(), candidates.end(), asGood) : 0;
+    eventWithTies(Step::Sort, candidates.empty() ? kNoIndex : firstOfSearch_, static_cast<std::size_t>(equal));
 }
 
 void Recorder::proposeFan(const Fan &fan) {

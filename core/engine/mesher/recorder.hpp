@@ -18,6 +18,7 @@ namespace FOREFRONT_API forefront {
 /// Records nothing and costs nothing: every call compiles to nothing.
 struct NoTrace {
     void takeBase(bool) {}
+    void takeShortest(const GenerationFront &, SlotId) {}
     void begin(const FrontState &, const Base &) {}
     void evaluateSpacing(const Base &) {}
     void visitCell(const Box2 &) {}
@@ -40,6 +41,8 @@ class Recorder {
 
     /// Records the chosen base; `continuesWalk`: it follows the base before along the front.
     void takeBase(bool continuesWalk) { out_.walked = continuesWalk; }
+    /// Records a base of the classic method, which compares lengths and scores within rounding.
+    void takeShortest(const GenerationFront &front, SlotId slotA);
     /// Discards the record of a base that is left to a later strip (step 2).
     void begin(const FrontState &state, const Base &base);
     /// Records steps 3 and 4.
@@ -70,11 +73,14 @@ class Recorder {
 
   private:
     void event(Step step, std::uint32_t candidate = kNoIndex, std::uint32_t test = kNoIndex);
+    void eventWithTies(Step step, std::uint32_t candidate, std::size_t equal);
     void propose(CandidateTrace candidate, double fieldRho, bool newNode);
 
     AdvanceExplanation &out_;
     std::uint32_t firstOfSearch_ = 0; ///< index of the first candidate of the search ranked last
     std::uint32_t underTest_ = 0;     ///< index of the candidate under test
+    bool roundsTies_ = false;         ///< classic method
+    ShortestBases shortest_;          ///< classic method
 };
 
 } // namespace forefront

@@ -124,6 +124,29 @@ std::string outcome(const AdvanceExplanation &explanation) {
     return text + rejections(explanation);
 }
 
+std::string baseText(const AdvanceExplanation &explanation, const TraceEvent &event) {
+    if (explanation.walked) {
+        return "next along the front, taken as base AB";
+    }
+    if (event.equal == 0) {
+        return "one of the shortest segments of the front, taken as base AB";
+    }
+    const std::string shortest =
+        event.equal == 1 ? "the shortest segment of the front"
+                         : "the oldest of the " + std::to_string(event.equal) + " shortest segments of the front";
+    return shortest +
+           (explanation.shorterDeferred ? ", leaving out those deferred, taken as base AB" : ", taken as base AB");
+}
+
+std::string sortText(const AdvanceExplanation &explanation, const TraceEvent &event) {
+    if (event.candidate == kNoIndex) {
+        return "no candidate is near enough";
+    }
+    const std::string best = candidateName(explanation.candidates[event.candidate]);
+    return event.equal > 1 ? "best first, of " + std::to_string(event.equal) + " equal ones the lowest number: " + best
+                           : "best first: " + best;
+}
+
 std::string testText(const AdvanceExplanation &explanation, const TraceEvent &event) {
     const CandidateTrace &candidate = explanation.candidates[event.candidate];
     std::string text = "test " + candidateName(candidate);
@@ -148,8 +171,7 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
     switch (event.step) {
     case Step::BoundaryToFront:
     case Step::TakeBase:
-        return text + (explanation.walked ? "next along the front, taken as base AB"
-                                          : "one of the shortest segments of the front, taken as base AB");
+        return text + baseText(explanation, event);
     case Step::EvaluateSpacing:
         return text + "node spacing ρ = " + format("%.4g", explanation.rho) + " here";
     case Step::IdealPoint:
@@ -160,9 +182,7 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
     case Step::Score:
         return text + "each candidate scored by α(ABC)·δ(AC)·δ(CB)";
     case Step::Sort:
-        return text + (event.candidate == kNoIndex
-                           ? "no candidate is near enough"
-                           : "best first: " + candidateName(explanation.candidates[event.candidate]));
+        return text + sortText(explanation, event);
     case Step::Test:
         return text + testText(explanation, event);
     case Step::Update:

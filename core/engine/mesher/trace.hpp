@@ -14,12 +14,12 @@ namespace FOREFRONT_API forefront {
 /// The ten steps of S. H. Lo's advancing front technique.
 enum class Step : std::uint8_t {
     BoundaryToFront = 1, ///< 1  Γ := boundary segments
-    TakeBase,            ///< 2  take a base segment AB from Γ, the shortest first
+    TakeBase,            ///< 2  take a base segment AB from Γ, the shortest first, of equal ones the oldest
     EvaluateSpacing,     ///< 3  ρ at the midpoint of AB, clamped
     IdealPoint,          ///< 4  ideal point C
     FindCandidates,      ///< 5  candidate nodes near C
     Score,               ///< 6  α(ABC)·δ(AC)·δ(CB)
-    Sort,                ///< 7  sort, withdraw C where it is too near the front
+    Sort,                ///< 7  sort, equal ones by number; withdraw C where it is too near the front
     Test,                ///< 8  test candidate segments against Γ
     Update,              ///< 9  store ABC, update Γ and grid
     Finish               ///< 10 stop when Γ = ∅
@@ -72,6 +72,9 @@ struct TraceEvent {
     std::uint32_t cellsSeen = 0;        ///< cells visited so far: cells[0 .. cellsSeen)
     std::uint32_t candidatesSeen = 0;   ///< candidates proposed so far: candidates[0 .. candidatesSeen)
     std::uint32_t delivered = 0;        ///< segments that the grid has delivered so far
+    /// Classic method. TakeBase: the number of segments as short as AB within rounding, with AB; 0 if there are shorter
+    /// ones. Sort: the number of candidates with the best score within rounding.
+    std::uint32_t equal = 0;
 };
 
 /// Everything that happened in one advance. It is derived by running the advance again with recording, which is exact
@@ -95,6 +98,7 @@ struct AdvanceExplanation {
     ElementId element = kNoElement;        ///< first element made
     unsigned elements = 0;                 ///< number of elements made
     std::vector<std::array<Vec2, 3>> made; ///< corners of the elements made
+    bool shorterDeferred = false;          ///< classic method: a shorter segment waits, which was deferred
     bool walked = false;                   ///< fast method: the base continues the walk along the front
 };
 

@@ -39,7 +39,8 @@ const std::vector<GlossaryTerm> kTerms = {
      "Base segment AB",
      {"base"},
      "The segment of the front that the next element is built on. The classic method takes the shortest one, so that "
-     "large elements never disturb small ones. The unmeshed part lies to the left of AB.",
+     "large elements never disturb small ones. Of several that are equally short, apart from rounding, it takes the "
+     "one that joined the front first. The unmeshed part lies to the left of AB.",
      {"ideal-point", "deferral"},
      figures::base},
     {"ideal-point",
