@@ -112,7 +112,8 @@ Mesh gridOfCells(std::size_t columns, std::size_t rows, KindOf &&kindOf, double 
 
 /// Returns a valid mesh of one kind of cells, of 4 x 3 cells as in gridOfCells, its edges straight.
 inline Mesh sampleMesh(CellKind kind) {
-    return gridOfCells(4, 3, [kind](std::size_t, std::size_t) { return kind; }, 0.15);
+    return gridOfCells(
+        4, 3, [kind](std::size_t, std::size_t) { return kind; }, 0.15);
 }
 
 /// Returns a valid mesh of triangles and quadrilaterals of 4 nodes, of 4 x 3 cells as in gridOfCells.

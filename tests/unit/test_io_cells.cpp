@@ -284,8 +284,8 @@ TEST_CASE("Cells of files: an entity of MSH 4.1 has a block for each kind, and e
     CHECK(holds(textOf(maker.mesh, "msh41"), "$Elements\n5 6 1 6\n"
                                              "1 2 1 2\n2 2 5\n3 5 6\n"
                                              "1 2 8 1\n1 1 2 7\n"
-                                             "2 1001 2 1\n5 2 5 6\n2 1001 3 1\n4 1 2 3 4\n"
-                                             "2 1004 2 1\n6 2 6 3\n$EndElements\n"));
+                                             "2 1 2 1\n5 2 5 6\n2 1 3 1\n4 1 2 3 4\n"
+                                             "2 4 2 1\n6 2 6 3\n$EndElements\n"));
 }
 
 TEST_CASE("Cells of files: Abaqus lists the elements of a region once for each kind, in one set") {
