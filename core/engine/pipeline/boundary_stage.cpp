@@ -1,9 +1,9 @@
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/boundary/estimate.hpp"
 #include "core/engine/pipeline/build_spacing.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/stages.hpp"
-#include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/scaled_field.hpp"
 
 #include <algorithm>

@@ -16,12 +16,12 @@ struct MeshingState {
     /// The number of elements that the job is coarsened to; infinite: it is not.
     double budget = std::numeric_limits<double>::infinity();
 
-    DomainFaces faces{};            ///< of the domain, once it is validated
-    PreparedJob prepared{};         ///< the spacing, then the discretised boundary
-    TriMesh triangles{};            ///< of the front
-    WorkCounters work{};            ///< of the front
+    DomainFaces faces{};    ///< of the domain, once it is validated
+    PreparedJob prepared{}; ///< the spacing, then the discretised boundary
+    TriMesh triangles{};    ///< of the front
+    WorkCounters work{};    ///< of the front
     ImproveReport improvement{};
-    Mesh mesh{};                    ///< the result, once the last stage has run
+    Mesh mesh{}; ///< the result, once the last stage has run
 };
 
 } // namespace forefront
