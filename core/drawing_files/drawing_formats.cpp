@@ -1,33 +1,46 @@
 #include "core/drawing_files/drawing_formats.hpp"
 
 #include "core/drawing/domain/document_domain.hpp"
-#include "core/drawing_files/common/reorder_origin.hpp"
 #include "core/drawing_files/geojson/geojson.hpp"
 #include "core/drawing_files/geojson/topojson.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/domain/chains/chain_order.hpp"
 #include "core/files/format.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace forefront {
 namespace {
 
+void reorder(std::vector<PartOrigin> &origins, const std::vector<std::uint32_t> &order) {
+    const std::vector<PartOrigin> known = std::exchange(origins, {});
+    origins.reserve(order.size());
+    for (const std::uint32_t number : order) {
+        origins.push_back(number < known.size() ? known[number] : PartOrigin{});
+    }
+}
+
 /// Reads a drawing or map, and orders its segments by chains as the editor does, so that it meshes the same in the
 /// editor and in batch.
 template <Result<Domain> (*Read)(const SourceText &)>
-Result<Domain> readAsDrawn(const SourceText &source) {
-    Result<Domain> domain = Read(source);
+Result<Domain> readInChainOrder(const SourceText &source) {
+    const Result<Domain> domain = Read(source);
     if (!domain) {
         return domain;
     }
-    Domain drawn = toDomain(fromDomain(*domain));
+    ChainOrder order;
+    Domain ordered = inChainOrder(*domain, &order);
     if (source.origin != nullptr) {
-        reorderOrigin(*domain, drawn, *source.origin);
+        reorder(source.origin->of(DomainPartKind::Node), order.nodes);
+        reorder(source.origin->of(DomainPartKind::Segment), order.segments);
+        reorder(source.origin->of(DomainPartKind::ConstraintPoint), order.points);
     }
-    return drawn;
+    return ordered;
 }
 
 Result<Domain> readProjectDomain(const SourceText &source) {
@@ -46,12 +59,12 @@ constexpr std::array kDrawings = {
            .otherExtensions = ".json",
            .recognise = looksLikeGeoJson,
            .mayShowLate = true,
-           .readDomain = readAsDrawn<readGeoJson>},
+           .readDomain = readInChainOrder<readGeoJson>},
     Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, {}, true},
            .otherExtensions = ".json",
            .recognise = looksLikeTopoJson,
            .mayShowLate = true,
-           .readDomain = readAsDrawn<readTopoJson>},
+           .readDomain = readInChainOrder<readTopoJson>},
 };
 
 /// Returns the formats of drawings, then those of the engine. SVG is one of both: the drawing library reads it.
@@ -61,7 +74,7 @@ std::vector<Format> everyFormat() {
         if (format.about.id == std::string_view("svg")) {
             format.about.readsDomain = format.about.arranges = true;
             format.recognise = looksLikeSvg;
-            format.readDomain = readAsDrawn<readSvg>;
+            format.readDomain = readInChainOrder<readSvg>;
         }
         list.push_back(format);
     }

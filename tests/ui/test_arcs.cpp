@@ -1,6 +1,6 @@
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

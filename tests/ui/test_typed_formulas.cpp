@@ -1,7 +1,7 @@
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #include "tests/unit/io_samples.hpp"
 
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "core/files/common/names.hpp"
 #include "tests/unit/mesh_samples.hpp"
 

@@ -1,9 +1,9 @@
 #include "core/drawing/commands/insert_document.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/clipboard/clipboard.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -4,11 +4,11 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/dimensions.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
 #include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -1,10 +1,10 @@
 #include "core/drawing/commands/path_commands.hpp"
 #include "core/drawing/document/equality.hpp"
 #include "core/drawing/domain/document_domain.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

@@ -5,9 +5,9 @@
 #include "core/drawing/picking/pick_index.hpp"
 #include "core/drawing/picking/pointer_snap.hpp"
 #include "core/drawing/shapes/curve_crossings.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "core/engine/geometry/polygon.hpp"
 #include "tests/unit/edit_support.hpp"
 

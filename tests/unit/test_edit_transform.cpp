@@ -1,7 +1,7 @@
 #include "core/drawing/commands/transform.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>

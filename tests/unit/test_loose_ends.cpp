@@ -2,6 +2,7 @@
 #include "core/drawing/domain/chain_shape.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/svg/svg.hpp"
+#include "core/engine/domain/chains/chain_order.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "tests/support/curved_area.hpp"
 #include "tests/unit/arrangement_support.hpp"
@@ -30,7 +31,7 @@ Domain besideTriangle(const std::string &shape, Vec2 end, const std::string &oth
                              corner + " " + others + " Z'/></svg>";
     const Result<Domain> domain = readSvg(sourceOf(text));
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    CHECK(ChainShapes(*domain).anyLooseEnd());
+    CHECK(ChainPaths(*domain).anyLooseEnd());
     return *domain;
 }
 
@@ -60,6 +61,8 @@ TEST_CASE("Loose ends: an arc that is nearly closed keeps its size when joining 
         const std::string path = "<path d='M 11 6 A 5 5 0 1 1 11 " + std::to_string(6.0 - gap) + " Z'/>";
         const Domain given = besideTriangle(path, {11, 6}), drawn = toDomain(fromDomain(given));
         CHECK(validate(drawn).empty());
+        CHECK(inChainOrder(given).nodes == drawn.nodes);
+        CHECK(inChainOrder(given).curves == drawn.curves);
         checkPlaces(drawn, given, 4.0 * kOff);
         const double half = std::asin(gap / 10.0); // half the angle that the gap spans at the centre
         const double circle = 25.0 * (std::numbers::pi - half) + 25.0 * std::sin(half) * std::cos(half);
@@ -82,6 +85,7 @@ TEST_CASE("Loose ends: a circle whose node was moved stays a circle") {
     CHECK(std::any_of(document.shapes.begin(), document.shapes.end(),
                       [](const auto &shape) { return shape->kind == ShapeKind::Circle; }));
     checkPlaces(toDomain(document), given, 1.001 * kOff);
+    CHECK(inChainOrder(given).nodes == toDomain(document).nodes);
 }
 
 TEST_CASE("Loose ends: a curve with moved ends does not cross what it was apart from") {
@@ -125,6 +129,9 @@ TEST_CASE("Loose ends: a curve with moved ends does not cross what it was apart 
         CHECK(drawn.segments.size() == domain.segments.size());
         CHECK(validate(toDomain(fromDomain(drawn))).empty());
     }
+    const Domain ordered = inChainOrder(domain), drawn = toDomain(fromDomain(domain));
+    CHECK(ordered.nodes == drawn.nodes);
+    CHECK(ordered.curves == drawn.curves);
 }
 
 TEST_CASE("Loose ends: repairing a drawing does not move a curve across its neighbour") {

@@ -1,9 +1,9 @@
 #include "core/drawing/commands/transform.hpp"
 #include "core/drawing/picking/selected_handles.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <array>

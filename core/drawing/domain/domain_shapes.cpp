@@ -19,9 +19,9 @@ std::vector<Shape> shapesOf(const Domain &domain, LooseEnds ends) {
         }
     }
     if (loops) {
-        const ChainShapes chains(domain, ends);
+        const ChainPaths paths(domain, ends);
         for (const BoundaryLoop &loop : *loops) {
-            shapes.push_back(chains.make(loop.nodes, loop.segments, true));
+            shapes.push_back(shapeOf(paths.make(loop.nodes, loop.segments, true)));
         }
     }
     for (const auto &shape : fromDomain(partOf(domain, rest, points), ends).shapes) {

@@ -4,45 +4,10 @@
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/engine/base/ids.hpp"
-
-#include <bit>
-#include <unordered_map>
+#include "core/engine/domain/node_merger.hpp"
 
 namespace forefront {
 namespace {
-
-/// Exact coordinates as a key; 0.0 and -0.0 are equal.
-struct PlaceHash {
-    std::size_t operator()(Vec2 p) const {
-        const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0), y = std::bit_cast<std::uint64_t>(p.y + 0.0);
-        std::uint64_t h = x * 0x9e3779b97f4a7c15ULL ^ std::rotl(y * 0xc2b2ae3d27d4eb4fULL, 31);
-        h ^= h >> 29;
-        return static_cast<std::size_t>(h * 0x165667b19e3779f9ULL);
-    }
-};
-
-/// Gives coinciding nodes the same index. Coordinates that are not finite never coincide; validation reports each.
-class NodeMerger {
-  public:
-    explicit NodeMerger(std::vector<Vec2> &nodes) : nodes_(nodes) {}
-
-    std::uint32_t add(Vec2 p) {
-        const auto next = static_cast<std::uint32_t>(nodes_.size());
-        if (isFinite(p)) {
-            const auto [place, fresh] = places_.emplace(p, next);
-            if (!fresh) {
-                return place->second;
-            }
-        }
-        nodes_.push_back(p);
-        return next;
-    }
-
-  private:
-    std::vector<Vec2> &nodes_;
-    std::unordered_map<Vec2, std::uint32_t, PlaceHash> places_;
-};
 
 /// Adds the shapes of a document to a domain; `sources` may be null.
 class DocumentDomain {

@@ -5,12 +5,12 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "core/engine/spacing/spec/spec_check.hpp"
 
 #include <algorithm>

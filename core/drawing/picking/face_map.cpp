@@ -1,9 +1,9 @@
 #include "core/drawing/picking/face_map.hpp"
 
 #include "core/drawing/arrangement/repair/repair.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

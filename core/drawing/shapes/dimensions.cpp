@@ -1,7 +1,7 @@
 #include "core/drawing/shapes/dimensions.hpp"
 
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

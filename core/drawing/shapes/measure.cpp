@@ -1,8 +1,8 @@
 #include "core/drawing/shapes/measure.hpp"
 
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

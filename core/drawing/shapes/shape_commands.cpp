@@ -1,10 +1,10 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 
 #include "core/drawing/shapes/node_sizes.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,6 @@
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,12 +2,12 @@
 
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/formulas/bring_formulas.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/clipboard/coordinate_list.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/drawing_files/svg/svg.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "core/files/text/base64.hpp"
 
 #include <array>

@@ -1,9 +1,9 @@
 #include "core/drawing_files/project/project_curves.hpp"
 
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/coordinate_range.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "ui/tools/draw/arc_tool.hpp"
 
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/drawing/shapes/plane_map.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/tool_options.hpp"

@@ -1,5 +1,5 @@
-#include "core/drawing/shapes/path_curve.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/draw/pen_tool.hpp"
 

@@ -1,7 +1,7 @@
 #include "ui/tools/draw/pen_tool.hpp"
 
 #include "core/drawing/commands/drawn_paths.hpp"
-#include "core/drawing/shapes/path_curve.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "core/engine/geometry/stroke_fit.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"

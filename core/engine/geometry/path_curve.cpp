@@ -1,4 +1,4 @@
-#include "core/drawing/shapes/path_curve.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
 #include <array>
