@@ -2,6 +2,7 @@
 #include "core/drawing/domain/shared_domain.hpp"
 
 #include <doctest/doctest.h>
+
 #include <array>
 #include <thread>
 #include <vector>
