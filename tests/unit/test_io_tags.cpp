@@ -50,11 +50,11 @@ TagsRead tagsIn(const TriMesh &mesh, const ImportNotes &notes) {
     return tags;
 }
 
-TagsRead tagsOfMesh(Result<TriMesh> (*read)(const SourceText &), const std::string &text) {
+TagsRead tagsOfMesh(Result<Mesh> (*read)(const SourceText &), const std::string &text) {
     ImportNotes notes;
     SourceText source = sourceOf(text);
     source.notes = &notes;
-    const Result<TriMesh> mesh = read(source);
+    const Result<TriMesh> mesh = triangles(read(source));
     REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
     return tagsIn(*mesh, notes);
 }
@@ -141,7 +141,7 @@ TEST_CASE("Tags below 1: triangles and edges of Triangle stay apart") {
         SourceText ofElements = sourceOf(elements);
         ofElements.notes = &notes;
         const SourceText ofNodes = sourceOf(nodes), ofEdges = sourceOf(edges);
-        const Result<TriMesh> mesh = readTriangleParts(ofNodes, ofElements, &ofEdges);
+        const Result<TriMesh> mesh = triangles(readTriangleParts(ofNodes, ofElements, &ofEdges));
         REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
         return tagsIn(*mesh, notes);
     };
