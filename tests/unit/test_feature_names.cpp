@@ -35,8 +35,8 @@ Result<Domain> readMap(const std::string &text, const std::optional<std::string>
     return readGeoJson(source);
 }
 
-Names namesOf(const std::vector<std::string> &properties, const std::optional<std::string> &key = {},
-              ImportNotes *notes = nullptr) {
+Names featureNames(const std::vector<std::string> &properties, const std::optional<std::string> &key = {},
+                   ImportNotes *notes = nullptr) {
     const auto domain = readMap(mapOf(properties), key, notes);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
     CHECK(domain->boundaryNames == domain->regionNames);
@@ -55,21 +55,22 @@ TEST_CASE("Names of features: administrative areas are named by the finest level
     const std::string bern = R"({"NAME_0": "Swiss", "NAME_1": "Bern", "NAME_2": "Thun"})",
                       genf = R"({"NAME_0": "Swiss", "NAME_1": "Genf", "NAME_2": ""})";
     ImportNotes notes;
-    CHECK(namesOf({bern}, {}, &notes) == Names{{1, "Thun"}});
+    CHECK(featureNames({bern}, {}, &notes) == Names{{1, "Thun"}});
     CHECK(noteOf(notes) == "properties other than \"NAME_2\" and \"tag\" are ignored: 'NAME_0', 'NAME_1'");
-    CHECK(namesOf({bern, genf}) == Names{{1, "Bern"}, {2, "Genf"}});
-    CHECK(namesOf({genf, bern}) == Names{{1, "Genf"}, {2, "Bern"}});
-    CHECK(namesOf({bern, R"({"depth": 3})", "null"}) == Names{{1, "Thun"}});           // others have no such names
-    CHECK(namesOf({R"({"NAME_0": "A", "tag": 7})", R"({"NAME_1": "B"})"}) == Names{}); // no common level
-    CHECK(namesOf({R"({"NAME_0": "A", "NAME_3": 5, "NAME_10": "B", "NAME_": "C", "NAME_x": "D"})"}) == Names{{1, "A"}});
+    CHECK(featureNames({bern, genf}) == Names{{1, "Bern"}, {2, "Genf"}});
+    CHECK(featureNames({genf, bern}) == Names{{1, "Genf"}, {2, "Bern"}});
+    CHECK(featureNames({bern, R"({"depth": 3})", "null"}) == Names{{1, "Thun"}});           // others have no such names
+    CHECK(featureNames({R"({"NAME_0": "A", "tag": 7})", R"({"NAME_1": "B"})"}) == Names{}); // no common level
+    CHECK(featureNames({R"({"NAME_0": "A", "NAME_3": 5, "NAME_10": "B", "NAME_": "C", "NAME_x": "D"})"}) ==
+          Names{{1, "A"}});
 }
 
 TEST_CASE("Names of features: a map with names uses these alone") {
     ImportNotes notes;
     const std::string both = R"({"NAME": "land", "NAME_1": "level"})", level = R"({"name": 5, "NAME_1": "other"})";
-    CHECK(namesOf({level, both, level}, {}, &notes) == Names{{2, "land"}});
+    CHECK(featureNames({level, both, level}, {}, &notes) == Names{{2, "land"}});
     CHECK(noteOf(notes) == "properties other than \"name\" and \"tag\" are ignored: 'NAME_1'");
-    CHECK(namesOf({R"({"name": " ", "Name": "b", "NAME": "c"})"}) == Names{{1, "b"}});
+    CHECK(featureNames({R"({"name": " ", "Name": "b", "NAME": "c"})"}) == Names{{1, "b"}});
 }
 
 TEST_CASE("Names of features: a property can be given, with text or numbers") {
@@ -77,12 +78,12 @@ TEST_CASE("Names of features: a property can be given, with text or numbers") {
     const std::vector<std::string> map{R"({"name": "A", "nom": "un", "code": 12})",
                                        R"({"name": "B", "nom": null, "code": 1.50e3})",
                                        R"({"name": "C", "nom": "un", "tag": 9, "code": "x"})"};
-    CHECK(namesOf(map) == Names{{1, "A"}, {2, "B"}, {9, "C"}});
-    CHECK(namesOf(map, "nom", &notes) == Names{{1, "un"}, {9, "un"}});
+    CHECK(featureNames(map) == Names{{1, "A"}, {2, "B"}, {9, "C"}});
+    CHECK(featureNames(map, "nom", &notes) == Names{{1, "un"}, {9, "un"}});
     CHECK(noteOf(notes) == "properties other than \"nom\" and \"tag\" are ignored: 'code', 'name'");
     CHECK(notes.contents().properties == std::vector<std::string>{"code", "name", "nom", "tag"});
-    CHECK(namesOf(map, "code") == Names{{1, "12"}, {2, "1.50e3"}, {9, "x"}});
-    CHECK(namesOf({R"({"NAME_1": "A", "NAME_2": "B"})"}, "NAME_1") == Names{{1, "A"}});
+    CHECK(featureNames(map, "code") == Names{{1, "12"}, {2, "1.50e3"}, {9, "x"}});
+    CHECK(featureNames({R"({"NAME_1": "A", "NAME_2": "B"})"}, "NAME_1") == Names{{1, "A"}});
 }
 
 TEST_CASE("Names of features: the id of a feature stands in for a property of that name, if asked for") {
@@ -131,7 +132,7 @@ TEST_CASE("Names of features: without names, a note says how to take them from a
     const std::string hint = "; --name-property takes names from one of them";
     const auto hints = [&](const std::vector<std::string> &map, const std::optional<std::string> &key = {}) {
         ImportNotes notes;
-        namesOf(map, key, &notes);
+        featureNames(map, key, &notes);
         return noteOf(notes).ends_with(hint);
     };
     CHECK(hints({R"({"depth": 3})", R"({"depth": 3, "naam": "A"})"}));

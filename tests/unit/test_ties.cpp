@@ -2,7 +2,7 @@
 #include "core/engine/front/base_order.hpp"
 #include "core/engine/front/order_key.hpp"
 #include "core/engine/mesher/mesher.hpp"
-#include "core/engine/mesher/pipeline.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/discrete_samples.hpp"
 #include "tests/unit/edit_support.hpp"
 
@@ -197,7 +197,7 @@ Tally tallyOf(MeshingJob job, ImproveLevel level) {
     const Result<MeshingOutcome> outcome = meshDomain(job);
     REQUIRE_MESSAGE(outcome.ok(), outcome.faults().front().message);
     const WorkCounters &work = outcome->work;
-    return {outcome->mesh.elements.size(),
+    return {outcome->mesh.triangles().size(),
             outcome->mesh.nodes.size(),
             work.advances,
             work.frontSum,
