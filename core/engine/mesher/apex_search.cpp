@@ -186,7 +186,8 @@ template <class Grid, class Trace>
 Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate, bool flat) {
     const GenerationFront &front = state_.front;
     if (flat ? orientation(base.a, base.b, candidate.position) <= 0
-             : isFlat(base.a, base.b, candidate.position, kAvoidedFlatness)) {
+             : isFlat(base.a, base.b, candidate.position, kAvoidedFlatness) ||
+                   shapeFactor(base.a, base.b, candidate.position) < slack_) {
         return Verdict::NotLeft;
     }
     if (!anglesAllow(base, candidate)) {
@@ -237,20 +238,27 @@ bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNo
     return false;
 }
 
+/// Returns true if p lies on the segment ab within rounding, or within its slack. Nodes that are on a line by
+/// construction miss it by the errors of all nodes that they were built on.
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::beside(Vec2 a, Vec2 b, Vec2 p) const {
+    return nearlyOnSegment(a, b, p) || (slack_ > 0.0 && nearSegment(p, a, b, slack_ * slack_ * distanceSquared(a, b)));
+}
+
 /// Returns true if a node of Γ lies in or on the element; unless `flat`, also if it lies beside a side but so close
 /// that the element left there would be flat.
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &candidate, bool flat) {
     Box2 box = boxOf(base.a, base.b);
     box.add(candidate.position);
-    box = box.grown(roundingMargin(box));
+    box = box.grown(roundingMargin(box) + slack_ * (box.size().x + box.size().y));
     const Vec2 c = candidate.position;
     for (const Neighbour &n : neighbours_) {
         if (n.nodeA == base.nodeA || n.nodeA == base.nodeB || n.nodeA == candidate.node || !box.contains(n.a)) {
             continue;
         }
         if (insideOrOn(base.a, base.b, c, n.a) ||
-            (!flat && (nearlyOnSegment(base.a, c, n.a) || nearlyOnSegment(base.b, c, n.a)))) {
+            (!flat && (beside(base.a, c, n.a) || beside(base.b, c, n.a)))) {
             trace_.block(n.a, n.a);
             return true;
         }

@@ -108,6 +108,7 @@ class ApexSearch {
     Verdict test(const Base &base, const Candidate &candidate, bool flat);
     bool anglesAllow(const Base &base, const Candidate &candidate) const;
     bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to);
+    bool beside(Vec2 a, Vec2 b, Vec2 p) const;
     bool containsNode(const Base &base, const Candidate &candidate, bool flat);
 
     const FrontState &state_;
@@ -115,7 +116,7 @@ class ApexSearch {
     const SpacingField &spacing_;
     Trace &trace_;
     unsigned droppedBits_; ///< of scores, see orderKey()
-    double slack_;         ///< relative, of squared distances that equal a limit
+    double slack_;         ///< relative, of squared distances that equal a limit and of heights that equal 0
 
     std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
     std::uint32_t stamp_ = 0;
