@@ -3,6 +3,7 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/spacing/combined_field.hpp"
 #include "core/engine/spacing/field_of_rules.hpp"
+#include "core/engine/spacing/kept_field.hpp"
 #include "core/engine/spacing/part_list.hpp"
 #include "core/engine/spacing/parts/automatic/automatic.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
@@ -199,8 +200,11 @@ Result<std::shared_ptr<const SpacingField>> SpacingField::build(const SpacingSpe
     if (!field) {
         return field;
     }
-    // The chords of curves that are kept stay as they are.
-    return segments == GivenSegments::Kept ? field : ToleranceField::limit(*std::move(field), spec, domain, progress);
+    if (segments == GivenSegments::Divided) {
+        return ToleranceField::limit(*std::move(field), spec, domain, progress);
+    }
+    // The chords of curves stay as they are. Where their lengths set the size, none is too long for it.
+    return spec.fromBoundary ? field : KeptField::raise(*std::move(field), domain, progress);
 }
 
 } // namespace forefront
