@@ -163,6 +163,27 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
         ->type_name("EXPR");
 }
 
+void addCurveToleranceOption(CLI::App &app, std::optional<CurveToleranceArgument> &tolerance) {
+    app.add_option_function<std::string>(
+           "--curve-tolerance",
+           [&tolerance](std::string text) {
+               CurveToleranceArgument given;
+               given.percent = text.ends_with('%');
+               if (given.percent) {
+                   text.pop_back();
+               }
+               given.value = parse<double>(text).value_or(0.0);
+               if (!(given.value > 0.0 && std::isfinite(given.value))) {
+                   throw CLI::ValidationError("--curve-tolerance", "expected a positive length or percentage, got '" +
+                                                                       text + (given.percent ? "%'" : "'"));
+               }
+               tolerance = given;
+           },
+           "maximum distance of a curve from its edges, which also limits the size beside it: a length, or a "
+           "percentage of the domain's diagonal; default: that of the project, or 0.05%")
+        ->type_name("LENGTH|PERCENT%");
+}
+
 void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box) {
     app.add_option_function<std::string>(
            "--picture-sizes",

@@ -56,6 +56,17 @@ void applyMaxElements(std::optional<double> maxElements, MeshingOptions &options
 /// Adds --set, which may be repeated with other names: expressions for parameters of a project.
 void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters);
 
+/// The maximum distance of curves from their edges, from the command line.
+struct CurveToleranceArgument {
+    double value = 0.0;   ///< > 0
+    bool percent = false; ///< `value` is a percentage of the domain's diagonal; otherwise a length in domain units
+
+    /// Returns the distance for a domain with this diagonal, in domain units.
+    double distance(double diagonal) const { return percent ? 0.01 * value * diagonal : value; }
+};
+/// Adds --curve-tolerance.
+void addCurveToleranceOption(CLI::App &app, std::optional<CurveToleranceArgument> &tolerance);
+
 /// How a drawing or map is read; see ImportOptions.
 struct DrawingArguments {
     std::optional<double> weldTolerance; ///< absent: the default of the input's format

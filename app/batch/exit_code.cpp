@@ -24,7 +24,8 @@ std::string inOptions(std::string advice) {
         {"lower the weld tolerance", "lower --weld"},
         {"raise the maximum number of elements", "raise --max-elements"},
         {"choose an element size of", "choose a --size of"},
-        {"set a gradation", "add --gradation G"}};
+        {"set a gradation", "add --gradation G"},
+        {"let segments be divided", "leave out --keep-boundary"}};
     for (const auto &[words, option] : kOptions) {
         if (const std::size_t at = advice.find(words); at != std::string::npos) {
             advice.replace(at, words.size(), option);

@@ -125,6 +125,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
                    "else 0")
         ->check(nonNegativeNumber())
         ->type_name("N");
+    addCurveToleranceOption(app, arguments.curveTolerance);
     addFrontOptions(app, arguments, grid);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")

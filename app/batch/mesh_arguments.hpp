@@ -30,6 +30,7 @@ struct MeshArguments {
     std::optional<double> gradation;
     std::optional<double> segmentsPerTurn;
     std::optional<double> elementsAcross;
+    std::optional<CurveToleranceArgument> curveTolerance;
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;

@@ -120,6 +120,9 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
     if (arguments.elementsAcross) {
         spacing.elementsAcross = arguments.elementsAcross;
     }
+    if (arguments.curveTolerance) {
+        read.job.domain.curveTolerance = arguments.curveTolerance->distance(read.job.domain.bounds().diagonal());
+    }
     return {};
 }
 

@@ -174,6 +174,25 @@ class Meshing(Case):
         self.assertLess(kept["nodes"], self.stats("plate.poly", "--size", "0.2")["nodes"])
         self.call("check", "kept.msh", "--domain", "plate.poly")
 
+    def test_segments_too_long_for_the_size_are_kept_with_a_warning(self):
+        side = [(x, 0) for x in range(0, 10, 2)] + [(10, y) for y in range(0, 10, 2)]
+        self.write("long.poly", poly([side + [(10 - x, 10 - y) for x, y in side]], []))
+        done = self.call("mesh", "long.poly", "-o", "long.msh", "--keep-boundary", "--size", "0.1")
+        self.assertIn("given segments are up to 20 times longer than the size asked for, and are kept", done.stderr)
+        self.assertIn("leave out --keep-boundary", done.stderr)
+        self.assertNotIn("long-segments", self.call("mesh", "long.poly", "-o", "long.msh", "--size", "0.1").stderr)
+
+    def test_the_curve_tolerance_is_a_length_or_a_percentage(self):
+        self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 20},
+            "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [30, 0]]}]}""")
+        coarse, fine, same = (self.stats("disc.json", "--curve-tolerance", tolerance)["boundaries"][0]["edges"]
+                              for tolerance in ("2", "0.02", "0.0235702%"))
+        self.assertGreater(fine, 3 * coarse)
+        self.assertEqual(fine, same)
+        for value in "0", "-1", "x", "%", "nan", "inf%":
+            self.assertIn(f"--curve-tolerance: expected a positive length or percentage, got '{value}'",
+                          self.call("mesh", "disc.json", "-o", "a.msh", "--curve-tolerance", value, code=2).stderr)
+
     def test_no_improve_leaves_out_the_improvement(self):
         raw = self.stats("plate.poly", "--size", "0.1", "--no-improve")
         improved = self.stats("plate.poly", "--size", "0.1")

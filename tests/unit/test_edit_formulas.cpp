@@ -111,7 +111,7 @@ TEST_CASE("setNumber: every kind of number can be set and is read back") {
     document = *addShape(document, makeShape(ShapeKind::Polygon, {{8, 0}, {9, 0}, {9, 1}}));
     document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.0, 0.5, 0.1});
     document.spacing.size = document.spacing.gradation = document.spacing.segmentsPerTurn = 1.0;
-    document.spacing.elementsAcross = 1.0;
+    document.spacing.elementsAcross = document.curveTolerance = 1.0;
     document.spacing.partSizes[3] = {0.5, 0.1};
     document.spacing.sources[0].shape = SourceShape::Line;
     document.spacing.sources[0].endSize = 0.5;
@@ -124,7 +124,7 @@ TEST_CASE("setNumber: every kind of number can be set and is read back") {
                              "region/0/area",         "region/0/size",     "region/0/growth",
                              "source/0/angle",        "part/3/size",       "part/3/growth",
                              "spacing/size",          "spacing/gradation", "spacing/segmentsPerTurn",
-                             "spacing/elementsAcross"}) {
+                             "spacing/elementsAcross", "spacing/curveTolerance"}) {
         CAPTURE(text);
         const std::optional<NumberAddress> address = parseAddress(text);
         REQUIRE(address.has_value());

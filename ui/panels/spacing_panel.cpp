@@ -24,6 +24,7 @@ class SpacingPanel final : public Panel {
     static void drawExpression(Shell &context);
     static void drawSources(Shell &context);
     static void drawElementCounts(Shell &context);
+    static void drawCurveTolerance(Shell &context);
     void drawLimits(Shell &context);
 
     GradationRow gradation_;
@@ -162,6 +163,18 @@ void SpacingPanel::drawElementCounts(Shell &context) {
                          "automatic spacing, else 0. Corners are not narrow places, except tips below 20 degrees.");
 }
 
+void SpacingPanel::drawCurveTolerance(Shell &context) {
+    const double given = context.document.current()->curveTolerance;
+    std::optional<double> tolerance = given > 0.0 ? std::optional(given) : std::nullopt;
+    form::label(context, "Curve error");
+    if (form::optionalField(context, "spacing/curvetolerance", tolerance, "auto", -1.0F, "spacing/curveTolerance")) {
+        EditState::apply(context, setCurveTolerance(*context.document.current(), tolerance), "Change curve tolerance");
+    }
+    ui::rowTooltip(context,
+                   "Curve tolerance: the maximum distance of a curve from its edges in the mesh. It limits the "
+                   "element size beside curves. auto: 1/2000 of the diagonal of the domain");
+}
+
 void SpacingPanel::drawLimits(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     std::optional<double> minimum = document->spacing.minimum, maximum = document->spacing.maximum;
@@ -177,6 +190,7 @@ void SpacingPanel::drawLimits(Shell &context) {
     }
     gradation_.draw(context);
     drawElementCounts(context);
+    drawCurveTolerance(context);
     form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;
     if (ui::checkbox(context, "spacing/fromboundary", "Use boundary lengths", fromBoundary)) {

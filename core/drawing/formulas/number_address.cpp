@@ -210,6 +210,9 @@ Status setBoundaryNumber(Document &document, const NumberAddress &address, doubl
     return {};
 }
 
+/// The tolerance of curves belongs to the document, not to its SpacingSpec.
+constexpr std::string_view kCurveTolerance = "curveTolerance";
+
 std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {
     using Place = std::optional<double> SpacingSpec::*;
     constexpr std::array<std::pair<std::string_view, Place>, 6> kNumbers{
@@ -261,14 +264,15 @@ std::optional<std::uint32_t> movedHandle(const Document &before, const Document 
 
 /// Returns the words for a quantity.
 std::string quantityWords(const NumberAddress &address) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kWords{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kWords{
         {{"x2", "second x"},
          {"y2", "second y"},
          {"endSize", "end size"},
          {"area", "maximum area"},
          {"elements", "number of elements"},
          {"segmentsPerTurn", "elements per turn"},
-         {"elementsAcross", "elements across narrow places"}}};
+         {"elementsAcross", "elements across narrow places"},
+         {kCurveTolerance, "curve tolerance"}}};
     const auto known =
         std::find_if(kWords.begin(), kWords.end(), [&](const auto &word) { return word.first == address.quantity; });
     return known != kWords.end() ? std::string(known->second) : address.quantity;
@@ -318,6 +322,9 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
     case Owner::Spacing:
         break;
     }
+    if (address.quantity == kCurveTolerance) {
+        return document.curveTolerance > 0.0 ? std::optional(document.curveTolerance) : std::nullopt;
+    }
     const auto place = spacingNumber(address.quantity);
     return place != nullptr ? document.spacing.*place : std::nullopt;
 }
@@ -338,7 +345,11 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
     case Owner::Part:
         return setBoundaryNumber(document, address, value);
     case Owner::Spacing:
-        document.spacing.*spacingNumber(address.quantity) = value;
+        if (address.quantity == kCurveTolerance) {
+            document.curveTolerance = value;
+        } else {
+            document.spacing.*spacingNumber(address.quantity) = value;
+        }
     }
     return {};
 }
@@ -359,6 +370,9 @@ Result<Document> checkedOwner(const Document &document, const NumberAddress &add
     }
     case Owner::Spacing:
         break;
+    }
+    if (address.quantity == kCurveTolerance) {
+        return setCurveTolerance(document, document.curveTolerance);
     }
     Diagnostics faults;
     checkSize(document.spacing.size, "spacing", faults);

@@ -19,7 +19,7 @@ namespace forefront {
 /// "y2", "angle", "radius", "size", "endSize", "growth" for a size source, "width" and "height" for a box, along its
 /// angle and across it; "region/K/x", "y", "area", "size", "growth" for a region marker; "part/TAG/size", "elements",
 /// "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn",
-/// "elementsAcross". ID is that of the shape; indices count from 0.
+/// "elementsAcross", "curveTolerance". ID is that of the shape; indices count from 0.
 struct NumberAddress {
     enum class Owner : std::uint8_t { Shape, Source, Region, Part, Spacing };
     Owner owner = Owner::Spacing;

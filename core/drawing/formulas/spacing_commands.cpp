@@ -2,11 +2,13 @@
 
 #include "core/drawing/formulas/bring_formulas.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/part_list.hpp"
 #include "core/engine/spacing/parts/expression/expression_parser.hpp"
 #include "core/engine/spacing/spec/spec_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -93,6 +95,16 @@ Result<Document> setSegmentsPerTurn(const Document &document, std::optional<doub
 
 Result<Document> setElementsAcross(const Document &document, std::optional<double> count) {
     return withCheckedCount(document, &SpacingSpec::elementsAcross, count, checkElementsAcross);
+}
+
+Result<Document> setCurveTolerance(const Document &document, std::optional<double> tolerance) {
+    if (tolerance && !(*tolerance > 0.0 && std::isfinite(*tolerance))) {
+        return error("bad-tolerance",
+                     "invalid curve tolerance " + numberText(*tolerance, 6) + "; expected a positive number");
+    }
+    Document next = document;
+    next.curveTolerance = tolerance.value_or(0.0);
+    return next;
 }
 
 Document setFromBoundary(const Document &document, bool fromBoundary) {

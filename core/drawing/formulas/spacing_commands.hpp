@@ -10,7 +10,7 @@
 namespace forefront {
 
 // Commands on the spacing of a document. Errors: bad-size (not finite or <= 0, or minimum above maximum), bad-source,
-// no-such-source.
+// no-such-source, bad-tolerance (not finite or <= 0).
 
 /// Sets a constant spacing; nullopt removes it.
 Result<Document> setSize(const Document &document, std::optional<double> size);
@@ -24,6 +24,8 @@ Result<Document> setGradation(const Document &document, std::optional<double> gr
 Result<Document> setSegmentsPerTurn(const Document &document, std::optional<double> count);
 /// Sets the elements across narrow places, see SpacingSpec::elementsAcross; nullopt restores the default.
 Result<Document> setElementsAcross(const Document &document, std::optional<double> count);
+/// Sets the maximum distance of curves from their edges, see Domain::curveTolerance; nullopt restores the default.
+Result<Document> setCurveTolerance(const Document &document, std::optional<double> tolerance);
 /// Sets whether the lengths of boundary segments act as sources.
 Document setFromBoundary(const Document &document, bool fromBoundary);
 

@@ -1,8 +1,9 @@
 #include "core/engine/boundary/spacing_integral.hpp"
 
+#include "core/engine/domain/chord_limit.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace forefront {
 
@@ -23,20 +24,6 @@ struct StraightPath {
     double density(double, double rho) const { return span / rho; }
 };
 
-// A piece may turn by 1/8 of a full turn, so that a circle keeps its shape however large the spacing. Where that would
-// be much finer than the tolerance, as on the rounding of an edge, by 1/3.
-constexpr double kMaxTurn = std::numbers::pi / 4.0;
-constexpr double kMaxTinyTurn = 2.0 * std::numbers::pi / 3.0;
-constexpr double kTiny = 1.0 / 16.0;  ///< of the tolerance
-constexpr double kCusp = 1.0 / 256.0; ///< likewise; such a part may even turn back
-
-/// Returns the longest chord of a curve with the given curvature: its sagitta is chord² · curvature / 8.
-double maxChord(double curvature, double tolerance) {
-    const double fine = std::min(std::sqrt(8.0 * tolerance / curvature), kMaxTurn / curvature);
-    const double tiny = std::sqrt(8.0 * kTiny * tolerance / curvature);
-    return std::min(std::max(fine, tiny), kMaxTinyTurn / curvature);
-}
-
 } // namespace
 
 double CurvePath::density(double fraction, double rho) const {
@@ -49,7 +36,7 @@ double CurvePath::density(double fraction, double rho) const {
         return -1.0;
     }
     const double curvature = std::fabs(cross(first, curve->secondDerivative(t))) / (speed * speed * speed);
-    const double needed = curvature > 0.0 ? range * speed / maxChord(curvature, tolerance) : 0.0;
+    const double needed = curvature > 0.0 ? range * speed / ChordLimit::longest(curvature, tolerance) : 0.0;
     return std::max({kLeast, asked, std::isfinite(needed) ? needed : 0.0});
 }
 
@@ -57,9 +44,10 @@ bool CurvePath::allows(double from, double to) const {
     constexpr double kSlack = 1.1; // the integral is accurate to a few percent on one piece
     const double a = std::lerp(t0, t1, from), b = std::lerp(t0, t1, to);
     const double deviation = curve->deviation(a, b), turning = curve->turning(a, b);
-    return (deviation <= tolerance && turning <= kSlack * kMaxTurn) ||
-           (deviation <= kSlack * kTiny * tolerance && turning <= kSlack * kMaxTinyTurn) ||
-           deviation <= kCusp * tolerance;
+    using Limit = ChordLimit;
+    return (deviation <= tolerance && turning <= kSlack * Limit::kMaxTurn) ||
+           (deviation <= kSlack * Limit::kTiny * tolerance && turning <= kSlack * Limit::kMaxTinyTurn) ||
+           deviation <= Limit::kCusp * tolerance;
 }
 
 void SpacingIntegral::append(double t, double density) {

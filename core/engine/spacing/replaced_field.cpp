@@ -2,6 +2,7 @@
 
 #include "core/engine/base/assert.hpp"
 #include "core/engine/base/cancelled.hpp"
+#include "core/engine/spacing/field_of_rules.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 
 #include <algorithm>
@@ -47,11 +48,11 @@ Result<std::shared_ptr<const SpacingField>> ReplacedField::build(const SpacingSp
     others.paint = {};
     const Box2 box = spacingBox(domain);
     const double beyond = kBeyond * box.diagonal();
-    auto around = SpacingField::build(others, domain, progress);
+    auto around = fieldOfRules(others, domain, progress);
     if (!around) {
         return around;
     }
-    auto kept = SpacingField::build(keptRules(spec, beyond), domain, progress);
+    auto kept = fieldOfRules(keptRules(spec, beyond), domain, progress);
     if (!kept) {
         return kept;
     }

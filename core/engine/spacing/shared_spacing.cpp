@@ -7,7 +7,7 @@
 namespace forefront {
 
 Result<std::shared_ptr<const SpacingField>> SharedSpacing::get(const SpacingSpec &spec, const Domain &domain,
-                                                               const Progress &progress) {
+                                                               const Progress &progress, GivenSegments segments) {
     constexpr auto kUntilCancelled = std::chrono::milliseconds(10);
     std::unique_lock lock(mutex_);
     while (building_ && !progress.cancelled()) {
@@ -33,7 +33,7 @@ Result<std::shared_ptr<const SpacingField>> SharedSpacing::get(const SpacingSpec
     } const building{*this, lock};
     building_ = true;
     lock.unlock();
-    Result<std::shared_ptr<const SpacingField>> field = SpacingField::build(spec, domain, progress);
+    Result<std::shared_ptr<const SpacingField>> field = SpacingField::build(spec, domain, progress, segments);
     lock.lock();
     if (field || !progress.cancelled()) {
         built_ = field;

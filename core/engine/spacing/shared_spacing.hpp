@@ -14,9 +14,10 @@ namespace FOREFRONT_API forefront {
 class SharedSpacing {
   public:
     /// Returns the field, or the faults found in building it, see SpacingField::build(). All calls must pass the same
-    /// specification and domain. A thread that is cancelled returns "cancelled" and leaves building to the others.
+    /// arguments. A thread that is cancelled returns "cancelled" and leaves building to the others.
     Result<std::shared_ptr<const SpacingField>> get(const SpacingSpec &spec, const Domain &domain,
-                                                    const Progress &progress = {});
+                                                    const Progress &progress = {},
+                                                    GivenSegments segments = GivenSegments::Divided);
 
   private:
     std::mutex mutex_;

@@ -2,11 +2,14 @@
 
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/spacing/combined_field.hpp"
+#include "core/engine/spacing/field_of_rules.hpp"
+#include "core/engine/spacing/kept_field.hpp"
 #include "core/engine/spacing/part_list.hpp"
 #include "core/engine/spacing/parts/automatic/automatic.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/engine/spacing/parts/curvature/curvature_sites.hpp"
 #include "core/engine/spacing/replaced_field.hpp"
+#include "core/engine/spacing/tolerance_field.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -184,12 +187,24 @@ class FieldBuilder {
 
 } // namespace
 
-Result<std::shared_ptr<const SpacingField>> SpacingField::build(const SpacingSpec &spec, const Domain &domain,
-                                                                const Progress &progress) {
-    if (spec.paint.replaces && !spec.paint.tiles.empty()) {
-        return ReplacedField::build(spec, domain, progress);
-    }
+Result<std::shared_ptr<const SpacingField>> fieldOfRules(const SpacingSpec &spec, const Domain &domain,
+                                                         const Progress &progress) {
     return FieldBuilder(spec, domain, progress).run();
+}
+
+Result<std::shared_ptr<const SpacingField>> SpacingField::build(const SpacingSpec &spec, const Domain &domain,
+                                                                const Progress &progress, GivenSegments segments) {
+    const bool replaces = spec.paint.replaces && !spec.paint.tiles.empty();
+    Result<std::shared_ptr<const SpacingField>> field =
+        replaces ? ReplacedField::build(spec, domain, progress) : fieldOfRules(spec, domain, progress);
+    if (!field) {
+        return field;
+    }
+    if (segments == GivenSegments::Divided) {
+        return ToleranceField::limit(*std::move(field), spec, domain, progress);
+    }
+    // The chords of curves stay as they are. Where their lengths set the size, none is too long for it.
+    return spec.fromBoundary ? field : KeptField::raise(*std::move(field), domain, progress);
 }
 
 } // namespace forefront

@@ -6,6 +6,7 @@
 #include "core/engine/spacing/spec/spacing_sample.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,16 +15,23 @@ namespace FOREFRONT_API forefront {
 
 struct Domain;
 
+/// What becomes of the segments of a domain in its mesh.
+enum class GivenSegments : std::uint8_t {
+    Divided, ///< as the spacing asks
+    Kept     ///< each is one edge, see MeshingOptions::keepBoundary
+};
+
 /// The node spacing function ρ, ready to evaluate. Immutable; const members may be called from several threads at once.
 /// Deterministic: the same field returns the same doubles on every call and thread.
 class SpacingField {
   public:
     /// Builds the field of a specification. The domain supplies the extent, the lengths for boundary and automatic
-    /// spacing, and the regions with a maximum area (ignored while segments cross). Errors: expression-syntax (with
-    /// column), expression-value (with a place), bad-size, bad-source, bad-paint, bad-background, bad-region-area,
-    /// cancelled.
+    /// spacing, and the regions with a maximum area (ignored while segments cross). Where segments are divided,
+    /// Domain::curveTolerance limits the spacing beside curves. Errors: expression-syntax (with column),
+    /// expression-value (with a place), bad-size, bad-source, bad-paint, bad-background, bad-region-area, cancelled.
     static Result<std::shared_ptr<const SpacingField>> build(const SpacingSpec &spec, const Domain &domain,
-                                                             const Progress &progress = {});
+                                                             const Progress &progress = {},
+                                                             GivenSegments segments = GivenSegments::Divided);
     virtual ~SpacingField() = default;
 
     /// Returns the spacing at p: finite and > 0 everywhere, meaningful in the domain's box. Hot path.

@@ -22,6 +22,8 @@ enum class SiteReason : std::uint8_t {
     NodeSize,       ///< size of a node; index into Domain::nodeSizes
     SegmentLength,  ///< index: of the domain segment
     Bend,           ///< curvature; index: of the domain segment
+    Tolerance,      ///< distance of a curve from its edges; index: of the domain segment
+    KeptSegment,    ///< long segment that stays as it is; index: of the domain segment
     Channel,        ///< narrow gap across from the domain segment
     Corner,         ///< beside a sharp corner of the domain segment
     LonePoint,      ///< index: of the domain node

@@ -46,6 +46,10 @@ std::string describe(const SiteLabel &label, const SiteWords &words, Vec2 at) {
         return "length of a segment of " + boundaryAt(label, words, at);
     case SiteReason::Bend:
         return "bend of " + boundaryAt(label, words, at);
+    case SiteReason::Tolerance:
+        return "curve tolerance of " + boundaryAt(label, words, at);
+    case SiteReason::KeptSegment:
+        return "kept segment of " + boundaryAt(label, words, at);
     case SiteReason::Channel:
         return "narrow channel beside " + boundaryAt(label, words, at);
     case SiteReason::Corner:

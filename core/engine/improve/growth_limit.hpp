@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/engine/base/progress.hpp"
+#include "core/engine/improve/improve_workspace.hpp"
+
+#include <cstddef>
+
+namespace forefront {
+
+/// What the areas of neighbours are to become, and what moves must not spoil meanwhile.
+struct GrowthGoal {
+    double growth = 2.0;  ///< maximum ratio of the areas of elements that share an edge
+    double alpha = 0.85;  ///< no α falls below this, and no lower one falls further
+    double angle = 39.0;  ///< the same for the minimum angle, degrees
+};
+
+/// Moves free nodes where the areas of neighbours differ by more than the goal, by a pattern search (R. Hooke, T. A.
+/// Jeeves, 1961), as long as that brings the ratios around a node closer to the goal and the worst of them does not
+/// rise. α must be up to date and is kept up to date. Returns the number of moves.
+std::size_t limitGrowth(ImproveWorkspace &work, const GrowthGoal &goal, const Progress &progress);
+
+} // namespace forefront
