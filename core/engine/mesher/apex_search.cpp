@@ -257,8 +257,7 @@ bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &ca
         if (n.nodeA == base.nodeA || n.nodeA == base.nodeB || n.nodeA == candidate.node || !box.contains(n.a)) {
             continue;
         }
-        if (insideOrOn(base.a, base.b, c, n.a) ||
-            (!flat && (beside(base.a, c, n.a) || beside(base.b, c, n.a)))) {
+        if (insideOrOn(base.a, base.b, c, n.a) || (!flat && (beside(base.a, c, n.a) || beside(base.b, c, n.a)))) {
             trace_.block(n.a, n.a);
             return true;
         }

@@ -4,7 +4,7 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
-#include "core/engine/spacing/parts/tolerance/tolerance_sites.hpp"
+#include "core/engine/spacing/tolerance_sites.hpp"
 
 #include <algorithm>
 #include <utility>

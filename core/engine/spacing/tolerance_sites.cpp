@@ -1,4 +1,4 @@
-#include "core/engine/spacing/parts/tolerance/tolerance_sites.hpp"
+#include "core/engine/spacing/tolerance_sites.hpp"
 
 #include "core/engine/domain/chord_limit.hpp"
 #include "core/engine/domain/curve_chains.hpp"
@@ -55,8 +55,7 @@ class ToleranceFinder {
     void addSegment(const Curve &curve, std::uint32_t segment) {
         const CurveStretch stretch = domain_.segments[segment].stretch;
         const double largest = others_.maximum();
-        std::vector<Part> open = {
-            {stretch.t0, stretch.t1, chordAt(curve, stretch.t0), chordAt(curve, stretch.t1)}};
+        std::vector<Part> open = {{stretch.t0, stretch.t1, chordAt(curve, stretch.t0), chordAt(curve, stretch.t1)}};
         while (!open.empty()) {
             const Part part = open.back();
             open.pop_back();
