@@ -6,9 +6,9 @@ namespace forefront {
 
 MeshView::MeshView(const TriMesh &mesh)
     : nodes(mesh.nodes), edges(mesh.edges), points(mesh.points), curves(mesh.curves), edgeStretches(mesh.edgeStretches),
-      boundaryNames(mesh.boundaryNames), regionNames(mesh.regionNames), count_(mesh.elements.size()) {
-    if (count_ != 0) {
-        blocks_.push_back({CellKind::Triangle3, 0, {mesh.elements.front().data(), 3 * count_}, mesh.regions});
+      boundaryNames(mesh.boundaryNames), regionNames(mesh.regionNames) {
+    if (!mesh.elements.empty()) {
+        add({CellKind::Triangle3, 0, {mesh.elements.front().data(), 3 * mesh.elements.size()}, mesh.regions});
     }
 }
 
@@ -17,14 +17,26 @@ MeshView::MeshView(const Mesh &mesh)
       boundaryNames(mesh.boundaryNames), regionNames(mesh.regionNames) {
     for (const CellBlock &block : mesh.blocks) {
         if (block.size() != 0) {
-            blocks_.push_back({block.kind(), count_, block.connectivity(), block.regions});
-            count_ += block.size();
+            add({block.kind(), count_, block.connectivity(), block.regions});
         }
     }
 }
 
+void MeshView::add(const Block &block) {
+    if (blockCount_ < few_.size()) {
+        few_[blockCount_] = block;
+    } else {
+        if (many_.empty()) {
+            many_.assign(few_.begin(), few_.end());
+        }
+        many_.push_back(block);
+    }
+    ++blockCount_;
+    count_ += block.size();
+}
+
 bool MeshView::hasSecondOrder() const {
-    return std::any_of(blocks_.begin(), blocks_.end(), [](const Block &block) { return block.traits().order == 2; });
+    return std::any_of(blocks().begin(), blocks().end(), [](const Block &block) { return block.traits().order == 2; });
 }
 
 Box2 MeshView::bounds() const {

@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/mesh/mesh.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -42,11 +43,13 @@ class MeshView {
     const std::map<std::int32_t, std::string> &boundaryNames;
     const std::map<std::int32_t, std::string> &regionNames;
 
-    std::span<const Block> blocks() const { return blocks_; }
+    std::span<const Block> blocks() const {
+        return many_.empty() ? std::span(few_).first(blockCount_) : std::span<const Block>(many_);
+    }
     std::size_t elementCount() const { return count_; }
     /// Returns the block with this element.
     const Block &blockOf(std::size_t element) const {
-        const Block *block = &blocks_.front();
+        const Block *block = blocks().data();
         while (element - block->first >= block->size()) {
             ++block;
         }
@@ -72,8 +75,13 @@ class MeshView {
     Box2 bounds() const;
 
   private:
-    std::vector<Block> blocks_; ///< none of them empty
-    std::size_t count_ = 0;
+    void add(const Block &block);
+
+    /// None of the blocks is empty. A mesh has one of each kind, for which no memory is allocated, unless made by hand.
+    std::array<Block, kElementKinds.size()> few_;
+    std::vector<Block> many_; ///< all of them, if they are more; else empty
+    std::size_t blockCount_ = 0;
+    std::size_t count_ = 0; ///< elements
 };
 
 /// Returns a copy of what a view shows.
