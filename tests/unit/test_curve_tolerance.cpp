@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 using namespace forefront;
@@ -31,12 +32,12 @@ MeshingJob holedPlate() {
     return job;
 }
 
-double worstGrowth(const TriMesh &mesh) {
+double worstGrowth(const MeshView &mesh) {
     const std::vector<double> growth = measureValues(Measure::AreaRatio, mesh, edgesOf(mesh), nullptr);
     return *std::max_element(growth.begin(), growth.end());
 }
 
-double minimumAngle(const TriMesh &mesh) {
+double minimumAngle(const MeshView &mesh) {
     const std::vector<double> angles = measureValues(Measure::MinAngle, mesh, edgesOf(mesh), nullptr);
     return *std::min_element(angles.begin(), angles.end());
 }
@@ -48,9 +49,10 @@ std::shared_ptr<const SpacingField> fieldFor(const MeshingJob &job, GivenSegment
 }
 
 /// Returns the area of a mesh's triangles of which the longest edge is at most `length`, within a box.
-double areaOfShortEdges(const TriMesh &mesh, double length, const Box2 &box) {
+double areaOfShortEdges(const MeshView &mesh, double length, const Box2 &box) {
     double area = 0.0;
-    for (const Element &e : mesh.elements) {
+    for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
+        const std::span<const NodeId> e = mesh.cornersOf(e);
         const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
         const bool within = box.contains(a) && box.contains(b) && box.contains(c);
         if (within && std::max({distance(a, b), distance(b, c), distance(c, a)}) <= length) {
