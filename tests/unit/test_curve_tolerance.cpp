@@ -52,8 +52,9 @@ std::shared_ptr<const SpacingField> fieldFor(const MeshingJob &job, GivenSegment
 double areaOfShortEdges(const MeshView &mesh, double length, const Box2 &box) {
     double area = 0.0;
     for (std::size_t e = 0; e < mesh.elementCount(); ++e) {
-        const std::span<const NodeId> e = mesh.cornersOf(e);
-        const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
+        const std::span<const NodeId> corners = mesh.cornersOf(e);
+        const Vec2 a = mesh.nodes[index(corners[0])], b = mesh.nodes[index(corners[1])],
+                   c = mesh.nodes[index(corners[2])];
         const bool within = box.contains(a) && box.contains(b) && box.contains(c);
         if (within && std::max({distance(a, b), distance(b, c), distance(c, a)}) <= length) {
             area += 0.5 * cross(b - a, c - a);

@@ -197,7 +197,7 @@ TEST_CASE("Project: wrong values of every kind are refused") {
           R"("options": {"improve": "better"})",
           R"("limits": [25])",
           R"("limits": {"minAngle": "25"})",
-          R"("limits": {"minAngle": 61})",
+          R"("limits": {"minAngle": 91})",
           R"("limits": {"maxGrowth": 0.5})",
           R"("limits": {"minLength": 0})",
           R"("circleTolerance": 0)",
