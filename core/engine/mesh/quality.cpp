@@ -105,6 +105,17 @@ void measurePercentiles(const MeshView &mesh, MeshQuality &quality) {
     quality.alpha1 = percentile(alpha, 0.01);
 }
 
+/// Counts the elements of a block at their corners.
+template <std::size_t Corners>
+void countCorners(const MeshView::Block &block, std::vector<std::uint32_t> &counts) {
+    const std::size_t step = block.traits().nodes;
+    for (const NodeId *n = block.connectivity.data(), *end = n + block.connectivity.size(); n != end; n += step) {
+        for (std::size_t k = 0; k < Corners; ++k) {
+            ++counts[index(n[k])];
+        }
+    }
+}
+
 void measureEdges(const MeshView &mesh, const SpacingField *spacing, MeshQuality &quality) {
     std::optional<ConformityMean> conformity;
     if (spacing != nullptr) {
@@ -124,13 +135,7 @@ void measureEdges(const MeshView &mesh, const SpacingField *spacing, MeshQuality
 
     std::vector<std::uint32_t> elementsAt(mesh.nodes.size(), 0);
     for (const MeshView::Block &block : mesh.blocks()) {
-        const std::size_t step = block.traits().nodes, corners = block.traits().corners;
-        const NodeId *const end = block.connectivity.data() + block.connectivity.size();
-        for (const NodeId *n = block.connectivity.data(); n != end; n += step) {
-            for (std::size_t k = 0; k < corners; ++k) {
-                ++elementsAt[index(n[k])];
-            }
-        }
+        block.traits().corners == 3 ? countCorners<3>(block, elementsAt) : countCorners<4>(block, elementsAt);
     }
     for (std::size_t n = 0; n < elementsAt.size(); ++n) {
         if (!onBoundary[n] && elementsAt[n] > 0) {
