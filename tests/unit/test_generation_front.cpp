@@ -217,7 +217,8 @@ TEST_CASE("BaseOrder: similar lengths come in batches, oldest batch first, the s
         const FrontSlot &slot = front[SlotId{i}];
         const double step = std::exp2(std::ilogb(slot.length) - 4);
         const std::uint32_t portion = slot.mark.serial / 16384;
-        expected.push_back({std::floor(slot.length / step) * step, portion, orderKey(slot.length), slot.mark.serial, SlotId{i}});
+        expected.push_back(
+            {std::floor(slot.length / step) * step, portion, orderKey(slot.length), slot.mark.serial, SlotId{i}});
         older += portion > 1 ? 1 : 0;
     }
     REQUIRE(older > 1000);
