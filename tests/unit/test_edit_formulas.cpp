@@ -115,16 +115,35 @@ TEST_CASE("setNumber: every kind of number can be set and is read back") {
     document.spacing.partSizes[3] = {0.5, 0.1};
     document.spacing.sources[0].shape = SourceShape::Line;
     document.spacing.sources[0].endSize = 0.5;
-    for (const char *text : {"shape/1/left",          "shape/1/bottom",    "shape/1/width",
-                             "shape/1/height",        "shape/1/radius",    "shape/2/radius",
-                             "shape/2/x/0",           "shape/3/rx",        "shape/3/ry",
-                             "shape/4/y/2",           "source/0/x",        "source/0/y",
-                             "source/0/radius",       "source/0/size",     "source/0/endSize",
-                             "source/0/growth",       "region/0/x",        "region/0/y",
-                             "region/0/area",         "region/0/size",     "region/0/growth",
-                             "source/0/angle",        "part/3/size",       "part/3/growth",
-                             "spacing/size",          "spacing/gradation", "spacing/segmentsPerTurn",
-                             "spacing/elementsAcross", "spacing/curveTolerance"}) {
+    for (const char *text : {"shape/1/left",
+                             "shape/1/bottom",
+                             "shape/1/width",
+                             "shape/1/height",
+                             "shape/1/radius",
+                             "shape/2/radius",
+                             "shape/2/x/0",
+                             "shape/3/rx",
+                             "shape/3/ry",
+                             "shape/4/y/2",
+                             "source/0/x",
+                             "source/0/y",
+                             "source/0/radius",
+                             "source/0/size",
+                             "source/0/endSize",
+                             "source/0/growth",
+                             "region/0/x",
+                             "region/0/y",
+                             "region/0/area",
+                             "region/0/size",
+                             "region/0/growth",
+                             "source/0/angle",
+                             "part/3/size",
+                             "part/3/growth",
+                             "spacing/size",
+                             "spacing/gradation",
+                             "spacing/segmentsPerTurn",
+                             "spacing/elementsAcross",
+                             "spacing/curveTolerance"}) {
         CAPTURE(text);
         const std::optional<NumberAddress> address = parseAddress(text);
         REQUIRE(address.has_value());

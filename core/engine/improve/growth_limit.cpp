@@ -25,7 +25,9 @@ double ratioOf(double a, double b) {
 
 /// Returns the cosine of the minimum angle of a triangle.
 double cosineOfMinAngle(Vec2 a, Vec2 b, Vec2 c) {
-    const auto cosine = [](Vec2 tip, Vec2 p, Vec2 q) { return dot(p - tip, q - tip) / (distance(tip, p) * distance(tip, q)); };
+    const auto cosine = [](Vec2 tip, Vec2 p, Vec2 q) {
+        return dot(p - tip, q - tip) / (distance(tip, p) * distance(tip, q));
+    };
     return std::max({cosine(a, b, c), cosine(b, c, a), cosine(c, a, b)});
 }
 
@@ -55,7 +57,8 @@ class AreaStar {
             petal.alpha = shapeFactor(centre_, petal.q, petal.r);
             petal.cosine = cosineOfMinAngle(centre_, petal.q, petal.r);
             if (const HalfEdge across = work.twin[nextSide(h)]; across != kNoHalfEdge) {
-                petal.across = twiceArea(work.at(work.from(across)), work.at(work.to(across)), work.at(work.apex(across)));
+                petal.across =
+                    twiceArea(work.at(work.from(across)), work.at(work.to(across)), work.at(work.apex(across)));
             }
             reach_ += distance(centre_, petal.q);
         });

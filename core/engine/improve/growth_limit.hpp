@@ -9,9 +9,9 @@ namespace forefront {
 
 /// What the areas of neighbours are to become, and what moves must not spoil meanwhile.
 struct GrowthGoal {
-    double growth = 2.0;  ///< maximum ratio of the areas of elements that share an edge
-    double alpha = 0.85;  ///< no α falls below this, and no lower one falls further
-    double angle = 39.0;  ///< the same for the minimum angle, degrees
+    double growth = 2.0; ///< maximum ratio of the areas of elements that share an edge
+    double alpha = 0.85; ///< no α falls below this, and no lower one falls further
+    double angle = 39.0; ///< the same for the minimum angle, degrees
 };
 
 /// Moves free nodes where the areas of neighbours differ by more than the goal, by a pattern search (R. Hooke, T. A.

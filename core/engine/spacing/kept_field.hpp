@@ -34,7 +34,7 @@ class KeptField final : public SpacingField {
     void note(double ratio, Vec2 at, double reach);
 
     std::shared_ptr<const SpacingField> asked_;
-    std::vector<SizeSite> long_; ///< segments that are too long; their growth is negative
+    std::vector<SizeSite> long_;        ///< segments that are too long; their growth is negative
     std::vector<std::uint32_t> source_; ///< per long segment: its index in the domain
     BoxTree reach_;                     ///< boxes in which each long segment raises the size
     /// All segments: near a short one, a long one beside it does not raise the size above that of the short one.

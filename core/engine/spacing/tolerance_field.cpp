@@ -24,7 +24,8 @@ Result<std::shared_ptr<const SpacingField>> ToleranceField::limit(std::shared_pt
         return others;
     }
     SiteSet sites;
-    addToleranceSites(domain, *others, spec.minimum.value_or(0.0), spec.gradation.value_or(kCurveGradation), progress,
+    const OtherSizes sizes{[&others](Vec2 p) { return others->at(p); }, others->maximum()};
+    addToleranceSites(domain, sizes, spec.minimum.value_or(0.0), spec.gradation.value_or(kCurveGradation), progress,
                       sites);
     std::optional<SiteTree> tree;
     if (!sites.sites.empty() && !progress.cancelled()) {
