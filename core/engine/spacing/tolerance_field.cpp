@@ -4,7 +4,7 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
-#include "core/engine/spacing/tolerance_sites.hpp"
+#include "core/engine/spacing/parts/tolerance/tolerance_sites.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +24,8 @@ Result<std::shared_ptr<const SpacingField>> ToleranceField::limit(std::shared_pt
         return others;
     }
     SiteSet sites;
-    addToleranceSites(domain, *others, spec.minimum.value_or(0.0), spec.gradation.value_or(kCurveGradation), progress,
+    const OtherSizes sizes{[&others](Vec2 p) { return others->at(p); }, others->maximum()};
+    addToleranceSites(domain, sizes, spec.minimum.value_or(0.0), spec.gradation.value_or(kCurveGradation), progress,
                       sites);
     std::optional<SiteTree> tree;
     if (!sites.sites.empty() && !progress.cancelled()) {

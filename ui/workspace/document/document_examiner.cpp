@@ -115,7 +115,8 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(SharedDomain &d
     }
     Progress progress;
     progress.stop = stop;
-    Result<std::shared_ptr<const SpacingField>> field = spacing.get(spacingOf(document), *domain, progress);
+    const GivenSegments segments = document.options.keepBoundary ? GivenSegments::Kept : GivenSegments::Divided;
+    Result<std::shared_ptr<const SpacingField>> field = spacing.get(spacingOf(document), *domain, progress, segments);
     if (!field) {
         preview->faults.insert(preview->faults.end(), field.faults().begin(), field.faults().end());
         return preview;

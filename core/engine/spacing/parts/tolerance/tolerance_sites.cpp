@@ -1,8 +1,7 @@
-#include "core/engine/spacing/tolerance_sites.hpp"
+#include "core/engine/spacing/parts/tolerance/tolerance_sites.hpp"
 
 #include "core/engine/domain/chord_limit.hpp"
 #include "core/engine/domain/curve_chains.hpp"
-#include "core/engine/spacing/spacing_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +18,7 @@ constexpr double kCorner = 1.2;     ///< bends with a smaller radius, relative t
 
 class ToleranceFinder {
   public:
-    ToleranceFinder(const Domain &domain, const SpacingField &others, double minimum, double gradation, SiteSet &sites)
+    ToleranceFinder(const Domain &domain, const OtherSizes &others, double minimum, double gradation, SiteSet &sites)
         : domain_(domain), others_(others), tolerance_(chordTolerance(domain)), minimum_(minimum),
           gradation_(gradation), sites_(sites) {}
 
@@ -54,7 +53,7 @@ class ToleranceFinder {
 
     void addSegment(const Curve &curve, std::uint32_t segment) {
         const CurveStretch stretch = domain_.segments[segment].stretch;
-        const double largest = others_.maximum();
+        const double largest = others_.largest;
         std::vector<Part> open = {{stretch.t0, stretch.t1, chordAt(curve, stretch.t0), chordAt(curve, stretch.t1)}};
         while (!open.empty()) {
             const Part part = open.back();
@@ -84,7 +83,7 @@ class ToleranceFinder {
     }
 
     const Domain &domain_;
-    const SpacingField &others_;
+    const OtherSizes &others_;
     double tolerance_, minimum_, gradation_;
     SiteSet &sites_;
     bool loop_ = false; ///< the chain is closed
@@ -92,7 +91,7 @@ class ToleranceFinder {
 
 } // namespace
 
-void addToleranceSites(const Domain &domain, const SpacingField &others, double minimum, double gradation,
+void addToleranceSites(const Domain &domain, const OtherSizes &others, double minimum, double gradation,
                        const Progress &progress, SiteSet &sites) {
     ToleranceFinder(domain, others, minimum, gradation, sites).run(progress);
 }
