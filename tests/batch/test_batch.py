@@ -478,7 +478,7 @@ class Meshing(Case):
         self.assertNotIn("MARKER_ELEMS= 24\n", self.read("hole.su2"))
 
     def test_film_and_check_set_parameters_too(self):
-        self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.4},
+        self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.1},
             "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]]}],
             "parameters": {"r": "1"}, "formulas": {"shape/1/radius": "r"}}""")
         self.call("mesh", "disc.json", "-o", "disc.msh", "--set", "r=2")
@@ -1104,7 +1104,7 @@ class Refusing(Case):
         self.assertAlmostEqual(worst, least, delta=0.051)
         self.call("check", "plate.msh", "--min-delta", "0.01", "--size", "0.25")
         self.assertIn("--min-delta needs a spacing", self.call("check", "plate.msh", "--min-delta", "0.1", code=2).stderr)
-        for option, value in (("--min-angle", "61"), ("--max-growth", "0.5"), ("--max-length", "0")):
+        for option, value in (("--min-angle", "91"), ("--max-growth", "0.5"), ("--max-length", "0")):
             self.assertIn(f"{option}: expected a ", self.call("check", "plate.msh", option, value, code=2).stderr)
 
     def test_check_takes_the_limits_of_a_project(self):
@@ -1134,7 +1134,7 @@ class Refusing(Case):
         self.assertEqual(lines[head].split()[1:],
                          ["minimum", "1%", "5%", "25%", "50%", "75%", "95%", "99%", "maximum", "mean"])
         table = {line[:22].strip(): [float(v) for v in line[22:].split()] for line in lines[head + 1:]}
-        self.assertEqual(list(table), ["Shape factor", "Minimum angle", "Maximum angle", "Area", "Area ratio",
+        self.assertEqual(list(table), ["Shape factor", "Scaled Jacobian", "Minimum angle", "Maximum angle", "Area", "Area ratio",
                                        "Edge length", "Elements across", "Valence"])
         for name, numbers in table.items():
             self.assertEqual(len(numbers), 10, name)

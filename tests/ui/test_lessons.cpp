@@ -145,10 +145,10 @@ TEST_CASE("Lessons: a question is about the position of its page, wherever the r
     REQUIRE(valueOf(LessonValue::Rejected, learner.state()) == 2.0);
     learner.key(key::kPeriod);
     learner.settle();
-    REQUIRE(learner.run().advance == 11);
+    REQUIRE(learner.run().advance == 31);
     REQUIRE(valueOf(LessonValue::Rejected, learner.state()) == 0.0);
     learner.answer(*learner.open().now().question, "2");
-    CHECK(valueOf(LessonValue::Advance, questionState(learner.context())) == 10.0);
+    CHECK(valueOf(LessonValue::Advance, questionState(learner.context())) == 30.0);
 }
 
 TEST_CASE("Lessons: the explanation of a task stays about the state in which it was done") {
@@ -162,9 +162,9 @@ TEST_CASE("Lessons: the explanation of a task stays about the state in which it 
     learner.answer(*learner.open().now().question, {});
     learner.key(key::kPeriod);
     learner.settle();
-    CHECK(learner.run().advance == 71);
+    CHECK(learner.run().advance == 66);
     CHECK(learner.has("lesson/right"));
-    CHECK(valueOf(LessonValue::Advance, questionState(learner.context())) == 70.0);
+    CHECK(valueOf(LessonValue::Advance, questionState(learner.context())) == 65.0);
 }
 
 TEST_CASE("Lessons: a lesson opens again where it was left, and leaves layers and tab as they were") {

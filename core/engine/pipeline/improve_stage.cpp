@@ -4,11 +4,9 @@ namespace forefront {
 
 Status improveStage(MeshingState &state, const Progress &progress) {
     const MeshingOptions &options = state.job.options;
-    if (options.improve != ImproveLevel::None) {
-        progress("improving", 0.0);
-        state.improvement = improve(
-            state.triangles, {options.improve, state.job.usableThreads(), state.prepared.spacing.get()}, progress);
-    }
+    progress("improving", 0.0);
+    state.improvement =
+        improve(state.triangles, {options.improve, state.job.usableThreads(), state.prepared.spacing.get()}, progress);
     return {};
 }
 

@@ -22,7 +22,8 @@ Status runTimed(std::span<const Stage> stages, MeshingState &state, MeshingOutco
         double &seconds = stage.time == StageTime::Prepare ? outcome.secondsPrepare
                           : stage.time == StageTime::Mesh  ? outcome.secondsMesh
                                                            : outcome.secondsImprove;
-        seconds += clock.lap();
+        const double lap = clock.lap();
+        seconds += stage.applies == nullptr || stage.applies(state.job.options) ? lap : 0.0;
     }
     return {};
 }

@@ -19,14 +19,25 @@ std::span<const Stage> stagesOfFront() {
     return kStages;
 }
 
+namespace {
+
+bool improves(const MeshingOptions &options) {
+    return options.improve != ImproveLevel::None;
+}
+
+} // namespace
+
 std::span<const Stage> stagesAfterFront() {
-    static constexpr std::array kStages = {Stage{StageTime::Improve, improveStage},
-                                           Stage{StageTime::Improve, blocksStage}};
+    static constexpr std::array kStages = {Stage{StageTime::Improve, improveStage, improves},
+                                           Stage{StageTime::Mesh, blocksStage}};
     return kStages;
 }
 
 Status runStages(std::span<const Stage> stages, MeshingState &state, const Progress &progress) {
     for (const Stage &stage : stages) {
+        if (stage.applies != nullptr && !stage.applies(state.job.options)) {
+            continue;
+        }
         if (Status faults = stage.run(state, progress); hasErrors(faults)) {
             return faults;
         }

@@ -15,8 +15,9 @@ enum class StageTime : std::uint8_t { Prepare, Mesh, Improve };
 /// A stage of a run. Each one is a file of this folder; a new one is a new row of stages().
 struct Stage {
     StageTime time = StageTime::Mesh;
-    /// Does the work and returns its faults; what it was asked to leave out, it leaves out itself.
-    Status (*run)(MeshingState &, const Progress &) = nullptr;
+    Status (*run)(MeshingState &, const Progress &) = nullptr; ///< does the work and returns its faults
+    /// Returns true if a run with these options has the stage; null: each has.
+    bool (*applies)(const MeshingOptions &) = nullptr;
 };
 
 /// Refuses domains that cannot be meshed. Sets `faces`.
@@ -38,7 +39,8 @@ std::span<const Stage> stagesBeforeFront();
 std::span<const Stage> stagesOfFront();
 std::span<const Stage> stagesAfterFront();
 
-/// Runs stages in order until one of them has an error. Returns its faults; after the last one, those of cancelling.
+/// Runs the stages that the options have, in order, until one of them has an error. Returns its faults, or those of
+/// cancelling.
 Status runStages(std::span<const Stage> stages, MeshingState &state, const Progress &progress);
 
 } // namespace forefront
