@@ -127,7 +127,7 @@ int printFigures(const std::filesystem::path &path, const char *field) {
     if (!read) {
         return fail(read.faults());
     }
-    nlohmann::json found = figures(read->mesh);
+    nlohmann::json found = figures(takeTriMesh(read->mesh));
     double worst = 0.0;
     for (std::size_t n = 0; n < read->values.size(); ++n) {
         const Vec2 p = read->mesh.nodes[n];

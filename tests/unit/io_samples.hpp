@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/common/mesh_field.hpp"
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace forefront::testing {
 
@@ -42,6 +44,11 @@ bool hasCode(const Diagnostics &faults, std::string_view code);
 
 /// Returns true if every error names its file and line.
 bool allLocated(const Diagnostics &faults);
+
+/// Returns a mesh as read with its elements, which must all be triangles of 3 nodes.
+inline Result<TriMesh> triangles(Result<Mesh> read) {
+    return read ? Result<TriMesh>(takeTriMesh(std::move(*read))) : read.faults();
+}
 
 /// Reads the nodal values of that name.
 inline Result<MeshField> fieldIn(Result<MeshFields> (*read)(const SourceText &), const SourceText &source,

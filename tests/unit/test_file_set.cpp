@@ -149,7 +149,7 @@ TEST_CASE("Triangle: files of different meshes are not read as one") {
             std::filesystem::copy_file(folder / from, folder / (std::string("c.") + each),
                                        std::filesystem::copy_options::overwrite_existing);
         }
-        const Result<TriMesh> mixed = readMesh(folder / "c.node");
+        const Result<Mesh> mixed = readMesh(folder / "c.node");
         REQUIRE_FALSE(mixed.ok());
         CHECK(mixed.faults().front().code == "mixed-files");
         CHECK(mixed.faults().front().file == (folder / (std::string("c.") + extension)).string());

@@ -32,7 +32,7 @@ std::size_t behind(const std::string &bytes, const std::string &section) {
 
 void checkRefused(const std::string &bytes, const char *code, std::size_t place) {
     CAPTURE(code);
-    const Result<TriMesh> mesh = readMsh(sourceOf(bytes, "broken.msh"));
+    const Result<TriMesh> mesh = triangles(readMsh(sourceOf(bytes, "broken.msh")));
     REQUIRE(!mesh.ok());
     REQUIRE(mesh.faults().size() == 1);
     const Diagnostic &fault = mesh.faults().front();
@@ -44,9 +44,9 @@ void checkRefused(const std::string &bytes, const char *code, std::size_t place)
 
 TEST_CASE("Binary MSH: gives the same mesh as the ASCII file, for any order of blocks") {
     const TriMesh mesh = twoRegionMesh();
-    const Result<TriMesh> text = readMsh(sourceOf(written(writeMsh4, mesh)));
+    const Result<TriMesh> text = triangles(readMsh(sourceOf(written(writeMsh4, mesh))));
     const std::string bytes = written(writeMsh4Binary, mesh);
-    const Result<TriMesh> binary = readMsh(sourceOf(bytes));
+    const Result<TriMesh> binary = triangles(readMsh(sourceOf(bytes)));
     REQUIRE(text.ok());
     REQUIRE_MESSAGE(binary.ok(), messages(binary.faults()));
     CHECK(meshHash(*text) == meshHash(*binary));
@@ -61,7 +61,7 @@ TEST_CASE("Binary MSH: reads numbers whose bytes look like blanks, line ends or 
     std::memcpy(&mesh.nodes[12].x, name, sizeof(double));
     std::memset(static_cast<void *>(&mesh.nodes[3].y), ' ', sizeof(double));
     mesh.elements.resize(1); // only the numbers matter
-    const Result<TriMesh> back = readMsh(sourceOf(written(writeMsh4Binary, mesh)));
+    const Result<TriMesh> back = triangles(readMsh(sourceOf(written(writeMsh4Binary, mesh))));
     REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
     CHECK(back->nodes == mesh.nodes);
 }
@@ -123,7 +123,7 @@ TEST_CASE("Binary MSH: refuses impossible values with their byte") {
     checkRefused(with(bytes, format + 6, '4'), "unknown-size", format + 7);
     std::string older = bytes;
     older.replace(format, 3, "2.2");
-    CHECK(readMsh(sourceOf(older)).faults().front().code == "binary");
+    CHECK(triangles(readMsh(sourceOf(older))).faults().front().code == "binary");
     // Counts.
     for (const std::uint64_t count : {kHuge, kMany, ~std::uint64_t{0}}) {
         checkRefused(with(bytes, entities, count), "bad-count", entities);
@@ -151,7 +151,7 @@ TEST_CASE("Binary MSH: a truncated file is refused with a valid byte position") 
     const std::string bytes = written(writeMsh4Binary, twoRegionMesh(3, 2));
     for (std::size_t size = 0; size + 2 < bytes.size(); ++size) {
         CAPTURE(size);
-        const Result<TriMesh> mesh = readMsh(sourceOf(bytes.substr(0, size), "cut"));
+        const Result<TriMesh> mesh = triangles(readMsh(sourceOf(bytes.substr(0, size), "cut")));
         // After the nodes, a cut between two sections leaves a valid file.
         if (mesh.ok()) {
             const bool afterNodes = size > bytes.find("$EndNodes") && size <= bytes.find("$Elements");
@@ -179,7 +179,7 @@ TEST_CASE("Binary MSH: flipped bits are refused with a place, or harmless") {
             char &byte = broken[random() % broken.size()];
             byte = static_cast<char>(byte ^ (1 << (random() % 8)));
         }
-        const Result<TriMesh> mesh = readMsh(sourceOf(broken, "flipped"));
+        const Result<TriMesh> mesh = triangles(readMsh(sourceOf(broken, "flipped")));
         refused += mesh.ok() ? 0 : 1;
         CHECK((mesh.ok() || allLocated(mesh.faults())));
     }

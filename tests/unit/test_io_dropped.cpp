@@ -48,15 +48,15 @@ TEST_CASE("MSH: lines and triangles in several physical groups are kept once, wi
         "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n4\n3 1.5\n4 1.5\n5 2.5\n6 2.5\n$EndElementData\n";
     Result<MeshFields> read = error("unread", "not read yet");
     CHECK(notesOn(readMshFields, kNodes2 + elements + data, &read) == "several-groups 3\n");
-    CHECK(read->mesh.elements.size() == 2);
-    CHECK(read->mesh.regions == std::vector<std::int32_t>{7, 7});
+    CHECK(read->mesh.elementCount() == 2);
+    CHECK(read->mesh.blocks.front().regions == std::vector<std::int32_t>{7, 7});
     REQUIRE(read->mesh.edges.size() == 1);
     CHECK(read->mesh.edges[0].tag == 5);
     CHECK(read->elementFields.at("flux") == std::vector<double>{1.5, 2.5});
     CHECK(verify(read->mesh).empty());
     // A mesh with one group and a triangle given twice is a faulty mesh.
     const std::string twice = "$Elements\n2\n3 2 2 7 1 1 2 3\n4 2 2 7 1 1 2 3\n$EndElements\n";
-    Result<TriMesh> faulty = error("unread", "not read yet");
+    Result<Mesh> faulty = error("unread", "not read yet");
     CHECK(notesOn(readMsh, kNodes2 + twice, &faulty).empty());
     CHECK(hasErrors(verify(*faulty)));
     const std::string msh4 =
@@ -79,15 +79,15 @@ TEST_CASE("MSH: time steps and fields that are not read are noted") {
 
 TEST_CASE("Abaqus: elements outside every set share no tag with a set") {
     const std::string nodes = "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n";
-    Result<TriMesh> mesh = error("unread", "not read yet");
+    Result<Mesh> mesh = error("unread", "not read yet");
     CHECK(notesOn(readAbaqus,
                   nodes + "*ELEMENT, TYPE=T3D2\n8, 1, 2\n*ELEMENT, TYPE=T3D2, ELSET=wall\n9, 2, 3\n"
                           "*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n2, 1, 3, 4\n*ELSET, ELSET=steel\n2\n",
                   &mesh)
               .empty());
-    REQUIRE(mesh->regions.size() == 2);
-    CHECK(mesh->regionNames == std::map<std::int32_t, std::string>{{mesh->regions[1], "steel"}});
-    CHECK(mesh->regions[0] != mesh->regions[1]);
+    REQUIRE(mesh->blocks.front().regions.size() == 2);
+    CHECK(mesh->regionNames == std::map<std::int32_t, std::string>{{mesh->blocks.front().regions[1], "steel"}});
+    CHECK(mesh->blocks.front().regions[0] != mesh->blocks.front().regions[1]);
     REQUIRE(mesh->edges.size() == 2);
     CHECK(mesh->boundaryNames == std::map<std::int32_t, std::string>{{mesh->edges[1].tag, "wall"}});
     CHECK(mesh->edges[0].tag != mesh->edges[1].tag);
@@ -96,7 +96,7 @@ TEST_CASE("Abaqus: elements outside every set share no tag with a set") {
                                 "*SURFACE, NAME=s, TYPE=ELEMENT\n_s_S1, S1\n";
     CHECK(notesOn(readAbaqus, nodes + surface, &mesh).empty());
     CHECK(mesh->regionNames.empty());
-    CHECK(mesh->regions == std::vector<std::int32_t>{1, 1});
+    CHECK(mesh->blocks.front().regions == std::vector<std::int32_t>{1, 1});
     CHECK(mesh->edges.size() == 1);
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("Abaqus: sets that are not used, or overrule each other, are noted") {
 }
 
 TEST_CASE("OBJ: all points of a statement are read; further values of vertices are noted; comments are comments") {
-    Result<TriMesh> mesh = error("unread", "not read yet");
+    Result<Mesh> mesh = error("unread", "not read yet");
     const std::string text = "# tag along\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\ng fixed\np 1 2 -1\n";
     CHECK(notesOn(readObj, text, &mesh) == "vertex-values 3\n");
     REQUIRE(mesh->points.size() == 3);
@@ -132,7 +132,7 @@ TEST_CASE("Triangle: attributes and labels that are not used are noted; comments
         ImportNotes notes;
         SourceText ofNodes = sourceOf(nodes), ofElements = sourceOf(elements);
         ofNodes.notes = ofElements.notes = &notes;
-        const Result<TriMesh> mesh = readTriangleParts(ofNodes, ofElements, nullptr);
+        const Result<Mesh> mesh = readTriangleParts(ofNodes, ofElements, nullptr);
         REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
         std::string list;
         for (const ImportNote &note : notes.entries()) {

@@ -45,7 +45,7 @@ TEST_CASE("readMshField: by name, of any sign, the last of several time steps") 
     const auto field = fieldIn(readMshFields, sourceOf(text), "heat");
     REQUIRE_MESSAGE(field.ok(), messages(field.faults()));
     CHECK(field->values == std::vector<double>{5, 6, 7, -8});
-    CHECK(field->mesh.elements.size() == 2);
+    CHECK(field->mesh.elementCount() == 2);
     CHECK(fieldIn(readMshFields, sourceOf(text), "flow")->values[2] == 1.0);
     const auto missing = fieldIn(readMshFields, sourceOf(text), "cold");
     REQUIRE_FALSE(missing.ok());
@@ -141,7 +141,7 @@ TEST_CASE("readVtkFields: values of triangles without those of lines, and no tag
     source.notes = &notes;
     const auto read = readVtkFields(source);
     REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
-    CHECK(read->mesh.region(0) == 4);
+    CHECK(MeshView(read->mesh).region(0) == 4);
     CHECK(read->elementFields == NamedFields{{"flux", {-0.5}}});
     REQUIRE(notes.entries().size() == 1);
     CHECK(notes.entries().front().message.find("'v' is ignored: it has 3 components") != std::string::npos);
@@ -156,7 +156,7 @@ TEST_CASE("readVtkFields: an array named like tags is a field if its values are 
     const auto read = readVtkFields(source);
     REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
     CHECK(read->elementFields == NamedFields{{"region", {2.5}}});
-    CHECK(read->mesh.region(0) == 2);
+    CHECK(MeshView(read->mesh).region(0) == 2);
     REQUIRE(notes.entries().size() == 1);
     CHECK(notes.entries().front().code == "real-tags");
     CHECK(notes.entries().front().message.find("'region'") != std::string::npos);

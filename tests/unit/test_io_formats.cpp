@@ -51,7 +51,7 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
         const auto path = folder / (std::string("mesh_") + format.id + format.extension);
         const Status status = writeMesh(path, mesh, format.id);
         REQUIRE_MESSAGE(status.empty(), messages(status));
-        const auto back = allFormats().readMesh(path);
+        const auto back = triangles(allFormats().readMesh(path));
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
         CHECK(difference(std::string(format.id) == "obj" ? byRegion(mesh) : mesh, *back) == "");
         CHECK(verify(*back).empty());
@@ -90,7 +90,7 @@ TEST_CASE("Formats: reading a mesh of any format reports its progress and can be
         CHECK(hasCode(cancelled.faults(), "cancelled"));
         CHECK(cancelled.faults().front().message == "reading was cancelled");
         CHECK(reports.size() < all);
-        CHECK(hasCode(allFormats().readMesh(path, options).faults(), "cancelled")); // the request is still there
+        CHECK(hasCode(triangles(allFormats().readMesh(path, options)).faults(), "cancelled")); // the request is still there
     }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("Formats: readers that go through the elements twice can be cancelled 
                                 }
                             },
                             stop.get_token()};
-        const auto cancelled = allFormats().readMesh(path, options);
+        const auto cancelled = triangles(allFormats().readMesh(path, options));
         CHECK(again);
         REQUIRE_FALSE(cancelled.ok());
         CHECK(cancelled.faults().front().message == "reading was cancelled");
@@ -132,7 +132,7 @@ TEST_CASE("Formats: round trip of a mesh of one region without names, edges or p
         CAPTURE(format.id);
         const auto path = folder / (std::string("mesh_") + format.id + format.extension);
         REQUIRE(writeMesh(path, mesh, format.id).empty());
-        const auto back = allFormats().readMesh(path);
+        const auto back = triangles(allFormats().readMesh(path));
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
         CHECK(difference(mesh, *back) == "");
         CHECK(back->regions == std::vector<std::int32_t>(mesh.elements.size(), 1));
@@ -192,7 +192,7 @@ endmesh
 Result<TriMesh> readNetgenText(const std::string &text) {
     const TemporaryFolder folder;
     std::ofstream(folder / "mesh.vol") << text;
-    return allFormats().readMesh(folder / "mesh.vol");
+    return triangles(allFormats().readMesh(folder / "mesh.vol"));
 }
 
 /// Returns the text with the first occurrence of a part replaced.
@@ -264,9 +264,9 @@ TEST_CASE("Formats: the default of an extension, unknown formats and cancelling"
     CHECK(version == "2.2");
     CHECK(hasCode(writeMesh(folder / "a.xyz", mesh), "unknown-format"));
     CHECK(hasCode(writeMesh(folder / "a.msh", mesh, "project"), "unknown-format"));
-    CHECK(hasCode(allFormats().readMesh(folder / "none.msh").faults(), "cannot-read"));
+    CHECK(hasCode(triangles(allFormats().readMesh(folder / "none.msh")).faults(), "cannot-read"));
     REQUIRE(writeFileAtomically(folder / "a.xyz", "what is this").empty());
-    CHECK(hasCode(allFormats().readMesh(folder / "a.xyz").faults(), "unknown-format"));
+    CHECK(hasCode(triangles(allFormats().readMesh(folder / "a.xyz")).faults(), "unknown-format"));
     std::stop_source stop;
     stop.request_stop();
     Progress progress;
@@ -279,12 +279,12 @@ TEST_CASE("Formats: content takes precedence over a wrong extension") {
     const TemporaryFolder folder;
     const TriMesh mesh = samples::square(3, 3);
     REQUIRE(writeMesh(folder / "mesh.txt", mesh, "msh2").empty());
-    const auto back = allFormats().readMesh(folder / "mesh.txt");
+    const auto back = triangles(allFormats().readMesh(folder / "mesh.txt"));
     REQUIRE(back.ok());
     CHECK(difference(mesh, *back) == "");
     REQUIRE(writeProject(folder / "project.txt", fullDocument()).empty());
     CHECK(readDocument(folder / "project.txt").ok());
-    CHECK(hasCode(allFormats().readMesh(folder / "project.txt").faults(), "unknown-format"));
+    CHECK(hasCode(triangles(allFormats().readMesh(folder / "project.txt")).faults(), "unknown-format"));
 }
 
 TEST_CASE("TextScanner: numbers, comments and places") {

@@ -24,7 +24,7 @@ std::string twoSquares(const std::string &names, const std::string &lines, int l
 }
 
 TriMesh meshOf(const std::string &text) {
-    const auto mesh = readMsh(sourceOf(text));
+    const auto mesh = triangles(readMsh(sourceOf(text)));
     REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
     return *mesh;
 }

@@ -19,8 +19,8 @@ TEST_CASE("Files in memory: every format that can be written to a stream is read
         }
         CAPTURE(format.id);
         ++formats;
-        const Result<TriMesh> byId = readMesh(MemoryFile{sink.text, format.id});
-        const Result<TriMesh> byName = readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension});
+        const Result<TriMesh> byId = triangles(readMesh(MemoryFile{sink.text, format.id}));
+        const Result<TriMesh> byName = triangles(readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension}));
         const Result<Domain> domain = readDomain(MemoryFile{sink.text, format.id});
         REQUIRE(byId);
         REQUIRE(byName);
@@ -46,12 +46,12 @@ TEST_CASE("Files in memory: a domain by its content alone, and a grid of sizes")
 
 TEST_CASE("Files in memory: faults name the file as the caller does") {
     const Result<TriMesh> bad =
-        readMesh(MemoryFile{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n", "plate.msh"});
+        triangles(readMesh(MemoryFile{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n", "plate.msh"}));
     REQUIRE_FALSE(bad);
     CHECK(bad.faults().front().file == "plate.msh");
     CHECK(bad.faults().front().line == 5);
-    CHECK(readMesh(MemoryFile{"", "msh2"}).faults().front().code == "empty-file");
-    const Result<TriMesh> unknown = readMesh(MemoryFile{"no mesh at all"});
+    CHECK(triangles(readMesh(MemoryFile{"", "msh2"})).faults().front().code == "empty-file");
+    const Result<TriMesh> unknown = triangles(readMesh(MemoryFile{"no mesh at all"}));
     REQUIRE_FALSE(unknown);
     CHECK(unknown.faults().front().code == "unknown-format");
     CHECK(unknown.faults().front().file == "memory");

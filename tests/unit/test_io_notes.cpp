@@ -31,7 +31,7 @@ std::string codesOf(const ImportNotes &notes) {
 }
 
 /// The fault for an element that refers to a node twice.
-Diagnostic refusalOf(const Result<TriMesh> &mesh) {
+Diagnostic refusalOf(const Result<Mesh> &mesh) {
     REQUIRE_FALSE(mesh.ok());
     CHECK(allLocated(mesh.faults()));
     return mesh.faults()[0];
@@ -183,7 +183,7 @@ TEST_CASE("SU2: what solvers alone use is skipped with its data, several zones a
         "NDIME= 2\nAOA_OFFSET= 0\n" + mesh + solver + "NMARK= 1\nMARKER_TAG= a\nMARKER_ELEMS= 1\n3 0 1\n";
     SourceText source = sourceOf(text);
     source.notes = &notes;
-    const auto read = readSu2(source);
+    const auto read = triangles(readSu2(source));
     REQUIRE(read.ok());
     CHECK(read->elements.size() == 1);
     CHECK(read->edges.size() == 1);

@@ -115,7 +115,7 @@ void checkPartitions(const std::string &text) {
     source.notes = &notes;
     const auto read = readMshFields(source);
     REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
-    const TriMesh &mesh = read->mesh;
+    const TriMesh mesh = takeTriMesh(read->mesh);
     CHECK(mesh.regionNames == std::map<std::int32_t, std::string>{{3, "plate"}});
     CHECK(mesh.boundaryNames == std::map<std::int32_t, std::string>{{7, "inlet"}});
     REQUIRE(mesh.elements.size() == 2);
@@ -153,7 +153,7 @@ TEST_CASE("MSH 4.1: pieces without a group get the tag of the entity that they a
     for (const std::string group : {"0 1 3 1 1\n", "0 1 3 1 5\n"}) {
         text.replace(text.find(group), group.size(), "0 0" + group.substr(5));
     }
-    const auto mesh = readMsh(sourceOf(text));
+    const auto mesh = triangles(readMsh(sourceOf(text)));
     REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
     CHECK(mesh->region(0) == 1);
     CHECK(mesh->region(1) == 1);
@@ -164,6 +164,6 @@ TEST_CASE("MSH 2.2: partitions are a field") {
         readMshFields(sourceOf("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
                                "$EndNodes\n$Elements\n2\n1 2 4 3 1 1 2 1 2 3\n2 2 5 3 1 2 1 -2 1 3 4\n$EndElements\n"));
     REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
-    CHECK(read->mesh.region(1) == 3);
+    CHECK(MeshView(read->mesh).region(1) == 3);
     CHECK(read->elementFields == NamedFields{{"partition", {2, 1}}});
 }

@@ -50,11 +50,11 @@ TagsRead tagsIn(const TriMesh &mesh, const ImportNotes &notes) {
     return tags;
 }
 
-TagsRead tagsOfMesh(Result<TriMesh> (*read)(const SourceText &), const std::string &text) {
+TagsRead tagsOfMesh(Result<Mesh> (*read)(const SourceText &), const std::string &text) {
     ImportNotes notes;
     SourceText source = sourceOf(text);
     source.notes = &notes;
-    const Result<TriMesh> mesh = read(source);
+    const Result<TriMesh> mesh = triangles(read(source));
     REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
     return tagsIn(*mesh, notes);
 }

@@ -148,7 +148,7 @@ TEST_CASE("Formats: random meshes keep elements, tags and names in every format"
             const auto path = folder / (std::string("mesh") + format.extension);
             const Status status = writeMesh(path, mesh, format.id);
             REQUIRE_MESSAGE(status.empty(), messages(status));
-            const auto back = allFormats().readMesh(path);
+            const auto back = triangles(allFormats().readMesh(path));
             REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
             CHECK(content(*back) == expected);
         }
@@ -187,7 +187,7 @@ TEST_CASE("MSH: edges keep tag and name; regions and points that share them are 
     CHECK(physicalNames(written(writeMsh4, mesh)) == expected);
     const std::string text = written(writeMsh2, mesh);
     CHECK(text.find("$Comments") > text.find("$EndElements")); // deal.II expects only $PhysicalNames before $Nodes
-    const auto back = readMsh(sourceOf(text));
+    const auto back = triangles(readMsh(sourceOf(text)));
     REQUIRE(back.ok());
     CHECK(content(*back) == content(mesh));
 }
@@ -236,13 +236,13 @@ TEST_CASE("VTK legacy: names in a field block, as earlier versions wrote them, a
     const std::string head = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\n";
     const std::string grid = "POINTS 3 double\n0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\nCELL_DATA 1\n"
                              "SCALARS region int 1\nLOOKUP_TABLE warm\n4\n";
-    const auto old = readVtk(sourceOf(head + "FIELD FieldData 1\nregion:sea%20bed 1 1 int\n4\n" + grid));
+    const auto old = triangles(readVtk(sourceOf(head + "FIELD FieldData 1\nregion:sea%20bed 1 1 int\n4\n" + grid)));
     REQUIRE_MESSAGE(old.ok(), messages(old.faults()));
     CHECK(regionName(old->regionNames, 4) == "sea bed");
-    const auto foreign = readVtk(sourceOf(head + grid + "LOOKUP_TABLE warm 2\n0 0 0 1\n1 0.5 0 1\n"));
+    const auto foreign = triangles(readVtk(sourceOf(head + grid + "LOOKUP_TABLE warm 2\n0 0 0 1\n1 0.5 0 1\n")));
     REQUIRE_MESSAGE(foreign.ok(), messages(foreign.faults()));
     CHECK(foreign->regionNames.empty());
-    const auto cut = readVtk(sourceOf(head + grid + "LOOKUP_TABLE warm 2\n0 0 0 1\n1 0.5\n"));
+    const auto cut = triangles(readVtk(sourceOf(head + grid + "LOOKUP_TABLE warm 2\n0 0 0 1\n1 0.5\n")));
     CHECK(hasCode(cut.faults(), "bad-number"));
 }
 
@@ -353,7 +353,7 @@ TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characte
     }
     CHECK(exportNotes("b.inp", samples::square(2, 2)).empty());
     CHECK(exportNotes("a.vtu", mesh).empty());
-    const auto back = allFormats().readMesh(folder / "a.inp");
+    const auto back = triangles(allFormats().readMesh(folder / "a.inp"));
     REQUIRE(back.ok());
     CHECK(content(*back) == content(mesh));
 }

@@ -13,5 +13,5 @@ int main() {
     forefront::StringSink sink;
     const bool written = !hasErrors(forefront::writeMesh(sink, mesh, "msh2"));
     const auto back = forefront::readMesh(forefront::MemoryFile{sink.text, "msh2"});
-    return written && back && back->elements.size() == mesh.elements.size() ? 0 : 1;
+    return written && back && back->elementCount() == mesh.elements.size() ? 0 : 1;
 }
