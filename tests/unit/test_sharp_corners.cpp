@@ -135,6 +135,6 @@ TEST_CASE("sharpCorners: a wedge outside the mesh does not count, but one betwee
 }
 
 TEST_CASE("sharpCorners: a mesh without elements has none") {
-    CHECK(sharpCorners({}, 20.0).corners.empty());
-    CHECK(sharpCorners({}, 20.0).minAngleElsewhere == 0.0);
+    CHECK(sharpCorners(TriMesh(), 20.0).corners.empty());
+    CHECK(sharpCorners(TriMesh(), 20.0).minAngleElsewhere == 0.0);
 }

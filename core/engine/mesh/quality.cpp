@@ -24,13 +24,19 @@ double spacingConformity(double segmentLength, double rho) {
 
 std::vector<float> shapeFactors(const MeshView &mesh) {
     std::vector<float> alpha(mesh.elementCount());
+    const Vec2 *const places = mesh.nodes.data();
     for (const MeshView::Block &block : mesh.blocks()) {
-        const std::size_t step = block.traits().nodes;
-        const NodeId *n = block.connectivity.data();
-        for (std::size_t k = 0, count = block.size(); k < count; ++k, n += step) {
-            alpha[block.first + k] = static_cast<float>(
-                step == 3 ? shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])])
-                          : shapeFactor(PlacedCell(block, k, mesh.nodes)));
+        float *value = alpha.data() + block.first;
+        if (block.kind == CellKind::Triangle3) {
+            const NodeId *const end = block.connectivity.data() + block.connectivity.size();
+            for (const NodeId *n = block.connectivity.data(); n != end; n += 3) {
+                *value++ =
+                    static_cast<float>(shapeFactor(places[index(n[0])], places[index(n[1])], places[index(n[2])]));
+            }
+        } else {
+            for (std::size_t k = 0; k < block.size(); ++k) {
+                *value++ = static_cast<float>(shapeFactor(PlacedCell(block, k, mesh.nodes)));
+            }
         }
     }
     return alpha;
@@ -76,11 +82,12 @@ class ConformityMean {
 
 void measureShapes(const MeshView &mesh, MeshQuality &quality) {
     ShapeTally tally;
+    const Vec2 *const places = mesh.nodes.data();
     for (const MeshView::Block &block : mesh.blocks()) {
         if (block.kind == CellKind::Triangle3) {
             const NodeId *const end = block.connectivity.data() + block.connectivity.size();
             for (const NodeId *n = block.connectivity.data(); n != end; n += 3) {
-                tally.add(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
+                tally.add(places[index(n[0])], places[index(n[1])], places[index(n[2])]);
             }
         } else {
             for (std::size_t k = 0; k < block.size(); ++k) {
@@ -96,6 +103,17 @@ void measurePercentiles(const MeshView &mesh, MeshQuality &quality) {
     quality.alpha50 = percentile(alpha, 0.50);
     quality.alpha5 = percentile(alpha, 0.05);
     quality.alpha1 = percentile(alpha, 0.01);
+}
+
+/// Counts the elements of a block at their corners.
+template <std::size_t Corners>
+void countCorners(const MeshView::Block &block, std::vector<std::uint32_t> &counts) {
+    const std::size_t step = block.traits().nodes;
+    for (const NodeId *n = block.connectivity.data(), *end = n + block.connectivity.size(); n != end; n += step) {
+        for (std::size_t k = 0; k < Corners; ++k) {
+            ++counts[index(n[k])];
+        }
+    }
 }
 
 void measureEdges(const MeshView &mesh, const SpacingField *spacing, MeshQuality &quality) {
@@ -117,13 +135,7 @@ void measureEdges(const MeshView &mesh, const SpacingField *spacing, MeshQuality
 
     std::vector<std::uint32_t> elementsAt(mesh.nodes.size(), 0);
     for (const MeshView::Block &block : mesh.blocks()) {
-        const std::size_t step = block.traits().nodes, corners = block.traits().corners;
-        const NodeId *const end = block.connectivity.data() + block.connectivity.size();
-        for (const NodeId *n = block.connectivity.data(); n != end; n += step) {
-            for (std::size_t k = 0; k < corners; ++k) {
-                ++elementsAt[index(n[k])];
-            }
-        }
+        block.traits().corners == 3 ? countCorners<3>(block, elementsAt) : countCorners<4>(block, elementsAt);
     }
     for (std::size_t n = 0; n < elementsAt.size(); ++n) {
         if (!onBoundary[n] && elementsAt[n] > 0) {

@@ -33,6 +33,12 @@ void ShapeTally::CotangentRange::addAt(Vec2 before, Vec2 tip, Vec2 after) {
 
 namespace {
 
+double scaledJacobianOf(Vec2 a, Vec2 b, Vec2 c) {
+    PlacedCell cell;
+    cell.nodes = {a, b, c};
+    return scaledJacobian(cell);
+}
+
 double degreesOfCotangent(double cotangent) {
     return std::atan2(1.0, cotangent) * 180.0 / std::numbers::pi;
 }
@@ -53,7 +59,7 @@ double ShapeTally::CotangentRange::sineOfMin() const {
                                                                  : 1.0 / std::sqrt(1.0 + maxCot_ * maxCot_);
 }
 
-void ShapeTally::addAlpha(double alpha) {
+inline void ShapeTally::addAlpha(double alpha) {
     sum_ += alpha;
     if (alpha < minAlpha_) {
         minAlpha_ = alpha;
@@ -69,16 +75,14 @@ void ShapeTally::addAlpha(double alpha) {
 }
 
 void ShapeTally::add(Vec2 a, Vec2 b, Vec2 c) {
-    const double twice = cross(b - a, c - a);
-    twiceArea_ += twice;
+    const double alpha = shapeFactor(a, b, c);
+    twiceArea_ += cross(b - a, c - a);
     angles_.add(a, b, c);
-    if (!(twice > 0.0)) { // the angles know of those that are positive
-        PlacedCell cell;
-        cell.nodes = {a, b, c};
-        minScaledJacobian_ = std::min(minScaledJacobian_, scaledJacobian(cell));
+    if (!(alpha > 0.0)) [[unlikely]] { // the angles know of those that are positive
+        minScaledJacobian_ = std::min(minScaledJacobian_, scaledJacobianOf(a, b, c));
     }
     flat_ += isFlat(a, b, c) ? 1 : 0;
-    addAlpha(shapeFactor(a, b, c));
+    addAlpha(alpha);
 }
 
 void ShapeTally::add(const PlacedCell &cell) {
