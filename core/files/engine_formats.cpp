@@ -16,16 +16,21 @@
 namespace forefront {
 namespace {
 
-using enum CellKind;
-
-constexpr CellSet kFirstOrder = {Point, Edge2, Triangle3, Quadrilateral4};
+constexpr CellSet kFirstOrder = {CellKind::Point, CellKind::Edge2, CellKind::Triangle3, CellKind::Quadrilateral4};
 // GMF has a keyword for quadrilaterals of 9 nodes, but none for those of 8.
-constexpr CellSet kMeditCells = {Point, Edge2, Edge3, Triangle3, Triangle6, Quadrilateral4, Quadrilateral9};
+constexpr CellSet kMeditCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
+                                 CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
+                                 CellKind::Quadrilateral9};
 // Abaqus has no plane element of 9 nodes. Edges are sides of elements, with the middle nodes of those.
-constexpr CellSet kAbaqusCells = {Point, Edge2, Edge3, Triangle3, Triangle6, Quadrilateral4, Quadrilateral8};
+constexpr CellSet kAbaqusCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
+                                  CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
+                                  CellKind::Quadrilateral8};
 // The middle nodes of edges are those of the triangles beside them.
-constexpr CellSet kTriangleCells = {Point, Edge2, Edge3, Triangle3, Triangle6};
-constexpr CellSet kNetgenCells = {Point, Edge2, Edge3, Triangle3, Triangle6, Quadrilateral4, Quadrilateral8};
+constexpr CellSet kTriangleCells = {CellKind::Point, CellKind::Edge2, CellKind::Edge3, CellKind::Triangle3,
+                                    CellKind::Triangle6};
+constexpr CellSet kNetgenCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
+                                  CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
+                                  CellKind::Quadrilateral8};
 
 // Every format with its name, its capabilities and its functions.
 constexpr std::array kFormats = {

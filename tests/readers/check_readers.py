@@ -27,6 +27,7 @@ except ImportError as problem:
 if missing:
     print("readers missing:", ", ".join(missing))
     sys.exit(1 if os.environ.get("FOREFRONT_REQUIRE_READERS") else 77)
+import check_cells
 
 
 class Gmsh:
@@ -461,7 +462,7 @@ def main():
             (f"MEDIT solved by FreeFem++{name}",
              lambda s=s, f=f: check_freefem(s, f["medit"], 'readmesh("%s")', by_tag, folder)),
             (f"VTK legacy by FreeFem++{name}", lambda s=s, f=f: check_freefem_vtk(s, f["vtk"], folder))]
-    sys.exit(0 if samples.run(checks)[1] else 1)
+    sys.exit(0 if samples.run(checks + check_cells.checks(samples))[1] else 1)
 
 
 main()

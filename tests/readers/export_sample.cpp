@@ -6,15 +6,19 @@
 #include "core/engine/mesher/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
+#include "tests/unit/block_samples.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string_view>
+#include <utility>
 
 using namespace forefront;
 
@@ -122,6 +126,73 @@ int exportDomain(const std::filesystem::path &folder, const std::string &name, c
     return whole != 0 ? whole : exportAll(folder, name + "-outline", withoutInnerEdges(outcome->mesh));
 }
 
+/// Writes a mesh of any kinds of cells in every format that holds them, with all its cells as JSON.
+int exportCells(const std::filesystem::path &folder, const std::string &name, const Mesh &mesh) {
+    nlohmann::json truth;
+    truth["boundaries"] = mesh.boundaryNames;
+    truth["regions"] = mesh.regionNames;
+    for (const Vec2 node : mesh.nodes) {
+        truth["nodes"].push_back({node.x, node.y});
+    }
+    const auto add = [&](CellKind kind, std::int32_t tag, std::span<const NodeId> nodes) {
+        nlohmann::json cell = {{"kind", wordsOf<CellKind>()[static_cast<std::size_t>(kind)]}, {"tag", tag}};
+        for (const NodeId node : nodes) {
+            cell["nodes"].push_back(index(node));
+        }
+        truth["cells"].push_back(cell);
+    };
+    const MeshView view(mesh);
+    for (std::size_t e = 0; e < view.elementCount(); ++e) {
+        add(view.kindOf(e), view.region(e), view.nodesOf(e));
+    }
+    for (const TaggedEdge &edge : mesh.edges) {
+        const bool curved = edge.middle != kNoNode;
+        add(curved ? CellKind::Edge3 : CellKind::Edge2, edge.tag,
+            std::span<const NodeId>(std::array{edge.a, edge.b, edge.middle}).first(curved ? 3 : 2));
+    }
+    for (const FileFormat &format : allFormats().list()) {
+        if (format.writesMesh && checkElements(format, mesh).empty()) {
+            const std::filesystem::path path = folder / (name + '-' + format.id + format.extension);
+            const Status status = writeMesh(path, mesh, format.id);
+            if (hasErrors(status)) {
+                return fail(status);
+            }
+            truth["files"][format.id] = path.string();
+        }
+    }
+    std::ofstream(folder / (name + ".json")) << truth.dump() << '\n';
+    return 0;
+}
+
+/// Returns a mesh with curved edges and few digits: CalculiX reads at most 20 characters of a number.
+Mesh curved(const Mesh &mesh) {
+    Mesh result = samples::bent(mesh, 0.1);
+    for (Vec2 &node : result.nodes) {
+        node = {std::round(1e6 * node.x) / 1e6, std::round(1e6 * node.y) / 1e6};
+    }
+    return result;
+}
+
+/// Meshes of triangles and of other cells, the second-order ones with curved edges.
+int exportAllCells(const std::filesystem::path &folder) {
+    const auto of = [](CellKind triangle, CellKind quadrilateral) {
+        return samples::gridOfCells(
+            4, 3, [=](std::size_t i, std::size_t j) { return (i + 2 * j) % 3 == 0 ? triangle : quadrilateral; }, 0.15);
+    };
+    const std::pair<const char *, Mesh> meshes[] = {
+        {"mixed", samples::mixedSample()},
+        {"curved6", curved(samples::sampleMesh(CellKind::Triangle6))},
+        {"curved8", curved(of(CellKind::Triangle6, CellKind::Quadrilateral8))},
+        {"curved9", curved(of(CellKind::Triangle6, CellKind::Quadrilateral9))},
+        {"kinds", samples::allKindsSample()}};
+    for (const auto &[name, mesh] : meshes) {
+        if (const int code = exportCells(folder, name, mesh); code != 0) {
+            return code;
+        }
+    }
+    return 0;
+}
+
 int printFigures(const std::filesystem::path &path, const char *field) {
     const Result<MeshField> read = allFormats().readField(path, field);
     if (!read) {
@@ -152,5 +223,6 @@ int main(int argc, char **argv) {
     std::filesystem::create_directories(folder);
     int code = exportDomain(folder, "sample", twoRegions(), 0.25);
     code = code != 0 ? code : exportDomain(folder, "twins", twins(), 0.25);
-    return code != 0 ? code : exportDomain(folder, "strip", strip(), 0.5);
+    code = code != 0 ? code : exportDomain(folder, "strip", strip(), 0.5);
+    return code != 0 ? code : exportAllCells(folder);
 }
