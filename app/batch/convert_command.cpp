@@ -96,7 +96,8 @@ Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) 
 void printSize(const Mesh &mesh, const ConvertArguments &arguments) {
     std::string text = std::to_string(mesh.nodes.size()) + " nodes";
     for (const CellBlock &block : mesh.blocks) {
-        text += ", " + std::to_string(block.size()) + ' ' + (block.size() == 1 ? block.traits().name : block.traits().plural);
+        text += ", " + std::to_string(block.size()) + ' ' +
+                (block.size() == 1 ? block.traits().name : block.traits().plural);
     }
     std::fprintf(arguments.messages(), "%s\n", text.c_str());
 }

@@ -8,6 +8,7 @@
 #include "core/drawing_files/svg/svg.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
+#include "core/engine/mesh/triangulated.hpp"
 #include "core/files/format.hpp"
 #include "core/files/png/png.hpp"
 #include "core/files/triangle/triangle.hpp"
@@ -19,6 +20,8 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 
 namespace forefront::fuzz {
@@ -52,17 +55,21 @@ void checkNotes(const ImportNotes &notes) {
     }
 }
 
-void checkMesh(const TriMesh &mesh) {
+void checkMesh(const Mesh &mesh) {
     const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
     demand(std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite), "coordinates are finite");
-    demand(mesh.regions.empty() || mesh.regions.size() == mesh.elements.size(), "a region for every element");
-    for (const Element &element : mesh.elements) {
-        demand(std::all_of(element.begin(), element.end(), known), "elements use nodes that exist");
-        demand(element[0] != element[1] && element[1] != element[2] && element[2] != element[0],
-               "elements have three different nodes");
+    for (const CellBlock &block : mesh.blocks) {
+        demand(block.regions.size() == block.size(), "a region for every element");
+        for (std::size_t e = 0; e < block.size(); ++e) {
+            const std::span<const NodeId> nodes = block.nodesOf(e);
+            demand(std::all_of(nodes.begin(), nodes.end(), known), "elements use nodes that exist");
+            demand(std::set<NodeId>(nodes.begin(), nodes.end()).size() == nodes.size(),
+                   "elements refer to no node twice");
+        }
     }
     for (const TaggedEdge &edge : mesh.edges) {
         demand(known(edge.a) && known(edge.b) && edge.tag >= 1, "edges use nodes that exist and have a tag");
+        demand(edge.middle == kNoNode || known(edge.middle), "middles of edges are nodes that exist");
     }
     for (const TaggedNode &point : mesh.points) {
         demand(known(point.node) && point.tag >= 1, "points are nodes that exist and have a tag");
@@ -137,6 +144,9 @@ void runFormat(const Format &format, std::string_view bytes) {
     if (format.readMesh != nullptr) {
         if (const auto mesh = readWith(format.readMesh, bytes)) {
             checkMesh(*mesh);
+            const Triangulated parts = triangulated(*mesh);
+            demand(parts.mesh.nodes.size() == mesh->nodes.size(), "splitting elements adds no nodes");
+            demand(parts.elementOf.size() == parts.realEdges.size(), "each triangle is a part of an element");
             if (const auto domain = domainOfMesh(*mesh)) {
                 checkDomain(*domain);
             }

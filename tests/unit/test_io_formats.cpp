@@ -90,7 +90,8 @@ TEST_CASE("Formats: reading a mesh of any format reports its progress and can be
         CHECK(hasCode(cancelled.faults(), "cancelled"));
         CHECK(cancelled.faults().front().message == "reading was cancelled");
         CHECK(reports.size() < all);
-        CHECK(hasCode(triangles(allFormats().readMesh(path, options)).faults(), "cancelled")); // the request is still there
+        CHECK(hasCode(triangles(allFormats().readMesh(path, options)).faults(),
+                      "cancelled")); // the request is still there
     }
 }
 

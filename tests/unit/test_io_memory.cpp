@@ -20,7 +20,8 @@ TEST_CASE("Files in memory: every format that can be written to a stream is read
         CAPTURE(format.id);
         ++formats;
         const Result<TriMesh> byId = triangles(readMesh(MemoryFile{sink.text, format.id}));
-        const Result<TriMesh> byName = triangles(readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension}));
+        const Result<TriMesh> byName =
+            triangles(readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension}));
         const Result<Domain> domain = readDomain(MemoryFile{sink.text, format.id});
         REQUIRE(byId);
         REQUIRE(byName);

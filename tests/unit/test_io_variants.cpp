@@ -109,11 +109,13 @@ TEST_CASE("Counts that a file announces must be those of what it holds") {
     const std::string format = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n",
                       one = "1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n$EndNodes\n";
     const std::string triangle = "2 1 2 1\n1 1 2 3\n$EndElements\n";
-    CHECK(triangles(readMsh(sourceOf(format + "$Nodes\n1 3 1 3\n2 1 0 3\n" + one + "$Elements\n1 1 1 1\n" + triangle))).ok());
+    CHECK(triangles(readMsh(sourceOf(format + "$Nodes\n1 3 1 3\n2 1 0 3\n" + one + "$Elements\n1 1 1 1\n" + triangle)))
+              .ok());
     refused(triangles(readMsh(sourceOf(format + "$Nodes\n1 4 1 3\n2 1 0 3\n" + one))), "declares 4 nodes", "hold 3");
     refused(triangles(readMsh(sourceOf(format + "$Nodes\n1 2 1 3\n2 1 0 3\n" + one))), "more nodes", "2");
-    refused(triangles(readMsh(sourceOf(format + "$Nodes\n1 3 1 3\n2 1 0 3\n" + one + "$Elements\n1 2 1 1\n" + triangle))),
-            "declares 2 elements", "hold 1");
+    refused(
+        triangles(readMsh(sourceOf(format + "$Nodes\n1 3 1 3\n2 1 0 3\n" + one + "$Elements\n1 2 1 1\n" + triangle))),
+        "declares 2 elements", "hold 1");
     const std::string nodes = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n", elements = "1 3 0\n1 1 2 3\n";
     const auto triangleMesh = [&](const std::string &n, const std::string &e) {
         const SourceText ofNodes = sourceOf(n), ofElements = sourceOf(e);
@@ -126,14 +128,14 @@ TEST_CASE("Counts that a file announces must be those of what it holds") {
                             "MARKER_ELEMS= 1\n3 0 1\n";
     refused(triangles(readSu2(sourceOf(su2))), "NMARK is 2", "holds 1 marker");
     CHECK(triangles(readSu2(sourceOf(su2 + "MARKER_TAG= b\nMARKER_ELEMS= 0\n"))).ok());
-    refused(
-        triangles(readNetgen(sourceOf("mesh3d\nsurfaceelements\n2\n1 1 0 0 3 1 2 3\npoints\n3\n0 0 0\n1 0 0\n0 1 0\nendmesh\n"))),
-        "has 1 lines", "instead of 2");
+    refused(triangles(readNetgen(
+                sourceOf("mesh3d\nsurfaceelements\n2\n1 1 0 0 3 1 2 3\npoints\n3\n0 0 0\n1 0 0\n0 1 0\nendmesh\n"))),
+            "has 1 lines", "instead of 2");
 }
 
 TEST_CASE("MSH 2: nodes with parameters are read like others") {
-    const auto mesh =
-        triangles(readMsh(sourceOf("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n3\n1 0 0 0 0 1\n2 1 0 0 1 4 0.5\n"
+    const auto mesh = triangles(
+        readMsh(sourceOf("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n3\n1 0 0 0 0 1\n2 1 0 0 1 4 0.5\n"
                          "3 0 1 0 2 1 0.25 -3\n$EndParametricNodes\n$Elements\n1\n5 2 2 7 1 1 2 3\n$EndElements\n")));
     REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
     CHECK(mesh->nodes == std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}});
