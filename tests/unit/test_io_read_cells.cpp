@@ -53,8 +53,8 @@ const std::vector<Vec2> kPlaces = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1
 std::string placeLines(const char *after, std::size_t firstNumber = 0) {
     std::string text;
     for (std::size_t n = 0; n < kPlaces.size(); ++n) {
-        text += (firstNumber > 0 ? std::to_string(n + firstNumber) + ' ' : "") + std::to_string(int(kPlaces[n].x)) + ' ' +
-                std::to_string(int(kPlaces[n].y)) + after + '\n';
+        text += (firstNumber > 0 ? std::to_string(n + firstNumber) + ' ' : "") + std::to_string(int(kPlaces[n].x)) +
+                ' ' + std::to_string(int(kPlaces[n].y)) + after + '\n';
     }
     return text;
 }
@@ -163,9 +163,8 @@ TEST_CASE("Read cells: MSH 2.2 keeps each kind and refuses others by name") {
 }
 
 TEST_CASE("Read cells: elements are grouped by kind, and numbers and values follow") {
-    const std::string text =
-        msh2Of("10 2 2 4 4 1 2 9\n20 3 2 5 5 1 9 7 4\n30 2 2 6 6 2 3 9\n", 3) +
-        "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n3\n30 3\n20 2\n10 1\n$EndElementData\n";
+    const std::string text = msh2Of("10 2 2 4 4 1 2 9\n20 3 2 5 5 1 9 7 4\n30 2 2 6 6 2 3 9\n", 3) +
+                             "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n3\n30 3\n20 2\n10 1\n$EndElementData\n";
     ImportNotes notes;
     SourceText source = sourceOf(text);
     source.notes = &notes;
@@ -214,9 +213,9 @@ TEST_CASE("Read cells: VTK refuses polygons and volume cells by name, and a wron
 
 TEST_CASE("Read cells: MEDIT sections of second order; others are refused by name") {
     const std::string head = "MeshVersionFormatted 2\nDimension 2\nVertices 9\n" + placeLines(" 0");
-    const auto mesh = readMedit(
-        sourceOf(head + "EdgesP2 1\n1 2 5 3\nTrianglesP2 1\n1 2 3 5 6 9 4\nQuadrilaterals 1\n1 9 7 4 2\nTriangles 1\n2 3 "
-                        "9 4\nEnd\n"));
+    const auto mesh = readMedit(sourceOf(
+        head + "EdgesP2 1\n1 2 5 3\nTrianglesP2 1\n1 2 3 5 6 9 4\nQuadrilaterals 1\n1 9 7 4 2\nTriangles 1\n2 3 "
+               "9 4\nEnd\n"));
     REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
     REQUIRE(mesh->blocks.size() == 3);
     const auto nodes = mesh->blocks[0].nodesOf(0);

@@ -141,7 +141,7 @@ TEST_CASE("Tags below 1: triangles and edges of Triangle stay apart") {
         SourceText ofElements = sourceOf(elements);
         ofElements.notes = &notes;
         const SourceText ofNodes = sourceOf(nodes), ofEdges = sourceOf(edges);
-        const Result<TriMesh> mesh = readTriangleParts(ofNodes, ofElements, &ofEdges);
+        const Result<TriMesh> mesh = triangles(readTriangleParts(ofNodes, ofElements, &ofEdges));
         REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
         return tagsIn(*mesh, notes);
     };
