@@ -1465,10 +1465,11 @@ class AnyElements(Case):
         self.write("cells.msh", Convert.CELLS)
         self.write("curved.msh", Convert.CURVED)
         self.assertIn("valid: 5 nodes, 2 elements", self.call("check", "cells.msh", "--measures").stdout)
-        self.assertIn("valid for the domain: 5 nodes", self.call("check", "cells.msh", "--domain", "cells.msh").stdout)
-        self.assertIn("valid for the domain: 8 nodes", self.call("check", "curved.msh", "--domain", "curved.msh").stdout)
+        self.write("whole.msh", Convert.CURVED.replace("$Elements\n2\n", "$Elements\n5\n3 8 2 6 6 2 3 6\n4 8 2 6 6 3 4 7\n"
+                                                       "5 8 2 6 6 4 1 8\n"))
+        self.assertIn("valid for the domain: 8 nodes", self.call("check", "whole.msh", "--domain", "whole.msh").stdout)
         self.assertEqual(json.loads(self.call("check", "curved.msh", "--stats", "-").stdout)["elements"], 1)
-        for name in ("cells.msh", "curved.msh"):
+        for name in ("cells.msh", "curved.msh", "whole.msh"):
             self.call("adapt", name, "--expression", "x*x", "--error", "0.1", "-o", "new.msh", "-q")
             self.assertIn("valid", self.call("check", "new.msh").stdout)
             self.call("mesh", name, "-o", "meshed.msh", "--size", "0.3", "-q")

@@ -255,12 +255,11 @@ def check_own_reader(program, folder, kind, extension, version=2.2, binary=0):
 
 
 def own_reader_checks(program, folder):
-    """(name, function) pairs for files of gmsh. It writes no keyword of second order for quadrilaterals of MEDIT."""
+    """(name, function) pairs for files of gmsh. In MEDIT it writes cells of second order under keywords of first order."""
     for kind in MADE:
         formats = [("MSH 2.2", ".msh", 2.2, 0), ("MSH 4.1", ".msh", 4.1, 0), ("binary MSH 4.1", ".msh", 4.1, 1),
                    ("VTK legacy", ".vtk", 2.2, 0), ("Abaqus", ".inp", 2.2, 0)]
-        formats += [("MEDIT", ".mesh", 2.2, 0)] if kind in ("triangle6", "quadrilateral4") else []
-        formats += [("SU2", ".su2", 2.2, 0)] if kind == "quadrilateral4" else []
+        formats += [("MEDIT", ".mesh", 2.2, 0), ("SU2", ".su2", 2.2, 0)] if kind == "quadrilateral4" else []
         for name, *options in formats:
             yield (f"{name} of gmsh with {kind} by Forefront",
                    lambda kind=kind, options=options: check_own_reader(program, folder, kind, *options))

@@ -220,14 +220,15 @@ TEST_CASE("Netgen: elements, regions, boundary parts and names are read") {
     CHECK(verify(*mesh).empty());
 }
 
-TEST_CASE("Netgen: anything other than a plane mesh of triangles is refused with its line") {
+TEST_CASE("Netgen: anything other than a plane mesh is refused with its line") {
     const auto fault = [](const std::string &part, const std::string &by) {
         const auto mesh = readNetgenText(changed(kNetgen, part, by));
         REQUIRE_FALSE(mesh.ok());
         CHECK(mesh.faults()[0].line > 0);
         return mesh.faults()[0].code;
     };
-    CHECK(fault("0 0 3 1 2 3", "0 0 6 1 2 3 4 1 2") == "not-a-triangle");
+    CHECK(fault("0 0 3 1 2 3", "0 0 5 1 2 3 4 1") == "unknown-element");
+    CHECK(fault("0 0 3 1 2 3", "0 0 6 1 2 3 4 1 2") == "degenerate-element");
     CHECK(fault("volumeelements\n0", "volumeelements\n1\n1 4 1 2 3 4") == "not-planar");
     CHECK(fault(" 0 1 0\n", " 0 1 5\n") == "not-planar");
     CHECK(fault("3 1 3 4", "3 1 3 9") == "bad-index");
