@@ -1,5 +1,6 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/files/files.hpp"
+#include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -19,9 +20,9 @@ TEST_CASE("Files in memory: every format that can be written to a stream is read
         }
         CAPTURE(format.id);
         ++formats;
-        const Result<TriMesh> byId = triangles(readMesh(MemoryFile{sink.text, format.id}));
+        const Result<TriMesh> byId = testing::triangles(readMesh(MemoryFile{sink.text, format.id}));
         const Result<TriMesh> byName =
-            triangles(readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension}));
+            testing::triangles(readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension}));
         const Result<Domain> domain = readDomain(MemoryFile{sink.text, format.id});
         REQUIRE(byId);
         REQUIRE(byName);
@@ -47,12 +48,12 @@ TEST_CASE("Files in memory: a domain by its content alone, and a grid of sizes")
 
 TEST_CASE("Files in memory: faults name the file as the caller does") {
     const Result<TriMesh> bad =
-        triangles(readMesh(MemoryFile{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n", "plate.msh"}));
+        testing::triangles(readMesh(MemoryFile{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n", "plate.msh"}));
     REQUIRE_FALSE(bad);
     CHECK(bad.faults().front().file == "plate.msh");
     CHECK(bad.faults().front().line == 5);
-    CHECK(triangles(readMesh(MemoryFile{"", "msh2"})).faults().front().code == "empty-file");
-    const Result<TriMesh> unknown = triangles(readMesh(MemoryFile{"no mesh at all"}));
+    CHECK(testing::triangles(readMesh(MemoryFile{"", "msh2"})).faults().front().code == "empty-file");
+    const Result<TriMesh> unknown = testing::triangles(readMesh(MemoryFile{"no mesh at all"}));
     REQUIRE_FALSE(unknown);
     CHECK(unknown.faults().front().code == "unknown-format");
     CHECK(unknown.faults().front().file == "memory");

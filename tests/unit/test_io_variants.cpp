@@ -76,7 +76,7 @@ TEST_CASE("MEDIT: sections of other programs are skipped and noted, empty ones o
     }
     // What cannot be left out is refused.
     for (const std::string other : {"Quadrilaterals 1\n1 2 3 1 1\n", "Tetrahedra\n1\n1 2 3 1 1\n",
-                                    "EdgesP3 1\n1 2 3 1\n", "TrianglesP2\n1\n", "7 8\n", "Vertices 1\n0 0 0\n"}) {
+                                    "EdgesP2 1\n1 2 2 1\n", "TrianglesP2\n1\n", "7 8\n", "Vertices 1\n0 0 0\n"}) {
         CAPTURE(other);
         const auto mesh = triangles(readMedit(sourceOf(head + elements + other)));
         REQUIRE_FALSE(mesh.ok());
