@@ -20,16 +20,16 @@ namespace {
 
 constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the advancing front technique.
 
-  forefront [FILE]          open the editor with a project or domain file
-  forefront view MESH       open a mesh in the editor and inspect its quality
-  forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
-  forefront check MESH      check a mesh                   (forefront check --help)
-  forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
-  forefront convert MESH -o OUT  write a mesh in another format (forefront convert --help)
-  forefront film IN -o GIF  film a run step by step        (forefront film --help)
-  forefront tables          reproduce the published tables (forefront tables --help)
-  forefront --version       print the version
-  forefront --help          print this help
+  forefront [FILE]             open the editor with a project or domain file
+  forefront view MESH          open a mesh in the editor and inspect its quality
+  forefront mesh IN -o OUT     mesh a file in batch           (forefront mesh --help)
+  forefront check MESH         check a mesh                   (forefront check --help)
+  forefront adapt MESH         remesh to a requested error    (forefront adapt --help)
+  forefront convert IN -o OUT  write a mesh in other formats  (forefront convert --help)
+  forefront film IN -o GIF     film a run step by step        (forefront film --help)
+  forefront tables             reproduce the published tables (forefront tables --help)
+  forefront --version          print the version
+  forefront --help             print this help
 
 Examples:
   forefront                                        open the editor with the sample

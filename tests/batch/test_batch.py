@@ -1412,6 +1412,93 @@ class Adapting(Case):
         self.assertIn("Examples:", self.call("adapt", "--help").stdout)
 
 
+class Convert(Case):
+    CELLS = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 5 \"in let\"\n2 3 \"plate\"\n$EndPhysicalNames\n"
+             "$Nodes\n5\n1 0 0 0\n2 2 0 0\n3 2 2 0\n4 0 2 0\n5 3 1 0\n$EndNodes\n$Elements\n3\n1 1 2 5 5 1 2\n"
+             "2 2 2 3 3 2 5 3\n3 3 2 4 4 1 2 3 4\n$EndElements\n")
+    CURVED = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 2 0 0\n3 2 2 0\n4 0 2 0\n5 1 -0.2 0\n"
+              "6 2 1 0\n7 1 2 0\n8 0 1 0\n$EndNodes\n$Elements\n2\n1 8 2 5 5 1 2 5\n2 16 2 3 3 1 2 3 4 5 6 7 8\n"
+              "$EndElements\n")
+
+    def setUp(self):
+        super().setUp()
+        self.write("cells.msh", self.CELLS)
+        self.write("curved.msh", self.CURVED)
+
+    def test_a_mesh_keeps_nodes_elements_tags_and_names_in_other_formats(self):
+        done = self.call("convert", "cells.msh", "-o", "a.vtu", "-o", "b.inp", "-o", "c.su2")
+        self.assertEqual(done.stdout, "5 nodes, 1 triangle, 1 quadrilateral\nwrote a.vtu\nwrote b.inp\nwrote c.su2\n")
+        self.call("convert", "a.vtu", "-o", "again.msh", "-q")
+        for name in ("cells.msh", "a.vtu", "b.inp", "again.msh"):
+            line = self.call("check", name).stdout.splitlines()[0]
+            self.assertIn("5 nodes, 2 elements", line)
+        hashes = {self.call("check", name).stdout.split("hash ")[1].split()[0] for name in
+                  ("cells.msh", "a.vtu", "again.msh")}
+        self.assertEqual(len(hashes), 1)
+        self.assertIn('"in let"', self.read("again.msh"))
+        self.assertIn('"plate"', self.read("again.msh"))
+        piped = subprocess.run([PROGRAM, "convert", "-", "-o", "-", "--format", "msh2", "-q"], input=self.CELLS,
+                               capture_output=True, text=True, timeout=300)
+        self.assertEqual(piped.returncode, 0, piped.stderr)
+        self.assertEqual(piped.stdout, self.read("again.msh"))
+
+    def test_what_a_format_cannot_hold_is_refused_before_anything_is_written(self):
+        for name, words in (("a.su2", "SU2 files hold no"), ("a.obj", "files hold no"), ("a.node", "files hold no")):
+            refused = self.call("convert", "curved.msh", "-o", "good.vtu", "-o", name, code=1).stderr
+            self.assertIn("[unsupported-elements]", refused)
+            self.assertIn(words, refused)
+            self.assertIn("or split the elements with --triangles", refused)
+            self.assertFalse((self.path / "good.vtu").exists() or (self.path / name).exists())
+
+    def test_elements_can_be_split_into_triangles(self):
+        done = self.call("convert", "curved.msh", "-o", "a.su2", "--triangles")
+        self.assertIn("8 nodes, 6 triangles\n", done.stdout)
+        self.assertIn("valid: 8 nodes, 6 elements", self.call("check", "a.su2").stdout)
+        self.assertIn("MARKER_ELEMS= 2", self.read("a.su2"))  # one edge of 3 nodes
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.5")
+        self.call("convert", "plate.msh", "-o", "same.msh", "--triangles", "-q")
+        self.assertEqual(self.read("plate.msh"), self.read("same.msh"))
+
+    def test_values_are_left_out_with_a_note(self):
+        self.write("flux.msh", self.CELLS + "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n1\n3 1.5\n$EndElementData\n"
+                   "$NodeData\n1\n\"heat\"\n1\n0\n3\n0\n1\n1\n1 1.5\n$EndNodeData\n")
+        noted = self.call("convert", "flux.msh", "-o", "a.vtk").stderr
+        self.assertIn("note: values of nodes and elements are left out: 'heat', 'flux' [dropped-fields]", noted)
+        self.assertEqual(self.call("convert", "flux.msh", "-o", "a.vtk", "-q").stderr, "")
+
+    def test_wrong_usage_and_bad_files_are_refused(self):
+        self.call("convert", "cells.msh", code=2)
+        self.call("convert", "-o", "a.vtu", code=2)
+        self.call("convert", "cells.msh", "-o", "a.unknown", code=2)
+        self.call("convert", "cells.msh", "-o", "a.vtu", "--format", "msh2", code=2)
+        self.assertIn("it is an input", self.call("convert", "cells.msh", "-o", "cells.msh", code=1).stderr)
+        self.assertIn("cannot-read", self.call("convert", "missing.msh", "-o", "a.vtu", code=1).stderr)
+        self.write("lines.msh", self.CELLS.replace("$Elements\n3\n1 1 2 5 5 1 2\n2 2 2 3 3 2 5 3\n3 3 2 4 4 1 2 3 4\n",
+                                                   "$Elements\n1\n1 1 2 5 5 1 2\n"))
+        self.assertIn("[empty-mesh]", self.call("convert", "lines.msh", "-o", "a.vtu", code=1).stderr)
+        self.assertIn("Examples:", self.call("convert", "--help").stdout)
+
+
+class AnyElements(Case):
+    def test_check_and_adapt_take_meshes_of_any_elements(self):
+        self.write("cells.msh", Convert.CELLS)
+        self.write("curved.msh", Convert.CURVED)
+        self.assertIn("valid: 5 nodes, 2 elements", self.call("check", "cells.msh", "--measures").stdout)
+        self.write("whole.msh", Convert.CURVED.replace("$Elements\n2\n", "$Elements\n5\n3 8 2 6 6 2 3 6\n4 8 2 6 6 3 4 7\n"
+                                                       "5 8 2 6 6 4 1 8\n"))
+        self.assertIn("valid for the domain: 8 nodes", self.call("check", "whole.msh", "--domain", "whole.msh").stdout)
+        self.assertEqual(json.loads(self.call("check", "curved.msh", "--stats", "-").stdout)["elements"], 1)
+        for name in ("cells.msh", "curved.msh", "whole.msh"):
+            self.call("adapt", name, "--expression", "x*x", "--error", "0.1", "-o", "new.msh", "-q")
+            self.assertIn("valid", self.call("check", "new.msh").stdout)
+            self.call("mesh", name, "-o", "meshed.msh", "--size", "0.3", "-q")
+            self.call("check", "meshed.msh", "--domain", name)
+        heat = "$NodeData\n1\n\"heat\"\n1\n0\n3\n0\n1\n5\n1 0.1\n2 1\n3 0.5\n4 0.2\n5 2\n$EndNodeData\n"
+        self.write("heat.msh", Convert.CELLS + heat)
+        self.call("adapt", "heat.msh", "--field", "heat", "--error", "0.2", "-o", "new.msh", "-q")
+        self.call("mesh", "cells.msh", "-o", "spaced.msh", "--spacing-file", "heat.msh", "-q")
+
+
 class RealDomains(Case):
     def test_every_file_meshes_by_default_and_with_its_boundary_kept(self):
         data = os.environ.get("FOREFRONT_DATA")

@@ -1,4 +1,5 @@
 #include "core/drawing_files/project/project.hpp"
+#include "core/files/files.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/text/base64.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
@@ -6,6 +7,8 @@
 
 #include <map>
 #include <random>
+#include <span>
+#include <vector>
 
 namespace forefront::fuzz {
 
@@ -25,10 +28,38 @@ TriMesh smallMesh() {
     return mesh;
 }
 
-std::string text(void (*write)(const MeshView &, TextWriter &)) {
+/// A triangle and a quadrilateral side by side, of second order if `middles`: then that has a node in its centre, too,
+/// if `centre`.
+Mesh smallCells(bool middles, bool centre = false) {
+    const auto node = [](std::uint32_t n) { return NodeId{n}; };
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {2, 0},    {2, 2}, {0, 2},     {3, 1},     {1, 0},
+                  {2, 1}, {1, 2.25}, {0, 1}, {2.5, 0.5}, {2.5, 1.5}, {1, 1}};
+    const std::vector<NodeId> triangle = {node(1), node(4), node(2), node(9), node(10), node(6)};
+    const std::vector<NodeId> quadrilateral = {node(0), node(1), node(2), node(3), node(5),
+                                               node(6), node(7), node(8), node(11)};
+    mesh.nodes.resize(!middles ? 5 : centre ? 12 : 11);
+    const auto add = [&](CellKind kind, const std::vector<NodeId> &nodes, std::int32_t region) {
+        mesh.block(kind).add(std::span(nodes).first(traitsOf(kind).nodes));
+        mesh.block(kind).regions.push_back(region);
+    };
+    add(middles ? CellKind::Triangle6 : CellKind::Triangle3, triangle, 3);
+    add(!middles ? CellKind::Quadrilateral4
+        : centre ? CellKind::Quadrilateral9
+                 : CellKind::Quadrilateral8,
+        quadrilateral, 1);
+    mesh.edges = {{node(0), node(1), 1, middles ? node(5) : kNoNode},
+                  {node(1), node(2), 7, middles ? node(6) : kNoNode}};
+    mesh.points = {{node(3), 4}};
+    mesh.boundaryNames = {{1, "in let"}};
+    mesh.regionNames = {{3, "sea"}};
+    return mesh;
+}
+
+std::string text(void (*write)(const MeshView &, TextWriter &), const MeshView &mesh = smallMesh()) {
     StringSink sink;
     TextWriter out(sink);
-    write(smallMesh(), out);
+    write(mesh, out);
     out.flush();
     return std::move(sink.text);
 }
@@ -73,6 +104,7 @@ Document smallDocument() {
 }
 
 const char *const kValues = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n1 0.1\n2 0.2\n3 0.3\n4 0.4\n$EndNodeData\n";
+const char *const kElementValues = "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n2\n4 0.5\n5 -1\n$EndElementData\n";
 const char *const kGeoJson =
     "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{\"name\":\"a\",\"tag\":2},"
     "\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,0]],[[2,1],[3,1],[3,2],[2,1]]]}},"
@@ -127,6 +159,14 @@ const char *const kNetgen =
     "2 1\n"
     "\npoints\n4\n 0 0 0\n 1 0 0\n 1 1 0\n 0 1 0\n\npointelements\n1\n 4 3\n\nmaterials\n1\n1 sea\n\nbcnames\n2\n"
     "1 in let\n2 wall\n\nendmesh\n";
+const char *const kNetgenCells =
+    "mesh3d\ndimension\n2\nsurfaceelements\n4\n2 1 0 0 4 1 2 3 4\n2 1 0 0 6 1 2 3 6 8 5\n2 1 0 0 8 1 2 3 4 5 7 8 6\n"
+    "2 1 0 0 3 1 2 3\nedgesegmentsgi2\n1\n1 0 1 2 -1 -1 1 0 1 0 1 0.5\npoints\n9\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 0 0\n2 "
+    "1 "
+    "0\n1 2 0\n0 1 0\n1 1 0\nendmesh\n";
+const char *const kTriangle6 =
+    "6 2 0 1\n1 0 0 1\n2 2 0 1\n3 0 2 0\n4 1 1 0\n5 0 1 0\n6 1 0 0\n%%\n1 6 0\n1 1 2 3 4 5 6\n%%\n"
+    "1 1\n1 1 2 5\n";
 const char *const kTriangle =
     "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# region 2 \"r\"\n# point 1 4\n%%\n1 3 1\n1 1 2 3 2\n"
     "%%\n2 1\n1 1 2 5\n2 2 3 0\n";
@@ -197,15 +237,16 @@ std::vector<std::string> handMade(std::string_view id) {
         return pictures();
     }
     if (id == "msh2") {
-        return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};
+        return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues(),
+                text(writeMsh2, smallCells(false)) + kElementValues};
     }
     static const std::map<std::string_view, std::vector<std::string>> kTexts = {
         {"geojson", {kGeoJson, kLines}},
         {"topojson", {kTopoJson}},
         {"poly", {kPoly}},
         {"svg", {kSvg, kStyledSvg, kClippedSvg}},
-        {"triangle", {kTriangle}},
-        {"netgen", {kNetgen}},
+        {"triangle", {kTriangle, kTriangle6}},
+        {"netgen", {kNetgen, kNetgenCells}},
         {"vtu", {kVtuAscii}},
         {"esri", {kEsriGrid}},
     };
@@ -228,6 +269,11 @@ std::vector<std::string> seeds(const Target &target) {
     std::vector<std::string> list = handMade(target.name);
     if (target.format->writeMesh != nullptr) {
         list.push_back(text(target.format->writeMesh));
+        for (const Mesh &mesh : {smallCells(false), smallCells(true), smallCells(true, true)}) {
+            if (checkElements(target.format->about, mesh).empty()) {
+                list.push_back(text(target.format->writeMesh, mesh));
+            }
+        }
     }
     return list;
 }

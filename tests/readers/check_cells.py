@@ -207,6 +207,64 @@ def check_triangle(mesh, base):
     compare_cells(cells, mesh.elements())
 
 
+# What gmsh is to make: the order of its elements, whether it recombines triangles, and whether quadrilaterals of second
+# order have no node in their centre.
+MADE = {"triangle6": (2, 0, 0), "quadrilateral4": (1, 1, 0), "quadrilateral8": (2, 1, 1), "quadrilateral9": (2, 1, 0)}
+
+
+def check_own_reader(program, folder, kind, extension, version=2.2, binary=0):
+    """A curved mesh as gmsh saves it, read and written as MSH by Forefront: gmsh finds the same cells in both."""
+    saved, copied = str(folder / f"made{extension}"), str(folder / "copied.msh")
+    order, recombine, incomplete = MADE[kind]
+    gmsh.initialize()
+    try:
+        for option, value in (("General.Terminal", 0), ("Mesh.MeshSizeMax", 0.7), ("Mesh.RecombineAll", recombine),
+                              ("Mesh.SecondOrderIncomplete", incomplete), ("Mesh.MshFileVersion", version),
+                              ("Mesh.Binary", binary), ("Mesh.SaveAll", 0)):
+            gmsh.option.setNumber(option, value)
+        gmsh.model.occ.cut([(2, gmsh.model.occ.addRectangle(0, 0, 0, 4, 3))],
+                           [(2, gmsh.model.occ.addDisk(2, 1.5, 0, 0.8, 0.8))])
+        gmsh.model.occ.synchronize()
+        curves, [(_, surface)] = [tag for _, tag in gmsh.model.getEntities(1)], gmsh.model.getEntities(2)
+        gmsh.model.addPhysicalGroup(1, curves, 5)
+        gmsh.model.addPhysicalGroup(2, [surface], 7)
+        gmsh.model.mesh.generate(2)
+        gmsh.model.mesh.setOrder(order)
+        gmsh.write(saved)
+        tags, coordinates, _ = gmsh.model.mesh.getNodes()
+        places = dict(zip(tags, map(rounded, coordinates.reshape(-1, 3))))
+        expected = []
+        for dimension in (1, 2):
+            kinds, _, nodes = gmsh.model.mesh.getElements(dimension)
+            for number, row in zip(kinds, nodes):
+                for cell in row.reshape(-1, int(re.search(r"\d$", GMSH[number])[0])):
+                    expected.append((GMSH[number], 0, tuple(places[n] for n in cell)))
+    finally:
+        gmsh.finalize()
+    assert any(cell[0] == kind for cell in expected), f"gmsh made no {kind}"
+    run = subprocess.run([program, "--copy", saved, copied], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    _, cells = gmsh_cells(copied, lambda *_: 0)
+
+    def unordered(edge):  # sides of elements may run the other way
+        return edge[0], edge[1], tuple(sorted(edge[2]))
+    for shape in ("edge", "triangle", "quad"):
+        change = unordered if shape == "edge" else tuple
+        same(sorted(map(change, (c for c in cells if c[0].startswith(shape)))),
+             sorted(map(change, (c for c in expected if c[0].startswith(shape)))), shape)
+
+
+def own_reader_checks(program, folder):
+    """(name, function) pairs for files of gmsh. In MEDIT it writes cells of second order under keywords of first order."""
+    for kind in MADE:
+        formats = [("MSH 2.2", ".msh", 2.2, 0), ("MSH 4.1", ".msh", 4.1, 0), ("binary MSH 4.1", ".msh", 4.1, 1),
+                   ("VTK legacy", ".vtk", 2.2, 0), ("Abaqus", ".inp", 2.2, 0)]
+        formats += [("MEDIT", ".mesh", 2.2, 0), ("SU2", ".su2", 2.2, 0)] if kind == "quadrilateral4" else []
+        for name, *options in formats:
+            yield (f"{name} of gmsh with {kind} by Forefront",
+                   lambda kind=kind, options=options: check_own_reader(program, folder, kind, *options))
+
+
 def checks(samples):
     """(name, function) pairs for the meshes of export_sample."""
     folder, result = samples.folder, []

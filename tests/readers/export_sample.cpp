@@ -198,7 +198,7 @@ int printFigures(const std::filesystem::path &path, const char *field) {
     if (!read) {
         return fail(read.faults());
     }
-    nlohmann::json found = figures(read->mesh);
+    nlohmann::json found = figures(takeTriMesh(read->mesh));
     double worst = 0.0;
     for (std::size_t n = 0; n < read->values.size(); ++n) {
         const Vec2 p = read->mesh.nodes[n];
@@ -209,14 +209,27 @@ int printFigures(const std::filesystem::path &path, const char *field) {
     return 0;
 }
 
+/// Reads a mesh and writes it in the format of another extension.
+int copyMesh(const std::filesystem::path &from, const std::filesystem::path &to) {
+    const Result<Mesh> read = allFormats().readMesh(from);
+    if (!read) {
+        return fail(read.faults());
+    }
+    const Status status = writeMesh(to, *read);
+    return status.empty() ? 0 : fail(status);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
+    if (argc == 4 && std::string_view(argv[1]) == "--copy") {
+        return copyMesh(argv[2], argv[3]);
+    }
     if (argc == 4 && std::string_view(argv[1]) == "--read") {
         return printFigures(argv[2], argv[3]);
     }
     if (argc != 2) {
-        std::fprintf(stderr, "usage: export_sample FOLDER | --read FILE NAME\n");
+        std::fprintf(stderr, "usage: export_sample FOLDER | --read FILE NAME | --copy MESH OUT\n");
         return 2;
     }
     const std::filesystem::path folder = argv[1];
