@@ -96,8 +96,9 @@ TEST_CASE("Out of memory: validate, repair, verify, mesh and adapt report it whe
               return result ? Diagnostics{} : result.faults();
           }) > 10);
     const std::vector<double> values(outcome->mesh.nodes.size(), 1.0);
+    const TriMesh triangles = takeTriMesh(outcome->mesh);
     CHECK(failAtEach([&] {
-              const auto result = adaptMeshOnce(job.domain, takeTriMesh(outcome->mesh), values, {}, {});
+              const auto result = adaptMeshOnce(job.domain, triangles, values, {}, {});
               return result ? Diagnostics{} : result.faults();
           }) > 10);
 }
