@@ -77,7 +77,7 @@ TEST_CASE("Region area: both methods respect it on irregular domains") {
             MeshingJob job{builder.domain, {}, {}};
             job.options.method = method;
             auto regions = areasByRegion(job);
-            // One element by a node that the classic method places last may be a tenth too large.
+            // With the classic method, an element may be a tenth too large.
             const double tolerance = method == Method::Fast ? kTolerance : 1.12;
             CHECK(regions[5].largest <= tolerance * 0.005);
             CHECK(regions[6].largest <= tolerance * 0.05);
