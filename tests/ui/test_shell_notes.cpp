@@ -326,6 +326,8 @@ TEST_CASE("Text: lines break between words, never within a number, and none is t
 
 TEST_CASE("Meshing panel: the options are part of the document, and undo restores them") {
     Draughtsman driver;
+    driver.platform().resize({1280, 900}, 1.0);
+    driver.settle();
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
     driver.unfold("meshing");
