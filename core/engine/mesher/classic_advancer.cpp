@@ -15,7 +15,7 @@ bool ClassicAdvancer<Grid, Trace>::advance(AdvanceDelta &delta) {
     delta = update_.begin(slotA);
     search_.startCounting();
     const std::size_t segments = front.segments();
-    trace_.takeShortest(front, slotA);
+    trace_.takeShortest(state_, slotA);
     trace_.begin(state_, base);
     search_.evaluateSpacing(base);
 

@@ -18,9 +18,9 @@ void Recorder::eventWithTies(Step step, std::uint32_t candidate, std::size_t equ
     out_.events.back().equal = static_cast<std::uint32_t>(equal);
 }
 
-void Recorder::takeShortest(const GenerationFront &front, SlotId slotA) {
+void Recorder::takeShortest(const FrontState &state, SlotId slotA) {
     roundsTies_ = true;
-    shortest_ = shortestBases(front, slotA);
+    shortest_ = shortestBases(state.front, slotA);
 }
 
 void Recorder::begin(const FrontState &state, const Base &base) {

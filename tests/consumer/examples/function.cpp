@@ -9,5 +9,5 @@ int main() {
     job.spacing.functionThreadSafe = true; // it may be called from several threads
     job.options.threads = 2;
     const auto outcome = forefront::meshDomain(job);
-    return outcome && outcome->mesh.elements.size() > 1000 ? 0 : 1;
+    return outcome && outcome->mesh.elementCount() > 1000 ? 0 : 1;
 }
