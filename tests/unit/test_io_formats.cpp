@@ -246,7 +246,7 @@ TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
         const auto domain = allFormats().readDomain(path);
         REQUIRE(domain.ok());
         std::size_t boundary = 0;
-        for (const DomainSegment &segment : domain->segments) {
+        for (const DomainSegment &segment : domain->domain.segments) {
             boundary += segment.role == SegmentRole::Boundary ? 1U : 0U;
         }
         CHECK(boundary == 26);
