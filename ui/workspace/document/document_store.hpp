@@ -2,6 +2,7 @@
 
 #include "core/drawing/document/history.hpp"
 #include "core/drawing/domain/shared_domain.hpp"
+#include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
 #include "core/files/source/file_stamp.hpp"
