@@ -135,7 +135,7 @@ Diagnostics checkAgainst(const MeshView &mesh, const MeshNumbers &numbers, const
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
     Diagnostics faults =
-        verifyAgainst(mesh, domain, kMaxListedFaults, numbers, innerTags, file->spacing.placed.elements);
+        verifyAgainst(mesh, domain, file->spacing.placed.elements, kMaxListedFaults, numbers, innerTags);
     if (!hasErrors(faults)) {
         Diagnostics parts;
         if (innerTags) {

@@ -31,7 +31,7 @@ Domain cuspedStar() {
 MeshingOutcome meshOf(const MeshingJob &job) {
     auto outcome = meshDomain(job);
     REQUIRE(outcome);
-    CHECK(verifyAgainst(outcome->mesh, job.domain).empty());
+    CHECK(verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.elements).empty());
     return std::move(*outcome);
 }
 

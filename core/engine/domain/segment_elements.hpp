@@ -18,9 +18,7 @@ class SegmentElements {
     SegmentElements(const std::vector<std::uint32_t> &elements) : elements_(elements) {}
 
     /// Returns the number along the line or curve that a segment is a part of; 0: as the spacing asks.
-    std::uint32_t operator[](std::size_t segment) const {
-        return segment < elements_.size() ? elements_[segment] : 0;
-    }
+    std::uint32_t operator[](std::size_t segment) const { return segment < elements_.size() ? elements_[segment] : 0; }
 
   private:
     std::span<const std::uint32_t> elements_;

@@ -41,7 +41,7 @@ Diagnostics verifyAgainst(const MeshView &mesh, const DiscreteDomain &domain, st
 /// otherwise curved edges are compared by their chords. `innerTags`: false if the mesh carries no tags of edges inside
 /// the domain, where constraints must then be edges, whichever tags they have. `elements`: PlacedSizes::elements of the
 /// spacing; edges along a curve with a number of elements may be far from it.
-Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, std::size_t limit = kMaxListedFaults,
-                          const MeshNumbers &numbers = {}, bool innerTags = true, SegmentElements elements = {});
+Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, SegmentElements elements = {},
+                          std::size_t limit = kMaxListedFaults, const MeshNumbers &numbers = {}, bool innerTags = true);
 
 } // namespace forefront

@@ -399,8 +399,8 @@ Diagnostics deviations(const MeshView &mesh, const Domain &domain, std::size_t l
 
 } // namespace
 
-Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
-                          bool innerTags, SegmentElements elements) {
+Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, SegmentElements elements, std::size_t limit,
+                          const MeshNumbers &numbers, bool innerTags) {
     return orOutOfMemory("to check the mesh", [&] {
         Diagnostics own = verify(mesh, limit, numbers);
         if (hasErrors(own)) {

@@ -26,7 +26,8 @@ void carryElements(const Domain &before, const Repaired &repaired, SpacingSpec &
         const std::uint32_t source = repaired.segmentSource[s];
         std::uint32_t count = source < given.size() ? given[source] : 0;
         if (count > 0 && !segments[s].stretch.follows()) {
-            const double part = lengthOf(repaired.domain, segments[s]), whole = lengthOf(before, before.segments[source]);
+            const double part = lengthOf(repaired.domain, segments[s]),
+                         whole = lengthOf(before, before.segments[source]);
             const double share = part < whole ? part / whole : 1.0;
             count = static_cast<std::uint32_t>(std::max(1.0, std::round(count * share)));
         }
