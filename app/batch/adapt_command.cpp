@@ -110,14 +110,26 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
     return input;
 }
 
+/// Returns the domain to mesh, with the sizes that belong to its places: that of a file, or the outline of the mesh.
+Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainFile, const Mesh &mesh,
+                           ImportNotes &notes) {
+    if (!arguments.domain) {
+        Result<Domain> outline = outlineOf(mesh);
+        return outline ? Result<MeshingJob>(MeshingJob{std::move(*outline), {}, arguments.options()})
+                       : outline.faults();
+    }
+    Result<DomainFile> file = allFormats().readDomain(domainFile.path, domainFile.options, &notes);
+    return file ? Result<MeshingJob>(MeshingJob{std::move(file->domain), std::move(file->spacing), arguments.options()})
+                : file.faults();
+}
+
 /// Makes one new mesh, on which a solver must compute the field.
-Result<TriMesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const TriMesh &mesh,
+Result<TriMesh> adaptToField(const AdaptArguments &arguments, const MeshingJob &job, const TriMesh &mesh,
                              const std::vector<double> &values, const Progress &progress) {
     const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome =
-        adaptMeshOnce(domain, mesh, values, arguments.target, arguments.options(), progress, tell);
+    Result<AdaptOutcome> outcome = adaptMeshOnce(job, mesh, values, arguments.target, progress, tell);
     if (!outcome) {
         return outcome.faults();
     }
@@ -129,7 +141,7 @@ Result<TriMesh> adaptToField(const AdaptArguments &arguments, const Domain &doma
     return std::move(outcome->mesh);
 }
 
-Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Domain &domain, TriMesh mesh,
+Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const MeshingJob &job, TriMesh mesh,
                                   const Progress &progress, ProgressBar &bar) {
     const Result<NodalField> field = expressionField(*arguments.expression);
     if (!field) {
@@ -139,8 +151,8 @@ Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Domain 
         bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome = adaptMesh(domain, std::move(mesh), *field, arguments.target,
-                                             arguments.rounds.value_or(kRounds), arguments.options(), progress, tell);
+    Result<AdaptOutcome> outcome =
+        adaptMesh(job, std::move(mesh), *field, arguments.target, arguments.rounds.value_or(kRounds), progress, tell);
     bar.clear();
     if (!outcome) {
         return outcome.faults();
@@ -183,26 +195,24 @@ int runAdapt(const AdaptArguments &arguments) {
         return refuse(input.faults(), interrupt);
     }
     ImportNotes notes;
-    const Result<Domain> domain = arguments.domain
-                                      ? allFormats().readDomain(domainFile->path, domainFile->options, &notes)
-                                      : outlineOf(input->mesh);
+    Result<MeshingJob> job = readJob(arguments, *domainFile, input->mesh, notes);
     bar.clear();
-    if (!domain) {
-        return refuse(domain.faults(), interrupt);
+    if (!job) {
+        return refuse(job.faults(), interrupt);
     }
     printNotes(notes, arguments.quiet);
     interrupt.deferToStop();
     TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles
     const Result<TriMesh> mesh = arguments.field
-                                     ? adaptToField(arguments, *domain, triangles, input->values, progress)
-                                     : adaptToExpression(arguments, *domain, std::move(triangles), progress, bar);
+                                     ? adaptToField(arguments, *job, triangles, input->values, progress)
+                                     : adaptToExpression(arguments, *job, std::move(triangles), progress, bar);
     bar.clear();
     if (!mesh) {
         const bool mistyped = hasCode(mesh.faults(), "expression-syntax");
-        const int code =
-            refuse(mistyped ? mesh.faults()
-                            : meshingFaults(mesh.faults(), *domain, arguments.domain ? *domainFile : *file, nullptr),
-                   interrupt);
+        const int code = refuse(
+            mistyped ? mesh.faults()
+                     : meshingFaults(mesh.faults(), job->domain, arguments.domain ? *domainFile : *file, nullptr),
+            interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     FileSet files;

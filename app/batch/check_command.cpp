@@ -7,7 +7,6 @@
 #include "app/batch/report.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/domain/document_domain.hpp"
-#include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -85,7 +84,8 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
         if (!project) {
             return project.faults();
         }
-        auto spacing = SpacingField::build(spacingOf(*project), toDomain(*project));
+        const MeshingJob job = jobOf(*project);
+        auto spacing = SpacingField::build(job.spacing, job.domain);
         return spacing ? std::move(spacing) : allFormats().locateFaults(*arguments.savedLimits, spacing.faults());
     }
     SpacingSpec spec;
@@ -114,30 +114,33 @@ bool hasConstraints(const Domain &domain) {
 Diagnostics checkAgainst(const MeshView &mesh, const MeshNumbers &numbers, const CheckArguments &arguments,
                          Input &input) {
     arguments.drawing.applyTo(input.options);
-    Result<Domain> domain = allFormats().readDomain(input.path, input.options);
-    if (!domain) {
-        return domain.faults();
+    Result<DomainFile> file = allFormats().readDomain(input.path, input.options);
+    if (!file) {
+        return file.faults();
     }
+    Domain &domain = file->domain;
     std::optional<Repaired> repaired;
     std::map<std::int32_t, double> changes; // in the lengths of boundary parts
     if (arguments.repair) {
-        Result<Repaired> result = repair(*domain, arguments.drawing.weldTolerance.value_or(0.0));
+        Result<Repaired> result = repair(domain, arguments.drawing.weldTolerance.value_or(0.0));
         if (!result) {
             return allFormats().locateFaults(input.path, result.faults(), input.options);
         }
         repaired = std::move(*result);
-        addLengths(*domain, -1.0, changes);
+        addLengths(domain, -1.0, changes);
         addLengths(repaired->domain, 1.0, changes);
+        carryElements(domain, *repaired, file->spacing);
         domain = std::move(repaired->domain);
     }
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
-    Diagnostics faults = verifyAgainst(mesh, *domain, kMaxListedFaults, numbers, innerTags);
+    Diagnostics faults =
+        verifyAgainst(mesh, domain, file->spacing.placed.elements, kMaxListedFaults, numbers, innerTags);
     if (!hasErrors(faults)) {
         Diagnostics parts;
         if (innerTags) {
             parts = checkBoundaryParts(mesh, input.path, input.options, changes);
-        } else if (hasConstraints(*domain)) {
+        } else if (hasConstraints(domain)) {
             Diagnostic &note = parts.emplace_back();
             note.severity = Severity::Note;
             note.code = "inner-edges";
@@ -147,7 +150,7 @@ Diagnostics checkAgainst(const MeshView &mesh, const MeshNumbers &numbers, const
         faults.insert(faults.end(), std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
         return faults;
     }
-    faults = locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
+    faults = locateInDomain(meshingFaults(faults, domain, input, sources), input, sources);
     const FileFormat *const format = input.format();
     if (format != nullptr && format->arranges && !arguments.repair && arguments.drawing == DrawingArguments{}) {
         Diagnostic hint;

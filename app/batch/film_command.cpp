@@ -56,18 +56,12 @@ Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
         return document.faults();
     }
     printNotes(notes, false);
-    if (arguments.size || arguments.expression) {
-        const auto names = std::move(document->spacing.names); // of the project's parameters
-        document->spacing = {};
-        document->elementCounts.clear();
-        document->spacing.names = names;
-        document->spacing.size = arguments.size;
-        document->spacing.expression = arguments.expression;
-    }
-    document->options.method = arguments.method.value_or(document->options.method);
-    document->options.grid = arguments.grid.value_or(document->options.grid);
-    applyMaxElements(arguments.maxElements, document->options);
-    return jobOf(*document);
+    MeshingJob job = jobOf(*document);
+    applySpacingOptions(arguments.size, arguments.expression, job.spacing);
+    job.options.method = arguments.method.value_or(job.options.method);
+    job.options.grid = arguments.grid.value_or(job.options.grid);
+    applyMaxElements(arguments.maxElements, job.options);
+    return job;
 }
 
 FilmLayers layersOf(const FilmArguments &arguments) {

@@ -31,7 +31,7 @@ struct ReadJob {
     std::optional<BackgroundPicture> picture; ///< of a project
 };
 
-/// Reads the domain of any file, and also spacing and options if the file is a project.
+/// Reads the domain of any file with its element sizes, and also options if the file is a project.
 Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
     ImportNotes notes;
     if (input.isProject()) {
@@ -42,13 +42,13 @@ Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
         printNotes(notes, arguments.quiet);
         return ReadJob{jobOf(*document), boundsOf(*document), document->picture};
     }
-    Result<Domain> domain = allFormats().readDomain(input.path, input.options, &notes);
-    if (!domain) {
-        return domain.faults();
+    Result<DomainFile> file = allFormats().readDomain(input.path, input.options, &notes);
+    if (!file) {
+        return file.faults();
     }
     printNotes(notes, arguments.quiet);
-    const Box2 box = domain->bounds();
-    return ReadJob{{std::move(*domain), {}, {}}, box, {}};
+    const Box2 box = file->domain.bounds();
+    return ReadJob{{std::move(file->domain), std::move(file->spacing), {}}, box, {}};
 }
 
 /// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
@@ -89,13 +89,7 @@ std::optional<PictureSizes> placedPicture(const MeshArguments &arguments, const 
 /// Replaces the spacing of a project by that of the command line, such as that of `file`.
 Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read) {
     SpacingSpec &spacing = read.job.spacing;
-    if (arguments.size || arguments.expression) {
-        const auto names = std::move(spacing.names); // of the project's parameters
-        spacing = {};
-        spacing.names = names;
-        spacing.size = arguments.size;
-        spacing.expression = arguments.expression;
-    } else if (file) {
+    if (!applySpacingOptions(arguments.size, arguments.expression, spacing) && file) {
         ImportNotes notes;
         ImportOptions options = file->options;
         options.picture = placedPicture(arguments, *file, read);
@@ -104,12 +98,7 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
             return fromFile.faults();
         }
         printNotes(notes, arguments.quiet);
-        spacing = std::move(*fromFile);
-    }
-    if (arguments.size || arguments.expression || file) {
-        for (DomainSegment &segment : read.job.domain.segments) {
-            segment.elements = 0; // numbers of elements belong to the spacing of the project
-        }
+        spacing.replaceRules(std::move(*fromFile));
     }
     if (arguments.gradation) {
         spacing.gradation = arguments.gradation;
@@ -140,9 +129,9 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
 }
 
 /// Repairs the domain of a job and records in `sources` where its parts come from.
-Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, Domain &domain,
+Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, MeshingJob &job,
                          std::optional<Repaired> &sources) {
-    Result<Repaired> repaired = repair(domain, arguments.drawing.weldTolerance.value_or(0.0), progress.stop);
+    Result<Repaired> repaired = repair(job.domain, arguments.drawing.weldTolerance.value_or(0.0), progress.stop);
     if (!repaired) {
         return allFormats().locateFaults(input.path, repaired.faults(), input.options);
     }
@@ -150,7 +139,8 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
         printFaults(allFormats().locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
     }
     sources = std::move(*repaired);
-    domain = std::move(sources->domain);
+    carryElements(job.domain, *sources, job.spacing);
+    job.domain = std::move(sources->domain);
     return {};
 }
 
@@ -218,7 +208,7 @@ int runMesh(const MeshArguments &arguments) {
     interrupt.deferToStop();
     std::optional<Repaired> repaired;
     if (faults.empty() && arguments.repair) {
-        faults = repairDomain(arguments, *input, progress, job->domain, repaired);
+        faults = repairDomain(arguments, *input, progress, *job, repaired);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);

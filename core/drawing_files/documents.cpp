@@ -27,12 +27,12 @@ Result<Document> documentFrom(const Format &format, const SourceText &source) {
     if (format.about.id == std::string_view("project")) {
         return readProjectText(source);
     }
-    const auto domain = domainFrom(format, source);
-    if (!domain) {
-        return domain.faults();
+    const Result<DomainFile> file = domainFrom(format, source);
+    if (!file) {
+        return file.faults();
     }
-    noteHoleMarkers(*domain, source);
-    return fromDomain(*domain);
+    noteHoleMarkers(file->domain, source);
+    return fromDomain(*file);
 }
 
 } // namespace

@@ -28,10 +28,10 @@ void reorder(std::vector<PartOrigin> &origins, const std::vector<std::uint32_t> 
 /// Reads a drawing or map, and orders its segments by chains as the editor does, so that it meshes the same in the
 /// editor and in batch.
 template <Result<Domain> (*Read)(const SourceText &)>
-Result<Domain> readInChainOrder(const SourceText &source) {
+Result<DomainFile> readInChainOrder(const SourceText &source) {
     const Result<Domain> domain = Read(source);
     if (!domain) {
-        return domain;
+        return domain.faults();
     }
     ChainOrder order;
     Domain ordered = inChainOrder(*domain, &order);
@@ -40,12 +40,16 @@ Result<Domain> readInChainOrder(const SourceText &source) {
         reorder(source.origin->of(DomainPartKind::Segment), order.segments);
         reorder(source.origin->of(DomainPartKind::ConstraintPoint), order.points);
     }
-    return ordered;
+    return DomainFile{std::move(ordered), {}}; // none of these formats holds sizes
 }
 
-Result<Domain> readProjectDomain(const SourceText &source) {
+Result<DomainFile> readProjectDomain(const SourceText &source) {
     const auto document = readProjectText(source);
-    return document ? Result<Domain>(toDomain(*document)) : document.faults();
+    if (!document) {
+        return document.faults();
+    }
+    MeshingJob job = jobOf(*document);
+    return DomainFile{std::move(job.domain), std::move(job.spacing)};
 }
 
 // The formats of drawings with their names, capabilities and functions, in the order of menus.

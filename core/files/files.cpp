@@ -26,7 +26,7 @@ const Format *meshFormat(const std::filesystem::path &path, std::string_view id)
 
 } // namespace
 
-Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return engineFormats().readDomain(path, options, notes);
 }
 

@@ -21,7 +21,7 @@ struct Format {
     /// Returns true if the first bytes of a file (at most kHeadBytes) show that it is of this format.
     bool (*recognise)(std::string_view head) = nullptr;
     bool mayShowLate = false; ///< recognise() takes all of a JSON text where its first bytes show no format
-    Result<Domain> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
+    Result<DomainFile> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
@@ -38,6 +38,6 @@ struct Format {
 inline constexpr std::size_t kHeadBytes = 4096;
 
 /// Returns the domain in a file of this format: what the format says of it, else the outline of its mesh.
-Result<Domain> domainFrom(const Format &format, const SourceText &source);
+Result<DomainFile> domainFrom(const Format &format, const SourceText &source);
 
 } // namespace forefront

@@ -6,6 +6,7 @@
 #include "core/engine/mesh/cell_set.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
+#include "core/files/common/domain_file.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/source/import_notes.hpp"
 #include "core/files/source/import_options.hpp"
@@ -66,9 +67,9 @@ class FormatList {
     /// Returns the format of a file with this content, or else by its extension; null if neither identifies it.
     const FileFormat *detect(const std::filesystem::path &path, std::string_view content) const;
 
-    /// Reads the domain of a file, or the outline of the mesh in it.
-    Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
-                              ImportNotes *notes = nullptr) const;
+    /// Reads the domain of a file with its element sizes, or the outline of the mesh in it.
+    Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
+                                  ImportNotes *notes = nullptr) const;
     /// Adds the file's name to the faults of a domain that readDomain read from it and, where the format has such
     /// places
     /// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Leaves faults that
@@ -85,14 +86,16 @@ class FormatList {
     /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.
     Result<MeshField> readField(const std::filesystem::path &path, std::string_view name,
                                 const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
-    /// Reads a spacing: that of a project file, a background mesh with nodal values (MSH $NodeData), a grid of sizes
-    /// (ESRI ASCII grid), or the grey values of a picture (PNG, with ImportOptions::picture).
+    /// Reads a spacing: the rules of a project file (its placed sizes come with its domain), a background mesh with
+    /// nodal values (MSH $NodeData), a grid of sizes (ESRI ASCII grid), or the grey values of a picture (PNG, with
+    /// ImportOptions::picture).
     Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
                                     ImportNotes *notes = nullptr) const;
 
     /// Read as above from memory. Parts that a format keeps in a second file, such as the .ele file of Triangle, are
     /// missing.
-    Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
+    Result<DomainFile> readDomain(MemoryFile file, const ImportOptions &options = {},
+                                  ImportNotes *notes = nullptr) const;
     Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
     Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {},
                                   ImportNotes *notes = nullptr) const;

@@ -123,8 +123,8 @@ TEST_CASE("Curve tolerance: limits, other rules and tolerances that are met anyw
     CHECK(fine->minimum() == 1.0);
     CHECK(fine->maximum() == 1.0);
     job.spacing.size = 4.0;
-    for (DomainSegment &segment : job.domain.segments) {
-        segment.elements = segment.stretch.follows() ? 12 : 0; // stands above the tolerance
+    for (const DomainSegment &segment : job.domain.segments) {
+        job.spacing.placed.elements.push_back(segment.stretch.follows() ? 12 : 0); // stands above the tolerance
     }
     CHECK(fieldFor(job)->at({60, 35}) == 4.0);
     CHECK(fieldFor(holedPlate(), GivenSegments::Kept)->at({60, 35}) == 4.0);

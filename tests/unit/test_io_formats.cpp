@@ -243,18 +243,18 @@ TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
     for (const char *id : {"msh2", "msh41", "msh41-binary"}) {
         const auto path = folder / "mesh.msh";
         REQUIRE(writeMesh(path, mesh, id).empty());
-        const auto domain = allFormats().readDomain(path);
-        REQUIRE(domain.ok());
+        const auto file = allFormats().readDomain(path);
+        REQUIRE(file.ok());
         std::size_t boundary = 0;
-        for (const DomainSegment &segment : domain->segments) {
+        for (const DomainSegment &segment : file->domain.segments) {
             boundary += segment.role == SegmentRole::Boundary ? 1U : 0U;
         }
         CHECK(boundary == 26);
-        CHECK(domain->segments.size() == mesh.edges.size());
-        REQUIRE(domain->regionMarkers.size() == 2);
-        CHECK(domain->regionMarkers[0].tag != domain->regionMarkers[1].tag);
-        CHECK(domain->points.size() == 1);
-        CHECK(boundaryName(domain->boundaryNames, 9) == "interface");
+        CHECK(file->domain.segments.size() == mesh.edges.size());
+        REQUIRE(file->domain.regionMarkers.size() == 2);
+        CHECK(file->domain.regionMarkers[0].tag != file->domain.regionMarkers[1].tag);
+        CHECK(file->domain.points.size() == 1);
+        CHECK(boundaryName(file->domain.boundaryNames, 9) == "interface");
     }
 }
 

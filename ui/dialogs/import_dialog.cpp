@@ -111,12 +111,13 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
         all.insert(all.end(), repaired->lostSizes.begin(), repaired->lostSizes.end());
         return Reading{std::move(repaired->document), std::move(all)};
     }
-    const Result<Domain> domain = allFormats().readDomain(file, options, &notes);
-    const Result<Repaired> repaired = domain ? repair(*domain, tolerance) : domain.faults();
+    Result<DomainFile> read = allFormats().readDomain(file, options, &notes);
+    Result<Repaired> repaired = read ? repair(read->domain, tolerance) : read.faults();
     if (!repaired) {
         return repaired.faults();
     }
-    return Reading{fromDomain(repaired->domain), joined(notes.diagnostics(), repaired->changes)};
+    read->domain = std::move(repaired->domain);
+    return Reading{fromDomain(*read), joined(notes.diagnostics(), repaired->changes)};
 }
 
 } // namespace

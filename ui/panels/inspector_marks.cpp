@@ -77,7 +77,7 @@ void inspectSource(Shell &context, std::uint32_t index) {
 namespace {
 
 /// Draws the area of the face of a region marker, with the colour of the region.
-void areaRow(Shell &context, const RegionMarker &marker) {
+void areaRow(Shell &context, const MarkedRegion &marker) {
     const std::shared_ptr<const FaceMap> &faces = context.preview->faces;
     const std::uint32_t face = faces ? faces->faceOf(marker) : kNoIndex;
     form::label(context, "Area");
@@ -99,7 +99,7 @@ void areaRow(Shell &context, const RegionMarker &marker) {
 
 void inspectRegion(Shell &context, std::uint32_t index) {
     const Document &document = *context.document.current();
-    const RegionMarker marker = document.regionMarkers[index];
+    const MarkedRegion marker = document.regionMarkers[index];
     inspectorHeading(context, regionName(document.regionNames, marker.tag));
     areaRow(context, marker);
     const auto address = [&](const char *quantity) { return "region/" + std::to_string(index) + '/' + quantity; };

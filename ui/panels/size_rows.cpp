@@ -62,7 +62,7 @@ void partSizeRow(Shell &context, std::int32_t tag) {
 
 void regionSizeRow(Shell &context, std::uint32_t marker) {
     const Document &document = *context.document.current();
-    const RegionMarker &region = document.regionMarkers[marker];
+    const MarkedRegion &region = document.regionMarkers[marker];
     std::optional<double> size = region.size > 0.0 ? std::optional(region.size) : std::nullopt;
     double growth = region.growth;
     const std::string address = "region/" + std::to_string(marker) + '/';

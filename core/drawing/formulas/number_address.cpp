@@ -158,7 +158,7 @@ auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.m
     return what == "x" ? &marker.at.x : what == "y" ? &marker.at.y : what == "area" ? &marker.maxArea : nullptr;
 }
 
-Status setMarkerNumber(RegionMarker &marker, const std::string &what, double value) {
+Status setMarkerNumber(MarkedRegion &marker, const std::string &what, double value) {
     if (what == "size" && !(value > 0.0)) { // 0 would mean that there is none
         return error("bad-number", "invalid size " + numberText(value, 6) + " of a region; expected a number above 0");
     }
@@ -167,7 +167,7 @@ Status setMarkerNumber(RegionMarker &marker, const std::string &what, double val
 }
 
 Result<Document> checkedRegion(const Document &document, std::uint32_t index) {
-    const RegionMarker &marker = document.regionMarkers[index];
+    const MarkedRegion &marker = document.regionMarkers[index];
     if (marker.size != 0.0) {
         Result<Document> sized = setRegionSize(document, index, PartSize{marker.size, marker.growth});
         if (!sized) {

@@ -48,7 +48,7 @@ class FaceMap {
     /// Returns the face that contains a point, or kNoIndex.
     std::uint32_t faceAt(Vec2 p) const;
     /// Returns the face of a region marker, or kNoIndex.
-    std::uint32_t faceOf(const RegionMarker &marker) const { return faceAt(marker.at); }
+    std::uint32_t faceOf(const MarkedRegion &marker) const { return faceAt(marker.at); }
 
   private:
     void addEdges(const DomainFaces &found, std::span<const std::uint32_t> numbers);

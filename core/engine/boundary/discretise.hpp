@@ -4,6 +4,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
 #include <cstdint>
@@ -63,9 +64,8 @@ enum class NarrowTips : std::uint8_t {
 };
 
 /// Divides the segments of a validated domain so that their lengths follow the spacing, or keeps them exactly as given,
-/// and finds the faces and their regions. The number of pieces is DomainSegment::elements, or follows from ∫ds/ρ, with
-/// nodes at equal fractions of it.
-/// Deterministic; the geometry does not depend on the order or orientation of loops.
+/// and finds the faces and their regions. The number of pieces is that of `elements`, or follows from ∫ds/ρ, with nodes
+/// at equal fractions of it. Deterministic; the geometry does not depend on the order or orientation of loops.
 ///
 /// Segments that follow one curve through nodes where nothing else meets are divided as one, with every node on the
 /// curve and at most Domain::curveTolerance between the curve and its edges. Pieces that meet others, or have others on
@@ -77,6 +77,6 @@ enum class NarrowTips : std::uint8_t {
 /// Errors: cancelled, too-many-nodes, invalid-domain.
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
                                   const Progress &progress = {}, const DomainFaces *faces = nullptr,
-                                  NarrowTips narrowTips = NarrowTips::Divided);
+                                  NarrowTips narrowTips = NarrowTips::Divided, SegmentElements elements = {});
 
 } // namespace forefront

@@ -1,5 +1,7 @@
 #include "core/engine/domain/domain_graph.hpp"
 
+#include <algorithm>
+
 namespace forefront {
 
 namespace {
@@ -49,7 +51,7 @@ std::vector<std::uint8_t> crossedOddly(const Domain &domain, const DomainGraph &
 
 } // namespace
 
-DomainGraph graphOf(const Domain &domain) {
+DomainGraph graphOf(const Domain &domain, std::span<const Vec2> places) {
     DomainGraph graph;
     const std::size_t nodeCount = domain.nodes.size();
     std::vector<std::uint8_t> used(nodeCount, 0);
@@ -87,7 +89,20 @@ DomainGraph graphOf(const Domain &domain) {
     for (const RegionMarker &marker : domain.regionMarkers) {
         graph.regionMarker.push_back(addMarker(graph, marker.at));
     }
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const std::uint32_t marker = regionMarkerAt(domain, places[k], k);
+        graph.place.push_back(marker != kNoIndex ? graph.regionMarker[marker] : addMarker(graph, places[k]));
+    }
     return graph;
+}
+
+std::uint32_t regionMarkerAt(const Domain &domain, Vec2 place, std::size_t guess) {
+    const std::vector<RegionMarker> &markers = domain.regionMarkers;
+    if (guess < markers.size() && markers[guess].at == place) {
+        return static_cast<std::uint32_t>(guess);
+    }
+    const auto found = std::ranges::find(markers, place, &RegionMarker::at);
+    return found != markers.end() ? static_cast<std::uint32_t>(found - markers.begin()) : kNoIndex;
 }
 
 FaceLabels labelFaces(const Domain &domain, const DomainGraph &graph, const Faces &faces) {

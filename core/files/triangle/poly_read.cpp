@@ -7,7 +7,6 @@
 #include "core/files/triangle/triangle.hpp"
 #include "core/files/triangle/triangle_nodes.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace forefront {
@@ -20,7 +19,7 @@ class PolyReader {
   public:
     explicit PolyReader(const SourceText &source) : source_(source), scanner_(source, '#') {}
 
-    Result<Domain> read() {
+    Result<DomainFile> read() {
         domain_.insideRule = InsideRule::HoleMarkers;
         if (!nodes() || !segments() || !holes() || !regions()) {
             return scanner_.ok() ? faults_ : scanner_.faults();
@@ -33,7 +32,7 @@ class PolyReader {
             domain_.regionNames.insert_or_assign(tag, name);
         }
         raiseTags(domain_, source_);
-        return std::move(domain_);
+        return std::move(file_);
     }
 
   private:
@@ -131,15 +130,17 @@ class PolyReader {
         AttributeTags tags(domain_.regionNames, TagKind::Region);
         for (std::size_t k = 0; k < count; ++k) {
             RegionMarker marker;
-            double attribute = 0.0;
+            double attribute = 0.0, maxArea = 0.0;
             if (!numberedPlace(line, marker.at, DomainPartKind::RegionMarker, {"region", k + 1}) ||
                 !line.real(attribute, {"the attribute of region", k + 1}) ||
-                (!line.atEnd() && !line.real(marker.maxArea, {"the maximum area of region", k + 1}))) {
+                (!line.atEnd() && !line.real(maxArea, {"the maximum area of region", k + 1}))) {
                 return scanner_.fail(line);
             }
-            marker.maxArea = std::max(marker.maxArea, 0.0); // Triangle writes -1 for "no limit"
             marker.tag = tags.of(attribute);
             domain_.regionMarkers.push_back(marker);
+            if (maxArea > 0.0) { // Triangle writes -1 for "no limit"
+                file_.spacing.placed.regions.push_back({.at = marker.at, .maxArea = maxArea});
+            }
         }
         return true;
     }
@@ -255,7 +256,8 @@ class PolyReader {
     const SourceText &source_;
     TextScanner scanner_;
     Diagnostics faults_;
-    Domain domain_;
+    DomainFile file_;
+    Domain &domain_ = file_.domain;
     NodeTable table_;
     std::vector<std::int32_t> nodeMarkers_;
     std::vector<std::uint32_t> degrees_;
@@ -269,7 +271,7 @@ bool hasNodesInNodeFile(const SourceText &poly) {
     return scanner.integer(nodes, 0, 0, {"the number of nodes"});
 }
 
-Result<Domain> readPoly(const SourceText &source) {
+Result<DomainFile> readPoly(const SourceText &source) {
     return PolyReader(source).read();
 }
 

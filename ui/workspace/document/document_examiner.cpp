@@ -1,7 +1,6 @@
 #include "ui/workspace/document/document_examiner.hpp"
 
 #include "core/drawing/document/document.hpp"
-#include "core/drawing/formulas/element_counts.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/boundary/estimate.hpp"
 #include "core/engine/domain/domain_graph.hpp"
@@ -101,7 +100,7 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(SharedDomain &d
                                                                  SharedSpacing &spacing, const std::stop_token &stop) {
     auto preview = std::make_shared<DocumentPreview>();
     preview->revision = revision;
-    const Document &document = *drawn.document();
+    const std::shared_ptr<const MeshingJob> job = drawn.job();
     const std::shared_ptr<const Domain> domain = drawn.get();
     preview->domain = domain;
     if (domain->nodes.empty()) {
@@ -115,8 +114,8 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(SharedDomain &d
     }
     Progress progress;
     progress.stop = stop;
-    const GivenSegments segments = document.options.keepBoundary ? GivenSegments::Kept : GivenSegments::Divided;
-    Result<std::shared_ptr<const SpacingField>> field = spacing.get(spacingOf(document), *domain, progress, segments);
+    const GivenSegments segments = job->options.keepBoundary ? GivenSegments::Kept : GivenSegments::Divided;
+    Result<std::shared_ptr<const SpacingField>> field = spacing.get(job->spacing, *domain, progress, segments);
     if (!field) {
         preview->faults.insert(preview->faults.end(), field.faults().begin(), field.faults().end());
         return preview;

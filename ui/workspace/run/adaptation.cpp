@@ -12,21 +12,23 @@
 namespace forefront {
 
 Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &progress, const AdaptReport &report) {
-    const Result<Domain> domain =
-        request.drawing ? Result<Domain>(toDomain(*request.drawing)) : outlineOf(request.mesh->view(), progress);
-    if (!domain) {
-        return domain.faults();
+    MeshingJob job;
+    if (request.drawing) {
+        job = jobOf(*request.drawing);
+    } else if (Result<Domain> outline = outlineOf(request.mesh->view(), progress); outline) {
+        job.domain = std::move(*outline);
+    } else {
+        return outline.faults();
     }
+    job.options = request.options;
     if (request.values) {
-        return adaptMeshOnce(*domain, request.mesh->mesh, *request.values, request.target, request.options, progress,
-                             report);
+        return adaptMeshOnce(job, request.mesh->mesh, *request.values, request.target, progress, report);
     }
     const Result<NodalField> field = expressionField(request.field);
     if (!field) {
         return field.faults();
     }
-    return adaptMesh(*domain, request.mesh->mesh, *field, request.target, request.maxRounds, request.options, progress,
-                     report);
+    return adaptMesh(job, request.mesh->mesh, *field, request.target, request.maxRounds, progress, report);
 }
 
 namespace {

@@ -211,8 +211,7 @@ void RunControl::showFile(FileMesh read) {
 }
 
 MeshingJob RunControl::job() const {
-    const std::shared_ptr<const Document> document = document_.current();
-    return {*document_.domain(), spacingOf(*document), document->options};
+    return *document_.sharedDomain()->job();
 }
 
 void RunControl::start(StartMode mode, Extent extent) {
