@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/shapes/references.hpp"
+#include "ui/background/background_list.hpp"
 #include "ui/widgets/widget_context.hpp"
 #include "ui/workspace/document/document_examiner.hpp"
 #include "ui/workspace/document/document_store.hpp"
@@ -36,14 +37,15 @@ struct FieldFault {
 
 /// The open document with its view and selection, and everything computed from it.
 struct Workspace : WidgetContext {
+    BackgroundList background{[this] { platform.wake(); }}; ///< before all activities that are in it
     DocumentStore document;
     MessageLog log{document};
-    RunControl run;
-    DocumentExaminer examiner;
-    std::shared_ptr<const DocumentPreview> preview; ///< of this frame, never null
-    MeshJudge judge;
-    std::shared_ptr<const Judgement> judgement; ///< of this frame, never null
-    PictureStore pictures{[this] { platform.wake(); }};
+    RunControl run{document, log, background};
+    DocumentExaminer examiner{background};
+    std::shared_ptr<const DocumentPreview> preview = examiner.preview(); ///< of this frame, never null
+    MeshJudge judge{background};
+    std::shared_ptr<const Judgement> judgement = judge.now(); ///< of this frame, never null
+    PictureStore pictures{background};
     Probe probe;
     View view;
     Selection selection;
@@ -51,9 +53,7 @@ struct Workspace : WidgetContext {
     EnteredFormulas entered;
     FieldFault fieldFault;
 
-    explicit Workspace(Platform &owner)
-        : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), examiner([&owner] { owner.wake(); }),
-          preview(examiner.latest()), judge([&owner] { owner.wake(); }), judgement(judge.latest()) {
+    explicit Workspace(Platform &owner) : WidgetContext(owner) {
         // Nothing that is gone, hidden or locked stays selected, however the document changes.
         document.observe([this](const Document &next) { selection.prune(next); });
     }
