@@ -237,7 +237,10 @@ std::string unusedAdaptOption(const AdaptArguments &arguments) {
 
 void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
     app.add_option("MESH", arguments.mesh,
-                   "mesh file, with nodal values if --field is given: .vtu, .vtk, .msh; -: standard input")
+                   "mesh file: " + extensionList([](const FileFormat &format) { return format.readsMesh; }) +
+                       "; with nodal values if --field is given: " +
+                       extensionList([](const FileFormat &format) { return format.readsFields; }) +
+                       "; -: standard input")
         ->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     auto *field = app.add_option_group("Field", "exactly one");

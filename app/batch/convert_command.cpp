@@ -162,9 +162,7 @@ int convertCommand(int argc, const char *const *argv) {
     ConvertArguments arguments;
     CLI::App app("Writes a mesh in other formats.", "forefront convert");
     app.footer(kConvertExamples);
-    app.add_option("MESH", arguments.mesh,
-                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj, .vol; -: standard input")
-        ->required();
+    app.add_option("MESH", arguments.mesh, meshFileHelp())->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");

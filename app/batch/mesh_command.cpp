@@ -54,7 +54,7 @@ Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
 /// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
 std::string checkPicture(const MeshArguments &arguments, const Input &file) {
     const FileFormat *const format = file.format();
-    const bool picture = format != nullptr && std::string_view(format->id) == "png";
+    const bool picture = format != nullptr && format->kind == FileKind::Picture;
     if (picture && !arguments.pictureSizes) {
         return "--spacing-file: a picture needs sizes for black and white; add --picture-sizes BLACK:WHITE";
     }

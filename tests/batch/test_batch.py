@@ -1226,6 +1226,12 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
+        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .vol, .obj"
+        for command in ("check", "convert", "adapt"):
+            self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
+        text = " ".join(self.call("mesh", "--help").stdout.split())
+        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .poly, .svg, " + meshes, text)
+        self.assertIn("a background mesh (.msh), a grid of sizes (.asc) or a picture (.png)", text)
 
 
 class Films(Case):

@@ -85,8 +85,9 @@ class SetActivity final : public BackgroundActivity {
 };
 
 template <class Worker>
-constexpr bool kOnlyInList = std::is_base_of_v<BackgroundActivity, Worker> && !std::is_default_constructible_v<Worker> &&
-                             !std::is_copy_constructible_v<Worker> && !std::is_move_constructible_v<Worker>;
+constexpr bool kOnlyInList =
+    std::is_base_of_v<BackgroundActivity, Worker> && !std::is_default_constructible_v<Worker> &&
+    !std::is_copy_constructible_v<Worker> && !std::is_move_constructible_v<Worker>;
 
 // A worker cannot be made without the list of its window, or leave it.
 static_assert(kOnlyInList<Doubler>);
@@ -235,9 +236,11 @@ TEST_CASE("Background: what was cancelled is stopped on its thread, and its answ
     CHECK(wakes == 1);
 }
 
-TEST_CASE("Background: an answer that arrived but was not fetched is dropped by a cancel, for threads that have ended") {
+TEST_CASE(
+    "Background: an answer that arrived but was not fetched is dropped by a cancel, for threads that have ended") {
     BackgroundList list([] {});
-    Doubler doubler(list, [](const Doubler::Turn &turn) { return 2 * turn.request; }, -1);
+    Doubler doubler(
+        list, [](const Doubler::Turn &turn) { return 2 * turn.request; }, -1);
     doubler.submit(1);
     doubler.wait();
     CHECK(doubler.hasNews());
@@ -274,7 +277,8 @@ TEST_CASE("Background: without a thread, the caller answers its own request") {
             same = std::this_thread::get_id() == caller;
             return 2 * turn.request;
         },
-        0, Doubler::kForever, NewsPace::AtOnce, [](const std::function<void()> &) -> std::thread {
+        0, Doubler::kForever, NewsPace::AtOnce,
+        [](const std::function<void()> &) -> std::thread {
             throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
         });
     doubler.submit(4);

@@ -62,7 +62,7 @@ struct Editor::Parts {
 
     bool newsDue() const;
     bool previewDue() const;
-    bool due(NewsPace pace) const;
+    bool due(NewsPace news) const;
     double untilTurn() const;
     bool gestureUnderWay() const;
     bool keySharesFrame(const InputEvent &event) const;
@@ -110,8 +110,8 @@ bool Editor::Parts::previewDue() const {
 }
 
 /// Returns true if a frame may be drawn now for results with this pace.
-bool Editor::Parts::due(NewsPace pace) const {
-    switch (pace) {
+bool Editor::Parts::due(NewsPace news) const {
+    switch (news) {
     case NewsPace::WithMesh:
         return newsDue();
     case NewsPace::WithPreview:
@@ -217,7 +217,7 @@ double Editor::sleepSeconds() const {
 bool Editor::needsFrame() const {
     const Shell &c = parts_->context;
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt ||
-           c.background.hasNews([this](NewsPace pace) { return parts_->due(pace); }) ||
+           c.background.hasNews([this](NewsPace news) { return parts_->due(news); }) ||
            (parts_->drewBusy && !c.run.busy()) || !(c.platform.framebufferSize() == parts_->size) ||
            (parts_->reportedBusy && settled());
 }
