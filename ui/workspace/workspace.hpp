@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/shapes/references.hpp"
+#include "core/engine/base/result.hpp"
 #include "ui/background/background_list.hpp"
 #include "ui/widgets/widget_context.hpp"
 #include "ui/workspace/document/document_examiner.hpp"
@@ -57,6 +58,10 @@ struct Workspace : WidgetContext {
         // Nothing that is gone, hidden or locked stays selected, however the document changes.
         document.observe([this](const Document &next) { selection.prune(next); });
     }
+
+    /// Makes the result of a command the document, with the formulas that were typed for it, or says why the command
+    /// was refused. `label`: for undo. `merge`: as for DocumentStore::apply(). Returns true if it was applied.
+    bool applyCommand(Result<Document> next, const std::string &label, const std::string &merge = {});
 };
 
 } // namespace forefront
