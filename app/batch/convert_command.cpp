@@ -105,18 +105,14 @@ void printSize(const Mesh &mesh, const ConvertArguments &arguments) {
 int runConvert(const ConvertArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
-    Progress progress;
-    progress.stop = interrupt.token();
-    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
-    bar.show("reading", 0.0);
-    const Result<Input> file = openInput(arguments.mesh, arguments.inputFormat);
+    const Progress progress = bar.progress(interrupt.token());
+    const Result<Input> file = bar.during("reading", [&] { return openInput(arguments.mesh, arguments.inputFormat); });
     if (!file) {
-        bar.clear();
         return refuse(file.faults(), interrupt);
     }
     ImportNotes notes;
-    Result<MeshFields> read = allFormats().readFields(file->path, file->options, &notes);
-    bar.clear();
+    Result<MeshFields> read =
+        bar.during("reading", [&] { return allFormats().readFields(file->path, file->options, &notes); });
     if (!read) {
         return refuse(read.faults(), interrupt);
     }
@@ -137,14 +133,9 @@ int runConvert(const ConvertArguments &arguments) {
         return refuse(unsupported, interrupt);
     }
     interrupt.deferToStop();
-    FileSet files;
-    Diagnostics written =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
-    if (!hasErrors(written)) {
-        const Status committed = files.commit();
-        written = committed.empty() ? written : committed;
-    }
-    bar.clear();
+    const Diagnostics written = bar.during({}, [&] {
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+    });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
     }
