@@ -15,7 +15,7 @@ namespace forefront {
 namespace {
 
 /// Returns the names of the accepted formats, such as "GeoJSON and TopoJSON".
-std::string namesOf(bool (*accepts)(const FileFormat &)) {
+std::string formatNames(bool (*accepts)(const FileFormat &)) {
     std::vector<std::string> names;
     for (const FileFormat &format : allFormats().list()) {
         if (accepts(format)) {
@@ -30,7 +30,7 @@ std::string namesOf(bool (*accepts)(const FileFormat &)) {
 }
 
 std::string mapNames() {
-    return namesOf([](const FileFormat &format) { return format.kind == FileKind::Map; });
+    return formatNames([](const FileFormat &format) { return format.kind == FileKind::Map; });
 }
 
 } // namespace
@@ -65,7 +65,8 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
     }
     const bool isMap = format->kind == FileKind::Map;
     if (drawing.layer && !format->hasLayers) {
-        return "--layer: only " + namesOf([](const FileFormat &each) { return each.hasLayers; }) + " files have layers";
+        return "--layer: only " + formatNames([](const FileFormat &each) { return each.hasLayers; }) +
+               " files have layers";
     }
     if (drawing.nameProperty && !isMap) {
         return "--name-property: only the features of " + mapNames() + " files have properties";
@@ -85,7 +86,7 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
           std::pair(drawing.shapeRegions, "--shape-regions")}) {
         if (given && format->kind != FileKind::Drawing) {
             return std::string(option) + ": applies only to " +
-                   namesOf([](const FileFormat &each) { return each.kind == FileKind::Drawing; }) + "s";
+                   formatNames([](const FileFormat &each) { return each.kind == FileKind::Drawing; }) + "s";
         }
     }
     return {};

@@ -14,8 +14,8 @@ template <class Item>
 class Rows {
   public:
     Rows() = default;
-    /// `visit(add)` calls `add(row, item)` for each item. It is called twice, to count and to fill the rows, and must add
-    /// the same items both times. At most 2^32 - 1 items.
+    /// `visit(add)` calls `add(row, item)` for each item. It is called twice, to count and to fill the rows, and must
+    /// add the same items both times. At most 2^32 - 1 items.
     template <class Visit>
     Rows(std::size_t rows, const Visit &visit) : starts_(rows + 1, 0) {
         visit([this](std::size_t row, const Item &) { ++starts_[row + 1]; });
