@@ -77,17 +77,19 @@ void printRound(const AdaptArguments &arguments, std::size_t round, std::size_t 
 }
 
 /// Reads the mesh and, with --field, its values; refuses an invalid mesh.
-Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) {
+Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file, ProgressBar &bar) {
     MeshField input;
     ImportNotes notes;
     if (arguments.field) {
-        Result<MeshField> read = allFormats().readField(file.path, *arguments.field, file.options, &notes);
+        Result<MeshField> read = bar.during(
+            "reading", [&] { return allFormats().readField(file.path, *arguments.field, file.options, &notes); });
         if (!read) {
             return read.faults();
         }
         input = std::move(*read);
     } else {
-        Result<Mesh> read = allFormats().readMesh(file.path, file.options, &notes);
+        Result<Mesh> read =
+            bar.during("reading", [&] { return allFormats().readMesh(file.path, file.options, &notes); });
         if (!read) {
             return read.faults();
         }
@@ -125,11 +127,13 @@ Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainF
 
 /// Makes one new mesh, on which a solver must compute the field.
 Result<TriMesh> adaptToField(const AdaptArguments &arguments, const MeshingJob &job, const TriMesh &mesh,
-                             const std::vector<double> &values, const Progress &progress) {
+                             const std::vector<double> &values, const Progress &progress, ProgressBar &bar) {
     const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
+        bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome = adaptMeshOnce(job, mesh, values, arguments.target, progress, tell);
+    Result<AdaptOutcome> outcome =
+        bar.during({}, [&] { return adaptMeshOnce(job, mesh, values, arguments.target, progress, tell); });
     if (!outcome) {
         return outcome.faults();
     }
@@ -151,9 +155,10 @@ Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Meshing
         bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome =
-        adaptMesh(job, std::move(mesh), *field, arguments.target, arguments.rounds.value_or(kRounds), progress, tell);
-    bar.clear();
+    Result<AdaptOutcome> outcome = bar.during({}, [&] {
+        return adaptMesh(job, std::move(mesh), *field, arguments.target, arguments.rounds.value_or(kRounds), progress,
+                         tell);
+    });
     if (!outcome) {
         return outcome.faults();
     }
@@ -172,31 +177,25 @@ Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Meshing
 int runAdapt(const AdaptArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
-    Progress progress;
-    progress.stop = interrupt.token();
-    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
-    bar.show("reading", 0.0);
-    const Result<Input> file = openInput(arguments.mesh, arguments.inputFormat);
-    Result<Input> domainFile = arguments.domain ? openInput(*arguments.domain) : Input{};
+    const Progress progress = bar.progress(interrupt.token());
+    const Result<Input> file = bar.during("reading", [&] { return openInput(arguments.mesh, arguments.inputFormat); });
+    Result<Input> domainFile =
+        bar.during("reading", [&] { return arguments.domain ? openInput(*arguments.domain) : Result<Input>(Input{}); });
     if (!file || !domainFile) {
-        bar.clear();
         return refuse(file ? domainFile.faults() : file.faults(), interrupt);
     }
     if (arguments.domain) {
         if (const std::string wrong = checkDrawingOptions(arguments.drawing, *domainFile, false); !wrong.empty()) {
-            bar.clear();
             return wrongUsage("forefront adapt", wrong);
         }
         arguments.drawing.applyTo(domainFile->options);
     }
-    Result<MeshField> input = readInput(arguments, *file);
+    Result<MeshField> input = readInput(arguments, *file, bar);
     if (!input) {
-        bar.clear();
         return refuse(input.faults(), interrupt);
     }
     ImportNotes notes;
-    Result<MeshingJob> job = readJob(arguments, *domainFile, input->mesh, notes);
-    bar.clear();
+    Result<MeshingJob> job = bar.during("reading", [&] { return readJob(arguments, *domainFile, input->mesh, notes); });
     if (!job) {
         return refuse(job.faults(), interrupt);
     }
@@ -204,9 +203,8 @@ int runAdapt(const AdaptArguments &arguments) {
     interrupt.deferToStop();
     TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles
     const Result<TriMesh> mesh = arguments.field
-                                     ? adaptToField(arguments, *job, triangles, input->values, progress)
+                                     ? adaptToField(arguments, *job, triangles, input->values, progress, bar)
                                      : adaptToExpression(arguments, *job, std::move(triangles), progress, bar);
-    bar.clear();
     if (!mesh) {
         const bool mistyped = hasCode(mesh.faults(), "expression-syntax");
         const int code = refuse(
@@ -215,14 +213,9 @@ int runAdapt(const AdaptArguments &arguments) {
             interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
-    FileSet files;
-    Diagnostics written =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
-    if (!hasErrors(written)) {
-        const Status committed = files.commit();
-        written = committed.empty() ? written : committed;
-    }
-    bar.clear();
+    const Diagnostics written = bar.during({}, [&] {
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+    });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
     }
@@ -247,7 +240,10 @@ std::string unusedAdaptOption(const AdaptArguments &arguments) {
 
 void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
     app.add_option("MESH", arguments.mesh,
-                   "mesh file, with nodal values if --field is given: .vtu, .vtk, .msh; -: standard input")
+                   "mesh file: " + extensionList([](const FileFormat &format) { return format.readsMesh; }) +
+                       "; with nodal values if --field is given: " +
+                       extensionList([](const FileFormat &format) { return format.readsFields; }) +
+                       "; -: standard input")
         ->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     auto *field = app.add_option_group("Field", "exactly one");

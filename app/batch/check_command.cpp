@@ -267,9 +267,7 @@ int checkCommand(int argc, const char *const *argv) {
     CheckArguments arguments;
     CLI::App app("Checks a mesh, alone or against its domain.", "forefront check");
     app.footer(kCheckExamples);
-    app.add_option("MESH", arguments.mesh,
-                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj, .vol; -: standard input")
-        ->required();
+    app.add_option("MESH", arguments.mesh, meshFileHelp())->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");
     addDrawingOptions(app, arguments.drawing);

@@ -24,7 +24,7 @@ void noteHoleMarkers(const Domain &domain, const SourceText &source) {
 }
 
 Result<Document> documentFrom(const Format &format, const SourceText &source) {
-    if (format.about.id == std::string_view("project")) {
+    if (format.about.kind == FileKind::Project) {
         return readProjectText(source);
     }
     const Result<DomainFile> file = domainFrom(format, source);

@@ -54,18 +54,34 @@ Result<DomainFile> readProjectDomain(const SourceText &source) {
 
 // The formats of drawings with their names, capabilities and functions, in the order of menus.
 constexpr std::array kDrawings = {
-    Format{.about = {"project", "Forefront project", ".json", true, false, false},
-           .otherExtensions = ".forefront",
+    Format{.about = {.id = "project",
+                     .name = "Forefront project",
+                     .extension = ".json",
+                     .otherExtensions = ".forefront",
+                     .kind = FileKind::Project,
+                     .readsDomain = true,
+                     .readsSpacing = true},
            .recognise = looksLikeProject,
            .readDomain = readProjectDomain,
            .readSpacing = readProjectSpacing},
-    Format{.about = {"geojson", "GeoJSON", ".geojson", true, false, false, {}, true},
-           .otherExtensions = ".json",
+    Format{.about = {.id = "geojson",
+                     .name = "GeoJSON",
+                     .extension = ".geojson",
+                     .otherExtensions = ".json",
+                     .kind = FileKind::Map,
+                     .readsDomain = true,
+                     .arranges = true},
            .recognise = looksLikeGeoJson,
            .mayShowLate = true,
            .readDomain = readInChainOrder<readGeoJson>},
-    Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, {}, true},
-           .otherExtensions = ".json",
+    Format{.about = {.id = "topojson",
+                     .name = "TopoJSON",
+                     .extension = ".topojson",
+                     .otherExtensions = ".json",
+                     .kind = FileKind::Map,
+                     .readsDomain = true,
+                     .hasLayers = true,
+                     .arranges = true},
            .recognise = looksLikeTopoJson,
            .mayShowLate = true,
            .readDomain = readInChainOrder<readTopoJson>},
@@ -75,7 +91,7 @@ constexpr std::array kDrawings = {
 std::vector<Format> everyFormat() {
     std::vector<Format> list(kDrawings.begin(), kDrawings.end());
     for (Format format : engineFormats().formats()) {
-        if (format.about.id == std::string_view("svg")) {
+        if (format.about.kind == FileKind::Drawing) {
             format.about.readsDomain = format.about.arranges = true;
             format.recognise = looksLikeSvg;
             format.readDomain = readInChainOrder<readSvg>;

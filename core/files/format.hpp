@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -16,8 +17,6 @@ namespace forefront {
 /// not support it.
 struct Format {
     FileFormat about;
-    /// Further extensions, separated by blanks, such as ".node .ele".
-    const char *otherExtensions = "";
     /// Returns true if the first bytes of a file (at most kHeadBytes) show that it is of this format.
     bool (*recognise)(std::string_view head) = nullptr;
     bool mayShowLate = false; ///< recognise() takes all of a JSON text where its first bytes show no format
@@ -30,6 +29,8 @@ struct Format {
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
     void (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const Progress &) = nullptr;
+    /// Returns further files that reading this one may open; null: none, or those of `about.files`.
+    std::vector<std::filesystem::path> (*filesBeside)(const std::filesystem::path &) = nullptr;
 
     bool canReadDomain() const { return readDomain != nullptr || readMesh != nullptr; }
     bool canWriteMesh() const { return writeMesh != nullptr || writeFiles != nullptr; }

@@ -492,13 +492,13 @@ class Meshing(Case):
         self.assertIn("unknown parameter", self.call("film", "disc.json", "-o", "x.svg", "--set", "q=2", code=1).stderr)
         self.call("film", "plate.poly", "-o", "x.svg", "--set", "r=2", code=2)
 
-    def test_progress_bar_shows_on_a_terminal(self):
+    def on_terminal(self, *words):
+        """Returns the exit code of a run and what it wrote to a terminal."""
         try:
             leader, follower = pty.openpty()
         except OSError as error:
             self.skipTest(f"no terminal to be had here: {error}")
-        process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "a.msh", "--size", "0.01"], cwd=self.path,
-                                   stdout=subprocess.DEVNULL, stderr=follower)
+        process = subprocess.Popen([PROGRAM, *words], cwd=self.path, stdout=follower, stderr=follower)
         os.close(follower)
         shown = b""
         try:
@@ -507,9 +507,28 @@ class Meshing(Case):
         except OSError:  # the end, on Linux
             pass
         os.close(leader)
-        self.assertEqual(process.wait(timeout=60), 0)
+        return process.wait(timeout=60), shown
+
+    def test_progress_bar_shows_on_a_terminal(self):
+        code, shown = self.on_terminal("mesh", "plate.poly", "-o", "a.msh", "--size", "0.01", "--stats", "a.json")
+        self.assertEqual(code, 0)
         self.assertRegex(shown, rb"\[#*\.*\]\s+\d+ %")
-        self.assertTrue(shown.endswith(b"\r\x1b[K"), "the bar is cleared at the end")
+
+    def test_nothing_is_printed_on_the_line_of_the_progress_bar(self):
+        ring = "[[10, 50], [11, 50], [11, 51], [10, 50]]"
+        self.write("map.geojson", '{"type": "Polygon", "coordinates": [' + ring + ']}')
+        self.call("mesh", "plate.poly", "-o", "plate.msh")
+        runs = ((0, ("mesh", "map.geojson", "-o", "a.vtu")), (1, ("mesh", "missing.poly", "-o", "a.vtu")),
+                (0, ("convert", "plate.msh", "-o", "a.vtu")), (1, ("convert", "missing.msh", "-o", "a.vtu")),
+                (0, ("adapt", "plate.msh", "--expression", "x*x", "--error", "0.1", "-o", "b.msh")),
+                (1, ("adapt", "missing.msh", "--expression", "x*x", "--error", "0.1", "-o", "b.msh")))
+        for expected, words in runs:
+            with self.subTest(words=words):
+                code, shown = self.on_terminal(*words)
+                self.assertEqual(code, expected)
+                lines = [line.rpartition(b"\x1b[K")[2] for line in shown.split(b"\n")]
+                self.assertEqual([line for line in lines if b" % " in line and line.startswith(b"[")], [])
+                self.assertGreater(len(lines), 1)  # something was printed
 
     def test_interrupt_cancels_and_leaves_nothing(self):
         process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "big.msh", "--size", "0.0004",
@@ -1226,6 +1245,12 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
+        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .vol, .obj"
+        for command in ("check", "convert", "adapt"):
+            self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
+        text = " ".join(self.call("mesh", "--help").stdout.split())
+        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .poly, .svg, " + meshes, text)
+        self.assertIn("a background mesh (.msh), a grid of sizes (.asc) or a picture (.png)", text)
 
 
 class Films(Case):

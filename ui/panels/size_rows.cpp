@@ -51,12 +51,11 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
     ImGui::EndDisabled();
     if (changed && follows && !size) {
-        EditState::apply(context, setPartElements(document, tag, PartElements{counted->second.count, growth}),
-                         "Change size of boundary part");
+        context.applyCommand(setPartElements(document, tag, PartElements{counted->second.count, growth}),
+                             "Change size of boundary part");
     } else if (changed && (size || given)) {
-        EditState::apply(context,
-                         setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
-                         "Change size of boundary part");
+        context.applyCommand(setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+                             "Change size of boundary part");
     }
 }
 
@@ -76,9 +75,9 @@ void regionSizeRow(Shell &context, std::uint32_t marker) {
     changed = ui::inputNumber(context, "inspector/regiongrowth", growth, -1.0F, address + "growth") || changed;
     ImGui::EndDisabled();
     if (changed) {
-        EditState::apply(context,
-                         setRegionSize(document, marker, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
-                         "Change size of region");
+        context.applyCommand(
+            setRegionSize(document, marker, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+            "Change size of region");
     }
 }
 
@@ -149,12 +148,12 @@ void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
     ImGui::EndDisabled();
     constexpr const char *kLabel = "Change size at node";
     if (sized && size.value) {
-        EditState::apply(context, changeNodeSizes(document, nodes, {.size = size.value, .growth = {}}), kLabel);
+        context.applyCommand(changeNodeSizes(document, nodes, {.size = size.value, .growth = {}}), kLabel);
     } else if (sized && size.given) {
-        EditState::apply(context, setNodeSize(document, nodes, std::nullopt), kLabel);
+        context.applyCommand(setNodeSize(document, nodes, std::nullopt), kLabel);
     } else if (grown && size.given) { // an empty field restores the usual growth
         const double wanted = growth.value.value_or(PartSize{}.growth);
-        EditState::apply(context, changeNodeSizes(document, nodes, {.size = {}, .growth = wanted}), kLabel);
+        context.applyCommand(changeNodeSizes(document, nodes, {.size = {}, .growth = wanted}), kLabel);
     }
 }
 

@@ -150,14 +150,14 @@ void SpacingPanel::drawElementCounts(Shell &context) {
     form::label(context, "Elements per");
     const float half = form::halfWidth(context);
     if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half, "spacing/segmentsPerTurn")) {
-        EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
+        context.applyCommand(setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
     }
     ui::rowTooltip(context,
                    "Elements along a full turn of a curved boundary; 0: ignore bends. Empty: 40 with automatic "
                    "spacing, fewer on small bends, else 0. Curves always get as many as their shape needs.");
     ImGui::SameLine(0, context.px(6));
     if (form::optionalField(context, "spacing/across", across, "gap", half, "spacing/elementsAcross")) {
-        EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements per gap");
+        context.applyCommand(setElementsAcross(*context.document.current(), across), "Change elements per gap");
     }
     ui::tooltip(context, "Elements across narrow places, such as channels; 0: ignore narrow places. Empty: 2 with "
                          "automatic spacing, else 0. Corners are not narrow places, except tips below 20 degrees.");
@@ -168,7 +168,7 @@ void SpacingPanel::drawCurveTolerance(Shell &context) {
     std::optional<double> tolerance = given > 0.0 ? std::optional(given) : std::nullopt;
     form::label(context, "Curve error");
     if (form::optionalField(context, "spacing/curvetolerance", tolerance, "auto", -1.0F, "spacing/curveTolerance")) {
-        EditState::apply(context, setCurveTolerance(*context.document.current(), tolerance), "Change curve tolerance");
+        context.applyCommand(setCurveTolerance(*context.document.current(), tolerance), "Change curve tolerance");
     }
     ui::rowTooltip(context,
                    "Curve tolerance: the maximum distance of a curve from its edges in the mesh. It limits the "
@@ -186,7 +186,7 @@ void SpacingPanel::drawLimits(Shell &context) {
     const bool high = form::optionalField(context, "spacing/maximum", maximum, "max", half, "spacing/maximum");
     ui::tooltip(context, "Maximum node spacing");
     if (low || high) {
-        EditState::apply(context, setLimits(*document, minimum, maximum), "Limit spacing");
+        context.applyCommand(setLimits(*document, minimum, maximum), "Limit spacing");
     }
     gradation_.draw(context);
     drawElementCounts(context);
@@ -206,7 +206,7 @@ void SpacingPanel::draw(Shell &context) {
     form::label(context, "Size");
     if (form::optionalField(context, "spacing/size", size, spacing.usesAutomatic() ? "auto" : "none", -1.0F,
                             "spacing/size")) {
-        EditState::apply(context, setSize(*document, size), "Change size");
+        context.applyCommand(setSize(*document, size), "Change size");
     }
     ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");
     drawExpression(context);

@@ -16,8 +16,8 @@ namespace ui {
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
 /// the field and in the log, and the old value is kept. A field with an address (see
 /// core/drawing/formulas/number_address.hpp) shows the formula that its number follows; a formula typed there is stored
-/// by the next EditState::apply() in this frame. A field without one says that the parameters in a typed expression are
-/// used only once.
+/// by the next Workspace::applyCommand() in this frame. A field without one says that the parameters in a typed
+/// expression are used only once.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const std::string &address = {});
 /// Reports an entry that cannot be used beside its field, as `reason`, and in the log.

@@ -8,6 +8,8 @@
 #include "core/files/triangle/triangle_nodes.hpp"
 
 #include <limits>
+#include <string>
+#include <system_error>
 
 namespace forefront {
 
@@ -265,10 +267,22 @@ class PolyReader {
 
 } // namespace
 
-bool hasNodesInNodeFile(const SourceText &poly) {
-    TextScanner scanner(poly, '#');
-    std::int64_t nodes = -1;
-    return scanner.integer(nodes, 0, 0, {"the number of nodes"});
+std::vector<std::filesystem::path> filesBesidePoly(const std::filesystem::path &poly) {
+    std::filesystem::path nodes = poly;
+    nodes.replace_extension(".node");
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(poly, none) || !std::filesystem::is_regular_file(nodes, none)) {
+        return {};
+    }
+    const Result<std::string> bytes = readFileBytes(poly, ImportOptions().maxBytes);
+    if (!bytes) {
+        return {};
+    }
+    const SourceText source{*bytes, poly.string(), poly, {}};
+    TextScanner scanner(source, '#');
+    std::int64_t count = -1;
+    const bool elsewhere = scanner.integer(count, 0, 0, {"the number of nodes"});
+    return elsewhere ? std::vector{nodes} : std::vector<std::filesystem::path>();
 }
 
 Result<DomainFile> readPoly(const SourceText &source) {

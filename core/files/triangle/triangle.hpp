@@ -9,6 +9,7 @@
 
 #include <array>
 #include <filesystem>
+#include <vector>
 
 namespace forefront {
 
@@ -24,7 +25,7 @@ void writeTriangle(FileSet &files, const std::filesystem::path &path, const Mesh
 
 /// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes, and maximum areas.
 Result<DomainFile> readPoly(const SourceText &source);
-/// Returns true if the .node file beside the .poly file holds its nodes.
-bool hasNodesInNodeFile(const SourceText &poly);
+/// Returns the .node file beside a .poly file if that holds its nodes.
+std::vector<std::filesystem::path> filesBesidePoly(const std::filesystem::path &poly);
 
 } // namespace forefront
