@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
@@ -57,6 +58,8 @@ Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
     }
     printNotes(notes, false);
     if (arguments.size || arguments.expression) {
+        printFaults(
+            replacedSpacing(arguments.size ? "--size" : "--spacing", document->spacing, jobOf(*document).domain));
         const auto names = std::move(document->spacing.names); // of the project's parameters
         document->spacing = {};
         document->elementCounts.clear();
