@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -200,6 +201,11 @@ int runAdapt(const AdaptArguments &arguments) {
         return refuse(job.faults(), interrupt);
     }
     printNotes(notes, arguments.quiet);
+    if (arguments.domain && domainFile->isProject() && !arguments.quiet) {
+        printFaults(noteOf("project-domain",
+                           "only the drawing of the project is used; the sizes follow the error, and the options of "
+                           "meshing are those of this command"));
+    }
     interrupt.deferToStop();
     TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles
     const Result<TriMesh> mesh = arguments.field

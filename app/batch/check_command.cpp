@@ -3,11 +3,11 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/report.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/domain/document_domain.hpp"
-#include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
@@ -15,6 +15,7 @@
 #include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
+#include "core/engine/pipeline/build_spacing.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/boundary_parts.hpp"
 #include "core/files/files.hpp"
@@ -84,8 +85,7 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
         if (!project) {
             return project.faults();
         }
-        const MeshingJob job = jobOf(*project);
-        auto spacing = SpacingField::build(job.spacing, job.domain);
+        auto spacing = buildSpacing(jobOf(*project), {});
         return spacing ? std::move(spacing) : allFormats().locateFaults(*arguments.savedLimits, spacing.faults());
     }
     SpacingSpec spec;
@@ -176,8 +176,9 @@ void printFigures(const CheckArguments &arguments, const MeshReport &report, boo
                 valid ? "valid" : "invalid", arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
                 toHex(report.hash).c_str(), extentLine(quality.area, report.extent).c_str(), quality.alphaMean,
                 quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
+    std::fputs(kindsLine(quality).c_str(), stdout);
     if (spaced) {
-        std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
+        std::fputs(conformityLine(quality).c_str(), stdout);
     }
 }
 
@@ -249,6 +250,13 @@ int check(CheckArguments &arguments) {
             return wrongUsage("forefront check", wrong);
         }
         faults = checkAgainst(*mesh, notes.numbers(), arguments, *domain);
+        if (domain->isProject() && !arguments.savedLimits) {
+            const Result<Document> project = readDocument(domain->path, domain->options);
+            if (project && project->limits.any()) {
+                printFaults(
+                    noteOf("limits", "the limits of the project are not checked", "add --limits with its name"));
+            }
+        }
     } else {
         faults = verify(*mesh, kMaxListedFaults, notes.numbers());
     }

@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -125,6 +126,10 @@ int runConvert(const ConvertArguments &arguments) {
         return refuse(
             allFormats().locateFaults(file->path, error("empty-mesh", "the mesh has no elements"), file->options),
             interrupt);
+    }
+    const bool onlyTriangles = mesh.blocks.size() == 1 && mesh.blocks.front().kind() == CellKind::Triangle3;
+    if (arguments.triangles && onlyTriangles && !arguments.quiet) {
+        printFaults(noteOf("no-effect", "--triangles has no effect: all elements are triangles of 3 nodes"));
     }
     if (arguments.triangles) {
         mesh = takeTriangulated(std::move(mesh)).mesh;

@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
@@ -57,6 +58,9 @@ Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
     }
     printNotes(notes, false);
     MeshingJob job = jobOf(*document);
+    if (arguments.size || arguments.expression) {
+        printFaults(replacedSpacing(arguments.size ? "--size" : "--spacing", job.spacing));
+    }
     applySpacingOptions(arguments.size, arguments.expression, job.spacing);
     job.options.method = arguments.method.value_or(job.options.method);
     job.options.grid = arguments.grid.value_or(job.options.grid);

@@ -4,6 +4,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <string>
 
 namespace forefront {
 
@@ -29,6 +31,7 @@ struct ReadJob {
     MeshingJob job;
     Box2 box;                                 ///< of the domain
     std::optional<BackgroundPicture> picture; ///< of a project
+    MeshLimits limits;                        ///< of a project
 };
 
 /// Reads the domain of any file with its element sizes, and also options if the file is a project.
@@ -38,14 +41,14 @@ Result<ReadJob> readJob(const Input &input, ImportNotes &notes) {
         if (!document) {
             return document.faults();
         }
-        return ReadJob{jobOf(*document), boundsOf(*document), document->picture};
+        return ReadJob{jobOf(*document), boundsOf(*document), document->picture, document->limits};
     }
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options, &notes);
     if (!file) {
         return file.faults();
     }
     const Box2 box = file->domain.bounds();
-    return ReadJob{{std::move(file->domain), std::move(file->spacing), {}}, box, {}};
+    return ReadJob{{std::move(file->domain), std::move(file->spacing), {}}, box, {}, {}};
 }
 
 /// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
@@ -87,6 +90,13 @@ std::optional<PictureSizes> placedPicture(const MeshArguments &arguments, const 
 Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read,
                          ImportNotes &notes) {
     SpacingSpec &spacing = read.job.spacing;
+    const char *const option = arguments.size         ? "--size"
+                               : arguments.expression ? "--spacing"
+                               : file                 ? "--spacing-file"
+                                                      : nullptr;
+    if (option != nullptr && !arguments.quiet) {
+        printFaults(replacedSpacing(option, spacing));
+    }
     if (!applySpacingOptions(arguments.size, arguments.expression, spacing) && file) {
         ImportOptions options = file->options;
         options.picture = placedPicture(arguments, *file, read);
@@ -122,6 +132,23 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
     applyMaxElements(arguments.maxElements, options);
+}
+
+/// Returns notes on options that have no effect on this run.
+Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job, const SpacingField &spacing) {
+    Diagnostics notes;
+    const auto add = [&](const char *option, const char *reason) {
+        notes.push_back(noteOf("no-effect", std::string(option) + " has no effect: " + reason).front());
+    };
+    if (arguments.gradation && spacing.minimum() == spacing.maximum()) {
+        add("--gradation", "the size is the same everywhere");
+    }
+    if (arguments.curveTolerance && job.domain.curves.empty()) {
+        add("--curve-tolerance", "the domain has no curves");
+    } else if (arguments.curveTolerance && job.options.keepBoundary) {
+        add("--curve-tolerance", "the given segments are kept");
+    }
+    return notes;
 }
 
 /// Repairs the domain of a job and records in `sources` where its parts come from.
@@ -246,7 +273,9 @@ int runMesh(const MeshArguments &arguments) {
     }
     if (!arguments.quiet) {
         printFaults(outcome->spacing->notes());
+        printFaults(unusedOptions(arguments, *job, *outcome->spacing));
     }
+    printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
     const RunReport report = reportOf(*outcome, job->options);
     faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {

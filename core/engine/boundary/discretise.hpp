@@ -7,6 +7,7 @@
 #include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct DiscreteDomain {
     /// The segments of the domain that follow a curve but were taken as straight, because curves cross there.
     std::vector<std::uint32_t> straightened;
     std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides those of segments
+    std::size_t gradedNodes = 0;         ///< number of the last of `points` that have no tag, see addGradedNodes()
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;

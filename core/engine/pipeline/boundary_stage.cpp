@@ -1,9 +1,11 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/boundary/estimate.hpp"
+#include "core/engine/boundary/graded_nodes.hpp"
 #include "core/engine/pipeline/build_spacing.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/stages.hpp"
+#include "core/engine/spacing/kept_field.hpp"
 #include "core/engine/spacing/scaled_field.hpp"
 
 #include <algorithm>
@@ -29,6 +31,9 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
                    automatic ? NarrowTips::Whole : NarrowTips::Divided, job.spacing.placed.elements);
     if (!boundary) {
         return boundary.faults();
+    }
+    if (const auto *const kept = dynamic_cast<const KeptField *>(spacing.get())) {
+        addGradedNodes(*kept, faces, *boundary);
     }
     PreparedJob prepared;
     prepared.estimatedElements = boundary->estimatedElements = estimateElements(*boundary, *spacing);

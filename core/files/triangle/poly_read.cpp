@@ -26,6 +26,7 @@ class PolyReader {
         if (!nodes() || !segments() || !holes() || !regions()) {
             return scanner_.ok() ? faults_ : scanner_.faults();
         }
+        noteLinesAfter();
         isolatedNodes();
         openChainsAsConstraints();
         TagNames names = readNameComments(source_.text, "#");
@@ -145,6 +146,19 @@ class PolyReader {
             }
         }
         return true;
+    }
+
+    /// Notes lines after the last section, which may be longer than it announces.
+    void noteLinesAfter() {
+        TextScanner line = scanner_;
+        std::size_t lines = 0, place = 0;
+        while (scanner_.nextLine(line)) {
+            place = lines++ == 0 ? line.offset() : place;
+        }
+        if (lines > 0) {
+            source_.note("more-lines", "lines after the last section are ignored; its number of items may be wrong",
+                         place, lines);
+        }
     }
 
     bool header(TextScanner &line, std::size_t &count, const char *what, std::size_t bytes) {

@@ -119,8 +119,8 @@ SegmentIndex::SegmentIndex(std::vector<PlacedSegment> placed) : segments(std::mo
 
 GapFinder::GapFinder(const Domain &domain, const LazyFaces &faces, const SegmentIndex &index, double longest,
                      double shortest, const Progress &progress, GapRules rules)
-    : domain_(domain), faces_(faces), index_(index), places_(chainPlaces(domain, index.segments)), longest_(longest),
-      shortest_(shortest), box_(spacingBox(domain)),
+    : domain_(domain), faces_(faces), index_(index), places_(chainPlaces(domain, index.segments)),
+      crowded_(domain, index.segments), longest_(longest), shortest_(shortest), box_(spacingBox(domain)),
       rounding_(kRounding *
                 std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x), std::fabs(box_.max.y)})),
       progress_(progress), rules_(rules) {}
@@ -199,11 +199,15 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
     const Box2 part = boxOf(a, b);
     Box2 around = part.grown(reach); // shrinks as nearer ones are found
     const SegmentPart piece{a, b, {normal.y, -normal.x}, length(b - a), rounding_};
+    const CrowdedNodes::Hidden hidden = crowded_.hiddenFrom(position, a, b);
     const auto visit = [&](std::uint32_t other) {
         if (other == position) {
             return;
         }
         const PlacedSegment &wall = index_.segments[other];
+        if (hidden.any() && !isPoint(wall) && hidden.contains(other, wall, domain_.segments[wall.index])) {
+            return;
+        }
         const double sideA = dot(wall.a - a, normal), sideB = dot(wall.b - a, normal);
         if (!(sides.left && std::max(sideA, sideB) > 0.0) && !(sides.right && std::min(sideA, sideB) < 0.0)) {
             return;
