@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/document/document.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/geometry/box_tree.hpp"
