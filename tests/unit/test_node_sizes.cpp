@@ -33,12 +33,12 @@ constexpr PartSize kFine{0.05, 0.3};
 const Vec2 kPlace{4, 3}; ///< of node 2 of the square
 
 /// A document with a square, id 1, whose node 2 has a size.
-Document square() {
+Document plainSquare() {
     const Document drawn = *addShape({}, made(ShapeKind::Polygon, {{0, 0}, {4, 0}, kPlace, {0, 3}}));
     return *setNodeSize(drawn, {{1, 2}}, kFine);
 }
 
-/// Returns the places that have a size in a document, each once; every size must be the one of square().
+/// Returns the places that have a size in a document, each once; every size must be the one of plainSquare().
 std::vector<Vec2> sizedPlaces(const Document &document) {
     std::vector<Vec2> places;
     for (const NodeSize &node : spacingOf(document).placed.nodes) {
@@ -68,7 +68,7 @@ Selection shapeOf(std::uint32_t shape) {
 } // namespace
 
 TEST_CASE("Node sizes: are part of the spacing, beside automatic spacing, and named by shape and node") {
-    const Document document = *setShapeName(square(), 1, "quay");
+    const Document document = *setShapeName(plainSquare(), 1, "quay");
     const auto field = SpacingField::build(spacingOf(document), toDomain(document));
     const auto automatic = SpacingField::build({}, toDomain(document));
     CHECK(spacingOf(*setNodeSize(document, {{1, 2}}, {})).placed == PlacedSizes());
@@ -80,7 +80,7 @@ TEST_CASE("Node sizes: are part of the spacing, beside automatic spacing, and na
 }
 
 TEST_CASE("Node sizes: stay at their nodes when the shape is edited") {
-    const Document document = square();
+    const Document document = plainSquare();
     REQUIRE(sizedPlaces(document) == kSame);
     CHECK(sizedPlaces(*insertNode(document, {1, 0}, {2, 0})) == kSame);
     CHECK(sizedPlaces(*insertNode(document, {1, 2}, {2, 3})) == kSame);
@@ -98,7 +98,7 @@ TEST_CASE("Node sizes: stay at their nodes when the shape is edited") {
 }
 
 TEST_CASE("Node sizes: that of a corner that is cut goes to both ends of the cut") {
-    const Document document = square();
+    const Document document = plainSquare();
     const std::vector<Vec2> ends{{4, 2.5}, {3.5, 3}};
     CHECK(sizedPlaces(*filletCorners(document, nodeOf(1, 2), 0.5)) == ends);
     CHECK(sizedPlaces(*chamferCorners(document, nodeOf(1, 2), 0.5)) == ends);
@@ -166,7 +166,7 @@ TEST_CASE("Node sizes: a repair moves them with their nodes, and reports those w
 }
 
 TEST_CASE("Node sizes: stay when paths are split, joined and trimmed") {
-    const Document document = square();
+    const Document document = plainSquare();
     for (std::uint32_t node = 0; node < 4; ++node) {
         CHECK(sizedPlaces(*splitPath(document, {1, node})) == kSame);
     }
@@ -195,7 +195,7 @@ TEST_CASE("Node sizes: stay when paths are split, joined and trimmed") {
 }
 
 TEST_CASE("Node sizes: stay in copies, transformations, unions and repairs") {
-    const Document document = square();
+    const Document document = plainSquare();
     const PlaneMap turn = PlaneMap::rotation(90.0, {0, 0});
     CHECK(sizedPlaces(*transformSelection(document, shapeOf(1), turn)) == std::vector<Vec2>{turn(kPlace)});
     Selection copies;
@@ -251,7 +251,7 @@ TEST_CASE("Node sizes: corners of a rectangle keep theirs when its numbers chang
 }
 
 TEST_CASE("Node sizes: invalid ones are refused, and nullopt removes them") {
-    const Document document = square();
+    const Document document = plainSquare();
     CHECK(setNodeSize(document, {{1, 4}}, kFine).faults().front().code == "no-such-node");
     CHECK(setNodeSize(document, {{2, 0}}, kFine).faults().front().code == "no-such-shape");
     const auto negative = setNodeSize(document, {{1, 0}}, PartSize{-0.5, 0.2});
@@ -267,7 +267,7 @@ TEST_CASE("Node sizes: invalid ones are refused, and nullopt removes them") {
 }
 
 TEST_CASE("Node sizes: changing size or growth of several nodes keeps what each has otherwise") {
-    Document document = *setNodeSize(square(), {{1, 0}}, PartSize{0.5, 0.1}); // node 2 has kFine
+    Document document = *setNodeSize(plainSquare(), {{1, 0}}, PartSize{0.5, 0.1}); // node 2 has kFine
     document = *changeNodeSizes(document, {{1, 0}, {1, 1}, {1, 2}}, {.size = {}, .growth = 0.4});
     CHECK(document.shapes[0]->nodeSizes == std::map<std::uint32_t, PartSize>{{0, {0.5, 0.4}}, {2, {kFine.size, 0.4}}});
     document = *setNodeSize(document, {{1, 0}}, PartSize{0.5, 0.1});
@@ -277,7 +277,7 @@ TEST_CASE("Node sizes: changing size or growth of several nodes keeps what each 
 }
 
 TEST_CASE("Node sizes: can follow formulas, which move with their nodes") {
-    Document document = *setParameters(square(), {{"h", "0.05"}});
+    Document document = *setParameters(plainSquare(), {{"h", "0.05"}});
     CHECK(numberAt(document, "shape/1/size/2") == 0.05);
     CHECK(numberAt(document, "shape/1/growth/2") == 0.3);
     CHECK_FALSE(numberAt(document, "shape/1/size/0").has_value());
@@ -290,7 +290,7 @@ TEST_CASE("Node sizes: can follow formulas, which move with their nodes") {
 }
 
 TEST_CASE("Node sizes: are written to projects and read back, and faults are located") {
-    const Document document = square();
+    const Document document = plainSquare();
     const auto read = parseProject(projectText(document), "test");
     REQUIRE(read.ok());
     CHECK(read->shapes[0]->nodeSizes == document.shapes[0]->nodeSizes);

@@ -15,7 +15,7 @@ using namespace forefront::testing;
 
 namespace {
 
-Domain square() {
+Domain sharedSquare() {
     Domain domain;
     addLoop(domain, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
     return domain;
@@ -32,7 +32,7 @@ using Field = Result<std::shared_ptr<const SpacingField>>;
 } // namespace
 
 TEST_CASE("SharedSpacing: all threads get the same field, that of the specification") {
-    const Domain domain = square();
+    const Domain domain = sharedSquare();
     SpacingSpec spec;
     spec.expression = "0.1 + 0.05*x*y";
     spec.gradation = 0.3;
@@ -60,7 +60,7 @@ TEST_CASE("SharedSpacing: all threads get the same field, that of the specificat
 }
 
 TEST_CASE("SharedSpacing: faults are reported to every thread") {
-    const Domain domain = square();
+    const Domain domain = sharedSquare();
     SharedSpacing shared;
     for (int i = 0; i < 2; ++i) {
         const Field field = shared.get(sized(-1.0), domain);
@@ -70,7 +70,7 @@ TEST_CASE("SharedSpacing: faults are reported to every thread") {
 }
 
 TEST_CASE("SharedSpacing: a cancelled thread leaves building to the next one") {
-    const Domain domain = square();
+    const Domain domain = sharedSquare();
     SharedSpacing shared;
     std::stop_source stop;
     stop.request_stop();
