@@ -1,6 +1,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/engine/geometry/path_curve.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -110,7 +111,7 @@ TEST_CASE("Pen: arcs by a typed radius and angle, and through a point; undo remo
     CHECK(distance(drawn.nodes[2], {6, 4}) < 1e-9);
     CHECK(radiusOf(drawn.curves[1]) == doctest::Approx(2.0));
     CHECK(distance(drawn.curves[2].point(0.5), {7, 5}) < 1e-6);
-    CHECK(driver.document().formulas.at("shape/1/arcRadius/1") == "2*r");
+    CHECK(driver.document().formulas.at("shape/1/arcRadius/1"_number) == "2*r");
     driver.context().document.apply(*overrideParameters(driver.document(), {{"r", "0.5"}}), "Change parameter");
     const Shape &smaller = *driver.document().shapes[0];
     CHECK(distance(smaller.nodes[2], {5, 3}) < 1e-9);

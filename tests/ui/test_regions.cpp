@@ -2,6 +2,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "tests/ui/two_faces.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -179,7 +180,7 @@ TEST_CASE("Regions: the size of a region takes an expression of parameters") {
     driver.clickPlace({2.4, 3.4});
     driver.fill("inspector/regionsize", "h/2");
     CHECK(driver.document().regionMarkers[0].size == doctest::Approx(0.2));
-    CHECK(driver.document().formulas.at("region/0/size") == "h/2");
+    CHECK(driver.document().formulas.at("region/0/size"_number) == "h/2");
 }
 
 TEST_CASE("Regions: with the select tool, a click on a label selects the region") {

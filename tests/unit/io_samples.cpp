@@ -3,6 +3,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 #include "core/files/common/names.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <algorithm>
@@ -83,7 +84,8 @@ Document fullDocument() {
     document.elementCounts = {{10, {24, 0.1}}, {11, {7, 0.0}}};
     document.parameters = {{"half", "h/2"}, {"h", "0.1"}};
     document.spacing.names = parameterValues(document.parameters);
-    document.formulas = {{"shape/2/radius", "h"}, {"source/0/size", "half"}, {"spacing/size", "h"}};
+    document.formulas = {
+        {"shape/2/radius"_number, "h"}, {"source/0/size"_number, "half"}, {"spacing/size"_number, "h"}};
     document.spacing.fromBoundary = true;
     document.spacing.minimum = 1e-3;
     document.spacing.maximum = 12.5;

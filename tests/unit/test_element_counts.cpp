@@ -16,6 +16,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -267,8 +268,8 @@ TEST_CASE("Element counts: a side whose corners are rounded keeps about its numb
 TEST_CASE("Element counts: follow expressions, which must give whole numbers") {
     Document document = *addShapes({}, {makeShape(ShapeKind::Circle, {{0, 0}, {8, 0}})});
     document = *setParameters(*setElementCount(document, {{1, 0}}, 24), {{"d", "16"}, {"n", "24"}});
-    document = setFormula(std::move(document), "shape/1/radius", "d/2");
-    document = setFormula(std::move(document), "part/1/elements", "n");
+    document = setFormula(std::move(document), "shape/1/radius"_number, "d/2");
+    document = setFormula(std::move(document), "part/1/elements"_number, "n");
     CHECK(edges(document, 1) == 24);
     const Document larger = *overrideParameters(document, {{"d", "20"}, {"n", "60"}});
     CHECK(circleRadius(*larger.shapes[0]) == 10.0);

@@ -130,7 +130,7 @@ bool followCornerRadius(Document &document, const Selection &selection, const st
         const bool rectangle = findShape(document, id)->kind == ShapeKind::Rectangle;
         all = all && rectangle;
         if (rectangle) {
-            document = setFormula(std::move(document), "shape/" + std::to_string(id) + "/radius", formulas.front());
+            document = setFormula(std::move(document), {NumberOwner::ofShape(id), Quantity::Radius}, formulas.front());
         }
     }
     return all;

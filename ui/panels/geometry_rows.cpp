@@ -19,11 +19,11 @@ namespace forefront {
 namespace {
 
 /// Returns the address of a number of a shape.
-std::string addressOf(const Shape &shape, const std::string &quantity) {
-    return "shape/" + std::to_string(shape.id) + '/' + quantity;
+NumberAddress addressOf(const Shape &shape, Quantity what, std::uint32_t handle = 0) {
+    return {NumberOwner::ofShape(shape.id), what, handle};
 }
 
-form::PairAddress pairAddress(const Shape &shape, const char *first, const char *second) {
+form::PairAddress pairAddress(const Shape &shape, Quantity first, Quantity second) {
     return {addressOf(shape, first), addressOf(shape, second)};
 }
 
@@ -35,7 +35,7 @@ void drawEllipse(Shell &context, const Shape &shape) {
         EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse");
     }
     Vec2 radii{length(u), length(v)};
-    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, "rx", "ry")) &&
+    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, Quantity::Rx, Quantity::Ry)) &&
         ui::checkPositive(context, "inspector/radii/x", radii.x) &&
         ui::checkPositive(context, "inspector/radii/y", radii.y)) {
         Shape next = shape;
@@ -55,7 +55,7 @@ void drawSlot(Shell &context, const Shape &shape) {
         }
     }
     double size = distance(shape.nodes[0], shape.nodes[1]);
-    if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, "length")) &&
+    if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, Quantity::Length)) &&
         ui::checkPositive(context, "inspector/slotlength", size)) {
         EditState::apply(context, setSegmentLength(document, {shape.id, 0}, size), "Change length of slot");
     }
@@ -69,7 +69,7 @@ void drawFollowing(Shell &context, const Shape &shape, std::uint32_t node) {
     std::string text;
     for (const auto &[name, place] : {std::pair("x", address.x), std::pair("y", address.y)}) {
         const auto &formulas = context.document.current()->formulas;
-        if (const auto found = formulas.find(place); found != formulas.end()) {
+        if (const auto found = formulas.find(*place); found != formulas.end()) {
             text += (text.empty() ? "" : ", ") + std::string(name) + " = " + found->second;
         }
     }
@@ -82,13 +82,12 @@ void drawFollowing(Shell &context, const Shape &shape, std::uint32_t node) {
 } // namespace
 
 form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle) {
-    const std::string number = '/' + std::to_string(handle);
-    return {addressOf(shape, "x") + number, addressOf(shape, "y") + number};
+    return {addressOf(shape, Quantity::X, handle), addressOf(shape, Quantity::Y, handle)};
 }
 
 void slotWidthRow(Shell &context, const Shape &slot) {
     double width = 2.0 * slot.radius;
-    if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(slot, "width")) &&
+    if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(slot, Quantity::Width)) &&
         ui::checkPositive(context, "inspector/slotwidth", width)) {
         Shape next = slot;
         next.radius = 0.5 * width;
@@ -106,16 +105,19 @@ void geometryRows(Shell &context, const Shape &shape) {
     if (shape.kind == ShapeKind::Rectangle) {
         const Box2 box = boundsOf(shape);
         Vec2 corner = box.min, size = box.size();
-        if (form::pair(context, "inspector/corner", "Corner", corner, pairAddress(shape, "left", "bottom"))) {
+        if (form::pair(context, "inspector/corner", "Corner", corner,
+                       pairAddress(shape, Quantity::Left, Quantity::Bottom))) {
             placeBox(next, corner, corner + size);
             put(next, "Move rectangle");
         }
-        if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, "width", "height"))) {
+        if (form::pair(context, "inspector/size", "Size", size,
+                       pairAddress(shape, Quantity::Width, Quantity::Height))) {
             placeBox(next, corner, corner + size);
             put(next, "Resize rectangle");
         }
         double radius = shape.radius;
-        if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, "radius"))) {
+        if (form::number(context, "inspector/cornerradius", "Corner radius", radius,
+                         addressOf(shape, Quantity::Radius))) {
             next.radius = radius;
             put(next, "Round corners");
         }
@@ -125,7 +127,7 @@ void geometryRows(Shell &context, const Shape &shape) {
         if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
             EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
         }
-        if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, "radius"))) {
+        if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
             EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
         }
     } else if (shape.kind == ShapeKind::Ellipse) {
@@ -157,7 +159,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
         const std::optional<double> bend = isPath(shape) ? radiusOf(curve) : std::nullopt;
         double radius = bend.value_or(0.0);
         if (bend && form::number(context, "inspector/arcradius", "Radius", radius,
-                                 addressOf(shape, "arcRadius/" + std::to_string(ref.segment)))) {
+                                 addressOf(shape, Quantity::ArcRadius, ref.segment))) {
             EditState::apply(context, setArcRadius(document, ref, radius), "Change radius");
         }
         ui::field(context, "Length", ui::number(curve.length(), 5), form::kLabel);
@@ -167,7 +169,9 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     double size = rectangle ? distance(handles[ref.segment], handles[(ref.segment + 1) % handles.size()])
                             : outline.curve(ref.segment).length();
     if (!isPath(shape)) {
-        const char *const number = !rectangle ? "length" : ref.segment % 2 == 0 ? "width" : "height";
+        const Quantity number = !rectangle             ? Quantity::Length
+                                : ref.segment % 2 == 0 ? Quantity::Width
+                                                       : Quantity::Height;
         if (form::number(context, "inspector/length", "Length", size, addressOf(shape, number))) {
             EditState::apply(context, setSegmentLength(document, ref, size), "Change length");
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/document/background_picture.hpp"
+#include "core/drawing/document/number_address.hpp"
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/result.hpp"
@@ -110,9 +111,8 @@ struct Document {
     double curveTolerance = 0.0; ///< see Domain::curveTolerance
     std::uint32_t nextId = 1;
     std::vector<Parameter> parameters;
-    /// Formulas of numbers of the document, by the address of the number: see NumberAddress.
-    std::map<std::string, std::string> formulas;
-    std::optional<BackgroundPicture> picture; ///< below the drawing
+    std::map<NumberAddress, std::string> formulas; ///< of numbers of the document
+    std::optional<BackgroundPicture> picture;      ///< below the drawing
 };
 
 } // namespace forefront

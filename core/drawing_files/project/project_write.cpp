@@ -123,7 +123,11 @@ class ProjectWriter {
         }
         if (!document.formulas.empty()) {
             out_ << ",\n  \"formulas\": {";
-            out_.list(document.formulas, ", ", [&](const auto &formula) {
+            std::map<std::string, std::string> formulas; // in the order of their texts, which files have always had
+            for (const auto &[address, text] : document.formulas) {
+                formulas.emplace(toString(address), text);
+            }
+            out_.list(formulas, ", ", [&](const auto &formula) {
                 out_ << jsonString(formula.first) << ": " << jsonString(formula.second);
             });
             out_ << '}';
