@@ -201,7 +201,7 @@ TEST_CASE("Regions: with the select tool, a click on a label selects the region"
 TEST_CASE("Face raster: faces get their tints, rims fade inwards, and curves are curves") {
     Document document;
     Shape disc;
-    disc.kind = ShapeKind::Circle;
+    disc.form = CircleForm{};
     disc.nodes = {{5, 5}, {9, 5}};
     Shape hole = disc;
     hole.nodes = {{5, 5}, {6, 5}};
@@ -250,7 +250,7 @@ TEST_CASE("Regions: a label that makes way for a node is clicked where it is, no
     driver.settle();
     const PixelRect before = driver.context().widgets.find("label/region/0")->rect;
     Shape node;
-    node.kind = ShapeKind::Point;
+    node.form = PointForm{};
     node.use = ShapeUse::Constraint;
     node.nodes = {driver.context().view.camera.toPlane({before.x + 8.0, before.centre().y})};
     driver.context().document.apply(*addShape(driver.document(), node), "Point");

@@ -133,7 +133,7 @@ TEST_CASE("Typed formulas: corners of rectangles and ellipses, and the corner ra
     CHECK(boundsOf(driver.shape(1)).max.x == doctest::Approx(7.0));
     CHECK(boundsOf(driver.shape(1)).min.x == doctest::Approx(1.0));
     driver.set("r", "2");
-    CHECK(driver.shape(0).radius == 0.5);
+    CHECK(driver.shape(0).as<RectangleForm>().radius == 0.5);
     CHECK(boundsOf(driver.shape(0)).min.x == 2.0);
 }
 
@@ -171,27 +171,27 @@ TEST_CASE("Typed formulas: a slot keeps width and length, by numbers, formulas a
     driver.key(key::kEnter);
     driver.frames(2);
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.shape().kind == ShapeKind::Slot);
+    CHECK(driver.shape().kind() == ShapeKind::Slot);
     CHECK(driver.document().formulas ==
           std::map<NumberAddress, std::string>{{"shape/1/length"_number, "L"}, {"shape/1/width"_number, "w"}});
     driver.set("w", "1");
-    CHECK(driver.shape().radius == 0.5);
+    CHECK(driver.shape().as<SlotForm>().radius == 0.5);
     driver.key('V');
     driver.fill("inspector/slotwidth", "w/2 + 1");
-    CHECK(driver.shape().radius == 0.75);
+    CHECK(driver.shape().as<SlotForm>().radius == 0.75);
     CHECK(driver.formula("shape/1/width"_number) == "w/2 + 1");
     driver.fill("inspector/slotlength", "3");
     CHECK(driver.shape().nodes[1] == Vec2{5, 5});
     driver.fill("inspector/centre2/x", "L + 3");
     CHECK(driver.shape().nodes[1] == Vec2{7, 5});
     driver.dragPlaces({4.5, 5.75}, {4.5, 7}); // the side
-    CHECK(driver.shape().radius == doctest::Approx(2.0));
+    CHECK(driver.shape().as<SlotForm>().radius == doctest::Approx(2.0));
     CHECK(driver.formula("shape/1/width"_number).empty());
     driver.key('Z', kControl);
-    CHECK(driver.shape().radius == 0.75);
+    CHECK(driver.shape().as<SlotForm>().radius == 0.75);
     driver.dragPlaces({2, 5}, {2, 3});
     CHECK(driver.shape().nodes[0] == Vec2{2, 3});
-    CHECK(driver.shape().radius == 0.75);
+    CHECK(driver.shape().as<SlotForm>().radius == 0.75);
 }
 
 TEST_CASE("Typed formulas: a parameter's name begins a number while a shape is drawn, not a shortcut") {
@@ -207,7 +207,7 @@ TEST_CASE("Typed formulas: a parameter's name begins a number while a shape is d
         driver.key(key::kEnter);
         driver.frames(2);
         REQUIRE(driver.document().shapes.size() == 1);
-        CHECK(driver.shape().radius == 1.0);
+        CHECK(driver.shape().as<SlotForm>().radius == 1.0);
         CHECK(driver.formula("shape/1/width"_number) == "w");
     }
     SUBCASE("circle") {
@@ -294,11 +294,11 @@ TEST_CASE("Typed formulas: a rectangle rounded by the fillet dialog keeps its fo
     CHECK_FALSE(driver.has("dialog/fillet/once"));
     driver.click("dialog/fillet/ok");
     driver.frames(2);
-    CHECK(driver.shape().kind == ShapeKind::Rectangle);
+    CHECK(driver.shape().kind() == ShapeKind::Rectangle);
     CHECK(driver.formula("shape/1/width"_number) == "L + 1");
     CHECK(driver.formula("shape/1/radius"_number) == "r/4");
     driver.set("r", "2");
-    CHECK(driver.shape().radius == 0.5);
+    CHECK(driver.shape().as<RectangleForm>().radius == 0.5);
 }
 
 TEST_CASE("Typed formulas: arcs by three points and by their centre follow their radius, not an angle") {
@@ -320,9 +320,9 @@ TEST_CASE("Typed formulas: arcs by three points and by their centre follow their
     CHECK(driver.formula("shape/2/x/0"_number) == "5 + 2*r");
     CHECK(driver.formula("shape/2/y/1"_number) == "3 + 2*r");
     driver.set("r", "1.5");
-    CHECK(radiusOf(driver.shape(0).curves[0]) == doctest::Approx(3.0));
+    CHECK(radiusOf(driver.shape(0).path().curves[0]) == doctest::Approx(3.0));
     CHECK(driver.shape(1).nodes == std::vector<Vec2>{{8, 3}, {5, 6}});
-    CHECK(radiusOf(driver.shape(1).curves[0]) == doctest::Approx(3.0));
+    CHECK(radiusOf(driver.shape(1).path().curves[0]) == doctest::Approx(3.0));
     CHECK(lengthOf(driver.shape(1)) == doctest::Approx(1.5 * std::numbers::pi));
 }
 

@@ -449,8 +449,8 @@ TEST_CASE("Formulas: width and length of a slot follow, through moves, turns and
     CHECK(sameContent(*read, turned));
     const Result<Document> next = overrideParameters(*read, {{"w", "3"}, {"L", "6"}});
     REQUIRE(next.ok());
-    CHECK(next->shapes[0]->kind == ShapeKind::Slot);
-    CHECK(next->shapes[0]->radius == 1.5);
+    CHECK(next->shapes[0]->kind() == ShapeKind::Slot);
+    CHECK(next->shapes[0]->as<SlotForm>().radius == 1.5);
     CHECK(distance(next->shapes[0]->nodes[1], {1, 7}) < 1e-12);
     CHECK(codeOf(overrideParameters(*read, {{"w", "-1"}})) == "bad-number");
 }
@@ -458,7 +458,7 @@ TEST_CASE("Formulas: width and length of a slot follow, through moves, turns and
 TEST_CASE("Formulas: an arc keeps its radius while its ends move, also where these meet on the way") {
     // Half a circle about (0, 0), whose ends follow its centre and radius.
     Shape arc = makeShape(ShapeKind::Polyline, {{1, 0}, {-1, 0}}, ShapeUse::Constraint);
-    arc.curves = {Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, std::numbers::pi)};
+    arc.path().curves = {Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, std::numbers::pi)};
     const Document document = withFormulas(
         documentOf({arc}), {{"c", "0"}, {"r", "1"}},
         {{"shape/1/x/0"_number, "c + r"}, {"shape/1/x/1"_number, "c - r"}, {"shape/1/arcRadius/0"_number, "r"}});
@@ -466,13 +466,13 @@ TEST_CASE("Formulas: an arc keeps its radius while its ends move, also where the
     REQUIRE(next.ok());
     const Shape &moved = *next->shapes[0];
     CHECK(moved.nodes == std::vector<Vec2>{{1, 0}, {-5, 0}});
-    CHECK(distance(moved.curves[0].point(0.5), {-2, 3}) < 1e-9);
+    CHECK(distance(moved.path().curves[0].point(0.5), {-2, 3}) < 1e-9);
     Document apart = document;
     apart.formulas.erase("shape/1/x/0"_number);
     apart.formulas.erase("shape/1/x/1"_number);
     const Result<Document> wider = overrideParameters(apart, {{"r", "2"}});
     REQUIRE(wider.ok());
-    CHECK(radiusOf(wider->shapes[0]->curves[0]) == doctest::Approx(2.0));
+    CHECK(radiusOf(wider->shapes[0]->path().curves[0]) == doctest::Approx(2.0));
     const Result<Document> small = overrideParameters(apart, {{"r", "0.5"}});
     REQUIRE_FALSE(small.ok());
     CHECK(small.faults().front().message == "the ends of an arc are too far apart for its radius 'r'");

@@ -25,7 +25,7 @@ namespace {
 
 Shape made(ShapeKind kind, std::vector<Vec2> nodes) {
     Shape shape;
-    shape.kind = kind;
+    shape.form = formOf(kind);
     shape.nodes = std::move(nodes);
     return shape;
 }
@@ -122,7 +122,7 @@ TEST_CASE("Node sizes: that of a corner that is cut goes to both ends of the cut
 
 TEST_CASE("Node sizes: that of a rounded corner goes to both ends of its arc when the rectangle becomes a path") {
     Shape rounded = made(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     const Document document = *setNodeSize(*addShape({}, rounded), {{1, 2}}, kFine); // at (4, 3)
     CHECK(sizedPlaces(*convertToPath(document, 1)) == std::vector<Vec2>{{4, 2.5}, {3.5, 3}});
     const PlaneMap turn = PlaneMap::rotation(30.0, {0, 0});
@@ -147,7 +147,7 @@ TEST_CASE("Node sizes: a repair moves them with their nodes, and reports those w
         CHECK(std::find(domain.nodes.begin(), domain.nodes.end(), places[0]) != domain.nodes.end());
     }
     Shape rounded = made(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     const Document crossed = *addShape(*addShape({}, rounded), made(ShapeKind::Rectangle, {{-1, 1}, {1, 2}}));
     const auto joined = repairDrawing(*setNodeSize(crossed, {{1, 2}}, kFine), 0.0);
     REQUIRE(joined.ok());

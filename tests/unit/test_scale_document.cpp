@@ -17,7 +17,7 @@ using namespace forefront;
 
 TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; growth and numbers of elements do not") {
     Shape circle;
-    circle.kind = ShapeKind::Circle;
+    circle.form = CircleForm{};
     circle.nodes = {{10, 10}, {14, 10}};
     circle.nodeSizes[1] = {2.0, 0.3};
     Document document = *addShape({}, circle);
@@ -66,7 +66,7 @@ TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; g
 
 TEST_CASE("scaleDocument: removes the formulas that no longer fit") {
     Shape circle;
-    circle.kind = ShapeKind::Circle;
+    circle.form = CircleForm{};
     circle.nodes = {{10, 10}, {14, 10}};
     Document document = *addShape({}, circle);
     document = *addRegionMarker(document, {{10, 10}, 1, 4.0});

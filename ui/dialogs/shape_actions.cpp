@@ -127,7 +127,7 @@ bool followCornerRadius(Document &document, const Selection &selection, const st
     }
     bool all = true;
     for (const std::uint32_t id : rounded) {
-        const bool rectangle = findShape(document, id)->kind == ShapeKind::Rectangle;
+        const bool rectangle = findShape(document, id)->is<RectangleForm>();
         all = all && rectangle;
         if (rectangle) {
             document = setFormula(std::move(document), {NumberOwner::ofShape(id), Quantity::Radius}, formulas.front());

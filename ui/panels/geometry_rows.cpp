@@ -86,11 +86,11 @@ form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle) {
 }
 
 void slotWidthRow(Shell &context, const Shape &slot) {
-    double width = 2.0 * slot.radius;
+    double width = 2.0 * slot.as<SlotForm>().radius;
     if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(slot, Quantity::Width)) &&
         ui::checkPositive(context, "inspector/slotwidth", width)) {
         Shape next = slot;
-        next.radius = 0.5 * width;
+        next.as<SlotForm>().radius = 0.5 * width;
         next.cuts.clear();
         EditState::apply(context, replaceShape(*context.document.current(), std::move(next)), "Change width of slot");
     }
@@ -102,7 +102,7 @@ void geometryRows(Shell &context, const Shape &shape) {
         EditState::apply(context, replaceShape(document, next), label);
     };
     Shape next = shape;
-    if (shape.kind == ShapeKind::Rectangle) {
+    if (shape.is<RectangleForm>()) {
         const Box2 box = boundsOf(shape);
         Vec2 corner = box.min, size = box.size();
         if (form::pair(context, "inspector/corner", "Corner", corner,
@@ -115,13 +115,13 @@ void geometryRows(Shell &context, const Shape &shape) {
             placeBox(next, corner, corner + size);
             put(next, "Resize rectangle");
         }
-        double radius = shape.radius;
+        double radius = shape.as<RectangleForm>().radius;
         if (form::number(context, "inspector/cornerradius", "Corner radius", radius,
                          addressOf(shape, Quantity::Radius))) {
-            next.radius = radius;
+            next.as<RectangleForm>().radius = radius;
             put(next, "Round corners");
         }
-    } else if (shape.kind == ShapeKind::Circle) {
+    } else if (shape.is<CircleForm>()) {
         Vec2 centre = shape.nodes[0];
         double radius = circleRadius(shape);
         if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
@@ -130,11 +130,11 @@ void geometryRows(Shell &context, const Shape &shape) {
         if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
             EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
         }
-    } else if (shape.kind == ShapeKind::Ellipse) {
+    } else if (shape.is<EllipseForm>()) {
         drawEllipse(context, shape);
-    } else if (shape.kind == ShapeKind::Slot) {
+    } else if (shape.is<SlotForm>()) {
         drawSlot(context, shape);
-    } else if (shape.kind == ShapeKind::Point) {
+    } else if (shape.is<PointForm>()) {
         Vec2 at = shape.nodes[0];
         if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
             EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
@@ -153,7 +153,7 @@ void geometryRows(Shell &context, const Shape &shape) {
 void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     const Document &document = *context.document.current();
     const Outline outline = outlineOf(shape);
-    const bool rectangle = shape.kind == ShapeKind::Rectangle;
+    const bool rectangle = shape.is<RectangleForm>();
     if (!rectangle && outline.isCurved(ref.segment)) {
         const Curve curve = outline.curve(ref.segment);
         const std::optional<double> bend = isPath(shape) ? radiusOf(curve) : std::nullopt;

@@ -27,7 +27,7 @@ constexpr std::size_t kMaxNewNodes = 1000000; ///< in all copies together
 /// Maps a rectangle whose image is one. A quarter turn exchanges its sides: the first one runs along x.
 void mapRectangle(Shape &shape, const PlaneMap &map) {
     shape.nodes = {map(shape.nodes[0]), map(shape.nodes[1])};
-    shape.radius *= std::sqrt(std::fabs(map.determinant()));
+    shape.as<RectangleForm>().radius *= std::sqrt(std::fabs(map.determinant()));
     shape.cuts.clear();
     if (map.u.x == 0.0) {
         std::reverse(shape.segmentTags.begin(), shape.segmentTags.end());
@@ -44,7 +44,7 @@ void mapRectangle(Shape &shape, const PlaneMap &map) {
 void mapCircle(Shape &shape, const PlaneMap &map) {
     const Vec2 centre = shape.nodes[0], arm = shape.nodes[1] - centre;
     if (!map.isSimilarity()) {
-        shape.kind = ShapeKind::Ellipse;
+        shape.form = EllipseForm{};
         shape.nodes.push_back(centre + leftNormal(arm));
     } else if (map.determinant() < 0.0) {
         shape.cuts.clear(); // it still runs counter-clockwise
@@ -235,29 +235,30 @@ void mapShape(Shape &shape, const PlaneMap &map) {
         moveShape(shape, map.shift); // without rounding axes of arcs
         return;
     }
-    if (shape.kind == ShapeKind::Rectangle) {
-        const bool sameCorners = shape.radius == 0.0 || map.isSimilarity();
-        if (map.keepsAxes() && sameCorners) {
-            mapRectangle(shape, map);
-            return;
-        }
+    // A rectangle or slot whose image is none becomes a path first.
+    const bool keepsForm = shape.visit(
+        [](const PathForm &) { return true; },
+        [&](const RectangleForm &form) { return map.keepsAxes() && (form.radius == 0.0 || map.isSimilarity()); },
+        [](const CircleForm &) { return true; }, [](const PointForm &) { return true; },
+        [](const EllipseForm &) { return true; }, [&](const SlotForm &) { return map.isSimilarity(); });
+    if (!keepsForm) {
         becomePath(shape);
     }
-    if (shape.kind == ShapeKind::Slot) {
-        if (map.isSimilarity()) {
-            mapSlot(shape, map);
-            return;
-        }
-        becomePath(shape);
-    }
-    if (shape.kind == ShapeKind::Circle) {
-        mapCircle(shape, map);
+    if (shape.is<CircleForm>()) {
+        mapCircle(shape, map); // may change its form
         return;
     }
-    std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map);
-    for (Curve &curve : shape.curves) {
-        curve = curve.kind() == CurveKind::Line ? Curve() : curve.mapped(map);
-    }
+    const auto mapNodes = [&] { std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map); };
+    shape.visit(
+        [&](PathForm &path) {
+            mapNodes();
+            for (Curve &curve : path.curves) {
+                curve = curve.kind() == CurveKind::Line ? Curve() : curve.mapped(map);
+            }
+        },
+        [&](const RectangleForm &) { mapRectangle(shape, map); }, [](const CircleForm &) {},
+        [&](const PointForm &) { mapNodes(); }, [&](const EllipseForm &) { mapNodes(); },
+        [&](const SlotForm &) { mapSlot(shape, map); });
 }
 
 Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map) {

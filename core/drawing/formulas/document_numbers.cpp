@@ -33,10 +33,44 @@ auto partNumber(Part &part, Quantity what) -> decltype(&part.size) {
     return what == Quantity::Size ? &part.size : what == Quantity::Growth ? &part.growth : nullptr;
 }
 
+std::optional<double> boxNumber(const Shape &rectangle, Quantity what) {
+    const Box2 box = boundsOf(rectangle);
+    switch (what) {
+    case Quantity::Left:
+        return box.min.x;
+    case Quantity::Bottom:
+        return box.min.y;
+    case Quantity::Width:
+        return box.size().x;
+    case Quantity::Height:
+        return box.size().y;
+    case Quantity::Radius:
+        return rectangle.as<RectangleForm>().radius;
+    default:
+        return std::nullopt;
+    }
+}
+
+/// Returns a number that only shapes of this form have.
+std::optional<double> numberOfForm(const Shape &shape, Quantity what) {
+    using Number = std::optional<double>;
+    const auto extent = [&](std::size_t end) { return Number(distance(shape.nodes[0], shape.nodes[end])); };
+    return shape.visit(
+        [](const PathForm &) { return Number(); }, [&](const RectangleForm &) { return boxNumber(shape, what); },
+        [&](const CircleForm &) { return what == Quantity::Radius ? circleRadius(shape) : Number(); },
+        [](const PointForm &) { return Number(); },
+        [&](const EllipseForm &) {
+            return what == Quantity::Rx ? extent(1) : what == Quantity::Ry ? extent(2) : Number();
+        },
+        [&](const SlotForm &slot) {
+            return what == Quantity::Width ? 2.0 * slot.radius : what == Quantity::Length ? extent(1) : Number();
+        });
+}
+
 std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &address) {
     const Quantity what = address.quantity;
-    const std::vector<Vec2> handles = handlesOf(shape);
     if (what == Quantity::X || what == Quantity::Y) {
+        const std::vector<Vec2> handles = handlesOf(shape);
         if (address.handle >= handles.size()) {
             return std::nullopt;
         }
@@ -47,38 +81,14 @@ std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &addre
         return part != shape.nodeSizes.end() ? copied(partNumber(part->second, what)) : std::nullopt;
     }
     if (what == Quantity::ArcRadius) {
-        const bool arc = isPath(shape) && address.handle < shape.curves.size();
-        return arc ? radiusOf(shape.curves[address.handle]) : std::nullopt;
+        const bool arc = isPath(shape) && address.handle < shape.path().curves.size();
+        return arc ? radiusOf(shape.path().curves[address.handle]) : std::nullopt;
     }
-    if (what == Quantity::Radius && (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Rectangle)) {
-        return shape.kind == ShapeKind::Rectangle ? shape.radius : circleRadius(shape);
-    }
-    if (shape.kind == ShapeKind::Ellipse && (what == Quantity::Rx || what == Quantity::Ry)) {
-        return distance(handles[0], handles[what == Quantity::Rx ? 1 : 2]);
-    }
-    if (shape.kind == ShapeKind::Slot && (what == Quantity::Width || what == Quantity::Length)) {
-        return what == Quantity::Width ? 2.0 * shape.radius : distance(handles[0], handles[1]);
-    }
-    if (shape.kind == ShapeKind::Rectangle) {
-        const Box2 box = boundsOf(shape);
-        switch (what) {
-        case Quantity::Left:
-            return box.min.x;
-        case Quantity::Bottom:
-            return box.min.y;
-        case Quantity::Width:
-            return box.size().x;
-        case Quantity::Height:
-            return box.size().y;
-        default:
-            break;
-        }
-    }
-    return std::nullopt;
+    return numberOfForm(shape, what);
 }
 
-/// Returns a rectangle with one of its four numbers changed.
-Shape changedBox(Shape shape, Quantity what, double value) {
+/// Changes one of the four numbers of a rectangle.
+void changeBox(Shape &shape, Quantity what, double value) {
     const Box2 box = boundsOf(shape);
     Vec2 low = box.min, size = box.size();
     (what == Quantity::Left     ? low.x
@@ -86,8 +96,34 @@ Shape changedBox(Shape shape, Quantity what, double value) {
      : what == Quantity::Width  ? size.x
                                 : size.y) = value;
     placeBox(shape, low, low + size);
+}
+
+/// Moves a node to a distance from the centre of a circle or an ellipse; in a direction if another formula has made it
+/// a point.
+void setArm(Shape &shape, std::size_t node, double length, Vec2 along) {
+    Vec2 &end = shape.nodes[node];
+    const Vec2 arm = end - shape.nodes[0];
+    const double now = forefront::length(arm);
+    end = shape.nodes[0] + (now > 0.0 ? (length / now) * arm : length * along);
+}
+
+/// Sets a number that only shapes of this form have.
+void setNumberOfForm(Shape &shape, Quantity what, double value) {
+    shape.visit([](const PathForm &) {},
+                [&](RectangleForm &rectangle) {
+                    what == Quantity::Radius ? void(rectangle.radius = value) : changeBox(shape, what, value);
+                },
+                [&](const CircleForm &) {
+                    setArm(shape, 1, value, {1.0, 0.0});
+                },
+                [](const PointForm &) {},
+                [&](const EllipseForm &) {
+                    what == Quantity::Ry ? setArm(shape, 2, value, {0.0, 1.0}) : setArm(shape, 1, value, {1.0, 0.0});
+                },
+                [&](SlotForm &slot) {
+                    what == Quantity::Width ? void(slot.radius = 0.5 * value) : setSlotLength(shape, value);
+                });
     shape.cuts.clear();
-    return shape;
 }
 
 /// Sets a number of a shape, which may become degenerate.
@@ -102,30 +138,19 @@ Status setShapeNumber(Shape &shape, const NumberAddress &address, double value) 
         *partNumber(shape.nodeSizes.at(address.handle), what) = value;
         return {};
     }
-    const bool circle = shape.kind == ShapeKind::Circle;
-    const bool extent = circle || what == Quantity::Width || what == Quantity::Height || what == Quantity::Rx ||
-                        what == Quantity::Ry || what == Quantity::Length || what == Quantity::ArcRadius;
+    const bool corner = what == Quantity::Radius && shape.is<RectangleForm>();
+    const bool extent = !corner && what != Quantity::Left && what != Quantity::Bottom;
     if (extent && !(value > 0.0)) {
         return error("bad-number", "invalid " + std::string(wordOf(what)) + " of " + displayName(shape) +
                                        "; expected a number above 0");
     }
     if (what == Quantity::ArcRadius) {
-        Curve &arc = shape.curves[address.handle];
+        Curve &arc = shape.path().curves[address.handle];
         arc = withRadius(arc, value);
-    } else if (shape.kind == ShapeKind::Slot) {
-        what == Quantity::Width ? void(shape.radius = 0.5 * value) : setSlotLength(shape, value);
-    } else if (what == Quantity::Rx || what == Quantity::Ry || circle) {
-        Vec2 &end = shape.nodes[what == Quantity::Ry ? 2 : 1];
-        const Vec2 arm = end - shape.nodes[0];
-        const Vec2 along =
-            what == Quantity::Ry ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0}; // in case another formula has made it a point
-        end = shape.nodes[0] + (length(arm) > 0.0 ? (value / length(arm)) * arm : value * along);
-    } else if (what == Quantity::Radius) {
-        shape.radius = value;
+        shape.cuts.clear();
     } else {
-        shape = changedBox(std::move(shape), what, value);
+        setNumberOfForm(shape, what, value);
     }
-    shape.cuts.clear();
     return {};
 }
 
@@ -362,7 +387,7 @@ std::string numberName(const Document &document, const NumberAddress &address) {
         if (address.quantity == Quantity::ArcRadius) {
             return "radius of segment " + std::to_string(address.handle + 1) + " of " + displayName(shape);
         }
-        const bool node = address.hasHandle() && (isPath(shape) || shape.kind == ShapeKind::Rectangle);
+        const bool node = address.hasHandle() && (isPath(shape) || shape.is<RectangleForm>());
         return what + (node ? nodeName(shape, address.handle) : displayName(shape));
     }
     case OwnerKind::Source:

@@ -96,14 +96,14 @@ void ArcTool::place(Vec2 at, Shell &context) {
     }
     const Curve curve = completed(at);
     Shape shape;
-    shape.kind = ShapeKind::Polyline;
+    shape.form = PathForm{.closed = false};
     shape.use = ShapeUse::Constraint;
     shape.nodes = byCentre() ? std::vector{places_[1], curve.point(1.0)} : places_;
     if (shape.nodes[0] == shape.nodes[1]) {
         return;
     }
     if (curve.kind() != CurveKind::Line) {
-        shape.curves = {curve};
+        shape.path().curves = {curve};
     }
     if (commitShape(context, std::move(shape), "Draw arc")) {
         places_.clear();

@@ -157,13 +157,13 @@ void BoxTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
 
 Shape BoxTool::shapeTo(Vec2 second) const {
     Shape shape;
-    shape.kind = kind_;
+    shape.form = formOf(kind_);
     shape.nodes = {*first_, second};
     if (kind_ == ShapeKind::Ellipse) {
         const Vec2 centre = midpoint(*first_, second), half = boxOf(*first_, second).max - centre;
         shape.nodes = {centre, centre + Vec2{half.x, 0.0}, centre + Vec2{0.0, half.y}};
     } else if (kind_ == ShapeKind::Rectangle) {
-        shape.radius = radius_;
+        shape.as<RectangleForm>().radius = radius_;
     }
     return shape;
 }

@@ -98,7 +98,7 @@ void PenTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
     }
     for (std::uint32_t k = 0; k < path_.size(); ++k) {
         const Node &end = path_[(k + 1) % path_.size()];
-        if (k < drawn.curves.size() && usesNames(end.radius)) {
+        if (k < drawn.path().curves.size() && usesNames(end.radius)) {
             keep(Quantity::ArcRadius, k, end.radius);
         }
     }

@@ -46,7 +46,7 @@ void RegularPolygonTool::place(Vec2 at, Shell &context) {
         return; // second click of a double-click
     }
     Shape shape;
-    shape.kind = ShapeKind::Polygon;
+    shape.form = PathForm{};
     shape.nodes = corners(firstCorner(at));
     commitShape(context, std::move(shape), "Draw regular polygon");
     centre_.reset();
