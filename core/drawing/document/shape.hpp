@@ -139,12 +139,11 @@ struct Shape {
     }
 
     ShapeKind kind() const {
-        return visit([](const PathForm &path) { return path.closed ? ShapeKind::Polygon : ShapeKind::Polyline; },
-                     [](const RectangleForm &) { return ShapeKind::Rectangle; },
-                     [](const CircleForm &) { return ShapeKind::Circle; },
-                     [](const PointForm &) { return ShapeKind::Point; },
-                     [](const EllipseForm &) { return ShapeKind::Ellipse; },
-                     [](const SlotForm &) { return ShapeKind::Slot; });
+        return visit(
+            [](const PathForm &path) { return path.closed ? ShapeKind::Polygon : ShapeKind::Polyline; },
+            [](const RectangleForm &) { return ShapeKind::Rectangle; },
+            [](const CircleForm &) { return ShapeKind::Circle; }, [](const PointForm &) { return ShapeKind::Point; },
+            [](const EllipseForm &) { return ShapeKind::Ellipse; }, [](const SlotForm &) { return ShapeKind::Slot; });
     }
 
     friend bool operator==(const Shape &, const Shape &) = default;

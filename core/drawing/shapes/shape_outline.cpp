@@ -100,23 +100,24 @@ std::size_t circleCorners(double tolerance) {
 
 Outline outlineOf(const Shape &shape) {
     const std::vector<Vec2> &nodes = shape.nodes;
-    const Outline plain{nodes, false, {}, {}}; // of points, and of a wrong number of nodes
+    // Of points, and of a wrong number of nodes.
+    const auto plain = [&nodes] { return Outline{nodes, false, {}, {}}; };
     return shape.visit(
         [&](const PathForm &path) {
             return Outline{nodes, path.closed, path.curves, {}};
         },
-        [&](const RectangleForm &) { return nodes.size() == 2 ? rectangleOutline(shape) : plain; },
+        [&](const RectangleForm &) { return nodes.size() == 2 ? rectangleOutline(shape) : plain(); },
         [&](const CircleForm &) {
             if (nodes.size() != 2) {
-                return plain;
+                return plain();
             }
             const Vec2 arm = nodes[1] - nodes[0];
             return lengthSquared(arm) > 0.0 ? roundOutline(nodes, leftNormal(arm)) : pointOutline(nodes[0]);
         },
-        [&](const PointForm &) { return plain; },
-        [&](const EllipseForm &) { return nodes.size() == 3 ? roundOutline(nodes, nodes[2] - nodes[0]) : plain; },
+        [&](const PointForm &) { return plain(); },
+        [&](const EllipseForm &) { return nodes.size() == 3 ? roundOutline(nodes, nodes[2] - nodes[0]) : plain(); },
         [&](const SlotForm &) {
-            return nodes.size() != 2 ? plain : isSoundSlot(shape) ? slotOutline(shape) : pointOutline(nodes[0]);
+            return nodes.size() != 2 ? plain() : isSoundSlot(shape) ? slotOutline(shape) : pointOutline(nodes[0]);
         });
 }
 
