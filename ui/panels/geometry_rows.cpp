@@ -27,6 +27,49 @@ form::PairAddress pairAddress(const Shape &shape, Quantity first, Quantity secon
     return {addressOf(shape, first), addressOf(shape, second)};
 }
 
+void drawRectangle(Shell &context, const Shape &shape) {
+    const auto put = [&](const Shape &next, const char *label) {
+        EditState::apply(context, replaceShape(*context.document.current(), next), label);
+    };
+    Shape next = shape;
+    const Box2 box = boundsOf(shape);
+    Vec2 corner = box.min, size = box.size();
+    if (form::pair(context, "inspector/corner", "Corner", corner,
+                   pairAddress(shape, Quantity::Left, Quantity::Bottom))) {
+        placeBox(next, corner, corner + size);
+        put(next, "Move rectangle");
+    }
+    if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, Quantity::Width, Quantity::Height))) {
+        placeBox(next, corner, corner + size);
+        put(next, "Resize rectangle");
+    }
+    double radius = shape.as<RectangleForm>().radius;
+    if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, Quantity::Radius))) {
+        next.as<RectangleForm>().radius = radius;
+        put(next, "Round corners");
+    }
+}
+
+void drawCircle(Shell &context, const Shape &shape) {
+    const Document &document = *context.document.current();
+    Vec2 centre = shape.nodes[0];
+    double radius = circleRadius(shape);
+    if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
+        EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
+    }
+    if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
+        EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
+    }
+}
+
+void drawPoint(Shell &context, const Shape &shape) {
+    Vec2 at = shape.nodes[0];
+    if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
+        EditState::apply(context, setHandle(*context.document.current(), {shape.id, 0}, at), "Move point");
+        context.view.reveal(boxOf(at, at));
+    }
+}
+
 void drawEllipse(Shell &context, const Shape &shape) {
     const Document &document = *context.document.current();
     Vec2 centre = shape.nodes[0];
@@ -97,52 +140,13 @@ void slotWidthRow(Shell &context, const Shape &slot) {
 }
 
 void geometryRows(Shell &context, const Shape &shape) {
-    const Document &document = *context.document.current();
-    const auto put = [&](const Shape &next, const char *label) {
-        EditState::apply(context, replaceShape(document, next), label);
-    };
-    Shape next = shape;
-    if (shape.is<RectangleForm>()) {
-        const Box2 box = boundsOf(shape);
-        Vec2 corner = box.min, size = box.size();
-        if (form::pair(context, "inspector/corner", "Corner", corner,
-                       pairAddress(shape, Quantity::Left, Quantity::Bottom))) {
-            placeBox(next, corner, corner + size);
-            put(next, "Move rectangle");
-        }
-        if (form::pair(context, "inspector/size", "Size", size,
-                       pairAddress(shape, Quantity::Width, Quantity::Height))) {
-            placeBox(next, corner, corner + size);
-            put(next, "Resize rectangle");
-        }
-        double radius = shape.as<RectangleForm>().radius;
-        if (form::number(context, "inspector/cornerradius", "Corner radius", radius,
-                         addressOf(shape, Quantity::Radius))) {
-            next.as<RectangleForm>().radius = radius;
-            put(next, "Round corners");
-        }
-    } else if (shape.is<CircleForm>()) {
-        Vec2 centre = shape.nodes[0];
-        double radius = circleRadius(shape);
-        if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-            EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
-        }
-        if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
-            EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
-        }
-    } else if (shape.is<EllipseForm>()) {
-        drawEllipse(context, shape);
-    } else if (shape.is<SlotForm>()) {
-        drawSlot(context, shape);
-    } else if (shape.is<PointForm>()) {
-        Vec2 at = shape.nodes[0];
-        if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
-            EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
-            context.view.reveal(boxOf(at, at));
-        }
+    shape.visit(
+        [&](const PathForm &) { ui::field(context, "Nodes", ui::count(shape.nodes.size()), form::kLabel); },
+        [&](const RectangleForm &) { drawRectangle(context, shape); },
+        [&](const CircleForm &) { drawCircle(context, shape); }, [&](const PointForm &) { drawPoint(context, shape); },
+        [&](const EllipseForm &) { drawEllipse(context, shape); }, [&](const SlotForm &) { drawSlot(context, shape); });
+    if (shape.is<PointForm>()) {
         return;
-    } else {
-        ui::field(context, "Nodes", ui::count(shape.nodes.size()), form::kLabel);
     }
     ui::field(context, "Length", ui::number(lengthOf(shape), 5), form::kLabel);
     if (isClosed(shape)) {
