@@ -21,10 +21,11 @@
 ///
 /// | to do | use |
 /// |---|---|
-/// | describe or read a domain | forefront::Domain, forefront::addLoop, forefront::readDomain |
+/// | describe a domain, or read one with its sizes | forefront::Domain, forefront::addLoop, forefront::readDomain |
 /// | give it exact curves | forefront::Curve, forefront::CurveStretch |
 /// | check it | forefront::validate |
 /// | set the element size, also by a function | forefront::SpacingSpec, forefront::SizeGrid |
+/// | set it at nodes and in regions, or count elements | forefront::PlacedSizes |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
 /// | hold a mesh of any kinds of cells | forefront::Mesh, forefront::CellBlock, forefront::CellTraits |

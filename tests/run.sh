@@ -5,9 +5,11 @@
 #
 #   sh tests/run.sh [--quick | --thorough]
 #
-#   --quick      skip the sanitizers and clang-tidy
-#   --thorough   also run the editor's tests with the sanitizers and compile every source alone, which takes much
-#                longer
+# Unit tests run with the address sanitizer only, in a build that also checks invariants, unless an option says otherwise.
+#
+#   --quick      skip the sanitizers and clang-tidy; unit tests run in the optimised build
+#   --thorough   run unit tests in both builds, and the editor's tests with the sanitizers too; compile every source
+#                alone. Takes much longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -18,7 +20,7 @@ case ${1-} in
 --quick) quick=yes ;;
 --thorough) thorough=yes ;;
 -h | --help)
-    sed -n '2,10s/^# \{0,1\}//p' "$0"
+    sed -n '2,12s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *)
@@ -83,7 +85,9 @@ run_tests() { # run_tests PRESET [CTEST OPTION...]
 
 need 'install packages' sh app/install.sh --tests
 step 'format' sh tests/format.sh
-need 'build release' sh app/build.sh release -DFOREFRONT_TESTS=ON
+unit=ON
+[ $quick = yes ] || [ $thorough = yes ] || unit=OFF
+need 'build release' sh app/build.sh release -DFOREFRONT_TESTS=ON -DFOREFRONT_UNIT_TESTS=$unit
 step 'tests, release' run_tests release
 if [ $quick = no ]; then
     programs=forefront_unit_tests

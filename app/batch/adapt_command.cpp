@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -77,17 +78,19 @@ void printRound(const AdaptArguments &arguments, std::size_t round, std::size_t 
 }
 
 /// Reads the mesh and, with --field, its values; refuses an invalid mesh.
-Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) {
+Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file, ProgressBar &bar) {
     MeshField input;
     ImportNotes notes;
     if (arguments.field) {
-        Result<MeshField> read = allFormats().readField(file.path, *arguments.field, file.options, &notes);
+        Result<MeshField> read = bar.during(
+            "reading", [&] { return allFormats().readField(file.path, *arguments.field, file.options, &notes); });
         if (!read) {
             return read.faults();
         }
         input = std::move(*read);
     } else {
-        Result<Mesh> read = allFormats().readMesh(file.path, file.options, &notes);
+        Result<Mesh> read =
+            bar.during("reading", [&] { return allFormats().readMesh(file.path, file.options, &notes); });
         if (!read) {
             return read.faults();
         }
@@ -110,14 +113,28 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
     return input;
 }
 
+/// Returns the domain to mesh, with the sizes that belong to its places: that of a file, or the outline of the mesh.
+Result<MeshingJob> readJob(const AdaptArguments &arguments, const Input &domainFile, const Mesh &mesh,
+                           ImportNotes &notes) {
+    if (!arguments.domain) {
+        Result<Domain> outline = outlineOf(mesh);
+        return outline ? Result<MeshingJob>(MeshingJob{std::move(*outline), {}, arguments.options()})
+                       : outline.faults();
+    }
+    Result<DomainFile> file = allFormats().readDomain(domainFile.path, domainFile.options, &notes);
+    return file ? Result<MeshingJob>(MeshingJob{std::move(file->domain), std::move(file->spacing), arguments.options()})
+                : file.faults();
+}
+
 /// Makes one new mesh, on which a solver must compute the field.
-Result<TriMesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const TriMesh &mesh,
-                             const std::vector<double> &values, const Progress &progress) {
+Result<TriMesh> adaptToField(const AdaptArguments &arguments, const MeshingJob &job, const TriMesh &mesh,
+                             const std::vector<double> &values, const Progress &progress, ProgressBar &bar) {
     const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
+        bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
     Result<AdaptOutcome> outcome =
-        adaptMeshOnce(domain, mesh, values, arguments.target, arguments.options(), progress, tell);
+        bar.during({}, [&] { return adaptMeshOnce(job, mesh, values, arguments.target, progress, tell); });
     if (!outcome) {
         return outcome.faults();
     }
@@ -129,7 +146,7 @@ Result<TriMesh> adaptToField(const AdaptArguments &arguments, const Domain &doma
     return std::move(outcome->mesh);
 }
 
-Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Domain &domain, TriMesh mesh,
+Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const MeshingJob &job, TriMesh mesh,
                                   const Progress &progress, ProgressBar &bar) {
     const Result<NodalField> field = expressionField(*arguments.expression);
     if (!field) {
@@ -139,9 +156,10 @@ Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Domain 
         bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };
-    Result<AdaptOutcome> outcome = adaptMesh(domain, std::move(mesh), *field, arguments.target,
-                                             arguments.rounds.value_or(kRounds), arguments.options(), progress, tell);
-    bar.clear();
+    Result<AdaptOutcome> outcome = bar.during({}, [&] {
+        return adaptMesh(job, std::move(mesh), *field, arguments.target, arguments.rounds.value_or(kRounds), progress,
+                         tell);
+    });
     if (!outcome) {
         return outcome.faults();
     }
@@ -160,59 +178,50 @@ Result<TriMesh> adaptToExpression(const AdaptArguments &arguments, const Domain 
 int runAdapt(const AdaptArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
-    Progress progress;
-    progress.stop = interrupt.token();
-    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
-    bar.show("reading", 0.0);
-    const Result<Input> file = openInput(arguments.mesh, arguments.inputFormat);
-    Result<Input> domainFile = arguments.domain ? openInput(*arguments.domain) : Input{};
+    const Progress progress = bar.progress(interrupt.token());
+    const Result<Input> file = bar.during("reading", [&] { return openInput(arguments.mesh, arguments.inputFormat); });
+    Result<Input> domainFile =
+        bar.during("reading", [&] { return arguments.domain ? openInput(*arguments.domain) : Result<Input>(Input{}); });
     if (!file || !domainFile) {
-        bar.clear();
         return refuse(file ? domainFile.faults() : file.faults(), interrupt);
     }
     if (arguments.domain) {
         if (const std::string wrong = checkDrawingOptions(arguments.drawing, *domainFile, false); !wrong.empty()) {
-            bar.clear();
             return wrongUsage("forefront adapt", wrong);
         }
         arguments.drawing.applyTo(domainFile->options);
     }
-    Result<MeshField> input = readInput(arguments, *file);
+    Result<MeshField> input = readInput(arguments, *file, bar);
     if (!input) {
-        bar.clear();
         return refuse(input.faults(), interrupt);
     }
     ImportNotes notes;
-    const Result<Domain> domain = arguments.domain
-                                      ? allFormats().readDomain(domainFile->path, domainFile->options, &notes)
-                                      : outlineOf(input->mesh);
-    bar.clear();
-    if (!domain) {
-        return refuse(domain.faults(), interrupt);
+    Result<MeshingJob> job = bar.during("reading", [&] { return readJob(arguments, *domainFile, input->mesh, notes); });
+    if (!job) {
+        return refuse(job.faults(), interrupt);
     }
     printNotes(notes, arguments.quiet);
+    if (arguments.domain && domainFile->isProject() && !arguments.quiet) {
+        printFaults(noteOf("project-domain",
+                           "only the drawing of the project is used; the sizes follow the error, and the options of "
+                           "meshing are those of this command"));
+    }
     interrupt.deferToStop();
     TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles
     const Result<TriMesh> mesh = arguments.field
-                                     ? adaptToField(arguments, *domain, triangles, input->values, progress)
-                                     : adaptToExpression(arguments, *domain, std::move(triangles), progress, bar);
-    bar.clear();
+                                     ? adaptToField(arguments, *job, triangles, input->values, progress, bar)
+                                     : adaptToExpression(arguments, *job, std::move(triangles), progress, bar);
     if (!mesh) {
         const bool mistyped = hasCode(mesh.faults(), "expression-syntax");
-        const int code =
-            refuse(mistyped ? mesh.faults()
-                            : meshingFaults(mesh.faults(), *domain, arguments.domain ? *domainFile : *file, nullptr),
-                   interrupt);
+        const int code = refuse(
+            mistyped ? mesh.faults()
+                     : meshingFaults(mesh.faults(), job->domain, arguments.domain ? *domainFile : *file, nullptr),
+            interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
-    FileSet files;
-    Diagnostics written =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
-    if (!hasErrors(written)) {
-        const Status committed = files.commit();
-        written = committed.empty() ? written : committed;
-    }
-    bar.clear();
+    const Diagnostics written = bar.during({}, [&] {
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+    });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
     }
@@ -237,7 +246,10 @@ std::string unusedAdaptOption(const AdaptArguments &arguments) {
 
 void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
     app.add_option("MESH", arguments.mesh,
-                   "mesh file, with nodal values if --field is given: .vtu, .vtk, .msh; -: standard input")
+                   "mesh file: " + extensionList([](const FileFormat &format) { return format.readsMesh; }) +
+                       "; with nodal values if --field is given: " +
+                       extensionList([](const FileFormat &format) { return format.readsFields; }) +
+                       "; -: standard input")
         ->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     auto *field = app.add_option_group("Field", "exactly one");

@@ -3,12 +3,11 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/report.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/domain/document_domain.hpp"
-#include "core/drawing/formulas/element_counts.hpp"
-#include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/hash.hpp"
@@ -16,6 +15,7 @@
 #include "core/engine/mesh/orientation.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/verify.hpp"
+#include "core/engine/pipeline/build_spacing.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/boundary_parts.hpp"
 #include "core/files/files.hpp"
@@ -85,7 +85,7 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
         if (!project) {
             return project.faults();
         }
-        auto spacing = SpacingField::build(spacingOf(*project), toDomain(*project));
+        auto spacing = buildSpacing(jobOf(*project), {});
         return spacing ? std::move(spacing) : allFormats().locateFaults(*arguments.savedLimits, spacing.faults());
     }
     SpacingSpec spec;
@@ -114,30 +114,33 @@ bool hasConstraints(const Domain &domain) {
 Diagnostics checkAgainst(const MeshView &mesh, const MeshNumbers &numbers, const CheckArguments &arguments,
                          Input &input) {
     arguments.drawing.applyTo(input.options);
-    Result<Domain> domain = allFormats().readDomain(input.path, input.options);
-    if (!domain) {
-        return domain.faults();
+    Result<DomainFile> file = allFormats().readDomain(input.path, input.options);
+    if (!file) {
+        return file.faults();
     }
+    Domain &domain = file->domain;
     std::optional<Repaired> repaired;
     std::map<std::int32_t, double> changes; // in the lengths of boundary parts
     if (arguments.repair) {
-        Result<Repaired> result = repair(*domain, arguments.drawing.weldTolerance.value_or(0.0));
+        Result<Repaired> result = repair(domain, arguments.drawing.weldTolerance.value_or(0.0));
         if (!result) {
             return allFormats().locateFaults(input.path, result.faults(), input.options);
         }
         repaired = std::move(*result);
-        addLengths(*domain, -1.0, changes);
+        addLengths(domain, -1.0, changes);
         addLengths(repaired->domain, 1.0, changes);
+        carryElements(domain, *repaired, file->spacing);
         domain = std::move(repaired->domain);
     }
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
-    Diagnostics faults = verifyAgainst(mesh, *domain, kMaxListedFaults, numbers, innerTags);
+    Diagnostics faults =
+        verifyAgainst(mesh, domain, file->spacing.placed.elements, kMaxListedFaults, numbers, innerTags);
     if (!hasErrors(faults)) {
         Diagnostics parts;
         if (innerTags) {
             parts = checkBoundaryParts(mesh, input.path, input.options, changes);
-        } else if (hasConstraints(*domain)) {
+        } else if (hasConstraints(domain)) {
             Diagnostic &note = parts.emplace_back();
             note.severity = Severity::Note;
             note.code = "inner-edges";
@@ -147,7 +150,7 @@ Diagnostics checkAgainst(const MeshView &mesh, const MeshNumbers &numbers, const
         faults.insert(faults.end(), std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
         return faults;
     }
-    faults = locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
+    faults = locateInDomain(meshingFaults(faults, domain, input, sources), input, sources);
     const FileFormat *const format = input.format();
     if (format != nullptr && format->arranges && !arguments.repair && arguments.drawing == DrawingArguments{}) {
         Diagnostic hint;
@@ -173,8 +176,9 @@ void printFigures(const CheckArguments &arguments, const MeshReport &report, boo
                 valid ? "valid" : "invalid", arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
                 toHex(report.hash).c_str(), extentLine(quality.area, report.extent).c_str(), quality.alphaMean,
                 quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
+    std::fputs(kindsLine(quality).c_str(), stdout);
     if (spaced) {
-        std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
+        std::fputs(conformityLine(quality).c_str(), stdout);
     }
 }
 
@@ -246,6 +250,13 @@ int check(CheckArguments &arguments) {
             return wrongUsage("forefront check", wrong);
         }
         faults = checkAgainst(*mesh, notes.numbers(), arguments, *domain);
+        if (domain->isProject() && !arguments.savedLimits) {
+            const Result<Document> project = readDocument(domain->path, domain->options);
+            if (project && project->limits.any()) {
+                printFaults(
+                    noteOf("limits", "the limits of the project are not checked", "add --limits with its name"));
+            }
+        }
     } else {
         faults = verify(*mesh, kMaxListedFaults, notes.numbers());
     }
@@ -264,9 +275,7 @@ int checkCommand(int argc, const char *const *argv) {
     CheckArguments arguments;
     CLI::App app("Checks a mesh, alone or against its domain.", "forefront check");
     app.footer(kCheckExamples);
-    app.add_option("MESH", arguments.mesh,
-                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj, .vol; -: standard input")
-        ->required();
+    app.add_option("MESH", arguments.mesh, meshFileHelp())->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");
     addDrawingOptions(app, arguments.drawing);

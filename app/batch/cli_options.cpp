@@ -163,6 +163,19 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
         ->type_name("EXPR");
 }
 
+bool applySpacingOptions(std::optional<double> size, const std::optional<std::string> &expression,
+                         SpacingSpec &spacing) {
+    if (!size && !expression) {
+        return false;
+    }
+    SpacingSpec rules;
+    rules.size = size;
+    rules.expression = expression;
+    rules.names = spacing.names; // of the project's parameters
+    spacing.replaceRules(std::move(rules));
+    return true;
+}
+
 void addCurveToleranceOption(CLI::App &app, std::optional<CurveToleranceArgument> &tolerance) {
     app.add_option_function<std::string>(
            "--curve-tolerance",

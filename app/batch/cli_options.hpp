@@ -38,6 +38,10 @@ CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value,
 /// Adds the options --size and --spacing, which several commands share.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
 
+/// Replaces the rules of a spacing by those of --size and --spacing, if one of them is given. Returns true if so.
+bool applySpacingOptions(std::optional<double> size, const std::optional<std::string> &expression,
+                         SpacingSpec &spacing);
+
 /// Adds the options --picture-sizes and --picture-box of a picture that is read as spacing.
 void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box);
 

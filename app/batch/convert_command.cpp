@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
@@ -105,18 +106,14 @@ void printSize(const Mesh &mesh, const ConvertArguments &arguments) {
 int runConvert(const ConvertArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
-    Progress progress;
-    progress.stop = interrupt.token();
-    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
-    bar.show("reading", 0.0);
-    const Result<Input> file = openInput(arguments.mesh, arguments.inputFormat);
+    const Progress progress = bar.progress(interrupt.token());
+    const Result<Input> file = bar.during("reading", [&] { return openInput(arguments.mesh, arguments.inputFormat); });
     if (!file) {
-        bar.clear();
         return refuse(file.faults(), interrupt);
     }
     ImportNotes notes;
-    Result<MeshFields> read = allFormats().readFields(file->path, file->options, &notes);
-    bar.clear();
+    Result<MeshFields> read =
+        bar.during("reading", [&] { return allFormats().readFields(file->path, file->options, &notes); });
     if (!read) {
         return refuse(read.faults(), interrupt);
     }
@@ -130,6 +127,10 @@ int runConvert(const ConvertArguments &arguments) {
             allFormats().locateFaults(file->path, error("empty-mesh", "the mesh has no elements"), file->options),
             interrupt);
     }
+    const bool onlyTriangles = mesh.blocks.size() == 1 && mesh.blocks.front().kind() == CellKind::Triangle3;
+    if (arguments.triangles && onlyTriangles && !arguments.quiet) {
+        printFaults(noteOf("no-effect", "--triangles has no effect: all elements are triangles of 3 nodes"));
+    }
     if (arguments.triangles) {
         mesh = takeTriangulated(std::move(mesh)).mesh;
     }
@@ -137,14 +138,9 @@ int runConvert(const ConvertArguments &arguments) {
         return refuse(unsupported, interrupt);
     }
     interrupt.deferToStop();
-    FileSet files;
-    Diagnostics written =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
-    if (!hasErrors(written)) {
-        const Status committed = files.commit();
-        written = committed.empty() ? written : committed;
-    }
-    bar.clear();
+    const Diagnostics written = bar.during({}, [&] {
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+    });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
     }
@@ -162,9 +158,7 @@ int convertCommand(int argc, const char *const *argv) {
     ConvertArguments arguments;
     CLI::App app("Writes a mesh in other formats.", "forefront convert");
     app.footer(kConvertExamples);
-    app.add_option("MESH", arguments.mesh,
-                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj, .vol; -: standard input")
-        ->required();
+    app.add_option("MESH", arguments.mesh, meshFileHelp())->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");

@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
@@ -56,18 +57,15 @@ Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
         return document.faults();
     }
     printNotes(notes, false);
+    MeshingJob job = jobOf(*document);
     if (arguments.size || arguments.expression) {
-        const auto names = std::move(document->spacing.names); // of the project's parameters
-        document->spacing = {};
-        document->elementCounts.clear();
-        document->spacing.names = names;
-        document->spacing.size = arguments.size;
-        document->spacing.expression = arguments.expression;
+        printFaults(replacedSpacing(arguments.size ? "--size" : "--spacing", job.spacing));
     }
-    document->options.method = arguments.method.value_or(document->options.method);
-    document->options.grid = arguments.grid.value_or(document->options.grid);
-    applyMaxElements(arguments.maxElements, document->options);
-    return jobOf(*document);
+    applySpacingOptions(arguments.size, arguments.expression, job.spacing);
+    job.options.method = arguments.method.value_or(job.options.method);
+    job.options.grid = arguments.grid.value_or(job.options.grid);
+    applyMaxElements(arguments.maxElements, job.options);
+    return job;
 }
 
 FilmLayers layersOf(const FilmArguments &arguments) {

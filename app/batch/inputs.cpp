@@ -6,23 +6,47 @@
 
 #include <algorithm>
 #include <memory>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 namespace forefront {
 
-const FileFormat *Input::format() const {
-    if (!options.formatId.empty()) {
-        return allFormats().withId(options.formatId);
+namespace {
+
+/// Returns the names of the accepted formats, such as "GeoJSON and TopoJSON".
+std::string formatNames(bool (*accepts)(const FileFormat &)) {
+    std::vector<std::string> names;
+    for (const FileFormat &format : allFormats().list()) {
+        if (accepts(format)) {
+            names.emplace_back(format.name);
+        }
     }
-    return options.content != nullptr ? allFormats().detect({}, *options.content) : allFormats().detect(path);
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+    }
+    return text;
+}
+
+std::string mapNames() {
+    return formatNames([](const FileFormat &format) { return format.kind == FileKind::Map; });
+}
+
+} // namespace
+
+const FileFormat *Input::format() const {
+    if (!detected) {
+        detected = !options.formatId.empty()    ? allFormats().withId(options.formatId)
+                   : options.content != nullptr ? allFormats().detect({}, *options.content)
+                                                : allFormats().detect(path);
+    }
+    return *detected;
 }
 
 bool Input::isProject() const {
     const FileFormat *const found = format();
-    return found != nullptr && std::string_view(found->id) == "project";
+    return found != nullptr && found->kind == FileKind::Project;
 }
 
 std::string setParameters(Input &input, const std::map<std::string, std::string> &parameters) {
@@ -39,20 +63,20 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
         return "--weld: " + std::string(format->name) +
                " files are read unchanged; add --repair to join nearby nodes and segments";
     }
-    const std::string_view id = format->id;
-    const bool isMap = id == "topojson" || id == "geojson", isDrawing = id == "svg";
-    if (drawing.layer && id != "topojson") {
-        return "--layer: only TopoJSON files have layers";
+    const bool isMap = format->kind == FileKind::Map;
+    if (drawing.layer && !format->hasLayers) {
+        return "--layer: only " + formatNames([](const FileFormat &each) { return each.hasLayers; }) +
+               " files have layers";
     }
     if (drawing.nameProperty && !isMap) {
-        return "--name-property: only the features of GeoJSON and TopoJSON files have properties";
+        return "--name-property: only the features of " + mapNames() + " files have properties";
     }
     if (drawing.overlap && !isMap) {
-        return "--overlap: applies only to the polygons of GeoJSON and TopoJSON files";
+        return "--overlap: applies only to the polygons of " + mapNames() + " files";
     }
     if (drawing.degrees != DegreeRule::Warn && !isMap) {
-        return std::string(drawing.degrees == DegreeRule::Local ? "--projection" : "--allow-degrees") +
-               ": only GeoJSON and TopoJSON files have longitudes and latitudes";
+        return std::string(drawing.degrees == DegreeRule::Local ? "--projection" : "--allow-degrees") + ": only " +
+               mapNames() + " files have longitudes and latitudes";
     }
     if (drawing.dropLines && !format->arranges) {
         return "--drop-lines: applies only to drawings and maps";
@@ -60,8 +84,9 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
     for (const auto &[given, option] :
          {std::pair(drawing.beyondPage, "--beyond-page"), std::pair(drawing.strokeAreas, "--stroke-areas"),
           std::pair(drawing.shapeRegions, "--shape-regions")}) {
-        if (given && !isDrawing) {
-            return std::string(option) + ": applies only to SVG drawings";
+        if (given && format->kind != FileKind::Drawing) {
+            return std::string(option) + ": applies only to " +
+                   formatNames([](const FileFormat &each) { return each.kind == FileKind::Drawing; }) + "s";
         }
     }
     return {};
@@ -109,6 +134,19 @@ std::string checkInputs(std::initializer_list<std::optional<std::filesystem::pat
     const bool known = formatId.empty() || (format != nullptr && (format->readsDomain || format->readsMesh));
     return known ? std::string()
                  : "--input-format: unknown format '" + formatId + "'; expected one of " + inputFormatIds();
+}
+
+std::string extensionList(bool (*accepts)(const FileFormat &)) {
+    std::string list;
+    for (const std::string &extension : allFormats().allExtensions(accepts)) {
+        list += (list.empty() ? "" : ", ") + extension;
+    }
+    return list;
+}
+
+std::string meshFileHelp() {
+    return "mesh file: " + extensionList([](const FileFormat &format) { return format.readsMesh; }) +
+           "; -: standard input";
 }
 
 void printNotes(const ImportNotes &notes, bool quiet) {

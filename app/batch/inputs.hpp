@@ -28,9 +28,11 @@ struct Input {
     std::filesystem::path path; ///< as shown in messages
     ImportOptions options;      ///< with the content of standard input
 
-    /// Returns the format by option, content or extension; null if unknown.
+    /// Returns the format by option, content or extension; null if unknown. Reads the beginning of the file once.
     const FileFormat *format() const;
     bool isProject() const;
+
+    mutable std::optional<const FileFormat *> detected = {}; ///< by format()
 };
 
 /// Reads standard input if `path` is "-"; other files are left to their readers. `formatId` is the value of
@@ -52,6 +54,11 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
 
 /// Returns the ids of the formats that can be read, as --input-format accepts them, separated by commas.
 std::string inputFormatIds();
+
+/// Returns the extensions of the accepted formats, separated by commas, for help texts.
+std::string extensionList(bool (*accepts)(const FileFormat &));
+/// Returns the help text of an option or argument that names a mesh file.
+std::string meshFileHelp();
 
 /// Prints the notes of a reader to stderr, one per line; only the warnings if `quiet`.
 void printNotes(const ImportNotes &notes, bool quiet);

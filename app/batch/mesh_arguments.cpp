@@ -58,6 +58,12 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
     return "--grid: unknown grid '" + text + "'; expected " + wordList<GridKind>() + ", or uniform:COLSxROWS";
 }
 
+/// Returns the extensions of files of a kind that hold a spacing.
+template <FileKind Kind>
+std::string spacingFiles() {
+    return extensionList([](const FileFormat &format) { return format.readsSpacing && format.kind == Kind; });
+}
+
 void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid) {
     addWordOption<Method>(app, "--method", arguments.method,
                           "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
@@ -96,7 +102,11 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
     app.footer(kMeshExamples);
     app.add_option("IN", arguments.input,
-                   "project (.json, .forefront) or domain (.poly, .geojson, .svg, .msh, ...); -: standard input")
+                   "project (" + extensionList([](const FileFormat &each) { return each.kind == FileKind::Project; }) +
+                       ") or domain (" + extensionList([](const FileFormat &each) {
+                           return each.readsDomain && each.kind != FileKind::Project;
+                       }) +
+                       "); -: standard input")
         ->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges);
@@ -104,8 +114,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
         ->add_option("--spacing-file", arguments.spacingFile,
-                     "use the spacing of a project, a background mesh (.msh), a grid of sizes (.asc) or a picture "
-                     "(.png)")
+                     "use the spacing of a project, a background mesh (" + spacingFiles<FileKind::Mesh>() +
+                         "), a grid of sizes (" + spacingFiles<FileKind::Grid>() + ") or a picture (" +
+                         spacingFiles<FileKind::Picture>() + ")")
         ->type_name("FILE");
     spacing->require_option(0, 1);
     addPictureOptions(app, arguments.pictureSizes, arguments.pictureBox);

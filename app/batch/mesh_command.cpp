@@ -4,6 +4,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <string>
 
 namespace forefront {
 
@@ -29,32 +31,30 @@ struct ReadJob {
     MeshingJob job;
     Box2 box;                                 ///< of the domain
     std::optional<BackgroundPicture> picture; ///< of a project
+    MeshLimits limits;                        ///< of a project
 };
 
-/// Reads the domain of any file, and also spacing and options if the file is a project.
-Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
-    ImportNotes notes;
+/// Reads the domain of any file with its element sizes, and also options if the file is a project.
+Result<ReadJob> readJob(const Input &input, ImportNotes &notes) {
     if (input.isProject()) {
         const Result<Document> document = readDocument(input.path, input.options, &notes);
         if (!document) {
             return document.faults();
         }
-        printNotes(notes, arguments.quiet);
-        return ReadJob{jobOf(*document), boundsOf(*document), document->picture};
+        return ReadJob{jobOf(*document), boundsOf(*document), document->picture, document->limits};
     }
-    Result<Domain> domain = allFormats().readDomain(input.path, input.options, &notes);
-    if (!domain) {
-        return domain.faults();
+    Result<DomainFile> file = allFormats().readDomain(input.path, input.options, &notes);
+    if (!file) {
+        return file.faults();
     }
-    printNotes(notes, arguments.quiet);
-    const Box2 box = domain->bounds();
-    return ReadJob{{std::move(*domain), {}, {}}, box, {}};
+    const Box2 box = file->domain.bounds();
+    return ReadJob{{std::move(file->domain), std::move(file->spacing), {}}, box, {}, {}};
 }
 
 /// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
 std::string checkPicture(const MeshArguments &arguments, const Input &file) {
     const FileFormat *const format = file.format();
-    const bool picture = format != nullptr && std::string_view(format->id) == "png";
+    const bool picture = format != nullptr && format->kind == FileKind::Picture;
     if (picture && !arguments.pictureSizes) {
         return "--spacing-file: a picture needs sizes for black and white; add --picture-sizes BLACK:WHITE";
     }
@@ -87,29 +87,24 @@ std::optional<PictureSizes> placedPicture(const MeshArguments &arguments, const 
 }
 
 /// Replaces the spacing of a project by that of the command line, such as that of `file`.
-Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read) {
+Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read,
+                         ImportNotes &notes) {
     SpacingSpec &spacing = read.job.spacing;
-    if (arguments.size || arguments.expression) {
-        const auto names = std::move(spacing.names); // of the project's parameters
-        spacing = {};
-        spacing.names = names;
-        spacing.size = arguments.size;
-        spacing.expression = arguments.expression;
-    } else if (file) {
-        ImportNotes notes;
+    const char *const option = arguments.size         ? "--size"
+                               : arguments.expression ? "--spacing"
+                               : file                 ? "--spacing-file"
+                                                      : nullptr;
+    if (option != nullptr && !arguments.quiet) {
+        printFaults(replacedSpacing(option, spacing));
+    }
+    if (!applySpacingOptions(arguments.size, arguments.expression, spacing) && file) {
         ImportOptions options = file->options;
         options.picture = placedPicture(arguments, *file, read);
         Result<SpacingSpec> fromFile = allFormats().readSpacing(file->path, options, &notes);
         if (!fromFile) {
             return fromFile.faults();
         }
-        printNotes(notes, arguments.quiet);
-        spacing = std::move(*fromFile);
-    }
-    if (arguments.size || arguments.expression || file) {
-        for (DomainSegment &segment : read.job.domain.segments) {
-            segment.elements = 0; // numbers of elements belong to the spacing of the project
-        }
+        spacing.replaceRules(std::move(*fromFile));
     }
     if (arguments.gradation) {
         spacing.gradation = arguments.gradation;
@@ -139,10 +134,27 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     applyMaxElements(arguments.maxElements, options);
 }
 
+/// Returns notes on options that have no effect on this run.
+Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job, const SpacingField &spacing) {
+    Diagnostics notes;
+    const auto add = [&](const char *option, const char *reason) {
+        notes.push_back(noteOf("no-effect", std::string(option) + " has no effect: " + reason).front());
+    };
+    if (arguments.gradation && spacing.minimum() == spacing.maximum()) {
+        add("--gradation", "the size is the same everywhere");
+    }
+    if (arguments.curveTolerance && job.domain.curves.empty()) {
+        add("--curve-tolerance", "the domain has no curves");
+    } else if (arguments.curveTolerance && job.options.keepBoundary) {
+        add("--curve-tolerance", "the given segments are kept");
+    }
+    return notes;
+}
+
 /// Repairs the domain of a job and records in `sources` where its parts come from.
-Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, Domain &domain,
+Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, MeshingJob &job,
                          std::optional<Repaired> &sources) {
-    Result<Repaired> repaired = repair(domain, arguments.drawing.weldTolerance.value_or(0.0), progress.stop);
+    Result<Repaired> repaired = repair(job.domain, arguments.drawing.weldTolerance.value_or(0.0), progress.stop);
     if (!repaired) {
         return allFormats().locateFaults(input.path, repaired.faults(), input.options);
     }
@@ -150,7 +162,8 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
         printFaults(allFormats().locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
     }
     sources = std::move(*repaired);
-    domain = std::move(sources->domain);
+    carryElements(job.domain, *sources, job.spacing);
+    job.domain = std::move(sources->domain);
     return {};
 }
 
@@ -183,63 +196,88 @@ Status printResult(const MeshArguments &arguments, const RunReport &report) {
     return {};
 }
 
+/// The files that a mesh is made from.
+struct MeshFiles {
+    Input input;
+    std::optional<Input> spacing;
+};
+
+Result<MeshFiles> openFiles(const MeshArguments &arguments) {
+    Result<Input> input = openInput(arguments.input, arguments.inputFormat);
+    if (!input) {
+        return input.faults();
+    }
+    MeshFiles files{std::move(*input), {}};
+    if (arguments.spacingFile) {
+        Result<Input> spacing = openInput(*arguments.spacingFile);
+        if (!spacing) {
+            return spacing.faults();
+        }
+        files.spacing = std::move(*spacing);
+    }
+    return files;
+}
+
+/// Reads the files, shows the progress and prints the notes of the readers.
+Result<ReadJob> readFiles(const MeshArguments &arguments, const MeshFiles &files, ProgressBar &bar) {
+    ImportNotes notes, spacingNotes;
+    Result<ReadJob> read = bar.during("reading", [&] { return readJob(files.input, notes); });
+    if (!read) {
+        return read;
+    }
+    printNotes(notes, arguments.quiet);
+    const Diagnostics faults =
+        bar.during("reading", [&] { return applySpacing(arguments, files.spacing, *read, spacingNotes); });
+    if (!faults.empty()) {
+        return faults;
+    }
+    printNotes(spacingNotes, arguments.quiet);
+    return read;
+}
+
 int runMesh(const MeshArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
-    Progress progress;
-    progress.stop = interrupt.token();
-    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+    const Progress progress = bar.progress(interrupt.token());
 
-    bar.show("reading", 0.0);
-    Result<Input> input = openInput(arguments.input, arguments.inputFormat);
-    if (!input) {
-        bar.clear();
-        return refuse(input.faults(), interrupt);
+    Result<MeshFiles> files = bar.during("reading", [&] { return openFiles(arguments); });
+    if (!files) {
+        return refuse(files.faults(), interrupt);
     }
-    std::optional<Input> spacingFile;
-    if (arguments.spacingFile) {
-        Result<Input> opened = openInput(*arguments.spacingFile);
-        if (!opened) {
-            bar.clear();
-            return refuse(opened.faults(), interrupt);
-        }
-        spacingFile = std::move(*opened);
-    }
-    if (const std::string wrong = checkFiles(arguments, *input, spacingFile); !wrong.empty()) {
-        bar.clear();
+    Input &input = files->input;
+    if (const std::string wrong = checkFiles(arguments, input, files->spacing); !wrong.empty()) {
         return wrongUsage("forefront mesh", wrong);
     }
-    arguments.drawing.applyTo(input->options);
-    input->options.strict = arguments.strict;
-    Result<ReadJob> read = readJob(arguments, *input);
-    Diagnostics faults = read ? applySpacing(arguments, spacingFile, *read) : read.faults();
+    arguments.drawing.applyTo(input.options);
+    input.options.strict = arguments.strict;
+    Result<ReadJob> read = readFiles(arguments, *files, bar);
+    Diagnostics faults = read ? Diagnostics() : read.faults();
     MeshingJob *const job = read ? &read->job : nullptr;
-    bar.clear();
     interrupt.deferToStop();
     std::optional<Repaired> repaired;
     if (faults.empty() && arguments.repair) {
-        faults = repairDomain(arguments, *input, progress, job->domain, repaired);
+        faults = repairDomain(arguments, input, progress, *job, repaired);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);
     }
     applyOptions(arguments, job->options);
 
-    const Result<MeshingOutcome> outcome = meshDomain(*job, progress);
-    bar.clear();
+    const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
     if (!outcome) {
-        const Diagnostics wrong = meshingFaults(outcome.faults(), job->domain, *input, repaired ? &*repaired : nullptr);
-        const Input &owner = spacingFile ? *spacingFile : *input;
+        const Diagnostics wrong = meshingFaults(outcome.faults(), job->domain, input, repaired ? &*repaired : nullptr);
+        const Input &owner = files->spacing ? *files->spacing : input;
         const int code = refuse(arguments.expression ? wrong : locateSpacing(wrong, owner), interrupt);
         const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     if (!arguments.quiet) {
         printFaults(outcome->spacing->notes());
+        printFaults(unusedOptions(arguments, *job, *outcome->spacing));
     }
+    printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
     const RunReport report = reportOf(*outcome, job->options);
-    faults = writeResults(arguments, outcome->mesh, report, progress);
-    bar.clear();
+    faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);
     }

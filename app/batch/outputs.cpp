@@ -167,6 +167,17 @@ Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, con
     return notes;
 }
 
+Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh,
+                           std::optional<InnerEdges> innerEdges, const Progress &progress) {
+    FileSet files;
+    Diagnostics notes = writeOutputs(files, outputs, mesh, innerEdges, progress);
+    if (hasErrors(notes)) {
+        return notes;
+    }
+    const Status committed = files.commit();
+    return committed.empty() ? notes : committed;
+}
+
 void printWritten(const std::vector<std::filesystem::path> &outputs, std::FILE *stream) {
     for (const std::filesystem::path &path : outputs) {
         if (!isStandardStream(path)) {

@@ -48,6 +48,10 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh,
                          std::optional<InnerEdges> innerEdges, const Progress &progress);
 
+/// Does the same and commits the set: all files are written or none.
+Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh,
+                           std::optional<InnerEdges> innerEdges, const Progress &progress);
+
 /// Prints "wrote PATH" for each output that is a file.
 void printWritten(const std::vector<std::filesystem::path> &outputs, std::FILE *stream);
 

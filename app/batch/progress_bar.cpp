@@ -5,10 +5,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <unistd.h>
+#include <utility>
 
 namespace forefront {
 
 ProgressBar::ProgressBar(bool enabled) : active_(enabled && isatty(STDERR_FILENO) == 1) {}
+
+Progress ProgressBar::progress(std::stop_token stop) {
+    return {.report = [this](std::string_view stage, double fraction) { show(stage, fraction); },
+            .stop = std::move(stop)};
+}
 
 void ProgressBar::show(std::string_view stage, double fraction) {
     using namespace std::chrono_literals;

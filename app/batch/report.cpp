@@ -91,6 +91,25 @@ Diagnostics flatElements(const MeshQuality &quality) {
 
 namespace {
 
+bool onlyTriangles(const MeshQuality &quality) {
+    return quality.kinds[static_cast<std::size_t>(CellKind::Triangle3)] == quality.elements;
+}
+
+/// Adds the figures of meshes that hold quadrilaterals or elements of second order.
+void addKinds(const MeshQuality &quality, JsonWriter &json) {
+    if (onlyTriangles(quality)) {
+        return;
+    }
+    json.member("scaled_jacobian_min", quality.minScaledJacobian);
+    json.key("elements_by_kind").beginObject();
+    for (const CellKind kind : kElementKinds) {
+        if (const std::size_t count = quality.kinds[static_cast<std::size_t>(kind)]; count > 0) {
+            json.member(wordOf(kind), count);
+        }
+    }
+    json.endObject();
+}
+
 void addFigures(const MeshReport &report, JsonWriter &json) {
     const MeshQuality &q = report.quality;
     json.member("nodes", q.nodes).member("elements", q.elements).member("area", q.area);
@@ -109,8 +128,10 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     json.endArray();
     json.member("alpha_mean", q.alphaMean).member("alpha_geometric_mean", q.alphaGeometricMean);
     json.member("alpha_min", q.alphaMin).member("flat_elements", q.flat).member("delta_mean", q.deltaMean);
+    json.member("delta_area_mean", q.deltaAreaMean);
     json.member("min_angle_deg", q.minAngle).member("max_angle_deg", q.maxAngle);
     json.member("min_angle_elsewhere_deg", report.sharp.minAngleElsewhere);
+    addKinds(q, json);
     json.key("sharp_corners").beginArray();
     for (const SharpCorner &corner : report.sharp.corners) {
         json.beginObject().member("x", corner.at.x).member("y", corner.at.y);
@@ -176,20 +197,42 @@ std::string extentLine(double area, const MeshExtent &extent) {
     return line + (regions.size() > kShown ? " and " + std::to_string(regions.size() - kShown) + " more" : "") + '\n';
 }
 
+std::string kindsLine(const MeshQuality &quality) {
+    if (onlyTriangles(quality)) {
+        return {};
+    }
+    std::string line;
+    for (const CellKind kind : kElementKinds) {
+        if (const std::size_t count = quality.kinds[static_cast<std::size_t>(kind)]; count > 0) {
+            line += (line.empty() ? "" : ", ") + std::to_string(count) + ' ' +
+                    (count == 1 ? traitsOf(kind).name : traitsOf(kind).plural);
+        }
+    }
+    char text[60];
+    std::snprintf(text, sizeof text, "; scaled Jacobian: minimum %.4f\n", quality.minScaledJacobian);
+    return line + text;
+}
+
+std::string conformityLine(const MeshQuality &quality) {
+    char text[100];
+    std::snprintf(text, sizeof text, "spacing conformity: mean %.4f at edges, %.4f over the area\n", quality.deltaMean,
+                  quality.deltaAreaMean);
+    return text;
+}
+
 std::string summary(const RunReport &report) {
     const MeshQuality &q = report.quality;
     const double cpu = report.meshCpu();
     const std::string size = std::to_string(q.nodes) + " nodes, " + std::to_string(q.elements) + " elements, hash " +
-                             toHex(report.hash) + '\n' + extentLine(q.area, report.extent);
+                             toHex(report.hash) + '\n' + extentLine(q.area, report.extent) + kindsLine(q);
     char text[500];
     std::snprintf(
         text, sizeof text,
-        "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n"
-        "spacing conformity: mean %.4f\n"
+        "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n%s"
         "%.3f s for the mesh (%.3f preparation, %.3f front, %.3f improvement), %.0f elements/s, peak %.1f MB\n",
-        q.alphaMean, q.alphaGeometricMean, q.alphaMin, q.minAngle, q.maxAngle, q.deltaMean, cpu, report.secondsPrepare,
-        report.secondsMesh, report.secondsImprove, cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0,
-        static_cast<double>(report.peakBytes) / 1e6);
+        q.alphaMean, q.alphaGeometricMean, q.alphaMin, q.minAngle, q.maxAngle, conformityLine(q).c_str(), cpu,
+        report.secondsPrepare, report.secondsMesh, report.secondsImprove,
+        cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
     return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + size + text;
 }
 

@@ -48,6 +48,10 @@ std::string statisticsJson(const RunReport &report);
 std::string statisticsJson(const MeshReport &report, bool valid, const std::vector<LimitVerdict> &verdicts);
 /// Returns a line with the area, the number of parts and holes, and the areas of the regions if there are several.
 std::string extentLine(double area, const MeshExtent &extent);
+/// Returns a line with the number of elements of each kind and the scaled Jacobian; empty for triangles of 3 nodes.
+std::string kindsLine(const MeshQuality &quality);
+/// Returns a line that compares the sizes of the mesh with its node spacing.
+std::string conformityLine(const MeshQuality &quality);
 /// Returns a summary of a few lines.
 std::string summary(const RunReport &report);
 

@@ -68,14 +68,11 @@ int runTables(const TablesArguments &arguments) {
     InterruptWatch interrupt;
     interrupt.deferToStop();
     ProgressBar bar(true);
-    Progress progress;
-    progress.stop = interrupt.token();
-    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+    const Progress progress = bar.progress(interrupt.token());
     std::vector<RowFigures> rows;
     std::fputs(tableHead().c_str(), stdout);
     for (const TableCase &row : arguments.rows) {
-        Result<RowFigures> figures = runTableRow(row, arguments.grids, progress);
-        bar.clear();
+        Result<RowFigures> figures = bar.during({}, [&] { return runTableRow(row, arguments.grids, progress); });
         if (!figures) {
             return refuse(figures.faults(), interrupt);
         }

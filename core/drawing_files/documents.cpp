@@ -24,15 +24,15 @@ void noteHoleMarkers(const Domain &domain, const SourceText &source) {
 }
 
 Result<Document> documentFrom(const Format &format, const SourceText &source) {
-    if (format.about.id == std::string_view("project")) {
+    if (format.about.kind == FileKind::Project) {
         return readProjectText(source);
     }
-    const auto domain = domainFrom(format, source);
-    if (!domain) {
-        return domain.faults();
+    const Result<DomainFile> file = domainFrom(format, source);
+    if (!file) {
+        return file.faults();
     }
-    noteHoleMarkers(*domain, source);
-    return fromDomain(*domain);
+    noteHoleMarkers(file->domain, source);
+    return fromDomain(*file);
 }
 
 } // namespace

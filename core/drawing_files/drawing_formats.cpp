@@ -28,10 +28,10 @@ void reorder(std::vector<PartOrigin> &origins, const std::vector<std::uint32_t> 
 /// Reads a drawing or map, and orders its segments by chains as the editor does, so that it meshes the same in the
 /// editor and in batch.
 template <Result<Domain> (*Read)(const SourceText &)>
-Result<Domain> readInChainOrder(const SourceText &source) {
+Result<DomainFile> readInChainOrder(const SourceText &source) {
     const Result<Domain> domain = Read(source);
     if (!domain) {
-        return domain;
+        return domain.faults();
     }
     ChainOrder order;
     Domain ordered = inChainOrder(*domain, &order);
@@ -40,28 +40,48 @@ Result<Domain> readInChainOrder(const SourceText &source) {
         reorder(source.origin->of(DomainPartKind::Segment), order.segments);
         reorder(source.origin->of(DomainPartKind::ConstraintPoint), order.points);
     }
-    return ordered;
+    return DomainFile{std::move(ordered), {}}; // none of these formats holds sizes
 }
 
-Result<Domain> readProjectDomain(const SourceText &source) {
+Result<DomainFile> readProjectDomain(const SourceText &source) {
     const auto document = readProjectText(source);
-    return document ? Result<Domain>(toDomain(*document)) : document.faults();
+    if (!document) {
+        return document.faults();
+    }
+    MeshingJob job = jobOf(*document);
+    return DomainFile{std::move(job.domain), std::move(job.spacing)};
 }
 
 // The formats of drawings with their names, capabilities and functions, in the order of menus.
 constexpr std::array kDrawings = {
-    Format{.about = {"project", "Forefront project", ".json", true, false, false},
-           .otherExtensions = ".forefront",
+    Format{.about = {.id = "project",
+                     .name = "Forefront project",
+                     .extension = ".json",
+                     .otherExtensions = ".forefront",
+                     .kind = FileKind::Project,
+                     .readsDomain = true,
+                     .readsSpacing = true},
            .recognise = looksLikeProject,
            .readDomain = readProjectDomain,
            .readSpacing = readProjectSpacing},
-    Format{.about = {"geojson", "GeoJSON", ".geojson", true, false, false, {}, true},
-           .otherExtensions = ".json",
+    Format{.about = {.id = "geojson",
+                     .name = "GeoJSON",
+                     .extension = ".geojson",
+                     .otherExtensions = ".json",
+                     .kind = FileKind::Map,
+                     .readsDomain = true,
+                     .arranges = true},
            .recognise = looksLikeGeoJson,
            .mayShowLate = true,
            .readDomain = readInChainOrder<readGeoJson>},
-    Format{.about = {"topojson", "TopoJSON", ".topojson", true, false, false, {}, true},
-           .otherExtensions = ".json",
+    Format{.about = {.id = "topojson",
+                     .name = "TopoJSON",
+                     .extension = ".topojson",
+                     .otherExtensions = ".json",
+                     .kind = FileKind::Map,
+                     .readsDomain = true,
+                     .hasLayers = true,
+                     .arranges = true},
            .recognise = looksLikeTopoJson,
            .mayShowLate = true,
            .readDomain = readInChainOrder<readTopoJson>},
@@ -71,7 +91,7 @@ constexpr std::array kDrawings = {
 std::vector<Format> everyFormat() {
     std::vector<Format> list(kDrawings.begin(), kDrawings.end());
     for (Format format : engineFormats().formats()) {
-        if (format.about.id == std::string_view("svg")) {
+        if (format.about.kind == FileKind::Drawing) {
             format.about.readsDomain = format.about.arranges = true;
             format.recognise = looksLikeSvg;
             format.readDomain = readInChainOrder<readSvg>;

@@ -3,7 +3,6 @@
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/format.hpp"
 #include "core/files/named_faults.hpp"
-#include "core/files/triangle/triangle.hpp"
 
 #include <new>
 #include <string>
@@ -26,7 +25,7 @@ const Format *meshFormat(const std::filesystem::path &path, std::string_view id)
 
 } // namespace
 
-Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return engineFormats().readDomain(path, options, notes);
 }
 
@@ -111,11 +110,11 @@ bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view forma
 
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
     const Format *format = meshFormat(path, formatId);
-    if (format == nullptr || format->writeFiles == nullptr) {
+    if (format == nullptr || format->about.files.empty()) {
         return {path};
     }
     std::vector<std::filesystem::path> files;
-    for (const char *extension : kTriangleExtensions) {
+    for (const char *extension : format->about.files) {
         files.push_back(path);
         files.back().replace_extension(extension);
     }
@@ -124,16 +123,11 @@ std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path
 
 std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path) {
     std::vector<std::filesystem::path> files = filesOfMesh(path);
-    std::filesystem::path nodes = path;
-    nodes.replace_extension(".node");
-    std::error_code none;
-    const bool poly =
-        engineFormats().ofExtension(path, [](const Format &format) { return format.readDomain == readPoly; });
-    if (poly && std::filesystem::is_regular_file(path, none) && std::filesystem::is_regular_file(nodes, none)) {
-        const auto bytes = readFileBytes(path, ImportOptions().maxBytes);
-        if (bytes && hasNodesInNodeFile({*bytes, path.string(), path, {}})) {
-            files.push_back(nodes);
-        }
+    const Format *const format =
+        engineFormats().ofExtension(path, [](const Format &each) { return each.filesBeside != nullptr; });
+    if (format != nullptr) {
+        const std::vector<std::filesystem::path> beside = format->filesBeside(path);
+        files.insert(files.end(), beside.begin(), beside.end());
     }
     return files;
 }

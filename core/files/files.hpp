@@ -16,9 +16,10 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Reads a domain: Triangle .poly, or the outline of a mesh. Parameters and faults as for FormatList.
-Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
-                          ImportNotes *notes = nullptr);
+/// Reads a domain with its element sizes: Triangle .poly, or the outline of a mesh. Parameters and faults as for
+/// FormatList.
+Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
+                              ImportNotes *notes = nullptr);
 /// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                       ImportNotes *notes = nullptr);
@@ -33,7 +34,7 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
                                 ImportNotes *notes = nullptr);
 
 /// Read as above from memory, see FormatList.
-Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
+Result<DomainFile> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);
 Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr);

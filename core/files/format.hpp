@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -16,12 +17,10 @@ namespace forefront {
 /// not support it.
 struct Format {
     FileFormat about;
-    /// Further extensions, separated by blanks, such as ".node .ele".
-    const char *otherExtensions = "";
     /// Returns true if the first bytes of a file (at most kHeadBytes) show that it is of this format.
     bool (*recognise)(std::string_view head) = nullptr;
     bool mayShowLate = false; ///< recognise() takes all of a JSON text where its first bytes show no format
-    Result<Domain> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
+    Result<DomainFile> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
@@ -30,6 +29,8 @@ struct Format {
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
     void (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const Progress &) = nullptr;
+    /// Returns further files that reading this one may open; null: none, or those of `about.files`.
+    std::vector<std::filesystem::path> (*filesBeside)(const std::filesystem::path &) = nullptr;
 
     bool canReadDomain() const { return readDomain != nullptr || readMesh != nullptr; }
     bool canWriteMesh() const { return writeMesh != nullptr || writeFiles != nullptr; }
@@ -38,6 +39,6 @@ struct Format {
 inline constexpr std::size_t kHeadBytes = 4096;
 
 /// Returns the domain in a file of this format: what the format says of it, else the outline of its mesh.
-Result<Domain> domainFrom(const Format &format, const SourceText &source);
+Result<DomainFile> domainFrom(const Format &format, const SourceText &source);
 
 } // namespace forefront

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 namespace forefront {
 namespace {
@@ -19,7 +20,7 @@ bool hasExtension(const Format &format, const std::string &extension) {
     if (extension == format.about.extension) {
         return true;
     }
-    const std::string others = std::string(" ") + format.otherExtensions + ' ';
+    const std::string others = std::string(" ") + format.about.otherExtensions + ' ';
     return extension.size() > 1 && others.find(' ' + extension + ' ') != std::string::npos;
 }
 
@@ -67,6 +68,21 @@ std::string FormatList::extensions(bool (*accepts)(const Format &)) const {
         }
     }
     return list;
+}
+
+std::vector<std::string> FormatList::allExtensions(bool (*accepts)(const FileFormat &)) const {
+    std::vector<std::string> all;
+    for (const Format &format : formats_) {
+        std::istringstream words(accepts(format.about)
+                                     ? std::string(format.about.extension) + ' ' + format.about.otherExtensions
+                                     : std::string());
+        for (std::string word; words >> word;) {
+            if (std::find(all.begin(), all.end(), word) == all.end()) {
+                all.push_back(word);
+            }
+        }
+    }
+    return all;
 }
 
 std::string FormatList::ids(bool (*accepts)(const Format &)) const {

@@ -6,10 +6,12 @@
 #include "core/engine/mesh/cell_set.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
+#include "core/files/common/domain_file.hpp"
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/source/import_notes.hpp"
 #include "core/files/source/import_options.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -20,12 +22,30 @@ namespace FOREFRONT_API forefront {
 
 struct Format;
 
-/// A file format the program reads or writes.
+/// What the files of a format hold.
+enum class FileKind : std::uint8_t {
+    Mesh,
+    Domain,  ///< nodes and segments, valid as they are
+    Project, ///< a document of the editor, with parameters
+    Drawing, ///< shapes on a page, with strokes
+    Map,     ///< features with properties, perhaps in degrees
+    Grid,    ///< sizes at the points of a grid
+    Picture  ///< grey values that stand for sizes
+};
+
+/// A file format the program reads or writes. Anything that differs between formats belongs here: no other code
+/// compares ids.
 struct FileFormat {
     const char *id;        ///< "msh2", "msh41", "vtu", ... as used by --format and in menus
     const char *name;      ///< "Gmsh MSH 2.2"
     const char *extension; ///< with the dot, ".msh"
-    bool readsDomain, readsMesh, writesMesh;
+    /// Further extensions, separated by blanks, such as ".node .ele".
+    const char *otherExtensions = "";
+    FileKind kind = FileKind::Mesh;
+    bool readsDomain = false, readsMesh = false, writesMesh = false;
+    bool readsSpacing = false;
+    bool readsFields = false; ///< its meshes have values of nodes and elements
+    bool hasLayers = false;   ///< a file holds several drawings, of which one is read
     /// The kinds of cells that its files hold. Meshes with others are not written.
     CellSet holds = {};
     /// Its lines may cross, touch and overlap: reading arranges them (see ImportOptions::weldTolerance).
@@ -35,6 +55,11 @@ struct FileFormat {
     bool acceptsInnerEdges = true;
     /// All elements of a file are of one kind.
     bool oneElementKind = false;
+    /// Extensions of the files that a mesh is written to, for formats of several files; empty: one file.
+    std::span<const char *const> files = {};
+    /// A program that usually reads it, such as "FreeFem++"; empty: it is not the preferred format of any.
+    const char *program = "";
+    const char *keeps = ""; ///< what a file keeps of a mesh, as a sentence; empty: unless meshes are written
 };
 
 /// A file in memory.
@@ -66,9 +91,9 @@ class FormatList {
     /// Returns the format of a file with this content, or else by its extension; null if neither identifies it.
     const FileFormat *detect(const std::filesystem::path &path, std::string_view content) const;
 
-    /// Reads the domain of a file, or the outline of the mesh in it.
-    Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
-                              ImportNotes *notes = nullptr) const;
+    /// Reads the domain of a file with its element sizes, or the outline of the mesh in it.
+    Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
+                                  ImportNotes *notes = nullptr) const;
     /// Adds the file's name to the faults of a domain that readDomain read from it and, where the format has such
     /// places
     /// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Leaves faults that
@@ -85,14 +110,16 @@ class FormatList {
     /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.
     Result<MeshField> readField(const std::filesystem::path &path, std::string_view name,
                                 const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
-    /// Reads a spacing: that of a project file, a background mesh with nodal values (MSH $NodeData), a grid of sizes
-    /// (ESRI ASCII grid), or the grey values of a picture (PNG, with ImportOptions::picture).
+    /// Reads a spacing: the rules of a project file (its placed sizes come with its domain), a background mesh with
+    /// nodal values (MSH $NodeData), a grid of sizes (ESRI ASCII grid), or the grey values of a picture (PNG, with
+    /// ImportOptions::picture).
     Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
                                     ImportNotes *notes = nullptr) const;
 
     /// Read as above from memory. Parts that a format keeps in a second file, such as the .ele file of Triangle, are
     /// missing.
-    Result<Domain> readDomain(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
+    Result<DomainFile> readDomain(MemoryFile file, const ImportOptions &options = {},
+                                  ImportNotes *notes = nullptr) const;
     Result<Mesh> readMesh(MemoryFile file, const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
     Result<MeshFields> readFields(MemoryFile file, const ImportOptions &options = {},
                                   ImportNotes *notes = nullptr) const;
@@ -110,6 +137,8 @@ class FormatList {
     const Format *ofId(std::string_view id) const;
     /// Returns the extensions of the accepted formats, for messages.
     std::string extensions(bool (*accepts)(const Format &)) const;
+    /// Returns all extensions of the accepted formats, each once, in the order of menus.
+    std::vector<std::string> allExtensions(bool (*accepts)(const FileFormat &)) const;
     /// Returns the ids of the accepted formats, for messages.
     std::string ids(bool (*accepts)(const Format &)) const;
 

@@ -51,7 +51,7 @@ bool readsDomain(const Format &format) {
 
 } // namespace
 
-Result<Domain> domainFrom(const Format &format, const SourceText &source) {
+Result<DomainFile> domainFrom(const Format &format, const SourceText &source) {
     if (format.readDomain != nullptr) {
         return format.readDomain(source);
     }
@@ -59,12 +59,13 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
     if (!mesh) {
         return mesh.faults();
     }
-    return domainOfMesh(*mesh, source.options.progress);
+    Result<Domain> outline = domainOfMesh(*mesh, source.options.progress);
+    return outline ? Result<DomainFile>(DomainFile{std::move(*outline), {}}) : outline.faults();
 }
 
-Result<Domain> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,
-                                      ImportNotes *notes) const {
-    return readFile<Domain>(*this, path, options, notes, readsDomain, domainFrom);
+Result<DomainFile> FormatList::readDomain(const std::filesystem::path &path, const ImportOptions &options,
+                                          ImportNotes *notes) const {
+    return readFile<DomainFile>(*this, path, options, notes, readsDomain, domainFrom);
 }
 
 Diagnostics FormatList::locateFaults(const std::filesystem::path &path, Diagnostics faults,
@@ -75,16 +76,16 @@ Diagnostics FormatList::locateFaults(const std::filesystem::path &path, Diagnost
     };
     const bool readable = options.content != nullptr || std::filesystem::is_regular_file(path, none); // a pipe is empty
     if (readable && std::any_of(faults.begin(), faults.end(), wanting)) {
-        const auto read =
-            readFile<Domain>(*this, path, options, nullptr, readsDomain, [&](const Format &format, SourceText source) {
-                DomainOrigin origin;
-                source.origin = &origin;
-                Result<Domain> domain = domainFrom(format, source);
-                if (domain) {
-                    addPlaces(faults, origin, source.text);
-                }
-                return domain;
-            });
+        const auto read = readFile<DomainFile>(*this, path, options, nullptr, readsDomain,
+                                               [&](const Format &format, SourceText source) {
+                                                   DomainOrigin origin;
+                                                   source.origin = &origin;
+                                                   Result<DomainFile> file = domainFrom(format, source);
+                                                   if (file) {
+                                                       addPlaces(faults, origin, source.text);
+                                                   }
+                                                   return file;
+                                               });
         static_cast<void>(read); // it was readable before; if it no longer is, the faults are left without places
     }
     return named(std::move(faults), path);

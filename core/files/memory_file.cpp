@@ -24,7 +24,7 @@ ImportOptions memoryOptions(const FormatList &list, MemoryFile &file, const Impo
 
 } // namespace
 
-Result<Domain> FormatList::readDomain(MemoryFile file, const ImportOptions &options, ImportNotes *notes) const {
+Result<DomainFile> FormatList::readDomain(MemoryFile file, const ImportOptions &options, ImportNotes *notes) const {
     const ImportOptions own = memoryOptions(*this, file, options);
     return readDomain(std::filesystem::path(file.name), own, notes);
 }
@@ -44,7 +44,7 @@ Result<SpacingSpec> FormatList::readSpacing(MemoryFile file, const ImportOptions
     return readSpacing(std::filesystem::path(file.name), own, notes);
 }
 
-Result<Domain> readDomain(MemoryFile file, const ImportOptions &options, ImportNotes *notes) {
+Result<DomainFile> readDomain(MemoryFile file, const ImportOptions &options, ImportNotes *notes) {
     return engineFormats().readDomain(std::move(file), options, notes);
 }
 

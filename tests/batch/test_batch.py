@@ -24,7 +24,8 @@ import unittest
 import zlib
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
-STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
+STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "delta_area_mean",
+         "min_angle_deg",
          "max_angle_deg", "front_mean", "neighbours_mean", "tests_mean", "cells_mean",
          "candidates_mean", "forced_mean", "flat_elements", "seconds_mesh", "seconds_improve",
          "improve", "sharp_corners", "narrow_places", "min_angle_elsewhere_deg", "peak_bytes", "hash"]
@@ -101,6 +102,7 @@ class Meshing(Case):
         self.assertGreater(stats["alpha_geometric_mean"], 0.93)
         self.assertGreaterEqual(stats["alpha_mean"], stats["alpha_geometric_mean"])
         self.assertGreater(stats["delta_mean"], 0.85)
+        self.assertGreater(stats["delta_area_mean"], 0.85)
         self.assertGreater(stats["min_angle_deg"], 20)
         self.assertLess(stats["max_angle_deg"], 130)
         self.assertGreater(stats["front_mean"], 1)
@@ -192,6 +194,47 @@ class Meshing(Case):
         for value in "0", "-1", "x", "%", "nan", "inf%":
             self.assertIn(f"--curve-tolerance: expected a positive length or percentage, got '{value}'",
                           self.call("mesh", "disc.json", "-o", "a.msh", "--curve-tolerance", value, code=2).stderr)
+
+    def test_options_without_an_effect_are_noted(self):
+        def notes(*words):
+            return re.findall(r"note: (.*) \[no-effect\]", self.call("mesh", *words, "-o", "a.msh").stderr)
+
+        self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 20},
+            "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [30, 0]]}]}""")
+        self.assertEqual(notes("plate.poly", "--size", "0.5", "--gradation", "0.1"),
+                         ["--gradation has no effect: the size is the same everywhere"])
+        self.assertEqual(notes("plate.poly", "--spacing", "0.3+0.1*x", "--gradation", "0.1"), [])
+        self.assertEqual(notes("plate.poly", "--curve-tolerance", "0.1"),
+                         ["--curve-tolerance has no effect: the domain has no curves"])
+        self.assertEqual(notes("disc.json", "--curve-tolerance", "0.1", "--keep-boundary"),
+                         ["--curve-tolerance has no effect: the given segments are kept"])
+        self.assertEqual(notes("disc.json", "--curve-tolerance", "0.1"), [])
+        self.call("mesh", "plate.poly", "-o", "plate.msh")
+        self.assertIn("--triangles has no effect", self.call("convert", "plate.msh", "-o", "b.vtu", "--triangles").stderr)
+        self.assertEqual(self.call("convert", "plate.msh", "-o", "b.vtu").stderr, "")
+
+    def test_what_options_replace_in_a_project_is_noted(self):
+        self.write("parts.json", PROJECT.replace('"size": 0.3', """"partSizes": [{"tag": 1, "size": 0.2}], "gradation": 0.3,
+            "sources": [{"shape": "point", "a": [1, 1], "size": 0.1}]"""))
+        for command, out in (("mesh", "a.msh"), ("film", "a.svg")):
+            replaced = self.call(command, "parts.json", "-o", out, "--size", "0.5").stderr
+            self.assertIn("note: --size replaces the spacing of the project, with 1 size source, the sizes of 1 boundary "
+                          "part, the gradation [replaced-spacing]\n", replaced)
+        self.write("plain.json", PROJECT)
+        self.assertEqual(self.call("mesh", "plain.json", "-o", "a.msh", "--size", "0.5").stderr, "")
+        self.assertIn("only the drawing of the project is used",
+                      self.call("adapt", "a.msh", "--expression", "x*y", "--error", "0.5", "--domain", "plain.json",
+                                "-o", "b.msh").stderr)
+
+    def test_violated_limits_of_a_project_are_warned_of(self):
+        self.write("strict.json", PROJECT.replace('"version": 1,', '"version": 1, "limits": {"minAngle": 59.9},'))
+        self.assertRegex(self.call("mesh", "strict.json", "-o", "a.msh").stderr,
+                         r"^warning: the mesh violates a limit of the project: minimum angle 59.9°: violated by \d+ of ")
+        self.write("kind.json", PROJECT.replace('"version": 1,', '"version": 1, "limits": {"minAngle": 5},'))
+        self.assertEqual(self.call("mesh", "kind.json", "-o", "a.msh").stderr, "")
+        self.assertIn("note: the limits of the project are not checked [limits]; add --limits",
+                      self.call("check", "a.msh", "--domain", "kind.json").stderr)
+        self.assertEqual(self.call("check", "a.msh", "--domain", "kind.json", "--limits", "kind.json").stderr, "")
 
     def test_no_improve_leaves_out_the_improvement(self):
         raw = self.stats("plate.poly", "--size", "0.1", "--no-improve")
@@ -286,7 +329,8 @@ class Meshing(Case):
     def test_names_that_a_format_changes_are_reported(self):
         self.write("named.poly", poly([SQUARE]) + '# boundary 1 "4th wall"\n')
         done = self.call("mesh", "named.poly", "-o", "named.inp", "-o", "named.vtu")
-        self.assertRegex(done.stderr, r"^named.inp: note: .*'4th wall' is n_4th_wall.* \[changed-names\]\n$")
+        self.assertRegex(done.stderr, r"^named.inp: note: .*'4th wall' is n_4th_wall.* \[changed-names\]\n")
+        self.assertNotIn("named.vtu", done.stderr)
         self.assertEqual(self.call("mesh", "named.poly", "-q", "-o", "named.inp").stderr, "")
 
     def test_quiet_prints_nothing(self):
@@ -492,13 +536,13 @@ class Meshing(Case):
         self.assertIn("unknown parameter", self.call("film", "disc.json", "-o", "x.svg", "--set", "q=2", code=1).stderr)
         self.call("film", "plate.poly", "-o", "x.svg", "--set", "r=2", code=2)
 
-    def test_progress_bar_shows_on_a_terminal(self):
+    def on_terminal(self, *words):
+        """Returns the exit code of a run and what it wrote to a terminal."""
         try:
             leader, follower = pty.openpty()
         except OSError as error:
             self.skipTest(f"no terminal to be had here: {error}")
-        process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "a.msh", "--size", "0.01"], cwd=self.path,
-                                   stdout=subprocess.DEVNULL, stderr=follower)
+        process = subprocess.Popen([PROGRAM, *words], cwd=self.path, stdout=follower, stderr=follower)
         os.close(follower)
         shown = b""
         try:
@@ -507,9 +551,28 @@ class Meshing(Case):
         except OSError:  # the end, on Linux
             pass
         os.close(leader)
-        self.assertEqual(process.wait(timeout=60), 0)
+        return process.wait(timeout=60), shown
+
+    def test_progress_bar_shows_on_a_terminal(self):
+        code, shown = self.on_terminal("mesh", "plate.poly", "-o", "a.msh", "--size", "0.01", "--stats", "a.json")
+        self.assertEqual(code, 0)
         self.assertRegex(shown, rb"\[#*\.*\]\s+\d+ %")
-        self.assertTrue(shown.endswith(b"\r\x1b[K"), "the bar is cleared at the end")
+
+    def test_nothing_is_printed_on_the_line_of_the_progress_bar(self):
+        ring = "[[10, 50], [11, 50], [11, 51], [10, 50]]"
+        self.write("map.geojson", '{"type": "Polygon", "coordinates": [' + ring + ']}')
+        self.call("mesh", "plate.poly", "-o", "plate.msh")
+        runs = ((0, ("mesh", "map.geojson", "-o", "a.vtu")), (1, ("mesh", "missing.poly", "-o", "a.vtu")),
+                (0, ("convert", "plate.msh", "-o", "a.vtu")), (1, ("convert", "missing.msh", "-o", "a.vtu")),
+                (0, ("adapt", "plate.msh", "--expression", "x*x", "--error", "0.1", "-o", "b.msh")),
+                (1, ("adapt", "missing.msh", "--expression", "x*x", "--error", "0.1", "-o", "b.msh")))
+        for expected, words in runs:
+            with self.subTest(words=words):
+                code, shown = self.on_terminal(*words)
+                self.assertEqual(code, expected)
+                lines = [line.rpartition(b"\x1b[K")[2] for line in shown.split(b"\n")]
+                self.assertEqual([line for line in lines if b" % " in line and line.startswith(b"[")], [])
+                self.assertGreater(len(lines), 1)  # something was printed
 
     def test_interrupt_cancels_and_leaves_nothing(self):
         process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "big.msh", "--size", "0.0004",
@@ -1072,7 +1135,11 @@ class Refusing(Case):
         self.assertTrue(checked.pop("valid"))
         self.assertEqual(checked.pop("limits"), [])
         self.assertEqual(checked["delta_mean"], 0.0) # no spacing is given
-        del checked["delta_mean"]
+        self.assertEqual(checked["delta_area_mean"], 0.0)
+        del checked["delta_mean"], checked["delta_area_mean"]
+        run = {"front_mean", "neighbours_mean", "tests_mean", "cells_mean", "candidates_mean", "forced_mean", "improve",
+               "seconds_prepare", "seconds_mesh", "seconds_improve", "peak_bytes"}
+        self.assertEqual(set(given) - set(checked), run | {"delta_mean", "delta_area_mean"})
         self.assertEqual(checked, {key: given[key] for key in checked})
         for key in ("nodes", "regions", "boundaries", "alpha_min", "min_angle_deg", "hash"):
             self.assertIn(key, checked)
@@ -1085,6 +1152,15 @@ class Refusing(Case):
         self.assertFalse(printed["limits"][0]["met"])
         self.assertIn("--measures", self.call("check", "plate.msh", "--stats", "-", "--measures", code=2).stderr)
         self.assertIn("error", self.call("check", "plate.msh", "--stats", "plate.msh", code=1).stderr)
+
+    def test_statistics_of_other_elements_have_their_numbers_and_their_scaled_jacobian(self):
+        self.write("mixed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0.5 0\nf 1 2 3 4\nf 2 5 3\n")
+        figures = json.loads(self.call("check", "mixed.obj", "--stats", "-").stdout)
+        self.assertEqual(figures["elements_by_kind"], {"triangle3": 1, "quadrilateral4": 1})
+        self.assertGreater(figures["scaled_jacobian_min"], 0.9)
+        self.assertIn("\n1 triangle, 1 quadrilateral; scaled Jacobian: minimum 0.9", self.call("check", "mixed.obj").stdout)
+        self.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")
+        self.assertNotIn("elements_by_kind", json.loads(self.call("check", "triangle.obj", "--stats", "-").stdout))
 
     def test_check_judges_by_limits(self):
         self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.25")
@@ -1124,6 +1200,12 @@ class Refusing(Case):
         for domain in ([], ["--domain", "outline.poly"]):  # the parameters are those of the project with the limits
             done = self.call("check", "plate.msh", "--limits", "named.json", "--min-angle", "5", "--set", "r=2", *domain)
             self.assertIn("minimum angle 5°: met", done.stdout)
+        # Kept segments raise the size that their elements are judged by.
+        self.write("kept.json", PROJECT.replace('"size": 0.3', '"size": 0.1').replace(
+            '"version": 1,', '"version": 2, "options": {"keepBoundary": true}, "limits": {"minDelta": 0.1},'))
+        self.call("mesh", "kept.json", "-o", "kept.msh")
+        self.call("check", "kept.msh", "--limits", "kept.json")
+        self.call("check", "kept.msh", "--size", "0.1", "--min-delta", "0.1", code=1)
         self.write("none.json", PROJECT)
         self.assertIn("[no-limits]", self.call("check", "plate.msh", "--limits", "none.json", code=1).stderr)
 
@@ -1143,7 +1225,8 @@ class Refusing(Case):
 
     def test_check_reports_how_well_a_spacing_is_kept(self):
         def kept(*words):
-            found = re.search(r"^spacing conformity: mean ([\d.]+)$", self.call("check", *words).stdout, re.M)
+            found = re.search(r"^spacing conformity: mean ([\d.]+) at edges, ([\d.]+) over the area$",
+                              self.call("check", *words).stdout, re.M)
             return float(found[1]) if found else None
 
         made = self.stats("plate.poly", "-o", "plate.msh", "--spacing", "0.1+0.1*x")["delta_mean"]
@@ -1153,6 +1236,11 @@ class Refusing(Case):
         # Two right triangles; of their five edges four are 1 long and the diagonal is the square root of 2.
         self.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
         self.assertAlmostEqual(kept("square.obj", "--size", "1"), (4 + 1 / math.sqrt(2)) / 5, delta=1e-4)
+        # What is ignored inside the elements shows over the area.
+        ignored = ["--spacing", "max(0.01, 2*dist(0.5, 0.5))", "--stats", "-"]
+        figures = json.loads(self.call("check", "square.obj", *ignored).stdout)
+        self.assertLess(figures["delta_area_mean"], 0.66)
+        self.assertGreater(figures["delta_mean"], 0.55)
         self.call("check", "plate.msh", "--size", "1", "--spacing", "x", code=2)
         self.call("check", "plate.msh", "--size", "-1", code=2)
         self.call("check", "plate.msh", "--spacing", "1+*x", code=2)
@@ -1226,6 +1314,12 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
+        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .vol, .obj"
+        for command in ("check", "convert", "adapt"):
+            self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
+        text = " ".join(self.call("mesh", "--help").stdout.split())
+        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .poly, .svg, " + meshes, text)
+        self.assertIn("a background mesh (.msh), a grid of sizes (.asc) or a picture (.png)", text)
 
 
 class Films(Case):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The library as its users meet it: installed as a static and as a shared library, and used by the README's example
 through find_package, pkg-config and add_subdirectory. All six programs must write the same file. The examples of
-usual tasks are built against the installed library and run, too.
+usual tasks are built against the installed library and run, too. The library that is added as a folder is compiled by
+another compiler; the meshes of all pinned scenes must be the same with it.
 
     test_consumer.py CMAKE REPOSITORY BUILD_FOLDER
 """
@@ -140,6 +141,14 @@ def by_add_subdirectory(folder):
         check("warning:" not in printed, f"our warnings reach the project:\n{printed}")
         check("forefront_drawing" not in printed, f"drawings are compiled for a program that only meshes:\n{printed}")
         yield kind, result(made / "build" / "consumer", made)
+    check_pinned_meshes(made)
+
+
+def check_pinned_meshes(made):
+    run(CMAKE, "-B", "build", "-DFOREFRONT_TESTS=ON", "-DFOREFRONT_UNIT_TESTS=OFF", "-DBUILD_SHARED_LIBS=OFF", folder=made)
+    run(CMAKE, "--build", "build", "--target", "forefront_pinned", folder=made)
+    [program] = made.glob("build/**/forefront_pinned")
+    run(program, REPOSITORY / "assets", REPOSITORY / "tests" / "pinned" / "meshes.txt", folder=made)
 
 
 def user_lines(text):

@@ -10,6 +10,7 @@
 #include "core/engine/mesh/mesh_domain.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesh/verify.hpp"
+#include "core/engine/spacing/part_list.hpp"
 #include "core/files/format.hpp"
 #include "core/files/png/png.hpp"
 #include "core/files/triangle/triangle.hpp"
@@ -129,10 +130,11 @@ void runFormat(const Format &format, std::string_view bytes) {
             checkDocument(*document);
         }
     } else if (format.readDomain != nullptr) {
-        if (const auto domain = readWith(format.readDomain, bytes)) {
-            checkDomain(*domain);
+        if (const auto file = readWith(format.readDomain, bytes)) {
+            checkDomain(file->domain);
+            demand(checkSpacing(file->spacing, file->domain).empty(), "the sizes of a file are valid");
             if (format.about.arranges) {
-                checkArranged(*domain);
+                checkArranged(file->domain);
             }
         }
     }

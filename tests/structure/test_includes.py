@@ -18,8 +18,8 @@ ORDERS = {
     "core/drawing_files/svg": ["xml", "values", "style", "drawing", "areas", "."],
     "core/teaching": ["lesson film", "tables"],
     "ui/tools": ["common", "draw select size look", "."],
-    "ui/workspace": ["background", "document", "messages", "view", "mesh", "run", "."],
-    "ui": ["input style", "platform", "widgets", "canvas", "gl", "workspace", "parts", "layers tools panels dialogs", "lessons", "shell",
+    "ui/workspace": ["document", "messages", "view", "mesh", "run", "."],
+    "ui": ["input style background", "platform", "widgets", "canvas", "gl", "workspace", "parts", "layers tools panels dialogs", "lessons", "shell",
            "editor", "."],
 }
 FORBIDDEN = {"core/": r"(ui|app)/|GL/|GLES|EGL|GLFW|imgui|implot|glad", "ui/": r"app/"}

@@ -181,20 +181,20 @@ TEST_CASE("Adapt: dropping the rounds of a running adaptation does not wait for 
     std::promise<void> begun, dropped;
     std::atomic<bool> cancelledWork = false;
     {
-        Adaptation adaptation([] {},
-                              [&](const AdaptRequest &, const Progress &progress, const AdaptReport &) {
-                                  begun.set_value();
-                                  dropped.get_future().wait(); // for ever, if clear() waits for this thread
-                                  cancelledWork = progress.cancelled();
-                                  return Result<AdaptOutcome>(error("cancelled", "test"));
-                              });
+        BackgroundList background([] {});
+        Adaptation adaptation(background, [&](const AdaptRequest &, const Progress &progress, const AdaptReport &) {
+            begun.set_value();
+            dropped.get_future().wait(); // for ever, if clear() waits for this thread
+            cancelledWork = progress.cancelled();
+            return Result<AdaptOutcome>(error("cancelled", "test"));
+        });
         AdaptRequest request;
         request.mesh = std::make_shared<const MeshSnapshot>();
         adaptation.start(request);
         begun.get_future().wait();
         adaptation.clear();
         CHECK_FALSE(adaptation.busy());
-        CHECK_FALSE(adaptation.hasNews());
+        CHECK(background.atRest());
         dropped.set_value();
     }
     CHECK(cancelledWork);

@@ -115,7 +115,8 @@ TEST_CASE("Judge: an invalid mesh is shown with its faults, and a file that hold
 }
 
 TEST_CASE("Judge: too little memory to evaluate a mesh gives a fault") {
-    MeshJudge judge({}, [](const JudgeRequest &, const Judgement &) -> std::shared_ptr<const Judgement> {
+    BackgroundList background([] {});
+    MeshJudge judge(background, [](const JudgeRequest &, const Judgement &) -> std::shared_ptr<const Judgement> {
         throw std::bad_alloc();
     });
     JudgeRequest request;
@@ -124,22 +125,23 @@ TEST_CASE("Judge: too little memory to evaluate a mesh gives a fault") {
     while (judge.busy()) {
         std::this_thread::yield();
     }
-    const auto answer = judge.latest();
+    CHECK(judge.refresh());
+    const auto answer = judge.now();
     REQUIRE(answer->faults.size() == 1);
     CHECK(answer->faults.front().code == "out-of-memory");
     CHECK(answer->of == request);
 }
 
 TEST_CASE("Thumbnails: too little memory for a project leaves it without a picture") {
-    const Thumbnails thumbnails(
-        {"a", "b"}, [] {},
-        [](const std::filesystem::path &project, const std::stop_token &) {
-            if (project == "a") {
-                throw std::bad_alloc();
-            }
-            return std::make_shared<const Thumbnail>(Thumbnail{.nodes = {{1.0, 2.0}}});
-        });
+    BackgroundList background([] {});
+    Thumbnails thumbnails(background, {"a", "b"}, [](const std::filesystem::path &project, const std::stop_token &) {
+        if (project == "a") {
+            throw std::bad_alloc();
+        }
+        return std::make_shared<const Thumbnail>(Thumbnail{.nodes = {{1.0, 2.0}}});
+    });
     while (!thumbnails.done()) {
+        thumbnails.refresh();
         std::this_thread::yield();
     }
     CHECK(thumbnails.at(0)->nodes.empty());

@@ -21,6 +21,7 @@ constexpr PixelSize kSize{320, 240};
 
 struct DrawStage {
     std::unique_ptr<EglPlatform> platform;
+    BackgroundList background{[] {}};
     std::unique_ptr<GlKit> gl;
     Camera camera;
 
@@ -28,7 +29,7 @@ struct DrawStage {
         std::string fault;
         platform = EglPlatform::create(kSize, 1.0, fault);
         REQUIRE_MESSAGE(platform, fault);
-        gl = std::make_unique<GlKit>();
+        gl = std::make_unique<GlKit>(background);
         camera.viewport = {0, 0, kSize.width, kSize.height};
     }
     ~DrawStage() { gl.reset(); }
@@ -84,7 +85,7 @@ TEST_CASE("MeshBatch: slices together draw the same as one draw, and each at mos
     DrawStage stage;
     const auto view = lattice(120, 28'800, 1);
     stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
-    MeshBatch batch;
+    MeshBatch batch(stage.background);
     batch.update(view, true);
     const auto whole = draw(stage, batch);
     const std::size_t chunks = batch.chunksDrawn();
@@ -108,10 +109,10 @@ TEST_CASE("MeshBatch: slices together draw the same as one draw, and each at mos
 TEST_CASE("MeshBatch: growing and shrinking in place draws the same as rebuilding") {
     DrawStage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
-    MeshBatch grown;
+    MeshBatch grown(stage.background);
     for (const std::size_t count : {10U, 300U, 301U, 800U, 250U, 251U, 640U}) {
         grown.update(lattice(20, count, 1000 + count), false);
-        MeshBatch anew;
+        MeshBatch anew(stage.background);
         anew.update(lattice(20, count, 1), false);
         CHECK(grown.elements() == count);
         CHECK(draw(stage, grown) == draw(stage, anew));
@@ -123,14 +124,14 @@ TEST_CASE("MeshBatch: growing and shrinking in place draws the same as rebuildin
 TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded again") {
     DrawStage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
-    MeshBatch batch;
+    MeshBatch batch(stage.background);
     batch.update(lattice(20, 800, 1), false);
     auto moved = lattice(20, 800, 2);
     for (Vec2 &node : moved->mesh.nodes) {
         node = {0.5 * node.x, node.y};
     }
     batch.update(moved, false);
-    MeshBatch anew;
+    MeshBatch anew(stage.background);
     anew.update(moved, false);
     CHECK(draw(stage, batch) == draw(stage, anew));
 }
@@ -138,7 +139,7 @@ TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded again") {
 TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
     DrawStage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
-    MeshBatch batch;
+    MeshBatch batch(stage.background);
     const auto show = [&](const std::shared_ptr<MeshSnapshot> &view) {
         batch.update(view, false);
         draw(stage, batch);
@@ -157,7 +158,7 @@ TEST_CASE("MeshBatch: a slice uploads no more than it draws, and chunks out of v
     stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
     for (const bool atRest : {false, true}) {
         CAPTURE(atRest);
-        MeshBatch batch;
+        MeshBatch batch(stage.background);
         batch.update(view, atRest);
         CHECK(batch.sent() == 0);
         DrawSlice slice{.elements = 9000};
@@ -167,7 +168,7 @@ TEST_CASE("MeshBatch: a slice uploads no more than it draws, and chunks out of v
         draw(stage, batch);
         CHECK(batch.sent() == 28'800);
     }
-    MeshBatch near;
+    MeshBatch near(stage.background);
     near.update(view, true);
     stage.camera.zoomAt({147, 131}, 30.0);
     draw(stage, near);
@@ -178,7 +179,7 @@ TEST_CASE("MeshBatch: a large mesh is sorted in the background, while slices dra
     DrawStage stage;
     const auto view = lattice(400, 320'000, 1);
     stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
-    MeshBatch batch;
+    MeshBatch batch(stage.background);
     batch.update(view, true);
     std::size_t drawn = 0;
     DrawSlice slice;
@@ -190,7 +191,7 @@ TEST_CASE("MeshBatch: a large mesh is sorted in the background, while slices dra
     } while (slice.waits);
     CHECK(drawn == 320'000);
     CHECK(batch.bytes() < 42 * view->mesh.elements.size());
-    MeshBatch other;
+    MeshBatch other(stage.background);
     other.update(view, true);
     CHECK(draw(stage, other) == draw(stage, batch)); // without a slice, it waits
 }
@@ -198,11 +199,11 @@ TEST_CASE("MeshBatch: a large mesh is sorted in the background, while slices dra
 TEST_CASE("MeshBatch: pages of a mesh that grows beyond them draw the same as a new mesh") {
     DrawStage stage;
     stage.camera.fit({{0, 0}, {400, 400}}, stage.camera.viewport);
-    MeshBatch grown;
+    MeshBatch grown(stage.background);
     for (const std::size_t count : {100'000U, 150'000U, 262'000U, 263'000U, 320'000U}) {
         CAPTURE(count);
         grown.update(lattice(400, count, count), false);
-        MeshBatch anew;
+        MeshBatch anew(stage.background);
         anew.update(lattice(400, count, 1), false);
         CHECK(draw(stage, grown) == draw(stage, anew));
     }
@@ -236,8 +237,9 @@ TEST_CASE("Mesh order: holds each element once, and each chunk lies in its box")
 
 TEST_CASE("Mesh order: a thread sorts a large mesh as the caller would, or is given up") {
     const auto view = lattice(400, 320'000, 1);
-    MeshSorter sorter(view);
-    const MeshSorter dropped(view); // its thread must not outlive it
+    BackgroundList background([] {});
+    MeshSorter sorter(background, view);
+    const MeshSorter dropped(background, view); // its thread must not outlive it
     const MeshOrder order = sorter.take();
     CHECK(sorter.done());
     CHECK(order.elements == orderByPlace(view->mesh).elements);
@@ -261,7 +263,8 @@ TEST_CASE("Mesh order: sorting can be stopped many times in each pass over the e
 
 TEST_CASE("Mesh order: a mesh is sorted although no thread can be started") {
     const auto view = lattice(400, 320'000, 1);
-    MeshSorter sorter(view, [](const auto &) -> std::jthread {
+    BackgroundList background([] {});
+    MeshSorter sorter(background, view, [](const auto &) -> std::thread {
         throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
     });
     CHECK(sorter.done());
@@ -302,7 +305,7 @@ TEST_CASE("Draw pace: pieces follow the time that drawing takes, and begin small
 TEST_CASE("MeshBatch: edges too dense to be distinguished fade to the opacity of the style") {
     DrawStage stage;
     stage.camera.fit({{0, 0}, {800, 800}}, stage.camera.viewport);
-    MeshBatch batch;
+    MeshBatch batch(stage.background);
     batch.update(lattice(800, 640000, 1), false); // half of it
     for (const double opacity : {0.0, 0.4}) {
         CAPTURE(opacity);
@@ -321,7 +324,7 @@ TEST_CASE("MeshBatch: sorting by location draws the same, and fewer chunks when 
     DrawStage stage;
     stage.camera.fit({{0, 0}, {200, 200}}, stage.camera.viewport);
     const auto view = lattice(200, 80000, 1);
-    MeshBatch ordered, sorted;
+    MeshBatch ordered(stage.background), sorted(stage.background);
     ordered.update(view, false);
     sorted.update(view, true);
     // The same area is covered either way; single pixels on shared edges may round differently.
@@ -337,7 +340,7 @@ TEST_CASE("MeshBatch: sorting by location draws the same, and fewer chunks when 
 
 TEST_CASE("MeshBatch: far from the origin the picture is the same") {
     DrawStage stage;
-    MeshBatch here, there;
+    MeshBatch here(stage.background), there(stage.background);
     const Vec2 offset{131072.0, -262144.0};
     here.update(lattice(6, 72, 1), false);
     there.update(lattice(6, 72, 1, offset), false);

@@ -93,7 +93,7 @@ TEST_CASE("Regions: a click makes a face a region with a free name, and a click 
     driver.clickPlace({3, 5});
     REQUIRE(driver.document().regionMarkers.size() == 2);
     CHECK(std::all_of(driver.document().regionMarkers.begin(), driver.document().regionMarkers.end(),
-                      [](const RegionMarker &marker) { return marker.tag == 3; }));
+                      [](const MarkedRegion &marker) { return marker.tag == 3; }));
     driver.click("options/region/new");
     driver.clickPlace({7, 5});
     CHECK(driver.document().regionMarkers.size() == 2);

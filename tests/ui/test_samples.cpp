@@ -60,7 +60,7 @@ void countFeatures(const Document &document, std::map<std::string, int> &counts)
     for (const SizeSource &source : spacing.sources) {
         ++counts[source.plane ? "gradient" : "source " + std::string(wordOf(source.shape))];
     }
-    for (const RegionMarker &marker : document.regionMarkers) {
+    for (const MarkedRegion &marker : document.regionMarkers) {
         counts["region size"] += marker.size > 0.0 ? 1 : 0;
         counts["region area"] += marker.maxArea > 0.0 ? 1 : 0;
     }

@@ -42,8 +42,10 @@ TEST_CASE("Gallery: there are at least twelve samples, each with a description a
     }
     CHECK(titles.size() == gallery.size());
     std::atomic<std::size_t> wakes = 0;
-    const Thumbnails thumbnails(paths, [&] { ++wakes; });
+    BackgroundList background([&] { ++wakes; });
+    Thumbnails thumbnails(background, paths);
     while (!thumbnails.done()) {
+        thumbnails.refresh();
         std::this_thread::yield();
     }
     for (std::size_t i = 0; i < gallery.size(); ++i) {

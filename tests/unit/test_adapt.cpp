@@ -213,17 +213,17 @@ TEST_CASE("adapt: rounds approach the target for an expression, within the limit
     REQUIRE(field);
     const Domain square = squareOf(2.0);
     const AdaptTarget target{0.06, 0.0, 0.5, 0.3};
-    const Result<AdaptOutcome> outcome = adaptMesh(square, uniformMesh(square, 0.2), *field, target, 8, {});
+    const Result<AdaptOutcome> outcome = adaptMesh({square, {}, {}}, uniformMesh(square, 0.2), *field, target, 8);
     REQUIRE(outcome);
     CHECK(outcome->met);
     CHECK(outcome->rounds.back().error <= 0.06);
     CHECK(outcome->rounds.back().error > 0.04); // not much finer than needed
     CHECK(verify(outcome->mesh).empty());
-    const Result<AdaptOutcome> again = adaptMesh(square, uniformMesh(square, 0.2), *field, target, 8, {});
+    const Result<AdaptOutcome> again = adaptMesh({square, {}, {}}, uniformMesh(square, 0.2), *field, target, 8);
     CHECK(meshHash(again->mesh) == meshHash(outcome->mesh));
     CHECK(!expressionField("1+*x"));
     const Result<AdaptOutcome> infinite =
-        adaptMesh(square, uniformMesh(square, 0.5), *expressionField("1/x"), target, 2, {});
+        adaptMesh({square, {}, {}}, uniformMesh(square, 0.5), *expressionField("1/x"), target, 2);
     REQUIRE(!infinite);
     CHECK(infinite.faults().front().code == "expression-value");
 }
@@ -243,13 +243,13 @@ TEST_CASE("adaptOnce: one new mesh from nodal values, finer where they need it")
         CHECK(of.elements == first.elements.size());
         CHECK(state.estimate.relative() == of.error);
     };
-    const Result<AdaptOutcome> outcome = adaptMeshOnce(square, first, *values, target, {}, {}, tell);
+    const Result<AdaptOutcome> outcome = adaptMeshOnce({square, {}, {}}, first, *values, target, {}, tell);
     REQUIRE(outcome);
     CHECK(reports == 1);
     CHECK(outcome->rounds.size() == 1);
     CHECK(outcome->mesh.elements.size() > first.elements.size());
     CHECK(verify(outcome->mesh).empty());
-    const Result<AdaptOutcome> rounds = adaptMesh(square, first, *field, target, 1, {});
+    const Result<AdaptOutcome> rounds = adaptMesh({square, {}, {}}, first, *field, target, 1);
     REQUIRE(rounds);
     CHECK(meshHash(rounds->mesh) == meshHash(outcome->mesh)); // that of the first round
 }
@@ -268,7 +268,7 @@ TEST_CASE("adapt: reports each round and stops when finer meshes do not lower th
         reported.push_back(of.error);
     };
     const Result<AdaptOutcome> outcome =
-        adaptMesh(square, uniformMesh(square, 0.2), *field, {0.02, 0.0, 0.5, 0.3}, 8, {}, {}, tell);
+        adaptMesh({square, {}, {}}, uniformMesh(square, 0.2), *field, {0.02, 0.0, 0.5, 0.3}, 8, {}, tell);
     REQUIRE(outcome);
     CHECK(outcome->stalled);
     CHECK_FALSE(outcome->met);
@@ -358,7 +358,7 @@ TEST_CASE("adapt: can be cancelled in any round, and names the round in each sta
             }
         };
         const Result<AdaptOutcome> outcome =
-            adaptMesh(square, uniformMesh(square, 0.2), *field, {0.06, 0.0, 0.5, 0.3}, 8, {}, progress);
+            adaptMesh({square, {}, {}}, uniformMesh(square, 0.2), *field, {0.06, 0.0, 0.5, 0.3}, 8, progress);
         REQUIRE(stop.stop_requested());
         REQUIRE(!outcome);
         CHECK(outcome.faults().front().code == "cancelled");
@@ -379,7 +379,7 @@ TEST_CASE(
     };
     TriMesh mesh = uniformMesh(domain, 0.2);
     for (const double target : {0.06, 0.03, 0.015, 0.0075}) {
-        Result<AdaptOutcome> outcome = adaptMesh(domain, std::move(mesh), solver, {target, 0.0, 0.5, 0.3}, 5, {});
+        Result<AdaptOutcome> outcome = adaptMesh({domain, {}, {}}, std::move(mesh), solver, {target, 0.0, 0.5, 0.3}, 5);
         REQUIRE(outcome);
         CHECK(outcome->met);
         mesh = std::move(outcome->mesh);

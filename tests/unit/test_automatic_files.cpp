@@ -26,7 +26,8 @@ TEST_CASE("Automatic spacing: real domains mesh well with default options, in mo
         const auto read = allFormats().readDomain(entry.path());
         REQUIRE_MESSAGE(read.ok(), name);
         MeshingJob job;
-        job.domain = *read;
+        job.domain = read->domain;
+        job.spacing = read->spacing;
         const auto outcome = meshDomain(job);
         REQUIRE_MESSAGE(outcome.ok(), name);
         const MeshQuality quality = measureQuality(outcome->mesh, outcome->spacing.get());

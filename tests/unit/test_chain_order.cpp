@@ -24,7 +24,7 @@ namespace {
 void addOrderExtras(Domain &domain, RandomSource &random) {
     domain.boundaryNames[1] = "coast";
     domain.regionNames[2] = "shelf";
-    domain.regionMarkers.push_back({domain.bounds().centre(), 2, 0.5, 0.25, 0.1});
+    domain.regionMarkers.push_back({domain.bounds().centre(), 2});
     domain.curveTolerance = 1e-3;
     for (DomainSegment &segment : domain.segments) {
         if (random.chance(0.1)) {
@@ -62,7 +62,7 @@ void forRandomOrders(const Check &check) {
 }
 
 auto fieldsOf(const DomainSegment &s) {
-    return std::tuple(s.a, s.b, s.tag, s.role, s.elements, s.stretch.curve, s.stretch.t0, s.stretch.t1);
+    return std::tuple(s.a, s.b, s.tag, s.role, s.stretch.curve, s.stretch.t0, s.stretch.t1);
 }
 
 /// Checks that two domains are equal bit by bit.
@@ -145,16 +145,10 @@ TEST_CASE("Order of chains: a domain with hole markers keeps them; a document ne
     addLoop(domain, {{2, 2}, {4, 2}, {4, 4}, {2, 4}}, 6);
     addLoop(domain, {{6, 6}, {8, 6}, {8, 8}, {6, 8}});
     domain.holeMarkers = {{7, 7}};
-    domain.nodeSizes = {{{0, 0}, 0.5, 0.2, "corner"}};
-    domain.segments[1].elements = 7;
     const Domain ordered = inChainOrder(domain);
     CHECK(ordered.insideRule == InsideRule::HoleMarkers);
     CHECK(ordered.holeMarkers == domain.holeMarkers);
     CHECK(placedEdges(ordered) == placedEdges(domain));
-    CHECK(ordered.segments[1].elements == 7);
-    REQUIRE(ordered.nodeSizes.size() == 1);
-    CHECK(ordered.nodeSizes[0].name == "corner");
-    domain.segments[1].elements = 0;
     checkSameOrder(inChainOrder(withEvenOddRoles(domain)), toDomain(fromDomain(domain)));
 }
 
@@ -200,21 +194,6 @@ TEST_CASE("Order of chains: it says where each part comes from") {
             REQUIRE(domain.points[order.points[p]].tag == ordered.points[p].tag);
         }
     });
-}
-
-TEST_CASE("Order of chains: numbers of elements are shared by the parts of a curve") {
-    Domain domain;
-    domain.curves = {Curve::circle({0, 0}, {1, 0})};
-    for (std::uint32_t k = 0; k < 8; ++k) {
-        domain.nodes.push_back(domain.curves[0].point(k / 8.0));
-        domain.segments.push_back(
-            {k, (k + 1) % 8, k < 6 ? 1 : 2, SegmentRole::Boundary, {0, k / 8.0, (k + 1) / 8.0}, 40});
-    }
-    const Domain ordered = inChainOrder(domain);
-    REQUIRE(ordered.curves.size() == 2);
-    for (const DomainSegment &segment : ordered.segments) {
-        CHECK(segment.elements == (segment.tag == 1 ? 30 : 10));
-    }
 }
 
 TEST_CASE("Order of chains: a loop along a flat ellipse stays, for validation to report") {

@@ -80,18 +80,20 @@ TEST_CASE("discretise: curves of random domains get the numbers of elements that
     std::size_t asked = 0, exact = 0;
     for (std::uint64_t seed = 0; seed < 210; ++seed) {
         CAPTURE(seed);
-        Domain domain = randomCurvedDomain(seed);
+        const Domain domain = randomCurvedDomain(seed);
         RandomSource random(seed);
         std::vector<std::uint32_t> wanted(domain.curves.size());
         for (std::uint32_t &count : wanted) {
             count = random.chance(0.5) ? static_cast<std::uint32_t>(random.integer(1, 60)) : 0;
         }
-        for (DomainSegment &segment : domain.segments) {
-            segment.elements = segment.stretch.follows() ? wanted[segment.stretch.curve] : 0;
+        std::vector<std::uint32_t> elements;
+        for (const DomainSegment &segment : domain.segments) {
+            elements.push_back(segment.stretch.follows() ? wanted[segment.stretch.curve] : 0);
         }
         const double size = domain.bounds().diagonal();
         for (const double rho : {0.3 * size, 0.005 * size}) {
-            const auto discrete = discretise(domain, constantSpacing(rho), false);
+            const auto discrete =
+                discretise(domain, constantSpacing(rho), false, {}, nullptr, NarrowTips::Divided, elements);
             REQUIRE(discrete.ok());
             checkRegions(domain, *discrete);
             checkAreas(*discrete);

@@ -126,16 +126,16 @@ TEST_CASE("Curved drawings: a document meshes like its file, also after it was s
         CAPTURE(drawing.what);
         const TemporaryFolder folder;
         const auto path = fileOf(drawing, folder);
-        const Result<Domain> domain = allFormats().readDomain(path);
+        const Result<DomainFile> domain = allFormats().readDomain(path);
         const Result<Document> document = readDocument(path);
         REQUIRE(domain.ok());
         REQUIRE(document.ok());
-        CHECK(sameDomain(toDomain(*document), *domain));
+        CHECK(sameDomain(toDomain(*document), domain->domain));
         const Result<Document> again = parseProject(projectText(*document), "again.forefront");
         REQUIRE_MESSAGE(again.ok(), messages(again.faults()));
         CHECK(sameContent(*again, *document));
-        CHECK(validate(*domain).empty());
-        CHECK(hashOf(toDomain(*again)) == hashOf(*domain));
+        CHECK(validate(domain->domain).empty());
+        CHECK(hashOf(toDomain(*again)) == hashOf(domain->domain));
         CHECK(sameContent(fromDomain(toDomain(*document)), *document));
     }
 }
@@ -148,16 +148,16 @@ TEST_CASE("Maps: a document meshes like its file, also after it was saved and re
     for (const auto &[name, text] : files) {
         CAPTURE(name);
         REQUIRE(writeFileAtomically(folder / name, text).empty());
-        const Result<Domain> domain = allFormats().readDomain(folder / name);
+        const Result<DomainFile> domain = allFormats().readDomain(folder / name);
         const Result<Document> document = readDocument(folder / name);
         REQUIRE(domain.ok());
         REQUIRE(document.ok());
-        CHECK(sameDomain(toDomain(*document), *domain));
-        CHECK(document->regionNames == domain->regionNames);
-        CHECK(document->boundaryNames == domain->boundaryNames);
+        CHECK(sameDomain(toDomain(*document), domain->domain));
+        CHECK(document->regionNames == domain->domain.regionNames);
+        CHECK(document->boundaryNames == domain->domain.boundaryNames);
         const Result<Document> again = parseProject(projectText(*document), "again.forefront");
         REQUIRE_MESSAGE(again.ok(), messages(again.faults()));
-        CHECK(hashOf(toDomain(*again)) == hashOf(*domain));
+        CHECK(hashOf(toDomain(*again)) == hashOf(domain->domain));
         CHECK(sameContent(fromDomain(toDomain(*document)), *document));
     }
 }

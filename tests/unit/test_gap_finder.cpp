@@ -147,3 +147,54 @@ TEST_CASE("GapFinder: the outline on both sides of a place where a line ends is 
     domain.segments.push_back({60, 7, 2, SegmentRole::Constraint});
     CHECK(gapsOf(domain, 5.0).empty()); // farther away, the outline turns back
 }
+
+TEST_CASE("GapFinder: of many lines that end at one node, those that face each other are found") {
+    RandomSource random(5);
+    for (int run = 0; run < 5; ++run) {
+        Domain domain;
+        addLoop(domain, {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}});
+        const auto centre = static_cast<std::uint32_t>(domain.nodes.size());
+        domain.nodes.push_back({0.1, 0.2});
+        for (int k = 0; k < 40; ++k) {
+            const double angle = random.between(0.0, 6.28), size = random.between(0.5, 5.0);
+            domain.nodes.push_back(domain.nodes[centre] + size * Vec2{std::cos(angle), std::sin(angle)});
+            const auto end = static_cast<std::uint32_t>(domain.nodes.size() - 1);
+            DomainSegment line{k % 2 == 0 ? centre : end, k % 2 == 0 ? end : centre, 2};
+            line.role = SegmentRole::Constraint;
+            domain.segments.push_back(line);
+        }
+        const SegmentIndex index(placedSegments(domain));
+        const std::vector<Gap> gaps =
+            GapFinder(domain, LazyFaces(domain), index, 4.0, 1e-3, {}, {.across = 2.0, .everywhere = true}).find();
+        std::size_t checked = 0;
+        for (const Gap &gap : gaps) {
+            const PlacedSegment &own = index.segments[gap.segment];
+            if (gap.segment < 4 || distance(gap.a, gap.b) < 1e-3) {
+                continue;
+            }
+            const Vec2 normal = (1.0 / own.length()) * leftNormal(own.b - own.a);
+            double nearest = 1e9; // among lines that end where this one does, at most 60 degrees off the normal
+            for (const PlacedSegment &other : index.segments) {
+                if (other.index < 4 || other.index == own.index) {
+                    continue;
+                }
+                const auto consider = [&](Vec2 p, Vec2 q) {
+                    const double gapHere = distance(p, q);
+                    if (gapHere > 0.0 && std::fabs(dot(q - p, normal)) >= 0.5 * gapHere) {
+                        nearest = std::min(nearest, gapHere);
+                    }
+                };
+                const SizeSite part = SizeSite::segment(gap.a, gap.b, 1.0, 0.0);
+                const SizeSite line = SizeSite::segment(other.a, other.b, 1.0, 0.0);
+                consider(gap.a, line.nearest(gap.a));
+                consider(gap.b, line.nearest(gap.b));
+                consider(part.nearest(other.a), other.a);
+                consider(part.nearest(other.b), other.b);
+            }
+            // The closest places of two lines may be too far off the normal where other places of them are not.
+            CHECK(gap.width >= nearest * (1.0 - 1e-9));
+            checked += gap.width <= nearest * (1.0 + 1e-9) ? 1 : 0;
+        }
+        CHECK(checked > 50);
+    }
+}

@@ -264,8 +264,8 @@ TEST_CASE("Drawings kept beside the repository have their known areas") {
     };
     for (const auto &[name, regions] : expected) {
         CAPTURE(name);
-        const Result<Domain> domain = allFormats().readDomain(folder / name);
+        const Result<DomainFile> domain = allFormats().readDomain(folder / name);
         REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-        checkAreas(areas(*domain), regions);
+        checkAreas(areas(domain->domain), regions);
     }
 }

@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -243,18 +245,18 @@ TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
     for (const char *id : {"msh2", "msh41", "msh41-binary"}) {
         const auto path = folder / "mesh.msh";
         REQUIRE(writeMesh(path, mesh, id).empty());
-        const auto domain = allFormats().readDomain(path);
-        REQUIRE(domain.ok());
+        const auto file = allFormats().readDomain(path);
+        REQUIRE(file.ok());
         std::size_t boundary = 0;
-        for (const DomainSegment &segment : domain->segments) {
+        for (const DomainSegment &segment : file->domain.segments) {
             boundary += segment.role == SegmentRole::Boundary ? 1U : 0U;
         }
         CHECK(boundary == 26);
-        CHECK(domain->segments.size() == mesh.edges.size());
-        REQUIRE(domain->regionMarkers.size() == 2);
-        CHECK(domain->regionMarkers[0].tag != domain->regionMarkers[1].tag);
-        CHECK(domain->points.size() == 1);
-        CHECK(boundaryName(domain->boundaryNames, 9) == "interface");
+        CHECK(file->domain.segments.size() == mesh.edges.size());
+        REQUIRE(file->domain.regionMarkers.size() == 2);
+        CHECK(file->domain.regionMarkers[0].tag != file->domain.regionMarkers[1].tag);
+        CHECK(file->domain.points.size() == 1);
+        CHECK(boundaryName(file->domain.boundaryNames, 9) == "interface");
     }
 }
 
@@ -276,6 +278,65 @@ TEST_CASE("Formats: the default of an extension, unknown formats and cancelling"
     progress.stop = stop.get_token();
     CHECK(hasCode(writeMesh(folder / "b.msh", mesh, {}, progress), "cancelled"));
     CHECK(!std::filesystem::exists(folder / "b.msh"));
+}
+
+TEST_CASE("Formats: what the list says of a format agrees with its functions") {
+    std::set<std::string> programs;
+    for (const Format &format : allFormats().formats()) {
+        const FileFormat &about = format.about;
+        CAPTURE(std::string(about.id));
+        CHECK(about.readsDomain == format.canReadDomain());
+        CHECK(about.readsMesh == (format.readMesh != nullptr));
+        CHECK(about.writesMesh == format.canWriteMesh());
+        CHECK(about.readsSpacing == (format.readSpacing != nullptr));
+        CHECK(about.readsFields == (format.readFields != nullptr));
+        CHECK(about.files.empty() == (format.writeFiles == nullptr));
+        CHECK(about.writesMesh == !std::string(about.keeps).empty());
+        CHECK((about.readsMesh == (about.kind == FileKind::Mesh)));
+        CHECK((!about.hasLayers || about.kind == FileKind::Map));
+        if (const std::string program = about.program; !program.empty()) {
+            CHECK(about.writesMesh);
+            CHECK(programs.insert(program).second); // one format for each program
+        }
+    }
+    CHECK(programs.contains("Gmsh"));
+}
+
+TEST_CASE("Formats: each extension is listed once, and each file of a set is named") {
+    const std::vector<std::string> meshes =
+        allFormats().allExtensions([](const FileFormat &format) { return format.readsMesh; });
+    CHECK(std::count(meshes.begin(), meshes.end(), ".msh") == 1);
+    CHECK(std::count(meshes.begin(), meshes.end(), ".ele") == 1);
+    CHECK(std::count(meshes.begin(), meshes.end(), ".json") == 0);
+    CHECK(allFormats().allExtensions([](const FileFormat &format) { return format.kind == FileKind::Project; }) ==
+          std::vector<std::string>{".json", ".forefront"});
+    const TemporaryFolder folder;
+    for (const FileFormat &format : allFormats().list()) {
+        if (!format.writesMesh) {
+            continue;
+        }
+        CAPTURE(std::string(format.id));
+        const auto place = folder / format.id;
+        std::filesystem::create_directory(place);
+        REQUIRE(writeMesh(place / ("plate" + std::string(format.extension)), samples::square(3, 3), format.id).empty());
+        std::set<std::filesystem::path> written;
+        for (const auto &entry : std::filesystem::directory_iterator(place)) {
+            written.insert(entry.path());
+        }
+        const auto named = filesOfMesh(place / ("plate" + std::string(format.extension)), format.id);
+        CHECK(std::set<std::filesystem::path>(named.begin(), named.end()) == written);
+    }
+}
+
+TEST_CASE("Formats: reading a .poly file opens the .node file beside it if that holds its nodes") {
+    const TemporaryFolder folder;
+    const auto poly = folder / "plate.poly", nodes = folder / "plate.node";
+    REQUIRE(writeFileAtomically(poly, "# nodes elsewhere\n0 2 0 0\n").empty());
+    CHECK(filesRead(poly) == std::vector<std::filesystem::path>{poly});
+    REQUIRE(writeFileAtomically(nodes, "0 2 0 0\n").empty());
+    CHECK(filesRead(poly) == std::vector<std::filesystem::path>{poly, nodes});
+    REQUIRE(writeFileAtomically(poly, "3 2 0 0\n").empty());
+    CHECK(filesRead(poly) == std::vector<std::filesystem::path>{poly});
 }
 
 TEST_CASE("Formats: content takes precedence over a wrong extension") {

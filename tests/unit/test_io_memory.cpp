@@ -23,23 +23,23 @@ TEST_CASE("Files in memory: every format that can be written to a stream is read
         const Result<TriMesh> byId = testing::triangles(readMesh(MemoryFile{sink.text, format.id}));
         const Result<TriMesh> byName =
             testing::triangles(readMesh(MemoryFile{sink.text, std::string("mesh") + format.extension}));
-        const Result<Domain> domain = readDomain(MemoryFile{sink.text, format.id});
+        const Result<DomainFile> domain = readDomain(MemoryFile{sink.text, format.id});
         REQUIRE(byId);
         REQUIRE(byName);
         CHECK(meshHash(*byId) == meshHash(*byName));
         CHECK(byId->elements.size() == mesh.elements.size());
         REQUIRE(domain);
-        CHECK_FALSE(domain->segments.empty());
+        CHECK_FALSE(domain->domain.segments.empty());
         CHECK(readFields(MemoryFile{sink.text, format.id}));
     }
     CHECK(formats > 5);
 }
 
 TEST_CASE("Files in memory: a domain by its content alone, and a grid of sizes") {
-    const Result<Domain> domain = allFormats().readDomain(
+    const Result<DomainFile> domain = allFormats().readDomain(
         MemoryFile{R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 0]]]})"});
     REQUIRE(domain);
-    CHECK(domain->segments.size() == 3);
+    CHECK(domain->domain.segments.size() == 3);
     const Result<SpacingSpec> spacing =
         readSpacing(MemoryFile{"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n", "depth.asc"});
     REQUIRE(spacing);

@@ -147,7 +147,7 @@ TEST_CASE("Project: faults of its domain carry the line and column of the nodes"
     [4, 3], [4, 0], [0, 3]]}]})";
     const auto domain = allFormats().readDomain(folder / "bow.forefront");
     REQUIRE(domain.ok());
-    const Diagnostics faults = allFormats().locateFaults(folder / "bow.forefront", validate(*domain));
+    const Diagnostics faults = allFormats().locateFaults(folder / "bow.forefront", validate(domain->domain));
     REQUIRE(!faults.empty());
     CHECK(faults[0].code == "crossing-segments");
     REQUIRE(faults[0].parts.size() == 2);
@@ -163,7 +163,7 @@ TEST_CASE("Files: bytes read earlier stand in for the file, with a detected or g
         std::make_shared<const std::string>("{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[0,1]]]}");
     const auto domain = allFormats().readDomain("standard input", options);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    CHECK(domain->segments.size() == 3);
+    CHECK(domain->domain.segments.size() == 3);
     options.formatId = "poly";
     const auto wrong = allFormats().readDomain("standard input", options);
     REQUIRE_FALSE(wrong.ok());

@@ -57,9 +57,9 @@ TEST_CASE("DomainOrigin: parts of a .poly file keep their numbers") {
     SourceText source = sourceOf(text);
     DomainOrigin origin;
     source.origin = &origin;
-    const Result<Domain> domain = readPoly(source);
-    REQUIRE(domain.ok());
-    checkComplete(origin, *domain);
+    const Result<DomainFile> file = readPoly(source);
+    REQUIRE(file.ok());
+    checkComplete(origin, file->domain);
     for (const auto &kind : origin.parts) {
         for (const PartOrigin &place : kind) {
             REQUIRE(place.number);

@@ -32,23 +32,23 @@ Diagnostics faultsOf(const std::string &text) {
 TEST_CASE("Triangle .poly: nodes, markers, holes, regions and isolated nodes are read") {
     const auto domain = readPoly(sourceOf(kSquareWithHole));
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    CHECK(domain->insideRule == InsideRule::HoleMarkers);
-    CHECK(domain->nodes.size() == 9);
-    REQUIRE(domain->segments.size() == 8);
-    CHECK(domain->segments[0].tag == 3);
-    CHECK(domain->segments[1].tag == 10); // free tags: 9 is the greatest in use
-    CHECK(domain->segments[2].tag == 11);
-    CHECK(domain->boundaryNames == std::map<std::int32_t, std::string>{{10, "boundary_0"}, {11, "boundary_-2"}});
-    CHECK(domain->segments[4].tag == 9);
-    CHECK(domain->segments[7].role == SegmentRole::Boundary);
-    CHECK(domain->holeMarkers == std::vector<Vec2>{{1.5, 1.5}});
-    REQUIRE(domain->regionMarkers.size() == 2);
-    CHECK(domain->regionMarkers[0].tag == 4);
-    CHECK(domain->regionMarkers[1].tag == 5);
-    CHECK(domain->regionNames.at(5) == "region_2.5");
-    REQUIRE(domain->points.size() == 1);
-    CHECK(domain->points[0].node == 8);
-    CHECK(domain->points[0].tag == 6);
+    CHECK(domain->domain.insideRule == InsideRule::HoleMarkers);
+    CHECK(domain->domain.nodes.size() == 9);
+    REQUIRE(domain->domain.segments.size() == 8);
+    CHECK(domain->domain.segments[0].tag == 3);
+    CHECK(domain->domain.segments[1].tag == 10); // free tags: 9 is the greatest in use
+    CHECK(domain->domain.segments[2].tag == 11);
+    CHECK(domain->domain.boundaryNames == std::map<std::int32_t, std::string>{{10, "boundary_0"}, {11, "boundary_-2"}});
+    CHECK(domain->domain.segments[4].tag == 9);
+    CHECK(domain->domain.segments[7].role == SegmentRole::Boundary);
+    CHECK(domain->domain.holeMarkers == std::vector<Vec2>{{1.5, 1.5}});
+    REQUIRE(domain->domain.regionMarkers.size() == 2);
+    CHECK(domain->domain.regionMarkers[0].tag == 4);
+    CHECK(domain->domain.regionMarkers[1].tag == 5);
+    CHECK(domain->domain.regionNames.at(5) == "region_2.5");
+    REQUIRE(domain->domain.points.size() == 1);
+    CHECK(domain->domain.points[0].node == 8);
+    CHECK(domain->domain.points[0].tag == 6);
 }
 
 TEST_CASE("Triangle .poly: nodes may be in a .node file beside it, numbered from 1") {
@@ -57,8 +57,8 @@ TEST_CASE("Triangle .poly: nodes may be in a .node file beside it, numbered from
     REQUIRE(writeFileAtomically(folder / "a.poly", "0 2 0 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n").empty());
     const auto domain = allFormats().readDomain(folder / "a.poly");
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    CHECK(domain->nodes.size() == 3);
-    CHECK(domain->segments[2].b == 0);
+    CHECK(domain->domain.nodes.size() == 3);
+    CHECK(domain->domain.segments[2].b == 0);
     REQUIRE(std::filesystem::remove(folder / "a.node"));
     const auto without = allFormats().readDomain(folder / "a.poly");
     REQUIRE(!without.ok());
@@ -75,12 +75,12 @@ TEST_CASE("Triangle .poly: chains with free ends become constraints, but a lone 
     const auto domain = readPoly(sourceOf("5 2 0 0\n1 0 0\n2 4 0\n3 0 4\n4 1 1\n5 2 1\n"
                                           "5 0\n1 1 2\n2 2 3\n3 3 1\n4 5 4\n5 1 4\n0\n"));
     REQUIRE(domain.ok());
-    CHECK(domain->segments[2].role == SegmentRole::Boundary);
-    CHECK(domain->segments[3].role == SegmentRole::Constraint);
-    CHECK(domain->segments[4].role == SegmentRole::Constraint);
+    CHECK(domain->domain.segments[2].role == SegmentRole::Boundary);
+    CHECK(domain->domain.segments[3].role == SegmentRole::Constraint);
+    CHECK(domain->domain.segments[4].role == SegmentRole::Constraint);
     const auto open = readPoly(sourceOf("3 2 0 0\n1 0 0\n2 4 0\n3 0 4\n2 0\n1 1 2\n2 2 3\n0\n"));
     REQUIRE(open.ok());
-    CHECK(open->segments[0].role == SegmentRole::Boundary);
+    CHECK(open->domain.segments[0].role == SegmentRole::Boundary);
 }
 
 TEST_CASE("Triangle .poly: every fault has a location") {
@@ -119,8 +119,8 @@ TEST_CASE("Triangle .poly: the collection of real domains is read") {
             CAPTURE(entry.path());
             const auto domain = allFormats().readDomain(entry.path());
             REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-            CHECK(domain->segments.size() == domain->nodes.size());
-            CHECK(domain->points.empty());
+            CHECK(domain->domain.segments.size() == domain->domain.nodes.size());
+            CHECK(domain->domain.points.empty());
             ++files;
         }
     }
@@ -131,8 +131,7 @@ TEST_CASE("Triangle .poly: the maximum area of a region is read, and -1 means no
     const auto domain = readPoly(sourceOf("4 2\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n"
                                           "3\n1 1 1 7 0.01\n2 2 2 8 -1\n3 3 3 9\n"));
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    REQUIRE(domain->regionMarkers.size() == 3);
-    CHECK(domain->regionMarkers[0].maxArea == 0.01);
-    CHECK(domain->regionMarkers[1].maxArea == 0.0);
-    CHECK(domain->regionMarkers[2].maxArea == 0.0);
+    REQUIRE(domain->domain.regionMarkers.size() == 3);
+    const std::vector<RegionSize> limits{{.at = domain->domain.regionMarkers[0].at, .maxArea = 0.01}};
+    CHECK(domain->spacing.placed.regions == limits); // the others have no limit
 }

@@ -63,8 +63,9 @@ TagsRead tagsOfPoly(const std::string &text) {
     ImportNotes notes;
     SourceText source = sourceOf(text);
     source.notes = &notes;
-    const Result<Domain> domain = readPoly(source);
-    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    const Result<DomainFile> file = readPoly(source);
+    REQUIRE_MESSAGE(file.ok(), messages(file.faults()));
+    const Domain *const domain = &file->domain;
     TagsRead tags;
     for (const DomainSegment &segment : domain->segments) {
         tags.edges.push_back(segment.tag);

@@ -164,7 +164,7 @@ TEST_CASE("Maps: are recognised even if their type follows long lists, by conten
             CHECK(allFormats().detect(file, text)->id == std::string(id));
             const auto domain = allFormats().readDomain(folder / file);
             REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-            CHECK(domain->segments.size() == 3);
+            CHECK(domain->domain.segments.size() == 3);
         }
     }
     std::ofstream(folder / "other.json", std::ios::binary) << R"({"note": ")" + padding + "\"}";

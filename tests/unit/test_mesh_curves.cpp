@@ -29,8 +29,8 @@ std::uint64_t curvedDomains() {
 }
 
 /// Returns the code of the first fault of a mesh against a domain.
-std::string faultOf(const TriMesh &mesh, const Domain &domain) {
-    const Diagnostics faults = verifyAgainst(mesh, domain);
+std::string faultOf(const TriMesh &mesh, const Domain &domain, SegmentElements elements = {}) {
+    const Diagnostics faults = verifyAgainst(mesh, domain, elements);
     return faults.empty() ? "" : faults.front().code;
 }
 
@@ -52,7 +52,7 @@ TriMesh fan(std::vector<Vec2> nodes) {
 MeshingOutcome meshed(const MeshingJob &job) {
     auto outcome = meshDomain(job);
     REQUIRE_MESSAGE(outcome, samples::list(outcome ? Diagnostics{} : outcome.faults()));
-    const Diagnostics faults = verifyAgainst(outcome->mesh, job.domain);
+    const Diagnostics faults = verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.elements);
     REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
     return std::move(*outcome);
 }
@@ -203,15 +203,16 @@ TEST_CASE("Meshing curves: a check follows a circle of few elements whose first 
     for (std::uint32_t i = 0; i < 24; ++i) {
         job.domain.nodes.push_back(job.domain.curves[0].point(i / 24.0));
         job.domain.segments.push_back(
-            {i, (i + 1) % 24, 1, SegmentRole::Boundary, CurveStretch{0, i / 24.0, (i + 1) / 24.0}, 6});
+            {i, (i + 1) % 24, 1, SegmentRole::Boundary, CurveStretch{0, i / 24.0, (i + 1) / 24.0}});
     }
+    job.spacing.placed.elements.assign(24, 6);
     TriMesh mesh = takeTriMesh(meshed(job).mesh);
     const auto first = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [](Vec2 p, Vec2 q) {
         return distance(p, {0.5, std::sqrt(0.75)}) < distance(q, {0.5, std::sqrt(0.75)});
     });
     CHECK(distance(*first, {0.5, std::sqrt(0.75)}) < 1e-9);
     *first = (1.0 + 1e-11) * *first;
-    CHECK(faultOf(mesh, job.domain).empty());
+    CHECK(faultOf(mesh, job.domain, job.spacing.placed.elements).empty());
 }
 
 TEST_CASE("Meshing curves: a check refuses a mesh whose edges cut a curve off") {

@@ -31,7 +31,7 @@ Domain cuspedStar() {
 MeshingOutcome meshOf(const MeshingJob &job) {
     auto outcome = meshDomain(job);
     REQUIRE(outcome);
-    CHECK(verifyAgainst(outcome->mesh, job.domain).empty());
+    CHECK(verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.elements).empty());
     return std::move(*outcome);
 }
 
@@ -67,9 +67,7 @@ TEST_CASE("Narrow tips: between curves that touch, one long element on the curve
     limited.spacing.maximum = 0.01;
     CHECK(shortestEdgeAt(takeTriMesh(meshOf(limited).mesh), {1, 0}) < 0.0101);
     MeshingJob asked = job;
-    for (DomainSegment &segment : asked.domain.segments) {
-        segment.elements = 40; // along each curve
-    }
+    asked.spacing.placed.elements.assign(asked.domain.segments.size(), 40); // along each curve
     CHECK(meshOf(asked).mesh.edges.size() == 160);
 }
 

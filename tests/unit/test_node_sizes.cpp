@@ -42,7 +42,7 @@ Document square() {
 /// Returns the places that have a size in a document, each once; every size must be the one of square().
 std::vector<Vec2> sizedPlaces(const Document &document) {
     std::vector<Vec2> places;
-    for (const NodeSize &node : toDomain(document).nodeSizes) {
+    for (const NodeSize &node : spacingOf(document).placed.nodes) {
         CHECK(node.size == kFine.size);
         CHECK(node.growth == kFine.growth);
         if (std::find(places.begin(), places.end(), node.at) == places.end()) {
@@ -70,8 +70,9 @@ Selection shapeOf(std::uint32_t shape) {
 
 TEST_CASE("Node sizes: are part of the spacing, beside automatic spacing, and named by shape and node") {
     const Document document = *setShapeName(square(), 1, "quay");
-    const auto field = SpacingField::build(document.spacing, toDomain(document));
-    const auto automatic = SpacingField::build({}, toDomain(*setNodeSize(document, {{1, 2}}, {})));
+    const auto field = SpacingField::build(spacingOf(document), toDomain(document));
+    const auto automatic = SpacingField::build({}, toDomain(document));
+    CHECK(spacingOf(*setNodeSize(document, {{1, 2}}, {})).placed == PlacedSizes());
     REQUIRE(field.ok());
     CHECK((*field)->at(kPlace) == doctest::Approx(0.05));
     CHECK((*field)->at({3.9, 3}) == doctest::Approx(0.08));

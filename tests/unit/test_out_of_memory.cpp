@@ -98,7 +98,7 @@ TEST_CASE("Out of memory: validate, repair, verify, mesh and adapt report it whe
     const std::vector<double> values(outcome->mesh.nodes.size(), 1.0);
     const TriMesh triangles = takeTriMesh(outcome->mesh);
     CHECK(failAtEach([&] {
-              const auto result = adaptMeshOnce(job.domain, triangles, values, {}, {});
+              const auto result = adaptMeshOnce(job, triangles, values, {});
               return result ? Diagnostics{} : result.faults();
           }) > 10);
 }

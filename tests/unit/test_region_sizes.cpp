@@ -31,19 +31,25 @@ using forefront::testing::RandomSource;
 namespace {
 
 /// A rectangle of 2 x 1 that a line divides into region 1, "left", and region 2, "right".
-Domain halves(RegionMarker left, RegionMarker right) {
+Domain halves() {
     DomainBuilder builder;
     builder.loop({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, 1);
     builder.segment(1, 4, 2, SegmentRole::Constraint);
-    left.at = {0.5, 0.5};
-    right.at = {1.5, 0.5};
-    builder.domain.regionMarkers = {left, right};
+    builder.domain.regionMarkers = {{{0.5, 0.5}, 1}, {{1.5, 0.5}, 2}};
     builder.domain.regionNames = {{1, "left"}, {2, "right"}};
     return builder.domain;
 }
 
-RegionMarker sized(std::int32_t tag, double size, double growth, double maxArea = 0.0) {
-    return {{}, tag, maxArea, size, growth};
+RegionSize sized(double size, double growth, double maxArea = 0.0) {
+    return {{}, maxArea, size, growth};
+}
+
+/// Adds the sizes of the halves to a spacing.
+SpacingSpec with(SpacingSpec spec, RegionSize left, RegionSize right) {
+    left.at = {0.5, 0.5};
+    right.at = {1.5, 0.5};
+    spec.placed.regions = {left, right};
+    return spec;
 }
 
 SpacingSpec coarse() {
@@ -70,7 +76,7 @@ double meanEdge(const TriMesh &mesh, double from, double to) {
 } // namespace
 
 TEST_CASE("Region size: the size is constant in its region, grows outside by its growth, and is named") {
-    const auto field = fieldOf(coarse(), halves(sized(1, 0.02, 0.5), sized(2, 0.1, 0.2)));
+    const auto field = fieldOf(with(coarse(), sized(0.02, 0.5), sized(0.1, 0.2)), halves());
     for (const Vec2 p : {Vec2{0.5, 0.5}, Vec2{0.01, 0.99}, Vec2{0.99, 0.01}, Vec2{1, 0.5}, Vec2{0, 0.5}}) {
         CHECK(field->at(p) == doctest::Approx(0.02));
     }
@@ -85,7 +91,7 @@ TEST_CASE("Region size: the size is constant in its region, grows outside by its
 }
 
 TEST_CASE("Region size: two regions are meshed with their sizes, the same with every grid and number of threads") {
-    MeshingJob job{halves(sized(1, 0.02, 0.1), sized(2, 0.1, 0.2)), coarse(), {}};
+    MeshingJob job{halves(), with(coarse(), sized(0.02, 0.1), sized(0.1, 0.2)), {}};
     const auto mesh = meshDomain(job);
     REQUIRE(mesh.ok());
     CHECK(meanEdge(takeTriMesh(mesh->mesh), 0.0, 0.95) == doctest::Approx(0.02).epsilon(0.05));
@@ -93,7 +99,7 @@ TEST_CASE("Region size: two regions are meshed with their sizes, the same with e
     for (const double d : {0.1, 0.3, 0.5}) {
         CHECK(meanEdge(takeTriMesh(mesh->mesh), 0.95 + d, 1.05 + d) == doctest::Approx(0.02 + 0.1 * d).epsilon(0.1));
     }
-    job.domain = halves(sized(1, 0.02, 1.0), sized(2, 0.1, 0.2));
+    job.spacing = with(coarse(), sized(0.02, 1.0), sized(0.1, 0.2));
     const auto steep = meshDomain(job);
     REQUIRE(steep.ok());
     CHECK(meanEdge(takeTriMesh(steep->mesh), 1.4, 2.0) == doctest::Approx(0.1).epsilon(0.1));
@@ -115,7 +121,7 @@ TEST_CASE("Region size: where the minimum and the gradation limit it, it grows a
     SpacingSpec spec = coarse();
     spec.minimum = 0.1;
     spec.gradation = 0.2;
-    const auto field = fieldOf(spec, halves(sized(1, 0.02, 1.0), sized(2, 0.5, 0.2)));
+    const auto field = fieldOf(with(spec, sized(0.02, 1.0), sized(0.5, 0.2)), halves());
     // max(0.1, 0.02 + d) begins to grow at d = 0.08, by at most 0.2.
     CHECK(field->at({1.07, 0.5}) == doctest::Approx(0.1));
     CHECK(field->at({1.3, 0.5}) == doctest::Approx(0.1 + 0.2 * 0.22).epsilon(0.02));
@@ -124,15 +130,15 @@ TEST_CASE("Region size: where the minimum and the gradation limit it, it grows a
 TEST_CASE("Region size: every point gets the smallest spacing of the regions, their areas and their growths") {
     RandomSource random(3);
     for (int round = 0; round < 40; ++round) {
-        const auto any = [&](std::int32_t tag) {
-            return sized(tag, random.integer(0, 3) == 0 ? 0.0 : random.between(0.02, 0.3), random.between(0.0, 1.0),
+        const auto any = [&] {
+            return sized(random.integer(0, 3) == 0 ? 0.0 : random.between(0.02, 0.3), random.between(0.0, 1.0),
                          random.integer(0, 1) == 0 ? 0.0 : random.between(0.001, 0.05));
         };
-        const RegionMarker left = any(1), right = any(2);
+        const RegionSize left = any(), right = any();
         SpacingSpec spec;
         spec.size = 1.0;
         spec.minimum = random.between(0.01, 0.05);
-        const auto field = fieldOf(spec, halves(left, right));
+        const auto field = fieldOf(with(spec, left, right), halves());
         for (int k = 0; k < 50; ++k) {
             const Vec2 p{random.between(0.0, 2.0), random.between(0.0, 1.0)};
             double expected = 1.0;
@@ -157,22 +163,41 @@ TEST_CASE("Region size: every point gets the smallest spacing of the regions, th
 
 TEST_CASE("Region size: beside a maximum area the finer one wins, and the other is the runner-up") {
     const double areaSize = spacingForArea(0.001);
-    const auto byArea = fieldOf(coarse(), halves(sized(1, 2.0 * areaSize, 0.2, 0.001), sized(2, 0.0, 0.2)));
+    const auto byArea = fieldOf(with(coarse(), sized(2.0 * areaSize, 0.2, 0.001), sized(0.0, 0.2)), halves());
     SpacingSample sample = byArea->sample({0.5, 0.5});
     CHECK(sample.describe == "maximum area 0.001 of region 'left'");
     REQUIRE(sample.runnerUp.has_value());
     CHECK(sample.runnerUp->describe == "size of region 'left'");
-    const auto bySize = fieldOf(coarse(), halves(sized(1, 0.5 * areaSize, 0.2, 0.001), sized(2, 0.0, 0.2)));
+    const auto bySize = fieldOf(with(coarse(), sized(0.5 * areaSize, 0.2, 0.001), sized(0.0, 0.2)), halves());
     sample = bySize->sample({0.5, 0.5});
     CHECK(sample.describe == "size of region 'left'");
     CHECK(sample.runnerUp->describe == "maximum area 0.001 of region 'left'");
+}
+
+TEST_CASE("Region size: it needs no marker, and belongs to its place, whatever the order of markers and faces") {
+    Domain domain = halves();
+    const SpacingSpec spec = with(coarse(), sized(0.02, 0.5), sized(0.1, 0.2));
+    const auto first = fieldOf(spec, domain);
+    std::swap(domain.regionMarkers[0], domain.regionMarkers[1]);
+    std::reverse(domain.segments.begin(), domain.segments.end());
+    const auto reordered = fieldOf(spec, domain);
+    domain.regionMarkers.clear();
+    const auto unmarked = fieldOf(spec, domain);
+    for (const Vec2 p : {Vec2{0.5, 0.5}, Vec2{0.99, 0.01}, Vec2{1.04, 0.5}, Vec2{1.5, 0.5}}) {
+        CHECK(reordered->at(p) == first->at(p));
+        CHECK(unmarked->at(p) == first->at(p));
+        CHECK(reordered->sample(p).describe == first->sample(p).describe);
+    }
+    CHECK(unmarked->sample({0.5, 0.5}).describe == "size of region 'left'"); // faces without a marker are region 1
+    domain.regionMarkers = {{{0.7, 0.2}, 2}};                                // elsewhere in the same face
+    CHECK(fieldOf(spec, domain)->sample({0.5, 0.5}).describe == "size of region 'right'");
 }
 
 TEST_CASE("Region size: a given gradation limits the growth") {
     SpacingSpec spec;
     spec.size = 0.5;
     spec.gradation = 0.1;
-    const auto field = fieldOf(spec, halves(sized(1, 0.02, 0.8), sized(2, 0.0, 0.2)));
+    const auto field = fieldOf(with(spec, sized(0.02, 0.8), sized(0.0, 0.2)), halves());
     CHECK(field->at({1.5, 0.5}) == doctest::Approx(0.07));
 }
 
@@ -181,7 +206,7 @@ TEST_CASE("Region size: commands set, check and remove it, and fillRegion keeps 
     document = *addRegionMarker(document, {{5, 5}, 2});
     const auto set = setRegionSize(document, 0, PartSize{0.5, 0.1});
     REQUIRE(set.ok());
-    CHECK(set->regionMarkers[0] == RegionMarker{{5, 5}, 2, 0.0, 0.5, 0.1});
+    CHECK(set->regionMarkers[0] == MarkedRegion{{5, 5}, 2, 0.0, 0.5, 0.1});
     CHECK(setRegionSize(*set, 0, std::nullopt)->regionMarkers == document.regionMarkers);
     const auto refused = setRegionSize(document, 0, PartSize{-1.0, 0.1});
     REQUIRE_FALSE(refused.ok());
@@ -192,14 +217,15 @@ TEST_CASE("Region size: commands set, check and remove it, and fillRegion keeps 
     CHECK_FALSE(addRegionMarker(document, {{5, 5}, 2, 0.0, -1.0}).ok());
     const Document filled = *fillRegion(*set, {1, 1}, 7);
     REQUIRE(filled.regionMarkers.size() == 1);
-    CHECK(filled.regionMarkers[0] == RegionMarker{{1, 1}, 7, 0.0, 0.5, 0.1});
+    CHECK(filled.regionMarkers[0] == MarkedRegion{{1, 1}, 7, 0.0, 0.5, 0.1});
     const Document inserted = insertDrawing({}, *set, 2.0, nullptr);
-    CHECK(inserted.regionMarkers[0] == RegionMarker{{10, 10}, 2, 0.0, 1.0, 0.1});
+    CHECK(inserted.regionMarkers[0] == MarkedRegion{{10, 10}, 2, 0.0, 1.0, 0.1});
 
-    const auto faulty = SpacingField::build({}, halves(sized(1, -0.5, 0.2), sized(2, 0.0, 0.2)));
+    const auto faulty = SpacingField::build(with({}, sized(-0.5, 0.2), sized(0.0, 0.2)), halves());
     REQUIRE_FALSE(faulty.ok());
     CHECK(faulty.faults()[0].code == "bad-source");
-    CHECK(faulty.faults()[0].parts[0].index == 0);
+    CHECK(faulty.faults()[0].ids == std::vector<std::uint32_t>{0});
+    CHECK(faulty.faults()[0].at == Vec2{0.5, 0.5});
 }
 
 TEST_CASE("Region size: project files keep it, and older ones have none") {

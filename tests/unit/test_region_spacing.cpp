@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
+#include <vector>
 
 using namespace forefront;
 using forefront::testing::DomainBuilder;
@@ -20,13 +22,24 @@ namespace {
 constexpr double kTolerance = 1.05;
 
 /// A rectangle of 2 x 1 that a line divides into region 1 (left) and region 2 (right).
-Domain twoSquares(double leftArea, double rightArea) {
+Domain twoSquares() {
     DomainBuilder builder;
     builder.loop({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, 1);
     builder.segment(1, 4, 2, SegmentRole::Constraint);
-    builder.domain.regionMarkers = {{{0.5, 0.5}, 1, leftArea}, {{1.5, 0.5}, 2, rightArea}};
+    builder.domain.regionMarkers = {{{0.5, 0.5}, 1}, {{1.5, 0.5}, 2}};
     builder.domain.regionNames[1] = "left";
     return builder.domain;
+}
+
+/// Returns a spacing with maximum areas of the two squares.
+SpacingSpec areas(double left, double right) {
+    SpacingSpec spec;
+    spec.placed.regions = {{.at = {0.5, 0.5}, .maxArea = left}, {.at = {1.5, 0.5}, .maxArea = right}};
+    return spec;
+}
+
+std::optional<RegionPart> partOf(const std::vector<RegionSize> &regions, const Domain &domain) {
+    return RegionPart::build(regions, LazyFaces(domain, {}, placesOf(regions)), 0.0);
 }
 
 struct RegionAreas {
@@ -55,7 +68,7 @@ std::map<std::int32_t, RegionAreas> areasByRegion(const MeshingJob &job) {
 TEST_CASE("Region area: the largest triangle respects the maximum") {
     std::map<double, std::size_t> counts;
     for (const double area : {0.01, 0.001}) {
-        MeshingJob job{twoSquares(area, 0.0), {}, {}};
+        MeshingJob job{twoSquares(), areas(area, 0.0), {}};
         job.spacing.size = 0.5;
         auto regions = areasByRegion(job);
         CHECK(regions[1].largest <= kTolerance * area);
@@ -72,9 +85,10 @@ TEST_CASE("Region area: both methods respect it on irregular domains") {
         DomainBuilder builder;
         builder.loop(forefront::testing::star(random, {0, 0}, 4.0, 0.7, 1.0, 24), 1);
         builder.loop(forefront::testing::star(random, {0, 0}, 2.0, 0.7, 1.0, 12), 2, SegmentRole::Constraint);
-        builder.domain.regionMarkers = {{{0, 0}, 5, 0.005}, {{0, 2.4}, 6, 0.05}};
+        builder.domain.regionMarkers = {{{0, 0}, 5}, {{0, 2.4}, 6}};
         for (const Method method : {Method::Fast, Method::Classic}) {
             MeshingJob job{builder.domain, {}, {}};
+            job.spacing.placed.regions = {{.at = {0, 0}, .maxArea = 0.005}, {.at = {0, 2.4}, .maxArea = 0.05}};
             job.options.method = method;
             auto regions = areasByRegion(job);
             // With the classic method, an element may be a tenth too large.
@@ -86,8 +100,7 @@ TEST_CASE("Region area: both methods respect it on irregular domains") {
 }
 
 TEST_CASE("Region area: the spacing is constant in its region, grows outside, and is named") {
-    const Domain domain = twoSquares(0.001, 0.0);
-    const auto field = SpacingField::build({}, domain);
+    const auto field = SpacingField::build(areas(0.001, 0.0), twoSquares());
     REQUIRE(field.ok());
     const double size = spacingForArea(0.001);
     for (const Vec2 p : {Vec2{0.5, 0.5}, Vec2{0.01, 0.99}, Vec2{0.99, 0.01}, Vec2{1, 0.5}, Vec2{0, 0.5}}) {
@@ -105,22 +118,22 @@ TEST_CASE("Region area: the spacing is constant in its region, grows outside, an
 }
 
 TEST_CASE("Region area: combined with other parts, the finest wins") {
-    SpacingSpec spec;
+    SpacingSpec spec = areas(0.01, 0.0);
     spec.size = 0.02;
-    const auto fine = SpacingField::build(spec, twoSquares(0.01, 0.0));
+    const auto fine = SpacingField::build(spec, twoSquares());
     REQUIRE(fine.ok());
     CHECK((*fine)->at({0.5, 0.5}) == 0.02);
     spec.size = 0.5;
     spec.minimum = 0.2;
-    const auto raised = SpacingField::build(spec, twoSquares(0.01, 0.0));
+    const auto raised = SpacingField::build(spec, twoSquares());
     REQUIRE(raised.ok());
     CHECK((*raised)->at({0.5, 0.5}) == 0.2);
 }
 
 TEST_CASE("Region area: the smallest of several areas in a face applies") {
-    Domain domain = twoSquares(0.01, 0.0);
-    domain.regionMarkers.push_back({{0.2, 0.2}, 1, 0.002});
-    const auto part = RegionPart::build(domain, LazyFaces(domain), 0.0);
+    SpacingSpec spec = areas(0.01, 0.0);
+    spec.placed.regions.push_back({.at = {0.2, 0.2}, .maxArea = 0.002});
+    const auto part = partOf(spec.placed.regions, twoSquares());
     REQUIRE(part.has_value());
     CHECK(part->at({0.5, 0.5}) == spacingForArea(0.002));
 }
@@ -141,11 +154,12 @@ TEST_CASE("Region area: every point gets the limit of its face") {
     for (std::uint32_t i = 0; i <= kColumns; ++i) {
         builder.segment(2 * i, 2 * i + 1, 1, i == 0 || i == kColumns ? SegmentRole::Boundary : SegmentRole::Constraint);
     }
+    std::vector<RegionSize> regions;
     for (int i = 0; i < kColumns; ++i) {
-        builder.domain.regionMarkers.push_back({{i + 0.75, 1.0}, 1, i % 3 == 1 ? 0.0 : 0.01 * (i + 1)}); // below
-        builder.domain.regionMarkers.push_back({{i + 0.25, 2.0}, 1, 0.001 * (i + 1)});                   // above
+        regions.push_back({.at = {i + 0.75, 1.0}, .maxArea = i % 3 == 1 ? 0.0 : 0.01 * (i + 1)}); // below
+        regions.push_back({.at = {i + 0.25, 2.0}, .maxArea = 0.001 * (i + 1)});                   // above
     }
-    const auto part = RegionPart::build(builder.domain, LazyFaces(builder.domain), 0.0);
+    const auto part = partOf(regions, builder.domain);
     REQUIRE(part.has_value());
     RandomSource random(5);
     for (int k = 0; k < 5000; ++k) {
@@ -165,18 +179,17 @@ TEST_CASE("Region area: every point gets the limit of its face") {
     CHECK(part->at({2, 0.5}) == spacingForArea(0.003));
 }
 
-TEST_CASE("Region area: crossing segments disable it; invalid areas are refused with their marker") {
-    Domain crossed = twoSquares(0.01, 0.0);
+TEST_CASE("Region area: crossing segments disable it; invalid areas are refused with their place") {
+    Domain crossed = twoSquares();
     crossed.segments.push_back({0, 3, 1, SegmentRole::Constraint});
-    CHECK_FALSE(RegionPart::build(crossed, LazyFaces(crossed), 0.0).has_value());
-    const Domain unlimited = twoSquares(0.0, 0.0);
-    CHECK_FALSE(RegionPart::build(unlimited, LazyFaces(unlimited), 0.0).has_value());
+    CHECK_FALSE(partOf(areas(0.01, 0.0).placed.regions, crossed).has_value());
+    CHECK_FALSE(partOf(areas(0.0, 0.0).placed.regions, twoSquares()).has_value());
 
-    const auto refused = SpacingField::build({}, twoSquares(0.01, -1.0));
+    const auto refused = SpacingField::build(areas(0.01, -1.0), twoSquares());
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.faults().size() == 1);
     CHECK(refused.faults()[0].code == "bad-region-area");
-    CHECK(refused.faults()[0].parts[0].index == 1);
+    CHECK(refused.faults()[0].ids == std::vector<std::uint32_t>{1});
     CHECK(refused.faults()[0].at == Vec2{1.5, 0.5});
 }
 
@@ -197,11 +210,12 @@ TEST_CASE("Region area: an area larger than the automatic one is the size where 
     domain.regionNames[1] = "soil";
     const double automatic = domain.bounds().diagonal() / 45.0;
     for (const double byArea : {0.0, 1.0}) {
-        domain.regionMarkers = {{{30, 30}, 1, byArea * 50.0}, {{80, 30}, 2}};
+        domain.regionMarkers = {{{30, 30}, 1}, {{80, 30}, 2}};
         const double size = spacingForArea(50.0);
         REQUIRE(size > 2.0 * automatic);
-        domain.regionMarkers[0].size = (1.0 - byArea) * size;
-        const auto field = SpacingField::build({}, domain);
+        SpacingSpec spec;
+        spec.placed.regions = {{.at = {30, 30}, .maxArea = byArea * 50.0, .size = (1.0 - byArea) * size}};
+        const auto field = SpacingField::build(spec, domain);
         REQUIRE(field.ok());
         CHECK((*field)->at({20, 30}) == doctest::Approx(size));
         CHECK((*field)->sample({20, 30}).describe ==
@@ -211,7 +225,7 @@ TEST_CASE("Region area: an area larger than the automatic one is the size where 
         CHECK((*field)->at({58, 30}) == doctest::Approx(automatic + 0.25 * 2.0));
         CHECK((*field)->sample({58, 30}).describe == "limited by gradation 0.25 from the automatic sizes at (60, 30)");
         CHECK((*field)->maximum() == doctest::Approx(size));
-        auto regions = areasByRegion({domain, {}, {}});
+        auto regions = areasByRegion({domain, spec, {}});
         const double mean = 3600.0 / static_cast<double>(regions[1].count);
         CHECK(regions[1].largest <= kTolerance * 50.0);
         CHECK(mean > 12.0); // 4 without the region
@@ -220,12 +234,12 @@ TEST_CASE("Region area: an area larger than the automatic one is the size where 
     // What the boundary forces stays: a channel of width 1, and short segments.
     DomainBuilder narrow;
     narrow.loop({{0, 0}, {100, 0}, {100, 30}, {140, 30}, {140, 31}, {100, 31}, {100, 60}, {0, 60}}, 1);
-    narrow.domain.regionMarkers = {{{30, 30}, 1, 50.0}};
-    const auto field = SpacingField::build({}, narrow.domain);
+    SpacingSpec maximum;
+    maximum.placed.regions = {{.at = {30, 30}, .maxArea = 50.0}};
+    const auto field = SpacingField::build(maximum, narrow.domain);
     REQUIRE(field.ok());
     CHECK((*field)->at({120, 30.5}) < 0.8);
     CHECK((*field)->at({30, 30}) == doctest::Approx(spacingForArea(50.0)));
-    SpacingSpec maximum; // a given maximum still limits all
-    maximum.maximum = 2.0;
+    maximum.maximum = 2.0; // still limits all
     CHECK((*SpacingField::build(maximum, narrow.domain))->at({30, 30}) == 2.0);
 }

@@ -1,7 +1,9 @@
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/geometry/polygon.hpp"
+#include "core/engine/spacing/part_list.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/unit/arrangement_support.hpp"
 #include "tests/unit/mesh_samples.hpp"
@@ -65,15 +67,25 @@ TEST_CASE("repair: the pieces of a divided segment share its number of elements"
     for (const Vec2 p : {Vec2{1.0, 5.0}, Vec2{9.0, 5.0}, Vec2{7.0, 2.0}, Vec2{7.0, 8.0}}) {
         domain.nodes.push_back(p);
     }
-    domain.segments.push_back({4, 5, 2, SegmentRole::Constraint, {}, 40});
-    domain.segments.push_back({6, 7, 3, SegmentRole::Constraint, {}, 0});
-    const Domain result = repaired(domain);
+    domain.segments.push_back({4, 5, 2, SegmentRole::Constraint});
+    domain.segments.push_back({6, 7, 3, SegmentRole::Constraint});
+    SpacingSpec spacing;
+    carryElements(domain, *repair(domain), spacing);
+    CHECK(spacing.placed.elements.empty());
+    spacing.placed.elements = {0, 0, 0, 0, 40, 0};
+    const Repaired made = *repair(domain);
+    CHECK(checkSpacing(spacing, made.domain).front().code == "bad-element-counts"); // for the domain before
+    carryElements(domain, made, spacing);
+    const Domain &result = made.domain;
+    CHECK(checkSpacing(spacing, result).empty());
+    const SegmentElements counts = spacing.placed.elements;
     std::map<double, std::uint32_t> elements; // by length
-    for (const DomainSegment &segment : result.segments) {
+    for (std::size_t s = 0; s < result.segments.size(); ++s) {
+        const DomainSegment &segment = result.segments[s];
         if (segment.tag == 2) {
-            elements[distance(result.nodes[segment.a], result.nodes[segment.b])] = segment.elements;
+            elements[distance(result.nodes[segment.a], result.nodes[segment.b])] = counts[s];
         } else {
-            CHECK(segment.elements == 0);
+            CHECK(counts[s] == 0);
         }
     }
     CHECK(elements == std::map<double, std::uint32_t>{{2.0, 10}, {6.0, 30}});

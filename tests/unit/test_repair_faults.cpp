@@ -284,7 +284,7 @@ TEST_CASE("repair: holes stay holes by their markers; one that is open to the ou
     loop({4, 5, 6, 7}, 2);
     loop({8, 9, 10, 11}, 3); // a hole on the outline
     domain.holeMarkers = {{1.5, 1.5}, {4.5, 0.5}};
-    domain.regionMarkers = {{{0.5, 0.5}, 4, 0.25}};
+    domain.regionMarkers = {{{0.5, 0.5}, 4}};
     const auto repaired = repair(domain);
     REQUIRE(repaired.ok());
     CHECK(validate(repaired->domain).empty());

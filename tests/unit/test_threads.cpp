@@ -92,10 +92,11 @@ TEST_CASE("Threads: real domains give the same mesh for any number of threads, b
     int files = 0, meshes = 0;
     for (const auto &entry : std::filesystem::recursive_directory_iterator(folder)) {
         CAPTURE(entry.path().string());
-        const Result<Domain> domain = allFormats().readDomain(entry.path());
+        const Result<DomainFile> domain = allFormats().readDomain(entry.path());
         MeshingJob job;
         if (domain.ok()) {
-            job.domain = *domain;
+            job.domain = domain->domain;
+            job.spacing = domain->spacing;
         }
         if (!domain.ok() || !prepare(job).ok()) {
             continue; // a note beside the domains, or a domain that has to be repaired first

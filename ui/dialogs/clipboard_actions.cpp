@@ -28,7 +28,7 @@ void paste(Shell &context) {
     const double step = 2.0 * EditState::gridStep(context);
     Result<Document> next = insertCopied(document, *drawing, {step, -step}, &insertion);
     const bool first = document.shapes.empty();
-    if (EditState::apply(context, std::move(next), "Paste")) {
+    if (context.applyCommand(std::move(next), "Paste")) {
         context.tools.choose("select", context);
         context.selection = std::move(insertion.added);
         context.log.add(notes.diagnostics());

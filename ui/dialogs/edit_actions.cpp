@@ -246,14 +246,14 @@ bool hasPathSegment(const Shell &context) {
 void addPathActions(ActionRegistry &actions) {
     const auto add = [&](const char *id, const char *title, int key, bool (*enabled)(const Shell &), bool first,
                          Result<Document> (*command)(const Document &, const Selection &)) {
-        actions.add({.id = id,
-                     .menu = "Edit",
-                     .title = title,
-                     .shortcuts = {{key, Modifiers{Modifiers::kShift}}},
-                     .run = [title, command](
-                                Shell &c) { EditState::apply(c, command(*c.document.current(), c.selection), title); },
-                     .enabled = enabled,
-                     .separatorBefore = first});
+        actions.add(
+            {.id = id,
+             .menu = "Edit",
+             .title = title,
+             .shortcuts = {{key, Modifiers{Modifiers::kShift}}},
+             .run = [title, command](Shell &c) { c.applyCommand(command(*c.document.current(), c.selection), title); },
+             .enabled = enabled,
+             .separatorBefore = first});
     };
     const auto hasNodes = [](const Shell &c) { return hasPathNode(c) || (c.selection.nodes.empty() && hasPath(c)); };
     add("path.corner", "Corner node", 'C', hasNodes, true,
@@ -296,8 +296,8 @@ void addSelectionActions(ActionRegistry &actions) {
              [](Shell &c) {
                  Selection copies;
                  const double step = 2.0 * EditState::gridStep(c);
-                 if (EditState::apply(c, duplicateSelection(*c.document.current(), c.selection, {step, -step}, &copies),
-                                      "Duplicate")) {
+                 if (c.applyCommand(duplicateSelection(*c.document.current(), c.selection, {step, -step}, &copies),
+                                    "Duplicate")) {
                      c.selection = std::move(copies);
                  }
              },
@@ -318,8 +318,7 @@ void addSelectionActions(ActionRegistry &actions) {
                  .title = "Convert to path",
                  .run =
                      [](Shell &c) {
-                         EditState::apply(c, convertToPaths(*c.document.current(), c.selection.shapes),
-                                          "Convert to path");
+                         c.applyCommand(convertToPaths(*c.document.current(), c.selection.shapes), "Convert to path");
                      },
                  .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});

@@ -1,6 +1,7 @@
 #include "ui/dialogs/export_dialog.hpp"
 
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/letter_case.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 #include "ui/dialogs/file_commands.hpp"
@@ -11,39 +12,49 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 namespace forefront {
 
-WriteDialog::WriteDialog(std::string file, Write write, std::function<void(Shell &)> done)
-    : file_(std::move(file)), done_(std::move(done)) {
-    result_ = std::async(std::launch::async, [write = std::move(write), fraction = fraction_,
-                                              stop = stop_.get_token()] { return write(*fraction, stop); });
+WriteDialog::WriteDialog(BackgroundList &list, std::string file, Write write, std::function<void(Shell &)> done)
+    : file_(std::move(file)), done_(std::move(done)), worker_(list, answer) {
+    worker_.submit(std::move(write));
 }
 
-WriteDialog::~WriteDialog() {
-    stop_.request_stop();
+WriteDialog::Written WriteDialog::answer(const LatestTurn<Write, Written> &turn) {
+    Written written;
+    Progress progress;
+    progress.stop = turn.stop;
+    progress.report = [&](std::string_view, double fraction) {
+        constexpr double kStep = 0.005; // a frame for each report would cost more than the work
+        if (fraction >= written.fraction + kStep) {
+            written.fraction = fraction;
+            turn.publish(written);
+        }
+    };
+    written.result = turn.request(progress);
+    return written;
 }
 
 bool WriteDialog::draw(Shell &context) {
-    context.animate();
+    worker_.refresh();
     ui::muted(context, file_);
     ImGui::Dummy({0, context.px(4)});
-    ImGui::ProgressBar(static_cast<float>(fraction_->load()), {-1.0F, context.px(8)}, "");
+    ImGui::ProgressBar(static_cast<float>(worker_.now().fraction), {-1.0F, context.px(8)}, "");
     ImGui::Dummy({0, context.px(8)});
-    if (result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        const Diagnostics faults = result_.get();
+    if (worker_.now().result) {
+        const Diagnostics faults = *worker_.now().result;
         context.log.add(faults);
         if (!hasErrors(faults)) {
             done_(context);
         }
+        context.animate();
         return false;
     }
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(124));
-    if (ui::button(context, "dialog/writing/cancel", "Cancel", ui::ButtonKind::Plain, !stop_.stop_requested(),
-                   124.0F)) {
-        stop_.request_stop();
+    if (ui::button(context, "dialog/writing/cancel", "Cancel", ui::ButtonKind::Plain, !cancelled_, 124.0F)) {
+        cancelled_ = true;
+        worker_.requestStop();
     }
     return true;
 }
@@ -97,38 +108,18 @@ bool drawMeshLine(Shell &context, bool &asked) {
     return true;
 }
 
-/// Describes what a mesh keeps in a file of each format.
-struct Kept {
-    std::string_view format;
-    const char *text;
-};
-constexpr const char *kGroups = "Keeps regions, boundary parts and points as physical groups, with their names.";
-constexpr Kept kKept[] = {
-    {"msh2", kGroups},
-    {"msh41", kGroups},
-    {"msh41-binary", kGroups},
-    {"medit", "Keeps the numbers of regions, boundary parts and points, for readmesh; names only as comments."},
-    {"inp",
-     "Keeps regions as element sets, boundary parts as node sets and surfaces, points as node sets, all with names "
-     "that the solver accepts. Elements are CPS3."},
-    {"su2", "Keeps boundary parts as markers, with their names; regions and points only as comments."},
-    {"vtu", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are separate cells."},
-    {"vtk", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are separate cells."},
-    {"triangle", "Writes .node, .ele and .edge. Keeps boundary numbers as markers and regions as an attribute."},
-    {"obj", "Keeps regions and boundary parts as groups, with their names."},
-    {"svg", "A drawing of the mesh; cannot be read back as a mesh."},
-};
-
-const char *keptBy(std::string_view format) {
-    const auto known =
-        std::find_if(std::begin(kKept), std::end(kKept), [&](const Kept &kept) { return kept.format == format; });
-    return known == std::end(kKept) ? "" : known->text;
-}
-
-/// The programs with a button.
+/// Returns the programs with a button.
 std::vector<FilePreset> solverPresets() {
-    return {{"gmsh", "Gmsh", "msh41"}, {"freefem", "FreeFem++", "medit"}, {"calculix", "CalculiX", "inp"},
-            {"su2", "SU2", "su2"},     {"paraview", "ParaView", "vtu"},   {"triangle", "Triangle", "triangle"}};
+    std::vector<FilePreset> presets;
+    for (const FileFormat &format : allFormats().list()) {
+        const std::string program = format.program;
+        std::string id = lowerCase(program);
+        std::erase_if(id, [](char c) { return c < 'a' && (c < '0' || c > '9'); });
+        if (!program.empty()) {
+            presets.push_back({std::move(id), program, format.id});
+        }
+    }
+    return presets;
 }
 
 /// Asks whether to export tagged edges inside the domain, or says why they are left out.
@@ -173,10 +164,7 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
     if (!mesh) {
         return error("no-mesh", "no finished mesh to export", "mesh the drawing first");
     }
-    const auto job = [mesh, file, innerEdges, format = filter.id](std::atomic<double> &fraction, std::stop_token stop) {
-        Progress progress;
-        progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
-        progress.stop = std::move(stop);
+    const auto job = [mesh, file, innerEdges, format = filter.id](const Progress &progress) {
         const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->view()) : Mesh();
         const MeshView exported = innerEdges == InnerEdges::Drop ? MeshView(outline) : mesh->view();
         const Status written = writeMesh(file, exported, format, progress);
@@ -186,7 +174,7 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
         c.log.announce("Exported mesh to " + file.string() + ": " + elements + ", " +
                        fileSizeText(bytesOf(file, format)));
     };
-    context.dialogs.open(std::make_unique<WriteDialog>(file.string(), job, done));
+    context.dialogs.open(std::make_unique<WriteDialog>(context.background, file.string(), job, done));
     return {};
 }
 
@@ -203,12 +191,13 @@ void exportMesh(Shell &context, std::string_view proposed) {
             request.filters.push_back({std::string(format.name) + " (" + format.extension + ")",
                                        {format.extension},
                                        format.id,
-                                       keptBy(format.id)});
+                                       format.keeps});
         }
     }
     // Formats that solvers read come first (MSH 2.2), pictures last.
-    std::stable_partition(request.filters.begin(), request.filters.end(),
-                          [](const FileFilter &filter) { return filter.id != "svg"; });
+    std::stable_partition(request.filters.begin(), request.filters.end(), [](const FileFilter &filter) {
+        return allFormats().withId(filter.id)->kind == FileKind::Mesh;
+    });
     const auto last = std::find_if(request.filters.begin(), request.filters.end(), [&](const FileFilter &filter) {
         return filter.id == (proposed.empty() ? context.settings.exportFormat : proposed);
     });

@@ -1,22 +1,22 @@
 #pragma once
 
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/base/progress.hpp"
+#include "ui/background/latest.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 
-#include <atomic>
-#include <future>
-#include <memory>
-#include <stop_token>
+#include <functional>
+#include <optional>
+#include <string>
 
 namespace forefront {
 
 /// Writes a mesh on a separate thread and shows the progress. Cancel stops it and leaves no file.
 class WriteDialog final : public Dialog {
   public:
-    /// `write` reports its progress in `fraction`, 0 to 1, and ends early when `stop` is requested.
-    using Write = std::function<Diagnostics(std::atomic<double> &fraction, std::stop_token stop)>;
-    WriteDialog(std::string file, Write write, std::function<void(Shell &)> done);
-    ~WriteDialog() override;
+    /// Writes the file, reports its progress and ends early when a stop is requested.
+    using Write = std::function<Diagnostics(const Progress &progress)>;
+    WriteDialog(BackgroundList &list, std::string file, Write write, std::function<void(Shell &)> done);
 
     const char *id() const override { return "writing"; }
     std::string title() const override { return "Writing"; }
@@ -24,11 +24,17 @@ class WriteDialog final : public Dialog {
     bool draw(Shell &context) override;
 
   private:
+    struct Written {
+        double fraction = 0.0;
+        std::optional<Diagnostics> result{}; ///< not set: not finished
+    };
+
+    static Written answer(const LatestTurn<Write, Written> &turn);
+
     std::string file_;
     std::function<void(Shell &)> done_;
-    std::stop_source stop_;
-    std::shared_ptr<std::atomic<double>> fraction_ = std::make_shared<std::atomic<double>>(0.0);
-    std::future<Diagnostics> result_;
+    bool cancelled_ = false;
+    Latest<Write, Written> worker_;
 };
 
 } // namespace forefront

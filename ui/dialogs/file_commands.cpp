@@ -27,7 +27,12 @@ constexpr std::size_t kMaxRecent = 12;
 constexpr const char *kProjectExtension = ".forefront";
 
 FileFilter projects() {
-    return {"Projects (.forefront)", {kProjectExtension, ".json"}, "project"};
+    std::vector<std::string> extensions =
+        allFormats().allExtensions([](const FileFormat &format) { return format.kind == FileKind::Project; });
+    // The first one is given to new files.
+    std::stable_partition(extensions.begin(), extensions.end(),
+                          [](const std::string &each) { return each == kProjectExtension; });
+    return {std::string("Projects (") + kProjectExtension + ")", std::move(extensions), "projects"};
 }
 
 std::vector<FileFilter> drawings() {
@@ -49,7 +54,7 @@ Status save(Shell &context, const std::filesystem::path &file) {
 }
 
 bool isProject(const FileFormat *format) {
-    return format != nullptr && std::string_view(format->id) == "project";
+    return format != nullptr && format->kind == FileKind::Project;
 }
 
 /// Opens a project after asking about unsaved changes. Returns the faults of a file that cannot be read.
@@ -370,13 +375,14 @@ void importSpacing(Shell &context) {
     request.id = "importspacing";
     request.title = "Import spacing";
     request.action = "Import";
-    request.filters = {
-        {"Projects, meshes, grids and pictures", {".forefront", ".json", ".msh", ".asc", ".png"}, "spacing"},
-        {"All files", {}, "any"}};
+    request.filters = {{"Projects, meshes, grids and pictures",
+                        allFormats().allExtensions([](const FileFormat &format) { return format.readsSpacing; }),
+                        "spacing"},
+                       {"All files", {}, "any"}};
     request.folder = startFolder(context);
     request.reads = [](Shell &c, const std::filesystem::path &file) {
         const FileFormat *const format = allFormats().detect(file);
-        const bool picture = format != nullptr && std::string_view(format->id) == "png";
+        const bool picture = format != nullptr && format->kind == FileKind::Picture;
         return picture ? importPictureSpacing(c, file) : importSpacingOf(c, file);
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -106,13 +108,34 @@ void drawLayers(Workspace &context, FilmLayers &layers) {
     }
 }
 
+/// What is written by default to files of a kind.
+enum class FilmFrames : std::uint8_t { Together, Numbered, OneMoment };
+
+/// A kind of file that films are exported to.
+struct FilmFile {
+    const char *id, *name, *extension, *note;
+    FilmFrames frames;
+};
+
+constexpr std::array<FilmFile, 3> kFilmFiles{
+    {{"gif", "Animated GIF (.gif)", ".gif", "Loops; plays in browsers and slides.", FilmFrames::Together},
+     {"png", "PNG frames (.png)", ".png", "One picture per frame: NAME-1.png, NAME-2.png and so on.",
+      FilmFrames::Numbered},
+     {"svg", "SVG of one moment (.svg)", ".svg",
+      "A vector drawing of the first advance; name it NAME-%d.svg for one per frame.", FilmFrames::OneMoment}}};
+
+const FilmFile &filmFile(std::string_view id) {
+    return *std::find_if(kFilmFiles.begin(), kFilmFiles.end(), [id](const FilmFile &file) { return id == file.id; });
+}
+
 /// Returns the plan for an output file. A GIF or a single moment is one file; other frames are numbered. A reversed
 /// range becomes empty.
 FilmPlan planFor(const FilmSettings &settings, const std::filesystem::path &file, const FileFilter &filter) {
     FilmPlan plan = settings.plan;
     plan.output = file;
-    const bool moment = filter.id == "svg" && !plan.numbered();
-    if (filter.id == "png" && !plan.numbered()) {
+    const FilmFile &kind = filmFile(filter.id);
+    const bool moment = kind.frames == FilmFrames::OneMoment && !plan.numbered();
+    if (kind.frames == FilmFrames::Numbered && !plan.numbered()) {
         plan.output.replace_filename(file.stem().string() + "-%d" + file.extension().string());
     }
     const auto from = static_cast<double>(plan.from);
@@ -136,10 +159,7 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
     }
     const auto frames = std::make_shared<int>(0);
     MeshingJob job = context.run.job();
-    const auto write = [plan, frames, job = std::move(job)](std::atomic<double> &fraction, std::stop_token stop) {
-        Progress progress;
-        progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
-        progress.stop = std::move(stop);
+    const auto write = [plan, frames, job = std::move(job)](const Progress &progress) {
         const Result<WrittenFilm> written = writeFilm(job, plan, progress);
         *frames = written ? written->frames : 0;
         return written ? Diagnostics() : written.faults();
@@ -148,17 +168,16 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
         c.log.announce("Exported film to " + plan.output.string() + ": " + ui::count(static_cast<unsigned>(*frames)) +
                        (*frames == 1 ? " frame" : " frames"));
     };
-    context.dialogs.open(std::make_unique<WriteDialog>(plan.output.string(), write, done));
+    context.dialogs.open(std::make_unique<WriteDialog>(context.background, plan.output.string(), write, done));
     return {};
 }
 
 std::vector<FileFilter> filmFilters() {
-    return {{"Animated GIF (.gif)", {".gif"}, "gif", "Loops; plays in browsers and slides."},
-            {"PNG frames (.png)", {".png"}, "png", "One picture per frame: NAME-1.png, NAME-2.png and so on."},
-            {"SVG of one moment (.svg)",
-             {".svg"},
-             "svg",
-             "A vector drawing of the first advance; name it NAME-%d.svg for one per frame."}};
+    std::vector<FileFilter> filters;
+    for (const FilmFile &file : kFilmFiles) {
+        filters.push_back({file.name, {file.extension}, file.id, file.note});
+    }
+    return filters;
 }
 
 } // namespace

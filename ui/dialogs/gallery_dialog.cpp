@@ -64,7 +64,7 @@ void drawPicture(const WidgetContext &context, const Thumbnail &thumbnail, const
 } // namespace
 
 GalleryDialog::GalleryDialog(Shell &context)
-    : samples_(samples()), thumbnails_(pathsOf(samples_), [&platform = context.platform] { platform.wake(); }) {}
+    : samples_(samples()), thumbnails_(context.background, pathsOf(samples_)) {}
 
 bool GalleryDialog::drawCard(Shell &context, std::size_t k, float width) {
     const Sample &sample = samples_[k];
@@ -96,9 +96,7 @@ bool GalleryDialog::drawCard(Shell &context, std::size_t k, float width) {
 }
 
 bool GalleryDialog::draw(Shell &context) {
-    if (!complete()) {
-        context.animate();
-    }
+    thumbnails_.refresh();
     bool open = true;
     ImGui::BeginChild("cards", {0, 0}, false, ImGuiWindowFlags_NoNav);
     const float room = ImGui::GetContentRegionAvail().x;

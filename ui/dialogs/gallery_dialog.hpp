@@ -18,8 +18,6 @@ class GalleryDialog final : public Dialog {
     float width() const override { return 940.0F; }
     float height() const override { return 640.0F; }
     bool draw(Shell &context) override;
-    /// Returns true once all thumbnails are made.
-    bool complete() const { return thumbnails_.done(); }
 
   private:
     /// Returns true if the card was clicked. `width` in pixels.

@@ -101,7 +101,7 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
     const double tolerance = options.weldTolerance.value_or(0.0);
     const FileFormat *const format = allFormats().detect(file);
     ImportNotes notes;
-    if (format != nullptr && std::string_view(format->id) == "project") {
+    if (format != nullptr && format->kind == FileKind::Project) {
         const Result<Document> document = readDocument(file, options, &notes);
         Result<RepairedDrawing> repaired = document ? repairDrawing(*document, tolerance) : document.faults();
         if (!repaired) {
@@ -111,12 +111,13 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
         all.insert(all.end(), repaired->lostSizes.begin(), repaired->lostSizes.end());
         return Reading{std::move(repaired->document), std::move(all)};
     }
-    const Result<Domain> domain = allFormats().readDomain(file, options, &notes);
-    const Result<Repaired> repaired = domain ? repair(*domain, tolerance) : domain.faults();
+    Result<DomainFile> read = allFormats().readDomain(file, options, &notes);
+    Result<Repaired> repaired = read ? repair(read->domain, tolerance) : read.faults();
     if (!repaired) {
         return repaired.faults();
     }
-    return Reading{fromDomain(repaired->domain), joined(notes.diagnostics(), repaired->changes)};
+    read->domain = std::move(repaired->domain);
+    return Reading{fromDomain(*read), joined(notes.diagnostics(), repaired->changes)};
 }
 
 } // namespace
@@ -132,7 +133,7 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     }
     const FileFormat *const format = allFormats().detect(file);
     dialog->arranges_ = format != nullptr && format->arranges;
-    dialog->hasFeatures_ = dialog->arranges_ && std::string_view(format->id) != "svg";
+    dialog->hasFeatures_ = format != nullptr && format->kind == FileKind::Map;
     dialog->hasLines_ = dialog->contents_.lines && mixesLines(dialog->drawing_); // lines along outlines are gone
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);

@@ -148,7 +148,7 @@ void compare(Shell &context, const std::filesystem::path &file, const Outcome &o
             const auto other = std::make_shared<ComparedFile>(comparedFile(*std::move(read)));
             return BackgroundTask::Finish([&context, file, other, found = notes.diagnostics()] {
                 const std::string name = file.filename().string();
-                context.sides.compareWith(name, std::move(*other), [&p = context.platform] { p.wake(); });
+                context.sides.compareWith(name, std::move(*other));
                 context.log.add(found);
                 const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
                 if (!ours.empty() && !ours.overlaps(context.sides.mesh()->mesh().bounds())) {

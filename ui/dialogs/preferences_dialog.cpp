@@ -108,14 +108,8 @@ void PreferencesDialog::drawAppearance(Shell &context) {
     }
     ImGui::Dummy({0, context.px(6)});
     ui::rowLabel(context, "Interface scale", kLabel);
-    if (percent_ <= 0.0) {
-        percent_ = 100.0 * settings.scale;
-    }
-    ui::slider(context, "dialog/preferences/scale", percent_, 75.0, 300.0, "%.0f %%");
-    if (ImGui::IsItemDeactivatedAfterEdit()) {
-        settings.scale = percent_ / 100.0;
-    }
-    note(context, "Multiplies the scale of the screen. Takes effect when you release the slider.");
+    scale_.draw(context, "dialog/preferences/scale");
+    note(context, kScaleNote);
     ui::rowLabel(context, "Hints", kLabel);
     ui::checkbox(context, "dialog/preferences/hints", "Show hints on the canvas", settings.hints);
     ui::rowLabel(context, "Rulers", kLabel);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/dialogs/key_list.hpp"
+#include "ui/dialogs/scale_dialog.hpp"
 #include "ui/parts/dialog.hpp"
 
 #include <string>
@@ -28,7 +29,7 @@ class PreferencesDialog final : public Dialog {
     static constexpr int kKeys = 4;
 
     int page_ = 0;
-    double percent_ = 0.0; ///< scale being dragged
+    ScaleSlider scale_;
     KeyList keys_;
 };
 

@@ -2,8 +2,8 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
+#include "ui/background/background_task.hpp"
 #include "ui/dialogs/file_dialog.hpp"
-#include "ui/workspace/background/background_task.hpp"
 
 #include <cstdint>
 #include <filesystem>

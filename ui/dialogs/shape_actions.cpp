@@ -191,7 +191,7 @@ void addMap(ActionRegistry &actions, const char *id, const char *title, Shortcut
                      [title, map](Shell &c) {
                          const Document &document = *c.document.current();
                          const Vec2 centre = boundsOf(document, c.selection).centre();
-                         EditState::apply(c, transformSelection(document, c.selection, map(centre)), title);
+                         c.applyCommand(transformSelection(document, c.selection, map(centre)), title);
                      },
                  .enabled = hasSelection});
 }
@@ -258,7 +258,7 @@ void addArrangements(ActionRegistry &actions) {
              .title = arrangement.title,
              .run =
                  [&arrangement](Shell &c) {
-                     EditState::apply(c, arrangement.run(*c.document.current(), c.selection), arrangement.title);
+                     c.applyCommand(arrangement.run(*c.document.current(), c.selection), arrangement.title);
                  },
              .enabled = [&arrangement](const Shell &c) { return alignableItems(c.selection) >= arrangement.items; }});
     }
@@ -294,21 +294,20 @@ void addShapeOperations(ActionRegistry &actions) {
                       {ShapeOperation::Exclusion, "edit.exclusion", "Exclusion", 'X'},
                       {ShapeOperation::Divide, "edit.divide", "Divide", 'V'}};
     for (const auto &entry : operations) {
-        actions.add(
-            {.id = entry.id,
-             .menu = "Shape",
-             .title = entry.title,
-             .shortcuts = {{entry.key, kControlShift}},
-             .run =
-                 [operation = entry.operation, title = entry.title](Shell &c) {
-                     Selection made;
-                     const Document &before = *c.document.current();
-                     if (EditState::apply(c, combineShapes(before, c.selection.shapes, operation, &made), title)) {
-                         c.selection = std::move(made);
-                     }
-                 },
-             .enabled = [](const Shell &c) { return canCombine(*c.document.current(), c.selection); },
-             .separatorBefore = entry.operation == ShapeOperation::Union});
+        actions.add({.id = entry.id,
+                     .menu = "Shape",
+                     .title = entry.title,
+                     .shortcuts = {{entry.key, kControlShift}},
+                     .run =
+                         [operation = entry.operation, title = entry.title](Shell &c) {
+                             Selection made;
+                             const Document &before = *c.document.current();
+                             if (c.applyCommand(combineShapes(before, c.selection.shapes, operation, &made), title)) {
+                                 c.selection = std::move(made);
+                             }
+                         },
+                     .enabled = [](const Shell &c) { return canCombine(*c.document.current(), c.selection); },
+                     .separatorBefore = entry.operation == ShapeOperation::Union});
     }
 }
 
@@ -349,7 +348,7 @@ void addVisibility(ActionRegistry &actions, const char *id, const char *title, S
                  .run =
                      [=](Shell &c) {
                          const std::set<std::uint32_t> ids = shapes(c);
-                         if (EditState::apply(c, change(*c.document.current(), ids, on), title) && on) {
+                         if (c.applyCommand(change(*c.document.current(), ids, on), title) && on) {
                              c.selection.drop(ids);
                          }
                      },

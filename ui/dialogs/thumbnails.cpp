@@ -73,41 +73,38 @@ std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &proj
     return thumbnail;
 }
 
+using ThumbnailTurn = LatestTurn<std::vector<std::filesystem::path>, std::vector<std::shared_ptr<const Thumbnail>>>;
+
+std::vector<std::shared_ptr<const Thumbnail>> makeAll(const ThumbnailTurn &turn, const Thumbnails::Make &make) {
+    std::vector<std::shared_ptr<const Thumbnail>> made(turn.request.size());
+    for (std::size_t i = 0; i < made.size() && !turn.stop.stop_requested(); ++i) {
+        try {
+            made[i] = make(turn.request[i], turn.stop);
+        } catch (const std::bad_alloc &) {
+            made[i] = std::make_shared<const Thumbnail>(); // no picture, as for a project with faults
+        }
+        turn.publish(made);
+    }
+    return made;
+}
+
 } // namespace
 
-Thumbnails::Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake)
-    : Thumbnails(std::move(projects), std::move(wake), makeThumbnail) {}
+Thumbnails::Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects)
+    : Thumbnails(list, std::move(projects), makeThumbnail) {}
 
-Thumbnails::Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake, Make make)
-    : projects_(std::move(projects)), wake_(std::move(wake)), make_(std::move(make)), made_(projects_.size()),
-      thread_([this](const std::stop_token &stop) { work(stop); }) {}
-
-Thumbnails::~Thumbnails() = default;
-
-std::shared_ptr<const Thumbnail> Thumbnails::at(std::size_t project) const {
-    const std::lock_guard lock(mutex_);
-    return made_[project];
+Thumbnails::Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects, Make make)
+    : worker_(
+          list, [make = std::move(make)](const ThumbnailTurn &turn) { return makeAll(turn, make); },
+          Made(projects.size()), LeavableThread::kPatience) {
+    if (!projects.empty()) {
+        worker_.submit(std::move(projects));
+    }
 }
 
 bool Thumbnails::done() const {
-    const std::lock_guard lock(mutex_);
-    return std::all_of(made_.begin(), made_.end(), [](const auto &made) { return made != nullptr; });
-}
-
-void Thumbnails::work(const std::stop_token &stop) {
-    for (std::size_t i = 0; i < projects_.size() && !stop.stop_requested(); ++i) {
-        std::shared_ptr<const Thumbnail> thumbnail;
-        try {
-            thumbnail = make_(projects_[i], stop);
-        } catch (const std::bad_alloc &) {
-            thumbnail = std::make_shared<const Thumbnail>(); // no picture, as for a project with faults
-        }
-        {
-            const std::lock_guard lock(mutex_);
-            made_[i] = std::move(thumbnail);
-        }
-        wake_();
-    }
+    const Made &made = worker_.now();
+    return std::all_of(made.begin(), made.end(), [](const auto &thumbnail) { return thumbnail != nullptr; });
 }
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/vec2.hpp"
+#include "ui/background/latest.hpp"
 #include "ui/style/colour.hpp"
 
 #include <array>
@@ -8,9 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <stop_token>
-#include <thread>
 #include <vector>
 
 namespace forefront {
@@ -25,33 +24,29 @@ struct Thumbnail {
     std::vector<float> fineness;                        ///< per element: 0 where ρ is finest, 1 where it is coarsest
 };
 
-/// Makes the thumbnails of projects one after the other on a separate thread.
+/// Makes the thumbnails of projects one after the other on a separate thread, which is left behind if it hangs in
+/// reading a file.
 class Thumbnails {
   public:
-    /// `wake` is called from that thread after each thumbnail.
-    Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake);
-    /// Makes the thumbnail of each project with `make`; for tests.
+    /// Makes the thumbnail of a project.
     using Make =
         std::function<std::shared_ptr<const Thumbnail>(const std::filesystem::path &, const std::stop_token &)>;
-    Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake, Make make);
-    ~Thumbnails();
-    Thumbnails(const Thumbnails &) = delete;
-    Thumbnails &operator=(const Thumbnails &) = delete;
+    Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects);
+    /// `make`: for tests.
+    Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects, Make make);
 
+    /// Fetches those made since the last call. Returns true if there are any.
+    bool refresh() { return worker_.refresh(); }
     /// Returns the thumbnail of a project; null while it is being made.
-    std::shared_ptr<const Thumbnail> at(std::size_t project) const;
-    /// Returns true once all are made.
+    std::shared_ptr<const Thumbnail> at(std::size_t project) const { return worker_.now()[project]; }
+    /// Returns true once all have been fetched.
     bool done() const;
 
   private:
-    void work(const std::stop_token &stop);
+    using Projects = std::vector<std::filesystem::path>;
+    using Made = std::vector<std::shared_ptr<const Thumbnail>>;
 
-    const std::vector<std::filesystem::path> projects_;
-    std::function<void()> wake_;
-    Make make_;
-    mutable std::mutex mutex_;
-    std::vector<std::shared_ptr<const Thumbnail>> made_;
-    std::jthread thread_; ///< last: it uses all of the above
+    Latest<Projects, Made> worker_;
 };
 
 } // namespace forefront

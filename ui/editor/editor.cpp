@@ -35,7 +35,7 @@ namespace forefront {
 
 struct Editor::Parts {
     Parts(Platform &platform, EditorSetup given)
-        : options(std::move(given)), bridge(platform), context(platform), canvas(platform) {}
+        : options(std::move(given)), bridge(platform), context(platform), canvas(context.background) {}
 
     EditorSetup options;
     InputQueue input;
@@ -51,7 +51,6 @@ struct Editor::Parts {
     std::uint64_t frames = 0;
     std::uint64_t flagRevision = 0; ///< revision of the document that the view's flag refers to
     PixelSize size;
-    std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
     double lastEnd = 0.0;          ///< steady time when the last frame ended
     double previewTaken = 0.0;     ///< steady time when a preview or raster was last taken
@@ -63,6 +62,7 @@ struct Editor::Parts {
 
     bool newsDue() const;
     bool previewDue() const;
+    bool due(NewsPace news) const;
     double untilTurn() const;
     bool gestureUnderWay() const;
     bool keySharesFrame(const InputEvent &event) const;
@@ -107,6 +107,18 @@ double Editor::Parts::untilTurn() const {
 bool Editor::Parts::previewDue() const {
     constexpr double kLongestWait = 0.2; // seconds
     return !gestureUnderWay() || context.run.hasNews() || steadySeconds() - previewTaken > kLongestWait;
+}
+
+/// Returns true if a frame may be drawn now for results with this pace.
+bool Editor::Parts::due(NewsPace news) const {
+    switch (news) {
+    case NewsPace::WithMesh:
+        return newsDue();
+    case NewsPace::WithPreview:
+        return previewDue();
+    default:
+        return true;
+    }
 }
 
 /// Keys that are held down to repeat (steps, zoom, nudges) may share a frame, unless a field, popup or dialog could
@@ -186,10 +198,7 @@ bool Editor::running() const {
 
 bool Editor::settled() const {
     const Shell &c = parts_->context;
-    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
-           !c.judge.busy() && !c.adaptation.busy() && !c.adaptation.hasNews() && !c.task.hasNews() &&
-           !c.pictures.busy() && (!c.task.busy() || c.task.ready()) && !c.sides.busy() && !c.sides.hasNews() &&
-           !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
+    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && c.background.atRest();
 }
 
 double Editor::sleepSeconds() const {
@@ -207,11 +216,8 @@ double Editor::sleepSeconds() const {
 
 bool Editor::needsFrame() const {
     const Shell &c = parts_->context;
-    const bool previewed =
-        (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
-    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
-           c.run.canFollow() || previewed || c.sides.hasNews() || c.adaptation.hasNews() || c.task.hasNews() ||
-           c.pictures.hasNews() || c.fileWatch.hasNews() || c.judge.latest() != c.judgement ||
+    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt ||
+           c.background.hasNews([this](NewsPace news) { return parts_->due(news); }) ||
            (parts_->drewBusy && !c.run.busy()) || !(c.platform.framebufferSize() == parts_->size) ||
            (parts_->reportedBusy && settled());
 }
@@ -268,7 +274,7 @@ void Editor::Parts::takeResults(bool cancels) {
     if (recovery) {
         recovery->follow(context);
     }
-    if (context.sides.follow(context.run, *context.document.current(), [&p = context.platform] { p.wake(); })) {
+    if (context.sides.follow(context.run, *context.document.current())) {
         context.animate();
     }
     if (context.task.refresh()) {
@@ -290,17 +296,16 @@ void Editor::Parts::takeResults(bool cancels) {
         context.animate();
     }
     context.judge.submit(request);
-    const auto knownJudgement = std::exchange(context.judgement, context.judge.latest());
+    const bool judged = context.judge.refresh();
+    context.judgement = context.judge.now();
     context.probe.follow(context.judgement->of.mesh ? context.judgement->of.mesh->version : 0);
-    const auto known = context.preview;
-    const auto knownRaster = raster;
+    bool previewed = false;
     if (drewNews || previewDue()) {
-        context.preview = context.examiner.latest();
-        raster = context.examiner.raster();
+        previewed = context.examiner.refresh();
+        context.preview = context.examiner.preview();
         previewTaken = steadySeconds();
     }
-    if (before != context.run.snapshot() || known != context.preview || knownRaster != raster ||
-        knownJudgement != context.judgement) {
+    if (before != context.run.snapshot() || previewed || judged) {
         context.animate();
     }
 }

@@ -39,8 +39,8 @@ unsigned mapTexture(Colour (*map)(double)) {
 
 } // namespace
 
-GlKit::GlKit()
-    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), elements_(std::make_unique<MeshBatch>()),
+GlKit::GlKit(BackgroundList &list)
+    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), elements_(std::make_unique<MeshBatch>(list)),
       spacing_(mapTexture(spacingColour)) {
     glGenVertexArrays(1, &emptyArray_);
     mask_ = smoothTexture(GL_NEAREST);

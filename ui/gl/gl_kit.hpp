@@ -12,6 +12,7 @@
 
 namespace forefront {
 
+class BackgroundList;
 class MeshBatch;
 
 /// A raster of ln ρ over a box, and the range of its colours.
@@ -29,7 +30,7 @@ struct FieldTint {
 /// Shader programs and textures that the layers share, one set per OpenGL context.
 class GlKit {
   public:
-    GlKit();
+    explicit GlKit(BackgroundList &list);
     ~GlKit();
     GlKit(const GlKit &) = delete;
     GlKit &operator=(const GlKit &) = delete;

@@ -160,7 +160,7 @@ struct MeshBatch::Page {
     }
 };
 
-MeshBatch::MeshBatch() = default;
+MeshBatch::MeshBatch(BackgroundList &list) : list_(list) {}
 
 MeshBatch::~MeshBatch() = default;
 
@@ -327,7 +327,7 @@ void MeshBatch::update(const std::shared_ptr<const MeshSnapshot> &view, bool atR
     const bool sort = atRest && view->mesh.elements.size() > kWorthSorting;
     const bool sameMesh = shown_ && shown_->version == view->version && (byPlace_ || sorter_ || !sort);
     if (!sameMesh && sort) {
-        sorter_ = std::make_unique<MeshSorter>(view);
+        sorter_ = std::make_unique<MeshSorter>(list_, view);
     } else if (!sameMesh) {
         const std::size_t kept = commonPrefix(*view);
         sorter_.reset();

@@ -59,7 +59,8 @@ struct DrawSlice {
 /// or shrinks at its end, as while the front advances, is updated in place.
 class MeshBatch {
   public:
-    MeshBatch();
+    /// `list`: of the window; a large mesh is sorted in the background.
+    explicit MeshBatch(BackgroundList &list);
     ~MeshBatch();
     MeshBatch(const MeshBatch &) = delete;
     MeshBatch &operator=(const MeshBatch &) = delete;
@@ -104,6 +105,7 @@ class MeshBatch {
 
     static constexpr std::size_t kPageElements = 64 * kMeshChunk;
 
+    BackgroundList &list_;
     std::shared_ptr<const MeshSnapshot> shown_;
     std::unique_ptr<MeshSorter> sorter_; ///< at work on `shown_`; null: not
     std::vector<Chunk> chunks_;

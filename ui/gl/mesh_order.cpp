@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <new>
-#include <system_error>
 #include <utility>
 
 namespace forefront {
@@ -103,35 +102,41 @@ MeshOrder orderByPlace(const TriMesh &mesh, const std::function<bool()> &stopped
     return complete ? order : MeshOrder();
 }
 
-std::jthread startThread(std::function<void(const std::stop_token &)> run) {
-    return std::jthread(std::move(run));
-}
+namespace {
 
-MeshSorter::MeshSorter(std::shared_ptr<const MeshSnapshot> view, const ThreadStarter &start) : view_(std::move(view)) {
-    if (view_->mesh.elements.size() > kQuicklySorted) {
-        try {
-            thread_ = start([this](const std::stop_token &stop) { sort([&stop] { return stop.stop_requested(); }); });
-            return;
-        } catch (const std::system_error &) { // no thread can be started; a short pause is better than no mesh
-        }
-    }
-    sort({});
-}
-
-void MeshSorter::sort(const std::function<bool()> &stopped) {
+/// Returns the order; empty if there is not enough memory: the mesh is then drawn in its own order.
+MeshOrder orderWithinMemory(const TriMesh &mesh, const std::function<bool()> &stopped) {
     try {
-        order_ = orderByPlace(view_->mesh, stopped);
+        return orderByPlace(mesh, stopped);
     } catch (const std::bad_alloc &) {
-        order_ = {}; // the mesh is drawn in its own order
+        return {};
     }
-    done_ = true;
+}
+
+} // namespace
+
+MeshSorter::MeshSorter(BackgroundList &list, std::shared_ptr<const MeshSnapshot> view, ThreadStarter start)
+    : worker_(
+          list,
+          [](const LatestTurn<Mesh, std::shared_ptr<MeshOrder>> &turn) {
+              return std::make_shared<MeshOrder>(
+                  orderWithinMemory(turn.request->mesh, [&turn] { return turn.stop.stop_requested(); }));
+          },
+          std::make_shared<MeshOrder>(), LeavableThread::kForever, NewsPace::WhenUsed, std::move(start)) {
+    if (view->mesh.elements.size() > kQuicklySorted) {
+        worker_.submit(std::move(view));
+    } else {
+        small_ = orderWithinMemory(view->mesh, {});
+    }
 }
 
 MeshOrder MeshSorter::take() {
-    if (thread_.joinable()) {
-        thread_.join();
+    if (small_) {
+        return *std::move(small_);
     }
-    return std::move(order_);
+    worker_.wait();
+    worker_.refresh();
+    return std::move(*worker_.now());
 }
 
 } // namespace forefront

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "core/engine/session/snapshot.hpp"
+#include "ui/background/latest.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stop_token>
-#include <thread>
+#include <optional>
 #include <vector>
 
 namespace forefront {
@@ -26,30 +25,22 @@ struct MeshOrder {
 /// it has returned true, it is not called again, and the result is empty.
 MeshOrder orderByPlace(const TriMesh &mesh, const std::function<bool()> &stopped = {});
 
-/// Runs a function on another thread. Throws std::system_error if no thread can be started.
-using ThreadStarter = std::function<std::jthread(std::function<void(const std::stop_token &)>)>;
-
-/// Starts a std::jthread.
-std::jthread startThread(std::function<void(const std::stop_token &)> run);
-
 /// Sorts the elements of a large mesh on a separate thread, so that the window does not wait for it. If no thread can
 /// be started, the constructor sorts them. The destructor waits a few milliseconds at most.
 class MeshSorter {
   public:
     /// `start`: replaced by tests.
-    explicit MeshSorter(std::shared_ptr<const MeshSnapshot> view, const ThreadStarter &start = startThread);
+    MeshSorter(BackgroundList &list, std::shared_ptr<const MeshSnapshot> view, ThreadStarter start = startThread);
 
-    bool done() const { return done_; }
+    bool done() const { return !worker_.working(); }
     /// Waits until it is done and returns the order; empty if there is not enough memory. Call it once.
     MeshOrder take();
 
   private:
-    void sort(const std::function<bool()> &stopped);
+    using Mesh = std::shared_ptr<const MeshSnapshot>;
 
-    std::shared_ptr<const MeshSnapshot> view_;
-    MeshOrder order_;
-    std::atomic<bool> done_ = false;
-    std::jthread thread_; ///< last, so that it ends before what it uses
+    std::optional<MeshOrder> small_; ///< of a mesh that was sorted at once
+    Latest<Mesh, std::shared_ptr<MeshOrder>> worker_;
 };
 
 } // namespace forefront

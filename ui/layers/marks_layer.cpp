@@ -33,7 +33,7 @@ class MarksLayer final : public Layer {
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
         const Box2 visible = frame.camera.visible();
         const std::vector<SizeSource> &sources = frame.document.spacing.sources;
-        const std::vector<RegionMarker> &markers = frame.document.regionMarkers;
+        const std::vector<MarkedRegion> &markers = frame.document.regionMarkers;
         std::vector<std::size_t> seenSources, seenMarkers;
         for (std::size_t k = 0; k < sources.size() && seenSources.size() < kMaxSpacingMarks; ++k) {
             if (boxOfSource(sources[k]).overlaps(visible)) {
@@ -178,7 +178,7 @@ class MarksLayer final : public Layer {
         return 3 * apart.size() < 2 * seen.size();
     }
 
-    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker, bool crowded) {
+    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const MarkedRegion &marker, bool crowded) {
         const double size = crowded ? 0.5 : 1.0;
         // A plate, since the colours below may be those of the marker.
         painter.dot(marker.at, 8.0 * size, fade(frame.theme.popup, 0.82));
@@ -190,7 +190,7 @@ class MarksLayer final : public Layer {
     }
 
     static void labelMarker(CanvasPainter &painter, const LayerFrame &frame, std::size_t index) {
-        const RegionMarker &marker = frame.document.regionMarkers[index];
+        const MarkedRegion &marker = frame.document.regionMarkers[index];
         const std::string name = regionName(frame.document.regionNames, marker.tag);
         if (painter.freeLabel(
                 marker.at, regionLabelOffsets(painter, frame.preview.faces.get(), marker.at, name, frame.fonts.small),

@@ -138,7 +138,7 @@ void applyCount(Shell &context, const std::set<SegmentRef> &segments, std::optio
             next = setFormula(*std::move(next), addressOfCount(tag), text);
         }
     }
-    EditState::apply(context, std::move(next), "Set number of elements");
+    context.applyCommand(std::move(next), "Set number of elements");
 }
 
 } // namespace

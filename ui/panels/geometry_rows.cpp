@@ -29,7 +29,7 @@ form::PairAddress pairAddress(const Shape &shape, Quantity first, Quantity secon
 
 void drawRectangle(Shell &context, const Shape &shape) {
     const auto put = [&](const Shape &next, const char *label) {
-        EditState::apply(context, replaceShape(*context.document.current(), next), label);
+        context.applyCommand(replaceShape(*context.document.current(), next), label);
     };
     Shape next = shape;
     const Box2 box = boundsOf(shape);
@@ -55,17 +55,17 @@ void drawCircle(Shell &context, const Shape &shape) {
     Vec2 centre = shape.nodes[0];
     double radius = circleRadius(shape);
     if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-        EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
+        context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move circle");
     }
     if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
-        EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
+        context.applyCommand(setRadius(document, shape.id, radius), "Resize circle");
     }
 }
 
 void drawPoint(Shell &context, const Shape &shape) {
     Vec2 at = shape.nodes[0];
     if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
-        EditState::apply(context, setHandle(*context.document.current(), {shape.id, 0}, at), "Move point");
+        context.applyCommand(setHandle(*context.document.current(), {shape.id, 0}, at), "Move point");
         context.view.reveal(boxOf(at, at));
     }
 }
@@ -75,7 +75,7 @@ void drawEllipse(Shell &context, const Shape &shape) {
     Vec2 centre = shape.nodes[0];
     const Vec2 u = shape.nodes[1] - centre, v = shape.nodes[2] - centre;
     if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-        EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse");
+        context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move ellipse");
     }
     Vec2 radii{length(u), length(v)};
     if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, Quantity::Rx, Quantity::Ry)) &&
@@ -84,7 +84,7 @@ void drawEllipse(Shell &context, const Shape &shape) {
         Shape next = shape;
         next.nodes[1] = centre + (radii.x / length(u)) * u;
         next.nodes[2] = centre + (radii.y / length(v)) * v;
-        EditState::apply(context, replaceShape(document, std::move(next)), "Resize ellipse");
+        context.applyCommand(replaceShape(document, std::move(next)), "Resize ellipse");
     }
 }
 
@@ -94,13 +94,13 @@ void drawSlot(Shell &context, const Shape &shape) {
         Vec2 centre = shape.nodes[k];
         if (form::pair(context, k == 0 ? "inspector/centre" : "inspector/centre2", k == 0 ? "Centre 1" : "Centre 2",
                        centre, handleAddress(shape, k))) {
-            EditState::apply(context, setHandle(document, {shape.id, k}, centre), "Move end of slot");
+            context.applyCommand(setHandle(document, {shape.id, k}, centre), "Move end of slot");
         }
     }
     double size = distance(shape.nodes[0], shape.nodes[1]);
     if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, Quantity::Length)) &&
         ui::checkPositive(context, "inspector/slotlength", size)) {
-        EditState::apply(context, setSegmentLength(document, {shape.id, 0}, size), "Change length of slot");
+        context.applyCommand(setSegmentLength(document, {shape.id, 0}, size), "Change length of slot");
     }
     ui::rowTooltip(context, "Distance between the centres of the two ends");
     slotWidthRow(context, shape);
@@ -135,7 +135,7 @@ void slotWidthRow(Shell &context, const Shape &slot) {
         Shape next = slot;
         next.as<SlotForm>().radius = 0.5 * width;
         next.cuts.clear();
-        EditState::apply(context, replaceShape(*context.document.current(), std::move(next)), "Change width of slot");
+        context.applyCommand(replaceShape(*context.document.current(), std::move(next)), "Change width of slot");
     }
 }
 
@@ -164,7 +164,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
         double radius = bend.value_or(0.0);
         if (bend && form::number(context, "inspector/arcradius", "Radius", radius,
                                  addressOf(shape, Quantity::ArcRadius, ref.segment))) {
-            EditState::apply(context, setArcRadius(document, ref, radius), "Change radius");
+            context.applyCommand(setArcRadius(document, ref, radius), "Change radius");
         }
         ui::field(context, "Length", ui::number(curve.length(), 5), form::kLabel);
         return;
@@ -177,7 +177,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
                                 : ref.segment % 2 == 0 ? Quantity::Width
                                                        : Quantity::Height;
         if (form::number(context, "inspector/length", "Length", size, addressOf(shape, number))) {
-            EditState::apply(context, setSegmentLength(document, ref, size), "Change length");
+            context.applyCommand(setSegmentLength(document, ref, size), "Change length");
         }
         return;
     }
@@ -188,7 +188,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
         if (next) {
             next = followLength(*std::move(next), ref, formula);
         }
-        EditState::apply(context, std::move(next), "Change length");
+        context.applyCommand(std::move(next), "Change length");
         return;
     }
     drawFollowing(context, shape, static_cast<std::uint32_t>((ref.segment + 1) % handles.size()));

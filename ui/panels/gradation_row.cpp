@@ -40,7 +40,7 @@ void GradationRow::draw(Shell &context) {
     constexpr float kField = 58.0F;
     if (form::optionalField(context, "spacing/gradation", gradation, "auto", kField,
                             NumberAddress{NumberOwner::ofSpacing(), Quantity::Gradation})) {
-        EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
+        context.applyCommand(setGradation(*context.document.current(), gradation), "Change gradation");
     }
     ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep. auto: 0.25 "
                             "where sizes spread from "
@@ -65,8 +65,7 @@ void GradationRow::drawSlider(Shell &context) {
         const double gradation = EditState::twoDigits(kGentlest * std::pow(kSteepest / kGentlest, knob));
         if (given != gradation) {
             dragged_ = true;
-            EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation",
-                             kStroke);
+            context.applyCommand(setGradation(*context.document.current(), gradation), "Change gradation", kStroke);
         }
     }
     if (released) {

@@ -75,7 +75,7 @@ void inspectSource(Shell &context, std::uint32_t index) {
     }
     changed = drawSourceGrowth(context, source, address(Quantity::Growth)) || changed;
     if (changed) {
-        EditState::apply(context, replaceSource(document, index, source), "Change source");
+        context.applyCommand(replaceSource(document, index, source), "Change source");
     }
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);
@@ -85,7 +85,7 @@ void inspectSource(Shell &context, std::uint32_t index) {
 namespace {
 
 /// Draws the area of the face of a region marker, with the colour of the region.
-void areaRow(Shell &context, const RegionMarker &marker) {
+void areaRow(Shell &context, const MarkedRegion &marker) {
     const std::shared_ptr<const FaceMap> &faces = context.preview->faces;
     const std::uint32_t face = faces ? faces->faceOf(marker) : kNoIndex;
     form::label(context, "Area");
@@ -107,26 +107,26 @@ void areaRow(Shell &context, const RegionMarker &marker) {
 
 void inspectRegion(Shell &context, std::uint32_t index) {
     const Document &document = *context.document.current();
-    const RegionMarker marker = document.regionMarkers[index];
+    const MarkedRegion marker = document.regionMarkers[index];
     inspectorHeading(context, regionName(document.regionNames, marker.tag));
     areaRow(context, marker);
     const auto address = [&](Quantity what) { return NumberAddress{NumberOwner::ofRegion(index), what}; };
     Vec2 at = marker.at;
     if (form::pair(context, "inspector/at", "Position", at, {address(Quantity::X), address(Quantity::Y)})) {
-        EditState::apply(context, moveRegionMarker(document, index, at), "Move region marker");
+        context.applyCommand(moveRegionMarker(document, index, at), "Move region marker");
         return;
     }
     std::optional<std::string> rename;
     std::int32_t tag = marker.tag;
     if (form::tag(context, "inspector/tag", "Region tag", tag, regionName(document.regionNames, tag), rename)) {
-        EditState::apply(context, setRegionTag(document, index, tag), "Change region");
+        context.applyCommand(setRegionTag(document, index, tag), "Change region");
     } else if (rename) {
-        EditState::apply(context, nameRegionOf(document, index, *rename), "Name region");
+        context.applyCommand(nameRegionOf(document, index, *rename), "Name region");
     }
     std::optional<double> area = marker.maxArea > 0.0 ? std::optional(marker.maxArea) : std::nullopt;
     form::label(context, "Max. area");
     if (form::optionalField(context, "inspector/maxarea", area, "no limit", -1.0F, address(Quantity::Area))) {
-        EditState::apply(context, setRegionArea(document, index, area.value_or(0.0)), "Limit area of region");
+        context.applyCommand(setRegionArea(document, index, area.value_or(0.0)), "Limit area of region");
     }
     ui::rowTooltip(context, "Maximum area of an element in this region");
     regionSizeRow(context, index);

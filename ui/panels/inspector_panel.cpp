@@ -50,7 +50,7 @@ void changeTag(Shell &context, const BoundaryPart &part, std::int32_t tag) {
     if (next) {
         next = setSegmentTag(*next, part.segments, tag);
     }
-    EditState::apply(context, std::move(next), "Change tag");
+    context.applyCommand(std::move(next), "Change tag");
 }
 
 /// Draws tag and name of a part of the boundary in one row; edits change only that part.
@@ -62,7 +62,7 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
     if (form::tag(context, "inspector/tag", "Boundary tag", wanted, name, rename)) {
         changeTag(context, part, wanted);
     } else if (rename) {
-        EditState::apply(context, nameBoundaryPart(document, part, *rename), "Name boundary");
+        context.applyCommand(nameBoundaryPart(document, part, *rename), "Name boundary");
     }
 }
 
@@ -106,7 +106,7 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
     form::label(context, "Role");
     if (ui::segmented(context, "inspector/use", use)) {
-        EditState::apply(context, setShapeUse(*context.document.current(), ids, use), "Change role");
+        context.applyCommand(setShapeUse(*context.document.current(), ids, use), "Change role");
     }
 }
 
@@ -174,7 +174,7 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
     const Document &document = *context.document.current();
     if (!isPath(shape) && !shape.is<PointForm>()) {
         if (ui::button(context, "inspector/topath", "To path")) {
-            EditState::apply(context, convertToPath(document, shape.id), "Convert to path");
+            context.applyCommand(convertToPath(document, shape.id), "Convert to path");
         }
         ui::tooltip(context, "Turn the shape into a path whose nodes and segments can be edited");
         ImGui::SameLine();
@@ -182,13 +182,13 @@ void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const 
         const bool closed = isClosed(shape);
         if (ui::button(context, "inspector/close", closed ? "Open" : "Close", ui::ButtonKind::Plain,
                        shape.nodes.size() > 2)) {
-            EditState::apply(context, toggleClosed(document, shape.id), closed ? "Open polygon" : "Close polyline");
+            context.applyCommand(toggleClosed(document, shape.id), closed ? "Open polygon" : "Close polyline");
         }
         ui::tooltip(context, closed ? "Turn the polygon into an open polyline" : "Join the two ends");
         ImGui::SameLine();
         if (isSlot(shape)) {
             if (ui::button(context, "inspector/toslot", "To slot")) {
-                EditState::apply(context, convertToSlot(document, shape.id), "Convert to slot");
+                context.applyCommand(convertToSlot(document, shape.id), "Convert to slot");
             }
             ui::tooltip(context, "Edit it by its width and the centres of its ends");
             ImGui::SameLine();
@@ -208,7 +208,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     inspectorHeading(context, displayName(shape));
     std::string name = shape.name;
     if (form::text(context, "inspector/name", "Shape name", name, kindName(shape).c_str()) && name != shape.name) {
-        EditState::apply(context, setShapeName(document, shape.id, name), "Name shape");
+        context.applyCommand(setShapeName(document, shape.id, name), "Name shape");
     }
     useRow(context, {shape.id}, shape.use);
     if (shape.segmentTags.empty()) {
@@ -220,7 +220,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
         ui::muted(context, "several");
         ImGui::SameLine();
         if (ui::button(context, "inspector/onetag", "Same for all")) {
-            EditState::apply(context, setShapeTag(document, {shape.id}, shape.tag), "Change tag");
+            context.applyCommand(setShapeTag(document, {shape.id}, shape.tag), "Change tag");
         }
     }
     geometryRows(context, shape);
@@ -237,7 +237,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     if (shape->is<SlotForm>() && !isCentre(*shape, ref.node)) {
         slotWidthRow(context, *shape); // the place of its side follows
     } else if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
-        EditState::apply(context, setHandle(document, ref, at), "Move node");
+        context.applyCommand(setHandle(document, ref, at), "Move node");
         context.view.reveal(boxOf(at, at));
     }
     if (isPath(*shape)) {
@@ -253,7 +253,7 @@ void InspectorPanel::drawNodeKind(Shell &context, const Shape &shape, NodeRef re
     NodeKind kind = nodeKind(shape, ref.node);
     form::label(context, "Kind");
     if (ui::segmented(context, "inspector/nodekind", kind)) {
-        EditState::apply(context, setNodeKind(*context.document.current(), {ref}, kind), "Change node");
+        context.applyCommand(setNodeKind(*context.document.current(), {ref}, kind), "Change node");
     }
 }
 
@@ -275,7 +275,7 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
                             ? midpoint(handles[ref.segment], handles[(ref.segment + 1) % handles.size()])
                             : outline.curve(ref.segment).point(0.5);
     if (ui::button(context, "inspector/split", "Insert node")) {
-        EditState::apply(context, insertNode(document, ref, middle), "Insert node");
+        context.applyCommand(insertNode(document, ref, middle), "Insert node");
     }
     if (isPath(*shape)) {
         ImGui::SameLine();

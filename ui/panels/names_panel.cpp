@@ -28,8 +28,8 @@ class NamesPanel final : public Panel {
         }
         for (const std::int32_t tag : boundaries_) {
             row(context, "names/boundary/", tag, boundaryName(document->boundaryNames, tag), [&](std::string name) {
-                EditState::apply(context, setBoundaryName(*context.document.current(), tag, std::move(name)),
-                                 "Rename boundary");
+                context.applyCommand(setBoundaryName(*context.document.current(), tag, std::move(name)),
+                                     "Rename boundary");
             });
             ImGui::SameLine(0, context.px(6));
             if (ui::iconButton(context, "names/boundary/" + std::to_string(tag) + "/select", icon::kSelect,
@@ -42,8 +42,7 @@ class NamesPanel final : public Panel {
         ui::heading(context, "Regions");
         for (const std::int32_t tag : regions_) {
             row(context, "names/region/", tag, regionName(document->regionNames, tag), [&](std::string name) {
-                EditState::apply(context, setRegionName(*context.document.current(), tag, std::move(name)),
-                                 "Rename region");
+                context.applyCommand(setRegionName(*context.document.current(), tag, std::move(name)), "Rename region");
             });
         }
         if (ui::button(context, "names/addregion", "Fill a region\xe2\x80\xa6")) {
@@ -90,8 +89,8 @@ class NamesPanel final : public Panel {
         }));
         group.push_back(commandOf("unname", "Remove name", [tag, boundary](Shell &c) {
             const Document &document = *c.document.current();
-            EditState::apply(c, boundary ? setBoundaryName(document, tag, {}) : setRegionName(document, tag, {}),
-                             boundary ? "Rename boundary" : "Rename region");
+            c.applyCommand(boundary ? setBoundaryName(document, tag, {}) : setRegionName(document, tag, {}),
+                           boundary ? "Rename boundary" : "Rename region");
         }));
         context.menu.open({std::move(group)});
     }

@@ -53,7 +53,7 @@ class ParametersPanel final : public Panel {
         std::vector<Parameter> more = context.document.current()->parameters;
         more.push_back({freeParameterName("p", 1, namesOf(more)), "1"});
         const std::string row = "parameters/" + std::to_string(more.size() - 1);
-        if (EditState::apply(context, setParameters(*context.document.current(), std::move(more)), "Add parameter")) {
+        if (context.applyCommand(setParameters(*context.document.current(), std::move(more)), "Add parameter")) {
             context.widgets.fields.request(row + "/name");
             context.animate();
         }
@@ -160,7 +160,7 @@ class ParametersPanel final : public Panel {
     void finish(Shell &context, std::size_t index, Result<Document> next, const char *label) {
         if (next) {
             rows_[index].fault.clear();
-            EditState::apply(context, std::move(next), label);
+            context.applyCommand(std::move(next), label);
         } else {
             const Diagnostic &fault = next.faults().front();
             rows_[index].fault = fault.message + (fault.code == "parameter-in-use" ? "; " + fault.advice : "");

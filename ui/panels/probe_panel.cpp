@@ -97,7 +97,7 @@ class ProbePanel final : public Panel {
         const std::vector<Vec2> &nodes = judgement.of.mesh->mesh.nodes;
         if (pick.part == MeshPart::Nodes) {
             if (ui::button(context, "probe/pin", "Pin this node") &&
-                EditState::apply(context, pinNode(document, nodes[pick.index], kConstraintTag), "Pin node")) {
+                context.applyCommand(pinNode(document, nodes[pick.index], kConstraintTag), "Pin node")) {
                 context.log.announce("The node is now a constraint; every mesh of this drawing will include it");
             }
             ui::tooltip(context, "Add the node to the drawing, so that every later mesh includes it");
@@ -105,9 +105,8 @@ class ProbePanel final : public Panel {
             const MeshEdge &edge = judgement.edges->edges[pick.index];
             const bool inner = edge.elements[1] != kNoElement;
             if (ui::button(context, "probe/keep", "Keep this edge", ui::ButtonKind::Plain, inner) &&
-                EditState::apply(context,
-                                 keepEdge(document, nodes[index(edge.a)], nodes[index(edge.b)], kConstraintTag),
-                                 "Keep edge")) {
+                context.applyCommand(keepEdge(document, nodes[index(edge.a)], nodes[index(edge.b)], kConstraintTag),
+                                     "Keep edge")) {
                 context.log.announce("The edge is now a constraint; every mesh of this drawing will include it");
             }
             ui::tooltip(context, inner ? "Add the edge to the drawing, so that every later mesh includes it"

@@ -315,14 +315,14 @@ void ShapesPanel::drawSwitches(Shell &context, const Shape &shape, bool lit) {
         return pressed;
     };
     if (button("/eye", shape.hidden ? icon::kEyeClosed : icon::kEye, shape.hidden ? "Show" : "Hide", shape.hidden)) {
-        EditState::apply(context, setHidden(*context.document.current(), only, !shape.hidden),
-                         shape.hidden ? "Show shape" : "Hide shape");
+        context.applyCommand(setHidden(*context.document.current(), only, !shape.hidden),
+                             shape.hidden ? "Show shape" : "Hide shape");
         context.selection.drop(only);
     }
     ImGui::SameLine(0, 0);
     if (button("/lock", shape.locked ? icon::kLock : icon::kUnlock, shape.locked ? "Unlock" : "Lock", shape.locked)) {
-        EditState::apply(context, setLocked(*context.document.current(), only, !shape.locked),
-                         shape.locked ? "Unlock shape" : "Lock shape");
+        context.applyCommand(setLocked(*context.document.current(), only, !shape.locked),
+                             shape.locked ? "Unlock shape" : "Lock shape");
         context.selection.drop(only);
     }
 }
@@ -437,8 +437,7 @@ void ShapesPanel::openHiddenMenu(Shell &context, const Shape &shape) {
     const std::uint32_t id = shape.id;
     const auto change = [id](Result<Document> (*command)(const Document &, const std::set<std::uint32_t> &, bool),
                              const char *label) {
-        return
-            [id, command, label](Shell &c) { EditState::apply(c, command(*c.document.current(), {id}, false), label); };
+        return [id, command, label](Shell &c) { c.applyCommand(command(*c.document.current(), {id}, false), label); };
     };
     ContextGroup own{actionOf("edit.rename")};
     if (shape.hidden) {

@@ -52,18 +52,17 @@ void partSizeRow(Shell &context, std::int32_t tag) {
               changed;
     ImGui::EndDisabled();
     if (changed && follows && !size) {
-        EditState::apply(context, setPartElements(document, tag, PartElements{counted->second.count, growth}),
-                         "Change size of boundary part");
+        context.applyCommand(setPartElements(document, tag, PartElements{counted->second.count, growth}),
+                             "Change size of boundary part");
     } else if (changed && (size || given)) {
-        EditState::apply(context,
-                         setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
-                         "Change size of boundary part");
+        context.applyCommand(setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+                             "Change size of boundary part");
     }
 }
 
 void regionSizeRow(Shell &context, std::uint32_t marker) {
     const Document &document = *context.document.current();
-    const RegionMarker &region = document.regionMarkers[marker];
+    const MarkedRegion &region = document.regionMarkers[marker];
     std::optional<double> size = region.size > 0.0 ? std::optional(region.size) : std::nullopt;
     double growth = region.growth;
     const NumberOwner owner = NumberOwner::ofRegion(marker);
@@ -79,9 +78,9 @@ void regionSizeRow(Shell &context, std::uint32_t marker) {
         changed;
     ImGui::EndDisabled();
     if (changed) {
-        EditState::apply(context,
-                         setRegionSize(document, marker, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
-                         "Change size of region");
+        context.applyCommand(
+            setRegionSize(document, marker, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+            "Change size of region");
     }
 }
 
@@ -151,12 +150,12 @@ void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
     ImGui::EndDisabled();
     constexpr const char *kLabel = "Change size at node";
     if (sized && size.value) {
-        EditState::apply(context, changeNodeSizes(document, nodes, {.size = size.value, .growth = {}}), kLabel);
+        context.applyCommand(changeNodeSizes(document, nodes, {.size = size.value, .growth = {}}), kLabel);
     } else if (sized && size.given) {
-        EditState::apply(context, setNodeSize(document, nodes, std::nullopt), kLabel);
+        context.applyCommand(setNodeSize(document, nodes, std::nullopt), kLabel);
     } else if (grown && size.given) { // an empty field restores the usual growth
         const double wanted = growth.value.value_or(PartSize{}.growth);
-        EditState::apply(context, changeNodeSizes(document, nodes, {.size = {}, .growth = wanted}), kLabel);
+        context.applyCommand(changeNodeSizes(document, nodes, {.size = {}, .growth = wanted}), kLabel);
     }
 }
 

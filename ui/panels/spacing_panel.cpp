@@ -151,7 +151,7 @@ void SpacingPanel::drawElementCounts(Shell &context) {
     const float half = form::halfWidth(context);
     if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half,
                             NumberAddress{NumberOwner::ofSpacing(), Quantity::SegmentsPerTurn})) {
-        EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
+        context.applyCommand(setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
     }
     ui::rowTooltip(context,
                    "Elements along a full turn of a curved boundary; 0: ignore bends. Empty: 40 with automatic "
@@ -159,7 +159,7 @@ void SpacingPanel::drawElementCounts(Shell &context) {
     ImGui::SameLine(0, context.px(6));
     if (form::optionalField(context, "spacing/across", across, "gap", half,
                             NumberAddress{NumberOwner::ofSpacing(), Quantity::ElementsAcross})) {
-        EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements per gap");
+        context.applyCommand(setElementsAcross(*context.document.current(), across), "Change elements per gap");
     }
     ui::tooltip(context, "Elements across narrow places, such as channels; 0: ignore narrow places. Empty: 2 with "
                          "automatic spacing, else 0. Corners are not narrow places, except tips below 20 degrees.");
@@ -171,7 +171,7 @@ void SpacingPanel::drawCurveTolerance(Shell &context) {
     form::label(context, "Curve error");
     if (form::optionalField(context, "spacing/curvetolerance", tolerance, "auto", -1.0F,
                             NumberAddress{NumberOwner::ofSpacing(), Quantity::CurveTolerance})) {
-        EditState::apply(context, setCurveTolerance(*context.document.current(), tolerance), "Change curve tolerance");
+        context.applyCommand(setCurveTolerance(*context.document.current(), tolerance), "Change curve tolerance");
     }
     ui::rowTooltip(context,
                    "Curve tolerance: the maximum distance of a curve from its edges in the mesh. It limits the "
@@ -191,7 +191,7 @@ void SpacingPanel::drawLimits(Shell &context) {
                                           NumberAddress{NumberOwner::ofSpacing(), Quantity::Maximum});
     ui::tooltip(context, "Maximum node spacing");
     if (low || high) {
-        EditState::apply(context, setLimits(*document, minimum, maximum), "Limit spacing");
+        context.applyCommand(setLimits(*document, minimum, maximum), "Limit spacing");
     }
     gradation_.draw(context);
     drawElementCounts(context);
@@ -211,7 +211,7 @@ void SpacingPanel::draw(Shell &context) {
     form::label(context, "Size");
     if (form::optionalField(context, "spacing/size", size, spacing.usesAutomatic() ? "auto" : "none", -1.0F,
                             NumberAddress{NumberOwner::ofSpacing(), Quantity::Size})) {
-        EditState::apply(context, setSize(*document, size), "Change size");
+        context.applyCommand(setSize(*document, size), "Change size");
     }
     ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");
     drawExpression(context);

@@ -205,8 +205,8 @@ void Naming::openOnCanvas(NamedThing what, Pixel place, const DocumentStore &sto
 void applyName(Shell &context, const NamedThing &thing, const std::string &name) {
     static constexpr const char *kLabels[] = {"Name shape", "Rename boundary", "Name boundary", "Name region",
                                               "Name source"};
-    EditState::apply(context, thing.renamed(*context.document.current(), name),
-                     kLabels[static_cast<std::size_t>(thing.kind)]);
+    context.applyCommand(thing.renamed(*context.document.current(), name),
+                         kLabels[static_cast<std::size_t>(thing.kind)]);
     if (std::optional<NamedThing> &row = context.naming.row; row && row->same(thing)) {
         row->tag = tagNow(*context.document.current(), *row, name); // the name may have brought another tag
     }

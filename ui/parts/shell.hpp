@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/background/background_task.hpp"
+#include "ui/background/file_watch.hpp"
 #include "ui/parts/action.hpp"
 #include "ui/parts/context_menu.hpp"
 #include "ui/parts/dialog.hpp"
@@ -8,8 +10,6 @@
 #include "ui/parts/panel.hpp"
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
-#include "ui/workspace/background/background_task.hpp"
-#include "ui/workspace/background/file_watch.hpp"
 #include "ui/workspace/run/adaptation.hpp"
 #include "ui/workspace/run/side_by_side.hpp"
 #include "ui/workspace/view/lesson_room.hpp"
@@ -55,13 +55,13 @@ struct Shell : Workspace {
     bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
     ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
     Naming naming;
-    SideBySide sides;            ///< runs with other grids or the other method
-    bool quit = false;           ///< end the program after this frame
-    bool closeRequested = false; ///< the user closed the window; "file.quit" decides
-    Adaptation adaptation{[this] { platform.wake(); }};
-    BackgroundTask task{[this] { platform.wake(); }}; ///< reading a file
-    FileWatch fileWatch{[this] { platform.wake(); }}; ///< on the file of the document
-    std::uint64_t watchedUse = 0;                     ///< the DocumentStore::fileUses() that it watches
+    SideBySide sides{background}; ///< runs with other grids or the other method
+    bool quit = false;            ///< end the program after this frame
+    bool closeRequested = false;  ///< the user closed the window; "file.quit" decides
+    Adaptation adaptation{background};
+    BackgroundTask task{background}; ///< reading a file
+    FileWatch fileWatch{background}; ///< on the file of the document
+    std::uint64_t watchedUse = 0;    ///< the DocumentStore::fileUses() that it watches
 
     using Workspace::Workspace;
 

@@ -7,8 +7,9 @@
 namespace forefront {
 
 /// Exchanges drawings with other programs through the clipboard of the X server, as SVG: drawing programs such as
-/// Inkscape offer and take "image/svg+xml", but GLFW knows only text. Has its own connection and thread, which serves
-/// other programs.
+/// Inkscape offer and take "image/svg+xml", but GLFW knows only text. Has its own connection, and a thread that serves
+/// other programs. It is not in the BackgroundList: its thread answers to the X server, and the window awaits nothing
+/// of it.
 class X11Clipboard {
   public:
     /// Returns null if there is no X server.

@@ -65,6 +65,8 @@ PictureContent contentOf(const LayerFrame &frame, std::uint64_t loads, const Ove
 } // namespace
 
 struct Canvas::Parts {
+    explicit Parts(BackgroundList &list) : gl(list), comparedBatch(list) {}
+
     GlKit gl;
     StillPicture still;
     MeshBatch comparedBatch;
@@ -97,7 +99,7 @@ struct Canvas::Parts {
     void drawOverlays(Shell &context, const LayerFrame &frame);
 };
 
-Canvas::Canvas(Platform &) : parts_(std::make_unique<Parts>()) {}
+Canvas::Canvas(BackgroundList &list) : parts_(std::make_unique<Parts>(list)) {}
 
 Canvas::~Canvas() = default;
 

@@ -9,14 +9,15 @@
 
 namespace forefront {
 
-class Platform;
+class BackgroundList;
 struct Shell;
 
 /// The drawing area: draws all visible layers beneath the windows of Dear ImGui. The still parts of the layers are kept
 /// in a texture.
 class Canvas {
   public:
-    explicit Canvas(Platform &platform);
+    /// `list`: of the window; it outlives the canvas.
+    explicit Canvas(BackgroundList &list);
     ~Canvas();
     Canvas(const Canvas &) = delete;
     Canvas &operator=(const Canvas &) = delete;

@@ -1,6 +1,5 @@
 #include "ui/shell/help_dialogs.hpp"
 
-#include "core/engine/base/letter_case.hpp"
 #include "core/engine/base/version.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
@@ -118,116 +117,6 @@ class ShortcutSheet final : public Dialog {
     }
 };
 
-/// Returns true if every word of the query occurs in the text.
-bool matches(const std::string &text, const std::string &query) {
-    const std::string low = lowerCase(text);
-    for (std::size_t at = 0; at < query.size();) {
-        const std::size_t end = std::min(query.find(' ', at), query.size());
-        if (low.find(query.substr(at, end - at)) == std::string::npos) {
-            return false;
-        }
-        at = end + 1;
-    }
-    return true;
-}
-
-class Palette final : public Dialog {
-  public:
-    const char *id() const override { return "palette"; }
-    std::string title() const override { return "Command palette"; }
-    float width() const override { return 520.0F; }
-    float height() const override { return 440.0F; }
-
-    bool draw(Shell &context) override {
-        ui::inputText(context, "palette/query", query_, "Type a command", -1.0F, false, first_);
-        first_ = false;
-        const std::vector<const Action *> found = search(context);
-        move(static_cast<int>(found.size()));
-        const Action *run = nullptr;
-        ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_NoNav);
-        if (found.empty()) {
-            ui::small(context, "No command available now matches '" + query_ + "'", true);
-            ui::mark(context, "palette/none");
-        }
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            const Action &action = *found[i];
-            const std::string title = action.dynamic ? action.dynamic(context) : action.title;
-            const std::string label = action.menu.empty() ? title : action.menu + "  \xe2\x80\xba  " + title;
-            const std::string keys = action.shortcuts.empty() ? "" : toString(action.shortcuts.front());
-            const bool chosen = static_cast<int>(i) == chosen_;
-            if (ui::selectable(context, "palette/" + action.id, label, chosen, keys)) {
-                run = &action;
-            }
-            if (chosen && moved_) {
-                ImGui::SetScrollHereY();
-            }
-        }
-        ImGui::EndChild();
-        if (ui::enterPressed() && chosen_ < static_cast<int>(found.size())) {
-            run = found[static_cast<std::size_t>(chosen_)];
-        }
-        if (run == nullptr) {
-            return true;
-        }
-        run->run(context);
-        return false;
-    }
-
-  private:
-    std::vector<const Action *> search(const Shell &context) const {
-        std::vector<const Action *> found;
-        const std::string query = lowerCase(query_);
-        for (const Action &action : context.actions.all()) {
-            const bool enabled = !action.enabled || action.enabled(context);
-            if (enabled && action.run && action.id != "view.palette" &&
-                matches(action.menu + " " + action.title, query)) {
-                found.push_back(&action);
-            }
-        }
-        return found;
-    }
-
-    void move(int count) {
-        const int before = chosen_;
-        chosen_ += ImGui::IsKeyPressed(key::kDown) ? 1 : 0;
-        chosen_ -= ImGui::IsKeyPressed(key::kUp) ? 1 : 0;
-        chosen_ = std::clamp(chosen_, 0, std::max(0, count - 1));
-        moved_ = chosen_ != before;
-    }
-
-    std::string query_;
-    int chosen_ = 0;
-    bool first_ = true, moved_ = false;
-};
-
-class ScaleDialog final : public Dialog {
-  public:
-    const char *id() const override { return "scale"; }
-    std::string title() const override { return "Interface scale"; }
-    float width() const override { return 420.0F; }
-
-    bool draw(Shell &context) override {
-        if (percent_ <= 0.0) {
-            percent_ = 100.0 * context.settings.scale;
-        }
-        ui::small(context, "Multiplies the scale of the screen. Takes effect when you release the slider.", true);
-        ui::slider(context, "scale/slider", percent_, 75.0, 300.0, "%.0f %%");
-        if (ImGui::IsItemDeactivatedAfterEdit()) {
-            context.settings.scale = percent_ / 100.0;
-        }
-        ImGui::Dummy({0, context.px(4)});
-        if (ui::button(context, "scale/reset", "100 %")) {
-            percent_ = 100.0;
-            context.settings.scale = 1.0;
-        }
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(90));
-        return !ui::button(context, "scale/done", "Done", ui::ButtonKind::Primary, true, 90.0F);
-    }
-
-  private:
-    double percent_ = 0.0;
-};
-
 class About final : public Dialog {
   public:
     const char *id() const override { return "about"; }
@@ -250,12 +139,6 @@ class About final : public Dialog {
 
 std::unique_ptr<Dialog> makeShortcutSheet() {
     return std::make_unique<ShortcutSheet>();
-}
-std::unique_ptr<Dialog> makePalette() {
-    return std::make_unique<Palette>();
-}
-std::unique_ptr<Dialog> makeScaleDialog() {
-    return std::make_unique<ScaleDialog>();
 }
 std::unique_ptr<Dialog> makeAbout() {
     return std::make_unique<About>();

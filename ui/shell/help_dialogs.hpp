@@ -8,10 +8,7 @@ namespace forefront {
 
 /// Shows all keyboard shortcuts.
 std::unique_ptr<Dialog> makeShortcutSheet();
-/// Finds an action by a part of its name and runs it.
-std::unique_ptr<Dialog> makePalette();
-/// Sets the scale of the interface.
-std::unique_ptr<Dialog> makeScaleDialog();
+/// Shows the version and the licence.
 std::unique_ptr<Dialog> makeAbout();
 
 } // namespace forefront

@@ -1,8 +1,10 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/scale_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
+#include "ui/shell/command_palette.hpp"
 #include "ui/shell/help_dialogs.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/tool_actions.hpp"
@@ -89,7 +91,7 @@ void addInterfaceActions(ActionRegistry &actions) {
              [](Shell &c) { chooseTheme(c, c.settings.theme == ThemeKind::Dark ? ThemeKind::Light : ThemeKind::Dark); },
          .checked = [](const Shell &c) { return c.settings.theme == ThemeKind::Light; }});
     actions.add({.id = "view.scale", .menu = "View", .title = "Interface scale\xe2\x80\xa6", .run = [](Shell &c) {
-                     c.dialogs.open(makeScaleDialog());
+                     c.dialogs.open(std::make_unique<ScaleDialog>());
                  }});
     actions.add({.id = "view.palette",
                  .menu = "View",

@@ -1,49 +1,18 @@
 #include "ui/workspace/edit_state.hpp"
 
-#include "core/drawing/formulas/document_numbers.hpp"
-#include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/lost_formulas.hpp"
 #include "core/drawing/names/name_commands.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace forefront {
-
-namespace {
-
-/// Names the numbers that a change took the expressions from; only the first ones if there are many. Those that were
-/// just typed over are left out.
-void announceLost(Workspace &context, const Document &before) {
-    constexpr std::size_t kNamed = 6;
-    std::vector<NumberAddress> lost = lostFormulas(before, *context.document.current());
-    if (context.entered.frame == ImGui::GetFrameCount()) {
-        std::erase_if(lost, [&](const NumberAddress &address) { return context.entered.texts.contains(address); });
-    }
-    if (lost.empty()) {
-        return;
-    }
-    std::string names;
-    for (std::size_t k = 0; k < std::min(lost.size(), kNamed); ++k) {
-        names += (k == 0 ? "" : ", ") + numberName(before, lost[k]);
-    }
-    const std::string more = lost.size() > kNamed ? " and " + std::to_string(lost.size() - kNamed) + " more" : "";
-    context.log.announce(
-        "Removed " + std::to_string(lost.size()) +
-        (lost.size() == 1 ? " expression that no longer fits: " : " expressions that no longer fit: ") + names + more);
-}
-
-} // namespace
 
 void SelectionFilter::apply(Selection &selection) const {
     if (!shapes) {
@@ -98,23 +67,6 @@ void EditState::forgetNumbers() {
 
 std::string EditState::newStroke() {
     return "stroke " + std::to_string(++strokes_);
-}
-
-bool EditState::apply(Workspace &context, Result<Document> next, const std::string &label, const std::string &merge) {
-    if (!next) {
-        ui::refuseCommand(context, next.faults());
-        return false;
-    }
-    const EnteredFormulas &entered = context.entered;
-    if (entered.frame == ImGui::GetFrameCount()) {
-        for (const auto &[address, text] : entered.texts) {
-            next = setFormula(*std::move(next), address, text);
-        }
-    }
-    const std::shared_ptr<const Document> before = context.document.current();
-    context.document.apply(*std::move(next), label, merge);
-    announceLost(context, *before);
-    return true;
 }
 
 double EditState::reach(const Workspace &context, double designPixels) {

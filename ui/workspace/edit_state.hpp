@@ -94,9 +94,6 @@ struct EditState {
     void forgetNumbers();
     /// Returns a new stroke key for DocumentStore::apply().
     std::string newStroke();
-    /// Makes `next` the document, or logs why it was refused. Returns true if it was applied.
-    static bool apply(Workspace &context, Result<Document> next, const std::string &label,
-                      const std::string &merge = {});
     /// Converts a distance around the pointer from design pixels to domain units.
     static double reach(const Workspace &context, double designPixels);
     /// Returns the step of the drawing grid as it is shown.

@@ -19,8 +19,8 @@ using FieldAddress = std::optional<NumberAddress>;
 
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
 /// the field and in the log, and the old value is kept. A field with an address shows the formula that its number
-/// follows; a formula typed there is stored by the next EditState::apply() in this frame. A field without one says that
-/// the parameters in a typed expression are used only once.
+/// follows; a formula typed there is stored by the next Workspace::applyCommand() in this frame. A field without one
+/// says that the parameters in a typed expression are used only once.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const FieldAddress &address = {});
 /// Reports an entry that cannot be used beside its field, as `reason`, and in the log.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/drawing/shapes/references.hpp"
+#include "core/engine/base/result.hpp"
+#include "ui/background/background_list.hpp"
 #include "ui/widgets/widget_context.hpp"
 #include "ui/workspace/document/document_examiner.hpp"
 #include "ui/workspace/document/document_store.hpp"
@@ -36,14 +38,15 @@ struct FieldFault {
 
 /// The open document with its view and selection, and everything computed from it.
 struct Workspace : WidgetContext {
+    BackgroundList background{[this] { platform.wake(); }}; ///< before all activities that are in it
     DocumentStore document;
     MessageLog log{document};
-    RunControl run;
-    DocumentExaminer examiner;
-    std::shared_ptr<const DocumentPreview> preview; ///< of this frame, never null
-    MeshJudge judge;
-    std::shared_ptr<const Judgement> judgement; ///< of this frame, never null
-    PictureStore pictures{[this] { platform.wake(); }};
+    RunControl run{document, log, background};
+    DocumentExaminer examiner{background};
+    std::shared_ptr<const DocumentPreview> preview = examiner.preview(); ///< of this frame, never null
+    MeshJudge judge{background};
+    std::shared_ptr<const Judgement> judgement = judge.now(); ///< of this frame, never null
+    PictureStore pictures{background};
     Probe probe;
     View view;
     Selection selection;
@@ -51,12 +54,14 @@ struct Workspace : WidgetContext {
     EnteredFormulas entered;
     FieldFault fieldFault;
 
-    explicit Workspace(Platform &owner)
-        : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), examiner([&owner] { owner.wake(); }),
-          preview(examiner.latest()), judge([&owner] { owner.wake(); }), judgement(judge.latest()) {
+    explicit Workspace(Platform &owner) : WidgetContext(owner) {
         // Nothing that is gone, hidden or locked stays selected, however the document changes.
         document.observe([this](const Document &next) { selection.prune(next); });
     }
+
+    /// Makes the result of a command the document, with the formulas that were typed for it, or says why the command
+    /// was refused. `label`: for undo. `merge`: as for DocumentStore::apply(). Returns true if it was applied.
+    bool applyCommand(Result<Document> next, const std::string &label, const std::string &merge = {});
 };
 
 } // namespace forefront

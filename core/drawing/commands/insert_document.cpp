@@ -29,7 +29,7 @@ class ItemPlaces {
         for (const SizeSource &source : document.spacing.sources) {
             places_.push_back({kFirstSource + static_cast<int>(source.shape), {source.a, source.b}});
         }
-        for (const RegionMarker &marker : document.regionMarkers) {
+        for (const MarkedRegion &marker : document.regionMarkers) {
             places_.push_back({kMarker, {marker.at}});
         }
         std::sort(places_.begin(), places_.end(), before);
@@ -85,7 +85,7 @@ Document inserted(const Document &document, const Document &other, double scale,
         items.shapes[shape->id] = copy->id;
         next.shapes.push_back(std::move(copy));
     }
-    for (const RegionMarker &marker : other.regionMarkers) {
+    for (const MarkedRegion &marker : other.regionMarkers) {
         const auto index = static_cast<std::uint32_t>(next.regionMarkers.size());
         fresh.markers.insert(index);
         items.markers[static_cast<std::uint32_t>(items.markers.size())] = index;

@@ -11,7 +11,7 @@ namespace forefront {
 namespace {
 
 /// Gives a marker the sizes of another one that it has not.
-void keepSizes(RegionMarker &marker, const RegionMarker &from) {
+void keepSizes(MarkedRegion &marker, const MarkedRegion &from) {
     if (marker.maxArea == 0.0) {
         marker.maxArea = from.maxArea;
     }
@@ -45,9 +45,9 @@ Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag)
     }
     Document next = document;
     next.regionMarkers.clear();
-    RegionMarker filled{at, tag};
+    MarkedRegion filled{at, tag};
     for (std::size_t k = 0; k < document.regionMarkers.size(); ++k) {
-        const RegionMarker &marker = document.regionMarkers[k];
+        const MarkedRegion &marker = document.regionMarkers[k];
         if (faceOf(k) != face) {
             next.regionMarkers.push_back(marker);
         } else {

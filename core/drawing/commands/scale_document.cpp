@@ -88,7 +88,7 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
             pointer = std::make_shared<const Shape>(std::move(shape));
         }
     }
-    for (RegionMarker &marker : next.regionMarkers) {
+    for (MarkedRegion &marker : next.regionMarkers) {
         marker.maxArea *= factor * factor;
         marker.size *= factor;
     }

@@ -19,6 +19,19 @@
 
 namespace FOREFRONT_API forefront {
 
+/// A region marked in a drawing, with the sizes of its elements, which move with it; see RegionMarker and RegionSize.
+struct MarkedRegion {
+    Vec2 at;              ///< any point inside the face
+    std::int32_t tag = 1; ///< >= 1
+    double maxArea = 0.0; ///< 0: no limit
+    double size{};        ///< 0: none is given
+    double growth{0.2};   ///< >= 0
+
+    RegionSize sizes() const { return {at, maxArea, size, growth}; }
+
+    friend bool operator==(const MarkedRegion &, const MarkedRegion &) = default;
+};
+
 /// The number of elements along each segment of a boundary part. Where the segments differ in length, the longest gets
 /// the number, and the others get elements of the same size, which becomes the size of the part: see spacingOf().
 struct PartElements {
@@ -40,10 +53,11 @@ struct Parameter {
 /// enough for unlimited undo.
 struct Document {
     std::vector<std::shared_ptr<const Shape>> shapes;
-    std::vector<RegionMarker> regionMarkers;
+    std::vector<MarkedRegion> regionMarkers;
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
-    SpacingSpec spacing; ///< without the sizes that follow from `elementCounts`: see spacingOf()
+    /// The rules, without placed sizes, which are those of nodes, regions and `elementCounts`: see spacingOf().
+    SpacingSpec spacing;
     /// Numbers of elements of boundary parts, by tag, in place of sizes in `spacing`.
     std::map<std::int32_t, PartElements> elementCounts;
     MeshingOptions options;

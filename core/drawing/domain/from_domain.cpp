@@ -2,9 +2,11 @@
 #include "core/drawing/domain/chain_shape.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/domain/hole_markers.hpp"
+#include "core/drawing/shapes/node_sizes.hpp"
 #include "core/engine/domain/chains/chain_order.hpp"
 #include "core/engine/domain/chains/segment_chains.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace forefront {
@@ -58,11 +60,31 @@ Document fromEvenOdd(const Domain &domain, LooseEnds ends) {
     Document document;
     addChains(domain, ends, document);
     addPoints(domain, document);
-    document.regionMarkers = domain.regionMarkers;
+    for (const RegionMarker &marker : domain.regionMarkers) {
+        document.regionMarkers.push_back({marker.at, marker.tag});
+    }
     document.boundaryNames = domain.boundaryNames;
     document.regionNames = domain.regionNames;
     document.curveTolerance = domain.curveTolerance;
     return document;
+}
+
+/// Gives regions their sizes; one without a marker at its place gets one.
+void takeRegionSizes(const std::vector<RegionSize> &sizes, std::vector<MarkedRegion> &regions) {
+    auto next = regions.begin();
+    for (const RegionSize &size : sizes) { // usually in the order of the markers
+        auto found =
+            std::find_if(next, regions.end(), [&](const MarkedRegion &region) { return region.at == size.at; });
+        if (found == regions.end()) {
+            found = std::ranges::find(regions, size.at, &MarkedRegion::at);
+        }
+        const std::int32_t tag = found != regions.end() ? found->tag : 1;
+        if (found == regions.end() || found->maxArea != 0.0 || found->size != 0.0) {
+            found = regions.insert(regions.end(), MarkedRegion{size.at, tag});
+        }
+        *found = {size.at, tag, size.maxArea, size.size, size.growth};
+        next = found + 1;
+    }
 }
 
 } // namespace
@@ -77,6 +99,22 @@ Document fromDomain(const Domain &domain) {
         return fromDomain(withEvenOddRoles(domain));
     }
     return fromEvenOdd(domain, bestLooseEnds(domain));
+}
+
+Document fromDomain(const DomainFile &file) {
+    Document document = fromDomain(file.domain);
+    document.spacing = file.spacing;
+    document.spacing.placed = {};
+    takeRegionSizes(file.spacing.placed.regions, document.regionMarkers);
+    for (const NodeSize &node : file.spacing.placed.nodes) {
+        for (std::shared_ptr<const Shape> &shape : document.shapes) {
+            Shape sized = *shape;
+            if (giveSize(sized, node.at, {node.size, node.growth}, 0.0)) {
+                shape = std::make_shared<const Shape>(std::move(sized));
+            }
+        }
+    }
+    return document;
 }
 
 } // namespace forefront

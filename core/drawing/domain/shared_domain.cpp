@@ -4,12 +4,17 @@
 
 namespace forefront {
 
-std::shared_ptr<const Domain> SharedDomain::get() {
+std::shared_ptr<const MeshingJob> SharedDomain::job() {
     const std::lock_guard lock(mutex_);
-    if (!domain_) {
-        domain_ = std::make_shared<const Domain>(toDomain(*document_));
+    if (!job_) {
+        job_ = std::make_shared<const MeshingJob>(jobOf(*document_));
     }
-    return domain_;
+    return job_;
+}
+
+std::shared_ptr<const Domain> SharedDomain::get() {
+    std::shared_ptr<const MeshingJob> made = job();
+    return {made, &made->domain};
 }
 
 } // namespace forefront

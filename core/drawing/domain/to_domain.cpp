@@ -13,15 +13,17 @@ namespace {
 class DocumentDomain {
   public:
     DocumentDomain(const Document &document, DomainSources *sources)
-        : document_(document), sources_(sources), counted_(countedParts(document)), merger_(domain_.nodes) {}
+        : document_(document), counted_(countedParts(document)),
+          sources_(sources != nullptr || counted_.empty() ? sources : &own_), merger_(domain_.nodes) {}
 
     Domain build() {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
             const Shape &shape = *document_.shapes[number];
             shape.is<PointForm>() ? addPoint(shape, number) : addOutline(shape, number);
-            addNodeSizes(shape);
         }
-        domain_.regionMarkers = document_.regionMarkers;
+        for (const MarkedRegion &region : document_.regionMarkers) {
+            domain_.regionMarkers.push_back({region.at, region.tag});
+        }
         domain_.boundaryNames = document_.boundaryNames;
         domain_.regionNames = document_.regionNames;
         domain_.curveTolerance = document_.curveTolerance;
@@ -29,6 +31,20 @@ class DocumentDomain {
             refineMeetingChords(domain_, sources_);
         }
         return std::move(domain_);
+    }
+
+    /// Returns the numbers of elements along the segments that were built, see PlacedSizes::elements.
+    std::vector<std::uint32_t> elements() const {
+        std::vector<std::uint32_t> list;
+        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
+            const auto [shape, segment] = sources_->segments[s];
+            const auto counts = counts_.find(shape);
+            if (counts != counts_.end() && counts->second[segment] > 0) {
+                list.resize(sources_->segments.size());
+                list[s] = counts->second[segment];
+            }
+        }
+        return list;
     }
 
   private:
@@ -52,19 +68,23 @@ class DocumentDomain {
         }
     }
 
-    void addNodeSizes(const Shape &shape) {
-        const std::vector<Vec2> handles = shape.nodeSizes.empty() ? std::vector<Vec2>() : handlesOf(shape);
-        for (const auto &[node, part] : shape.nodeSizes) {
-            if (node < handles.size()) {
-                domain_.nodeSizes.push_back({handles[node], part.size, part.growth, nodeName(shape, node)});
-            }
+    /// Notes the number of elements along each segment of an outline, if the shape has any.
+    void addCounts(const Shape &shape, std::uint32_t number, const Outline &outline) {
+        const std::vector<std::uint32_t> parts = elementsOfParts(document_, shape, counted_);
+        if (parts.empty()) {
+            return;
+        }
+        std::vector<std::uint32_t> &counts = counts_[number];
+        for (std::size_t segment = 0; segment < outline.segmentCount(); ++segment) {
+            const std::size_t part = outline.part(segment);
+            counts.push_back(part < parts.size() ? parts[part] : 0);
         }
     }
 
     void addOutline(const Shape &shape, std::uint32_t number) {
         const Outline outline = outlineOf(shape);
         const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
-        const std::vector<std::uint32_t> elements = elementsOfParts(document_, shape, counted_);
+        addCounts(shape, number, outline);
         std::vector<std::uint32_t> ids;
         ids.reserve(chords.nodes.size());
         for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
@@ -83,9 +103,8 @@ class DocumentDomain {
                 }
                 stretch.curve = static_cast<std::uint32_t>(domain_.curves.size() - 1);
             }
-            const std::size_t part = outline.part(segment);
-            domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1], segmentTag(shape, part), role,
-                                        stretch, part < elements.size() ? elements[part] : 0});
+            domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1],
+                                        segmentTag(shape, outline.part(segment)), role, stretch});
             if (sources_ != nullptr) {
                 sources_->segments.push_back({number, segment});
             }
@@ -93,12 +112,33 @@ class DocumentDomain {
     }
 
     const Document &document_;
-    DomainSources *sources_;
     std::map<std::int32_t, PartSegments> counted_;
+    DomainSources own_;
+    DomainSources *sources_;                                     ///< null: nobody needs them
+    std::map<std::uint32_t, std::vector<std::uint32_t>> counts_; ///< by shape, of each segment of its outline
     Domain domain_;
     NodeMerger merger_;
     bool flattened_ = false; ///< some chords were chosen here, regardless of what is near
 };
+
+/// Returns the sizes of the nodes and regions of a document.
+PlacedSizes placedSizes(const Document &document) {
+    PlacedSizes placed;
+    for (const auto &shape : document.shapes) {
+        const std::vector<Vec2> handles = shape->nodeSizes.empty() ? std::vector<Vec2>() : handlesOf(*shape);
+        for (const auto &[node, part] : shape->nodeSizes) {
+            if (node < handles.size()) {
+                placed.nodes.push_back({handles[node], part.size, part.growth, nodeName(*shape, node)});
+            }
+        }
+    }
+    for (const MarkedRegion &region : document.regionMarkers) {
+        if (region.maxArea != 0.0 || region.size != 0.0) {
+            placed.regions.push_back(region.sizes());
+        }
+    }
+    return placed;
+}
 
 } // namespace
 
@@ -110,8 +150,21 @@ Domain toDomain(const Document &document, DomainSources &sources) {
     return DocumentDomain(document, &sources).build();
 }
 
+SpacingSpec spacingOf(const Document &document) {
+    if (!document.elementCounts.empty()) {
+        return jobOf(document).spacing;
+    }
+    SpacingSpec spacing = rulesOf(document);
+    spacing.placed = placedSizes(document);
+    return spacing;
+}
+
 MeshingJob jobOf(const Document &document) {
-    return {toDomain(document), spacingOf(document), document.options};
+    DocumentDomain made(document, nullptr);
+    MeshingJob job{made.build(), rulesOf(document), document.options};
+    job.spacing.placed = placedSizes(document);
+    job.spacing.placed.elements = made.elements();
+    return job;
 }
 
 } // namespace forefront

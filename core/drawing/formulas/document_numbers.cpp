@@ -165,7 +165,7 @@ auto markerNumber(Marker &marker, Quantity what) -> decltype(&marker.maxArea) {
                                     : nullptr;
 }
 
-Status setMarkerNumber(RegionMarker &marker, Quantity what, double value) {
+Status setMarkerNumber(MarkedRegion &marker, Quantity what, double value) {
     if (what == Quantity::Size && !(value > 0.0)) { // 0 would mean that there is none
         return error("bad-number", "invalid size " + numberText(value, 6) + " of a region; expected a number above 0");
     }
@@ -174,7 +174,7 @@ Status setMarkerNumber(RegionMarker &marker, Quantity what, double value) {
 }
 
 Result<Document> checkedRegion(const Document &document, std::uint32_t index) {
-    const RegionMarker &marker = document.regionMarkers[index];
+    const MarkedRegion &marker = document.regionMarkers[index];
     if (marker.size != 0.0) {
         Result<Document> sized = setRegionSize(document, index, PartSize{marker.size, marker.growth});
         if (!sized) {

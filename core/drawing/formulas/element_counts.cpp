@@ -258,7 +258,7 @@ std::optional<PartSize> elementSize(const Document &document, std::int32_t tag) 
     return sizes.empty() ? std::nullopt : std::optional(sizes.begin()->second);
 }
 
-SpacingSpec spacingOf(const Document &document) {
+SpacingSpec rulesOf(const Document &document) {
     SpacingSpec spacing = document.spacing;
     for (const auto &[tag, size] : sizesOf(document, document.elementCounts)) {
         spacing.partSizes[tag] = size;

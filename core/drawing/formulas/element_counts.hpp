@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-// Numbers of elements of boundary parts, see PartElements and spacingOf().
+// Numbers of elements of boundary parts, see PartElements and rulesOf().
 
 inline constexpr std::uint32_t kMaxElementCount = 1'000'000;
 
@@ -50,8 +50,8 @@ std::vector<std::uint32_t> elementsOfParts(const Document &document, const Shape
 /// Returns the size that follows from the number of elements of the boundary part with a tag; nullopt if it has none.
 std::optional<PartSize> elementSize(const Document &document, std::int32_t tag);
 
-/// Returns the spacing of a document, in which boundary parts with a number of elements have the sizes that lead to it.
-SpacingSpec spacingOf(const Document &document);
+/// Returns the rules of a document, in which boundary parts with a number of elements have the sizes that lead to it.
+SpacingSpec rulesOf(const Document &document);
 
 /// Updates the numbers of elements after a command changed a document. Where segments were divided or joined without a
 /// change of their total length, their elements keep their size: the halves of a line of 24 elements get 12 each.

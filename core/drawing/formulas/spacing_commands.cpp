@@ -193,6 +193,7 @@ Result<Document> setSpacing(const Document &document, SpacingSpec spacing) {
         spacing.expression = renameIn(*spacing.expression, changes);
     }
     spacing.names = next.spacing.names;
+    spacing.placed = {}; // nodes and regions of the document have their own
     next.spacing = std::move(spacing);
     next.elementCounts.clear();
     return next;

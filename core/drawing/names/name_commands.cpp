@@ -109,7 +109,7 @@ Result<Document> nameRegionOf(const Document &document, std::size_t marker, cons
     }
     const std::int32_t before = document.regionMarkers[marker].tag;
     const auto sharing = std::count_if(document.regionMarkers.begin(), document.regionMarkers.end(),
-                                       [&](const RegionMarker &other) { return other.tag == before; });
+                                       [&](const MarkedRegion &other) { return other.tag == before; });
     const bool ownTag = sharing == 1 && before != 1; // 1 is also the tag of all faces without a marker
     const std::optional<std::int32_t> known = name.empty() ? std::nullopt : tagOf(document.regionNames, name);
     const std::int32_t tag = known ? *known : ownTag ? before : freeRegionTag(document);

@@ -26,7 +26,7 @@ void setName(std::map<std::int32_t, std::string> &names, std::int32_t tag, std::
 
 } // namespace
 
-Result<Document> addRegionMarker(const Document &document, RegionMarker marker) {
+Result<Document> addRegionMarker(const Document &document, MarkedRegion marker) {
     if (marker.tag < 1) {
         return badTag(marker.tag);
     }
@@ -37,7 +37,8 @@ Result<Document> addRegionMarker(const Document &document, RegionMarker marker) 
         return error("bad-number", "invalid maximum area; expected a number of at least 0");
     }
     Diagnostics faults;
-    checkRegions({&marker, 1}, faults);
+    const RegionSize sizes = marker.sizes();
+    checkRegions({&sizes, 1}, faults);
     if (!faults.empty()) {
         return faults;
     }
@@ -154,7 +155,7 @@ std::vector<std::int32_t> boundaryTags(const Document &document) {
 
 std::vector<std::int32_t> regionTags(const Document &document) {
     std::set<std::int32_t> tags{1};
-    for (const RegionMarker &marker : document.regionMarkers) {
+    for (const MarkedRegion &marker : document.regionMarkers) {
         tags.insert(marker.tag);
     }
     for (const auto &[tag, name] : document.regionNames) {

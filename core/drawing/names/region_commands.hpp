@@ -12,7 +12,7 @@ namespace forefront {
 // Commands on regions, names and options. Errors: bad-tag, bad-number, bad-source, no-such-marker,
 // bad-tolerance.
 
-Result<Document> addRegionMarker(const Document &document, RegionMarker marker);
+Result<Document> addRegionMarker(const Document &document, MarkedRegion marker);
 Result<Document> moveRegionMarker(const Document &document, std::size_t index, Vec2 to);
 Result<Document> setRegionTag(const Document &document, std::size_t index, std::int32_t tag);
 /// Sets the maximum area of elements in a region; 0: no limit.

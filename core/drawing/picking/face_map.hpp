@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/document/document.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/geometry/box_tree.hpp"
@@ -48,7 +49,7 @@ class FaceMap {
     /// Returns the face that contains a point, or kNoIndex.
     std::uint32_t faceAt(Vec2 p) const;
     /// Returns the face of a region marker, or kNoIndex.
-    std::uint32_t faceOf(const RegionMarker &marker) const { return faceAt(marker.at); }
+    std::uint32_t faceOf(const MarkedRegion &marker) const { return faceAt(marker.at); }
 
   private:
     void addEdges(const DomainFaces &found, std::span<const std::uint32_t> numbers);

@@ -1,11 +1,12 @@
 #include "core/drawing/shapes/boundary_loops.hpp"
 
 #include "core/engine/base/ids.hpp"
+#include "core/engine/base/rows.hpp"
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/geometry/predicates.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 
 namespace forefront {
 namespace {
@@ -67,29 +68,23 @@ class LoopTracer {
     }
 
     void collectLeaving() {
-        starts_.assign(domain_.nodes.size() + 1, 0);
-        for (const std::uint32_t node : from_) {
-            if (node != kNoIndex) {
-                ++starts_[node + 1];
+        leaving_ = Rows<std::uint32_t>(domain_.nodes.size(), [this](const auto &add) {
+            for (std::uint32_t s = 0; s < from_.size(); ++s) {
+                if (from_[s] != kNoIndex) {
+                    add(from_[s], s);
+                }
             }
-        }
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-        leaving_.resize(starts_.back());
-        std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t s = 0; s < from_.size(); ++s) {
-            if (from_[s] != kNoIndex) {
-                leaving_[fill[from_[s]]++] = s;
-            }
-        }
+        });
     }
 
     /// Returns the segment that continues around the same face: the first one clockwise from the way back.
     std::uint32_t next(std::uint32_t segment) const {
         const std::uint32_t node = to_[segment];
-        std::uint32_t best = leaving_[starts_[node]];
-        for (std::uint32_t k = starts_[node] + 1; k < starts_[node + 1]; ++k) {
-            if (isBefore(node, from_[segment], to_[leaving_[k]], to_[best])) {
-                best = leaving_[k];
+        const std::span<const std::uint32_t> here = leaving_[node];
+        std::uint32_t best = here.front();
+        for (const std::uint32_t other : here.subspan(1)) {
+            if (isBefore(node, from_[segment], to_[other], to_[best])) {
+                best = other;
             }
         }
         return best;
@@ -105,8 +100,8 @@ class LoopTracer {
     }
 
     const Domain &domain_;
-    std::vector<std::uint32_t> from_, to_;        ///< per segment: its ends; kNoIndex for constraints
-    std::vector<std::uint32_t> starts_, leaving_; ///< segments that leave each node
+    std::vector<std::uint32_t> from_, to_; ///< per segment: its ends; kNoIndex for constraints
+    Rows<std::uint32_t> leaving_;          ///< segments that leave each node
 };
 
 } // namespace

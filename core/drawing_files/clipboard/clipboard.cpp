@@ -156,19 +156,20 @@ std::string clipboardText(const Document &document, const Selection &selection) 
 }
 
 Result<Document> readClipboard(std::string_view text, ImportNotes *notes) {
+    SourceText source{text, "the clipboard", {}, {}};
+    source.notes = notes;
     if (const std::string project = projectIn(text); !project.empty()) {
-        return parseProject(project, "the clipboard");
+        source.text = project;
+        return readProjectText(source);
     }
     if (looksLikeProject(text.substr(0, 400))) {
-        return parseProject(text, "the clipboard");
+        return readProjectText(source);
     }
     if (looksLikeSvg(text.substr(0, 4096))) {
-        SourceText source{text, "the clipboard", {}, {}};
-        source.notes = notes;
         const Result<Domain> domain = readSvgShapes(source);
         return domain ? Result<Document>(fromDomain(*domain)) : Result<Document>(domain.faults());
     }
-    return readCoordinates(text);
+    return readCoordinates(text, notes);
 }
 
 } // namespace forefront

@@ -50,8 +50,20 @@ std::optional<double> numberIn(std::string_view cell) {
     return rest.empty() ? number : std::nullopt;
 }
 
+/// A point, and whether its line goes on after it.
+struct ListedPoint {
+    Vec2 at;
+    bool more = false;
+};
+
+constexpr std::string_view kFillers = " \t\r,;|\"'()[]{}";
+
+bool goesOn(std::string_view rest) {
+    return rest.find_first_not_of(kFillers) != std::string_view::npos;
+}
+
 /// Returns the first two cells of a line separated by tabs or semicolons; none if they are not numbers.
-std::optional<Vec2> pointInCells(std::string_view line) {
+std::optional<ListedPoint> pointInCells(std::string_view line) {
     constexpr std::string_view kBlank = " \r\"'()[]{}";
     double values[2] = {};
     std::size_t found = 0;
@@ -70,19 +82,19 @@ std::optional<Vec2> pointInCells(std::string_view line) {
         }
         values[found++] = *number;
     }
-    return found == 2 ? std::optional(Vec2{values[0], values[1]}) : std::nullopt;
+    return found == 2 ? std::optional(ListedPoint{{values[0], values[1]}, goesOn(line)}) : std::nullopt;
 }
 
 /// Returns the first two numbers of a line; none if it begins with anything else or has fewer.
-std::optional<Vec2> pointIn(std::string_view line) {
+std::optional<ListedPoint> pointIn(std::string_view line) {
     if (line.find_first_of(";\t") != std::string_view::npos) {
-        if (const std::optional<Vec2> point = pointInCells(line)) {
+        if (const std::optional<ListedPoint> point = pointInCells(line)) {
             return point;
         }
     }
     double values[2] = {};
     for (double &value : values) {
-        const std::size_t at = line.find_first_not_of(" \t\r,;|\"'()[]{}");
+        const std::size_t at = line.find_first_not_of(kFillers);
         if (at == std::string_view::npos || !begins(line[at])) {
             return std::nullopt;
         }
@@ -93,22 +105,37 @@ std::optional<Vec2> pointIn(std::string_view line) {
         }
         value = *number;
     }
-    return Vec2{values[0], values[1]};
+    return ListedPoint{{values[0], values[1]}, goesOn(line)};
 }
 
-/// Returns the runs of lines with points.
-std::vector<std::vector<Vec2>> runsIn(std::string_view text) {
+/// Returns the runs of lines with points. Notes other lines that are not blank, and what follows the points.
+std::vector<std::vector<Vec2>> runsIn(std::string_view text, ImportNotes *notes) {
     std::vector<std::vector<Vec2>> runs(1);
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        if (const std::optional<Vec2> point = pointIn(text.substr(0, end))) {
-            if (runs.back().empty() || runs.back().back() != *point) {
-                runs.back().push_back(*point);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        const std::optional<ListedPoint> point = pointIn(line);
+        const auto note = [&](const char *code, const char *message) {
+            if (notes != nullptr) {
+                notes->add(code, message, "the clipboard", text, begin);
             }
-        } else if (!runs.back().empty()) {
-            runs.emplace_back();
+        };
+        if (point) {
+            if (runs.back().empty() || runs.back().back() != point->at) {
+                runs.back().push_back(point->at);
+            }
+            if (point->more) {
+                note("more-columns", "what follows the first two numbers of a line is ignored");
+            }
+        } else {
+            if (goesOn(line)) {
+                note("other-lines", "lines without two numbers are ignored");
+            }
+            if (!runs.back().empty()) {
+                runs.emplace_back();
+            }
         }
-        text.remove_prefix(std::min(end + 1, text.size()));
+        begin = end + 1;
     }
     if (runs.back().empty()) {
         runs.pop_back();
@@ -137,9 +164,9 @@ Shape pathOf(std::vector<Vec2> points) {
 
 } // namespace
 
-Result<Document> readCoordinates(std::string_view text) {
+Result<Document> readCoordinates(std::string_view text, ImportNotes *notes) {
     Document document;
-    for (std::vector<Vec2> &run : runsIn(text)) {
+    for (std::vector<Vec2> &run : runsIn(text, notes)) {
         Shape shape = pathOf(std::move(run));
         shape.id = document.nextId++;
         document.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));

@@ -1,6 +1,7 @@
 #include "core/drawing_files/common/line_outline.hpp"
 
 #include "core/engine/base/ids.hpp"
+#include "core/engine/base/rows.hpp"
 #include "core/engine/domain/free_ends.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/geometry/predicates.hpp"
@@ -10,7 +11,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -80,8 +81,7 @@ class BoundaryInside {
 class LineGraph {
   public:
     explicit LineGraph(Domain &domain)
-        : domain_(domain), boundary_(domain), degree_(domain.nodes.size(), 0), touching_(domain.nodes.size(), false),
-          starts_(1, 0) {
+        : domain_(domain), boundary_(domain), degree_(domain.nodes.size(), 0), touching_(domain.nodes.size(), false) {
         const std::vector<DomainSegment> &segments = domain.segments;
         dropped_.assign(segments.size(), false);
         for (std::uint32_t s = 0; s < segments.size(); ++s) {
@@ -95,16 +95,14 @@ class LineGraph {
             }
         }
         given_ = degree_;
-        starts_.resize(degree_.size() + 1);
-        std::partial_sum(degree_.begin(), degree_.end(), starts_.begin() + 1);
-        around_.resize(starts_.back());
-        std::vector<std::uint32_t> filled(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t s = 0; s < segments.size(); ++s) {
-            if (!dropped_[s]) {
-                around_[filled[segments[s].a]++] = s;
-                around_[filled[segments[s].b]++] = s;
+        around_ = Rows<std::uint32_t>(degree_.size(), [&](const auto &add) {
+            for (std::uint32_t s = 0; s < segments.size(); ++s) {
+                if (!dropped_[s]) {
+                    add(segments[s].a, s);
+                    add(segments[s].b, s);
+                }
             }
-        }
+        });
     }
 
     LineLoops run() {
@@ -124,11 +122,9 @@ class LineGraph {
     void dropOpenChains() {
         for (std::uint32_t start = 0; start < degree_.size(); ++start) {
             for (std::uint32_t node = start; degree_[node] == 1;) {
-                std::uint32_t k = starts_[node];
-                while (dropped_[around_[k]]) {
-                    ++k;
-                }
-                const std::uint32_t s = around_[k];
+                const std::span<const std::uint32_t> here = around_[node];
+                const std::uint32_t s =
+                    *std::find_if(here.begin(), here.end(), [this](std::uint32_t line) { return !dropped_[line]; });
                 dropped_[s] = true;
                 --degree_[node];
                 node = other(s, node);
@@ -241,9 +237,9 @@ class LineGraph {
 
     template <class Visit>
     void forEach(std::uint32_t node, Visit visit) const {
-        for (std::uint32_t k = starts_[node]; k < starts_[node + 1]; ++k) {
-            if (!dropped_[around_[k]]) {
-                visit(around_[k]);
+        for (const std::uint32_t line : around_[node]) {
+            if (!dropped_[line]) {
+                visit(line);
             }
         }
     }
@@ -261,8 +257,7 @@ class LineGraph {
     std::vector<std::uint32_t> degree_; ///< per node, without dropped segments
     std::vector<std::uint32_t> given_;  ///< per node: number of lines, with dropped ones
     std::vector<bool> touching_;        ///< per node: the boundary passes through it
-    std::vector<std::uint32_t> starts_; ///< per node, into around_
-    std::vector<std::uint32_t> around_; ///< lines by node
+    Rows<std::uint32_t> around_;        ///< lines by node
     std::vector<bool> dropped_;         ///< segments of the boundary, and lines with a free end
 };
 

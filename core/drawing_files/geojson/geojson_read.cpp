@@ -13,7 +13,7 @@ namespace {
 
 class GeoJsonReader {
   public:
-    explicit GeoJsonReader(const SourceText &source) : source_(source), map_(source), check_(map_.check()) {}
+    explicit GeoJsonReader(const SourceText &source) : map_(source), check_(map_.check()) {}
 
     /// `texts`: an array of GeoJSON texts, usually one.
     Result<Domain> read(const JsonValue &texts) {
@@ -142,7 +142,6 @@ class GeoJsonReader {
         map_.addPolygon(std::move(rings), label);
     }
 
-    const SourceText &source_;
     MapReader map_;
     JsonCheck &check_;
 };

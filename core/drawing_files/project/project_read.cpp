@@ -244,7 +244,7 @@ class ProjectReader {
             return;
         }
         for (const JsonValue item : list) {
-            RegionMarker marker;
+            MarkedRegion marker;
             if (const auto at = check_.member(item, "at", "the region marker")) {
                 marker.at = check_.point(*at, "a region marker");
             }
@@ -390,7 +390,7 @@ Result<SpacingSpec> readProjectSpacing(const SourceText &source) {
     if (!document) {
         return document.faults();
     }
-    return spacingOf(*document);
+    return rulesOf(*document); // the others belong to its domain
 }
 
 } // namespace forefront

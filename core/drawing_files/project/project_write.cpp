@@ -30,7 +30,7 @@ class ProjectWriter {
         regionMarkers(document.regionMarkers);
         names("boundaryNames", document.boundaryNames);
         names("regionNames", document.regionNames);
-        writeSpacing(spacingOf(document), out_);
+        writeSpacing(rulesOf(document), out_);
         writeElementCounts(document, out_);
         options(document.options);
         limits(document.limits);
@@ -80,9 +80,9 @@ class ProjectWriter {
         out_ << "\n  ]";
     }
 
-    void regionMarkers(const std::vector<RegionMarker> &markers) {
+    void regionMarkers(const std::vector<MarkedRegion> &markers) {
         out_ << ",\n  \"regionMarkers\": [";
-        out_.list(markers, ", ", [&](const RegionMarker &marker) {
+        out_.list(markers, ", ", [&](const MarkedRegion &marker) {
             out_ << "{\"at\": ";
             out_.point(marker.at);
             out_ << ", \"tag\": " << marker.tag;

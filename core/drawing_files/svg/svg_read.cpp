@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -160,13 +161,22 @@ class SvgBuilder {
         }
     };
 
-    /// Removes outlines that lie on another one: by the even-odd rule, each pair would cancel out.
+    /// Removes outlines that lie on another one, since by the even-odd rule each pair would cancel out, and filled
+    /// shapes without a name that do, since the time to arrange hundreds of them grows with the square of their number.
     void dropRepeatedOutlines() {
         if (source_.options.strict) { // what cancels out is refused
             return;
         }
-        const auto isOutline = [&](const SvgPath &path) { return partOf(path) == PathRole::Outline; };
-        const std::vector<std::uint8_t> repeated = findRepeatedPaths(paths_, isOutline, kSameNode * size_);
+        const std::map<std::size_t, std::size_t> subpaths = subpathsOfElements(paths_);
+        dropRepeated([&](const SvgPath &path) { return partOf(path) == PathRole::Outline; });
+        dropRepeated([&](const SvgPath &path) {
+            return !source_.options.shapeRegions && partOf(path) == PathRole::Painted && !path.paint.stroked &&
+                   !path.removes && isGeneratedName(path.name) && subpaths.at(path.element) == 1;
+        });
+    }
+
+    void dropRepeated(const std::function<bool(const SvgPath &)> &compares) {
+        const std::vector<std::uint8_t> repeated = findRepeatedPaths(paths_, compares, kSameNode * size_);
         std::vector<SvgPath> kept;
         for (std::size_t k = 0; k < paths_.size(); ++k) {
             if (repeated[k] != 0) {

@@ -40,13 +40,14 @@ void addRound(AdaptOutcome &outcome, const TriMesh &mesh, const std::vector<doub
 
 /// Makes the next mesh of the outcome: with the spacing that meets a target according to the estimate on `mesh`, which
 /// may be that of the outcome. Returns the faults.
-Diagnostics remesh(AdaptOutcome &outcome, const Domain &domain, const TriMesh &mesh, const ErrorEstimate &estimate,
-                   const AdaptTarget &target, const MeshingOptions &options, const Progress &progress) {
+Diagnostics remesh(AdaptOutcome &outcome, const MeshingJob &given, const TriMesh &mesh, const ErrorEstimate &estimate,
+                   const AdaptTarget &target, const Progress &progress) {
     Result<SpacingSpec> spacing = adaptedSpacing(mesh, estimate, target, progress);
     if (!spacing) {
         return spacing.faults();
     }
-    MeshingJob job{domain, std::move(*spacing), options};
+    spacing->placed = given.spacing.placed;
+    MeshingJob job{given.domain, std::move(*spacing), given.options};
     Result<MeshingOutcome> next = meshDomain(job, progress);
     if (!next) {
         return next.faults();
@@ -105,9 +106,9 @@ Result<NodalField> expressionField(const std::string &expression) {
 
 namespace {
 
-Result<AdaptOutcome> meshInRounds(const Domain &domain, TriMesh mesh, const NodalField &field,
-                                  const AdaptTarget &target, int maxRounds, const MeshingOptions &options,
-                                  const Progress &progress, const AdaptReport &report) {
+Result<AdaptOutcome> meshInRounds(const MeshingJob &job, TriMesh mesh, const NodalField &field,
+                                  const AdaptTarget &target, int maxRounds, const Progress &progress,
+                                  const AdaptReport &report) {
     AdaptOutcome outcome;
     outcome.mesh = std::move(mesh);
     AdaptTarget aim = target;
@@ -137,23 +138,22 @@ Result<AdaptOutcome> meshInRounds(const Domain &domain, TriMesh mesh, const Noda
         if (round >= 1 && reached < kNear * target.error) {
             aim.error *= kMargin * target.error / reached;
         }
-        const Diagnostics faults = remesh(outcome, domain, outcome.mesh, *estimate, aim, options, inRound);
+        const Diagnostics faults = remesh(outcome, job, outcome.mesh, *estimate, aim, inRound);
         if (!faults.empty()) {
             return faults;
         }
     }
 }
 
-Result<AdaptOutcome> meshOnce(const Domain &domain, const TriMesh &mesh, const std::vector<double> &values,
-                              const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
-                              const AdaptReport &report) {
+Result<AdaptOutcome> meshOnce(const MeshingJob &job, const TriMesh &mesh, const std::vector<double> &values,
+                              const AdaptTarget &target, const Progress &progress, const AdaptReport &report) {
     AdaptOutcome outcome;
     const Result<ErrorEstimate> estimate = estimateError(mesh, values, progress);
     if (!estimate) {
         return estimate.faults();
     }
     addRound(outcome, mesh, values, *estimate, report);
-    const Diagnostics faults = remesh(outcome, domain, mesh, *estimate, target, options, progress);
+    const Diagnostics faults = remesh(outcome, job, mesh, *estimate, target, progress);
     if (!faults.empty()) {
         return faults;
     }
@@ -162,19 +162,16 @@ Result<AdaptOutcome> meshOnce(const Domain &domain, const TriMesh &mesh, const s
 
 } // namespace
 
-Result<AdaptOutcome> adaptMesh(const Domain &domain, TriMesh mesh, const NodalField &field, const AdaptTarget &target,
-                               int maxRounds, const MeshingOptions &options, const Progress &progress,
-                               const AdaptReport &report) {
+Result<AdaptOutcome> adaptMesh(const MeshingJob &job, TriMesh mesh, const NodalField &field, const AdaptTarget &target,
+                               int maxRounds, const Progress &progress, const AdaptReport &report) {
     return orOutOfMemory("to adapt the mesh", [&] {
-        return meshInRounds(domain, std::move(mesh), field, target, maxRounds, options, progress, report);
+        return meshInRounds(job, std::move(mesh), field, target, maxRounds, progress, report);
     });
 }
 
-Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const TriMesh &mesh, const std::vector<double> &values,
-                                   const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
-                                   const AdaptReport &report) {
-    return orOutOfMemory("to adapt the mesh",
-                         [&] { return meshOnce(domain, mesh, values, target, options, progress, report); });
+Result<AdaptOutcome> adaptMeshOnce(const MeshingJob &job, const TriMesh &mesh, const std::vector<double> &values,
+                                   const AdaptTarget &target, const Progress &progress, const AdaptReport &report) {
+    return orOutOfMemory("to adapt the mesh", [&] { return meshOnce(job, mesh, values, target, progress, report); });
 }
 
 } // namespace forefront

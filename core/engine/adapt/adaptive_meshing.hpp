@@ -4,7 +4,6 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/domain/domain.hpp"
 #include "core/engine/mesher/options.hpp"
 
 #include <functional>
@@ -49,15 +48,16 @@ struct AdaptOutcome {
 
 /// Adapts a mesh to a target error in rounds: estimates the error, remeshes the domain with the spacing that follows
 /// from it and evaluates the field on the new mesh, until the estimate meets the target or no longer falls. Makes at
-/// least one and at most `maxRounds` new meshes. Errors: those of the field and of the mesher, "cancelled".
-Result<AdaptOutcome> adaptMesh(const Domain &domain, TriMesh mesh, const NodalField &field, const AdaptTarget &target,
-                               int maxRounds, const MeshingOptions &options, const Progress &progress = {},
-                               const AdaptReport &report = {});
+/// least one and at most `maxRounds` new meshes. Of the spacing of `job`, the placed sizes (see PlacedSizes) hold in
+/// all rounds; the rules are replaced by those that follow from the error. Errors: those of the field and of the
+/// mesher, "cancelled".
+Result<AdaptOutcome> adaptMesh(const MeshingJob &job, TriMesh mesh, const NodalField &field, const AdaptTarget &target,
+                               int maxRounds, const Progress &progress = {}, const AdaptReport &report = {});
 
 /// Makes one new mesh for a field that is known only on the nodes of a mesh, such as a solution: it must be computed
 /// again there. Reports the given mesh as round 0, the only one of the outcome. Errors: as adaptMesh().
-Result<AdaptOutcome> adaptMeshOnce(const Domain &domain, const TriMesh &mesh, const std::vector<double> &values,
-                                   const AdaptTarget &target, const MeshingOptions &options,
-                                   const Progress &progress = {}, const AdaptReport &report = {});
+Result<AdaptOutcome> adaptMeshOnce(const MeshingJob &job, const TriMesh &mesh, const std::vector<double> &values,
+                                   const AdaptTarget &target, const Progress &progress = {},
+                                   const AdaptReport &report = {});
 
 } // namespace forefront

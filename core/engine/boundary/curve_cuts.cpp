@@ -88,8 +88,8 @@ std::vector<double> cutClosely(const SpacingIntegral &integral, const CurvePath 
 
 } // namespace
 
-CurveCuts::CurveCuts(const Domain &domain)
-    : domain_(domain), tolerance_(chordTolerance(domain)), straight_(domain.segments.size(), 0),
+CurveCuts::CurveCuts(const Domain &domain, SegmentElements elements)
+    : domain_(domain), elements_(elements), tolerance_(chordTolerance(domain)), straight_(domain.segments.size(), 0),
       chains_(curveChains(domain)), inner_(chains_.list.empty() ? 0 : domain.nodes.size(), 0) {
     std::vector<CurveChain> chains;
     chains.swap(chains_.list);
@@ -133,7 +133,7 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
     if (outcome != SpacingIntegral::Outcome::Done) {
         return outcome;
     }
-    const std::uint32_t asked = elementsAlong(domain_, about);
+    const std::uint32_t asked = elementsAlong(domain_, about, elements_);
     if (asked > limit) {
         return SpacingIntegral::Outcome::TooMany;
     }
@@ -151,7 +151,7 @@ bool CurveCuts::allowsPiece(std::uint32_t chain, double from, double to) const {
 
 void CurveCuts::joinEnd(std::uint32_t chain, bool atStart, double length) {
     const CurveChain &about = chains_.list[chain];
-    if (about.start == about.end || elementsAlong(domain_, about) > 0) {
+    if (about.start == about.end || elementsAlong(domain_, about, elements_) > 0) {
         return;
     }
     std::vector<double> &cuts = cuts_[chain];

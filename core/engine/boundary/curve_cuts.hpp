@@ -20,7 +20,8 @@ struct ChainPiece {
 /// The division of a domain's curved chains into pieces.
 class CurveCuts {
   public:
-    explicit CurveCuts(const Domain &domain);
+    /// `elements`: numbers of elements that curves must have.
+    explicit CurveCuts(const Domain &domain, SegmentElements elements = {});
 
     bool any() const;
     /// Returns the chain of a segment, or kNoIndex if it is straight.
@@ -37,14 +38,14 @@ class CurveCuts {
     /// Returns the domain segment that a piece is attributed to: the one at its middle.
     std::uint32_t source(const ChainPiece &piece) const;
 
-    /// Divides a chain by the spacing, or into the number of elements that it asks for; `integral` is scratch space;
+    /// Divides a chain by the spacing, or into the number of elements that it must have; `integral` is scratch space;
     /// afterwards it holds the location of a fault, if any.
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
     /// Returns true if one piece between two parameters is close enough to the curve of a chain.
     bool allowsPiece(std::uint32_t chain, double from, double to) const;
     /// Removes the cuts within a distance of an end, as far as the piece there stays close to the curve; none of a
-    /// chain that asks for a number of elements, or of a loop.
+    /// chain with a number of elements, or of a loop.
     void joinEnd(std::uint32_t chain, bool atStart, double length);
     /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight
     /// segments instead, and what is left of the chain must be divided again. Duplicates in the list count once.
@@ -60,6 +61,7 @@ class CurveCuts {
     void halve(std::span<const ChainPiece> pieces);
 
     const Domain &domain_;
+    SegmentElements elements_;
     double tolerance_;
     std::vector<std::uint8_t> straight_; ///< per segment
     CurveChains chains_;

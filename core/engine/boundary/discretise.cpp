@@ -46,9 +46,9 @@ Diagnostics tooMany(double estimate, Vec2 at) {
 class Discretiser {
   public:
     Discretiser(const Domain &domain, const SpacingField &spacing, bool keepBoundary, NarrowTips narrowTips,
-                const Progress &progress)
+                SegmentElements elements, const Progress &progress)
         : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary), narrowTips_(narrowTips),
-          longest_(domain.bounds().diagonal() * kLongestStep) {}
+          elements_(elements), longest_(domain.bounds().diagonal() * kLongestStep) {}
 
     /// `known`: the faces of the domain, or null to find them.
     Result<DiscreteDomain> run(const DomainFaces *known) {
@@ -63,7 +63,7 @@ class Discretiser {
         most_.assign(domain_.segments.size(), keepBoundary_ ? 1U : kNoIndex);
         if (!keepBoundary_) {
             if (!domain_.curves.empty()) {
-                curves_.emplace(domain_);
+                curves_.emplace(domain_, elements_);
             }
             if (!sampleNodes()) {
                 return cancelled("discretising the boundary");
@@ -321,10 +321,10 @@ class Discretiser {
             if (outcome != SpacingIntegral::Outcome::Done) {
                 return faultOf(outcome, midpoint(a, b));
             }
-            if (segment.elements > room) {
+            const std::uint32_t asked = elements_[s];
+            if (asked > room) {
                 return faultOf(SpacingIntegral::Outcome::TooMany, midpoint(a, b));
             }
-            const std::uint32_t asked = segment.elements;
             count_[s] = std::min(most_[s], asked > 0 ? asked : static_cast<std::uint32_t>(integral_.pieces()));
             integral_.cut(count_[s], fractions_);
             if (asked == 0) {
@@ -424,6 +424,7 @@ class Discretiser {
     const Progress &progress_;
     bool keepBoundary_;
     NarrowTips narrowTips_;
+    SegmentElements elements_;
     double longest_; // without evaluating the spacing
     DiscreteDomain result_;
     std::optional<CurveCuts> curves_;         // unless the boundary is kept
@@ -459,8 +460,9 @@ Box2 DiscreteDomain::bounds() const {
 }
 
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
-                                  const Progress &progress, const DomainFaces *faces, NarrowTips narrowTips) {
-    return Discretiser(domain, spacing, keepBoundary, narrowTips, progress).run(faces);
+                                  const Progress &progress, const DomainFaces *faces, NarrowTips narrowTips,
+                                  SegmentElements elements) {
+    return Discretiser(domain, spacing, keepBoundary, narrowTips, elements, progress).run(faces);
 }
 
 } // namespace forefront

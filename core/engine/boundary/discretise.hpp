@@ -4,8 +4,10 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -44,6 +46,7 @@ struct DiscreteDomain {
     /// The segments of the domain that follow a curve but were taken as straight, because curves cross there.
     std::vector<std::uint32_t> straightened;
     std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides those of segments
+    std::size_t gradedNodes = 0;         ///< number of the last of `points` that have no tag, see addGradedNodes()
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
@@ -63,9 +66,8 @@ enum class NarrowTips : std::uint8_t {
 };
 
 /// Divides the segments of a validated domain so that their lengths follow the spacing, or keeps them exactly as given,
-/// and finds the faces and their regions. The number of pieces is DomainSegment::elements, or follows from ∫ds/ρ, with
-/// nodes at equal fractions of it.
-/// Deterministic; the geometry does not depend on the order or orientation of loops.
+/// and finds the faces and their regions. The number of pieces is that of `elements`, or follows from ∫ds/ρ, with nodes
+/// at equal fractions of it. Deterministic; the geometry does not depend on the order or orientation of loops.
 ///
 /// Segments that follow one curve through nodes where nothing else meets are divided as one, with every node on the
 /// curve and at most Domain::curveTolerance between the curve and its edges. Pieces that meet others, or have others on
@@ -77,6 +79,6 @@ enum class NarrowTips : std::uint8_t {
 /// Errors: cancelled, too-many-nodes, invalid-domain.
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
                                   const Progress &progress = {}, const DomainFaces *faces = nullptr,
-                                  NarrowTips narrowTips = NarrowTips::Divided);
+                                  NarrowTips narrowTips = NarrowTips::Divided, SegmentElements elements = {});
 
 } // namespace forefront

@@ -133,8 +133,8 @@ double chordTolerance(const Domain &domain) {
     return domain.curveTolerance > 0.0 ? domain.curveTolerance : kDefault * domain.bounds().diagonal();
 }
 
-std::uint32_t elementsAlong(const Domain &domain, const CurveChain &chain) {
-    const std::uint32_t whole = chain.segments.empty() ? 0 : domain.segments[chain.segments.front()].elements;
+std::uint32_t elementsAlong(const Domain &domain, const CurveChain &chain, SegmentElements elements) {
+    const std::uint32_t whole = chain.segments.empty() ? 0 : elements[chain.segments.front()];
     if (whole == 0) {
         return 0;
     }

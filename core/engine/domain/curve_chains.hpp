@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -26,9 +27,9 @@ struct CurveChains {
 /// its default.
 double chordTolerance(const Domain &domain);
 
-/// Returns the number of elements along a chain that its segments ask for (see DomainSegment::elements), at least 3 for
-/// a loop; 0: as the spacing asks. Chains of one curve share its number by their lengths.
-std::uint32_t elementsAlong(const Domain &domain, const CurveChain &chain);
+/// Returns the number of elements that a chain must have, at least 3 for a loop; 0: as the spacing asks. Chains of one
+/// curve share its number by their lengths.
+std::uint32_t elementsAlong(const Domain &domain, const CurveChain &chain, SegmentElements elements);
 
 /// Finds the chains of a domain, which need not be valid. Segments whose ends are nowhere near their curve are left
 /// out. An inner node of a chain is on the curve, belongs to no other segment and is no constraint point; all segments

@@ -31,31 +31,14 @@ struct DomainSegment {
     SegmentRole role = SegmentRole::Boundary;
     /// The part of a curve that the segment is a chord of, from a to b. Straight segments follow none.
     CurveStretch stretch = {};
-    /// Number of elements along the whole line or curve that the segment is a part of; 0: as the spacing asks. Stands
-    /// above the spacing and the tolerance of curves.
-    std::uint32_t elements = 0;
 };
 
-/// Attributes of the face that contains a point.
+/// Marks the face that contains a point as a region.
 struct RegionMarker {
     Vec2 at;              ///< any point inside the face
     std::int32_t tag = 1; ///< >= 1
-    /// Maximum area of an element in the face, in domain units squared; 0: no limit. Becomes part of the spacing.
-    double maxArea = 0.0;
-    /// Size of the elements in the face, in domain units, which grows by `growth` per unit of distance outside it; 0:
-    /// none is given. Becomes part of the spacing.
-    double size{};
-    double growth{0.2}; ///< >= 0
 
     friend bool operator==(const RegionMarker &, const RegionMarker &) = default;
-};
-
-/// An element size at a node, growing by `growth` per unit of distance. Becomes part of the spacing.
-struct NodeSize {
-    Vec2 at;
-    double size = 1.0;   ///< > 0
-    double growth = 0.2; ///< >= 0
-    std::string name;    ///< of the node, such as "node 3 of quay"
 };
 
 struct ConstraintPoint {
@@ -63,8 +46,9 @@ struct ConstraintPoint {
     std::int32_t tag = 1;   ///< >= 1
 };
 
-/// A planar domain as given: segments over nodes in any order, with holes, islands, constraints, tags and names.
-/// Nothing about it can be relied on until `validate` has accepted it.
+/// A planar domain as given: segments over nodes in any order, with holes, islands, constraints, tags and names. It
+/// holds no element sizes: all of them are in SpacingSpec. Nothing about it can be relied on until `validate` has
+/// accepted it.
 ///
 /// Curved parts are given twice: as straight segments, which decide what is inside, and as the curves that these are
 /// chords of, which the mesh follows. The chords must be fine enough that nothing lies between them and their curves;
@@ -75,7 +59,6 @@ struct Domain {
     std::vector<ConstraintPoint> points;
     std::vector<Vec2> holeMarkers;
     std::vector<RegionMarker> regionMarkers;
-    std::vector<NodeSize> nodeSizes;
     InsideRule insideRule = InsideRule::EvenOdd;
     std::vector<Curve> curves; ///< exact curves that segments follow
     /// Maximum distance of a curve from its edges in the mesh, in domain units; 0: 1/2000 of the domain's diagonal.

@@ -1,5 +1,9 @@
 #include "core/engine/domain/domain_graph.hpp"
 
+#include "core/engine/base/rows.hpp"
+
+#include <algorithm>
+
 namespace forefront {
 
 namespace {
@@ -15,26 +19,18 @@ std::uint32_t addMarker(DomainGraph &graph, Vec2 at) {
 
 /// Returns, per face, the parity of the boundary segments crossed on a way from the unbounded face.
 std::vector<std::uint8_t> crossedOddly(const Domain &domain, const DomainGraph &graph, const Faces &faces) {
-    std::vector<std::uint32_t> starts(faces.count + 1, 0);
-    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-        ++starts[faces.left[e] + 1];
-        ++starts[faces.right[e] + 1];
-    }
-    for (std::size_t face = 1; face < starts.size(); ++face) {
-        starts[face] += starts[face - 1];
-    }
-    std::vector<std::uint32_t> around(2 * graph.edges.size()), fill(starts.begin(), starts.end() - 1);
-    for (std::uint32_t e = 0; e < graph.edges.size(); ++e) {
-        around[fill[faces.left[e]]++] = e;
-        around[fill[faces.right[e]]++] = e;
-    }
+    const Rows<std::uint32_t> around(faces.count, [&](const auto &add) {
+        for (std::uint32_t e = 0; e < graph.edges.size(); ++e) {
+            add(faces.left[e], e);
+            add(faces.right[e], e);
+        }
+    });
     std::vector<std::uint8_t> odd(faces.count, 0), known(faces.count, 0);
     std::vector<std::uint32_t> queue{0};
     known[0] = 1;
     for (std::size_t head = 0; head < queue.size(); ++head) {
         const std::uint32_t face = queue[head];
-        for (std::uint32_t i = starts[face]; i < starts[face + 1]; ++i) {
-            const std::uint32_t e = around[i];
+        for (const std::uint32_t e : around[face]) {
             const std::uint32_t other = faces.left[e] == face ? faces.right[e] : faces.left[e];
             if (known[other] == 0) {
                 known[other] = 1;
@@ -49,7 +45,7 @@ std::vector<std::uint8_t> crossedOddly(const Domain &domain, const DomainGraph &
 
 } // namespace
 
-DomainGraph graphOf(const Domain &domain) {
+DomainGraph graphOf(const Domain &domain, std::span<const Vec2> places) {
     DomainGraph graph;
     const std::size_t nodeCount = domain.nodes.size();
     std::vector<std::uint8_t> used(nodeCount, 0);
@@ -87,7 +83,20 @@ DomainGraph graphOf(const Domain &domain) {
     for (const RegionMarker &marker : domain.regionMarkers) {
         graph.regionMarker.push_back(addMarker(graph, marker.at));
     }
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const std::uint32_t marker = regionMarkerAt(domain, places[k], k);
+        graph.place.push_back(marker != kNoIndex ? graph.regionMarker[marker] : addMarker(graph, places[k]));
+    }
     return graph;
+}
+
+std::uint32_t regionMarkerAt(const Domain &domain, Vec2 place, std::size_t guess) {
+    const std::vector<RegionMarker> &markers = domain.regionMarkers;
+    if (guess < markers.size() && markers[guess].at == place) {
+        return static_cast<std::uint32_t>(guess);
+    }
+    const auto found = std::ranges::find(markers, place, &RegionMarker::at);
+    return found != markers.end() ? static_cast<std::uint32_t>(found - markers.begin()) : kNoIndex;
 }
 
 FaceLabels labelFaces(const Domain &domain, const DomainGraph &graph, const Faces &faces) {

@@ -1,10 +1,12 @@
 #include "core/engine/domain/faces.hpp"
 
 #include "core/engine/base/assert.hpp"
+#include "core/engine/base/rows.hpp"
 #include "core/engine/geometry/predicates.hpp"
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 namespace forefront {
 
@@ -46,20 +48,15 @@ class FaceFinder {
 
     /// Sorts the half-edges by origin, then counter-clockwise starting straight down.
     void collectStars() {
-        starts_.assign(points_.size() + 1, 0);
-        for (std::uint32_t half = 0; half < face_.size(); ++half) {
-            ++starts_[origin(half) + 1];
-        }
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-        star_.resize(face_.size());
-        std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t half = 0; half < face_.size(); ++half) {
-            star_[fill[origin(half)]++] = half;
-        }
+        stars_ = Rows<std::uint32_t>(points_.size(), [this](const auto &add) {
+            for (std::uint32_t half = 0; half < face_.size(); ++half) {
+                add(origin(half), half);
+            }
+        });
         for (std::size_t point = 0; point < points_.size(); ++point) {
-            const auto first = star_.begin() + starts_[point], last = star_.begin() + starts_[point + 1];
-            if (last - first > 1) {
-                std::sort(first, last, [&](std::uint32_t g, std::uint32_t h) {
+            const std::span<std::uint32_t> star = stars_[point];
+            if (star.size() > 1) {
+                std::sort(star.begin(), star.end(), [&](std::uint32_t g, std::uint32_t h) {
                     const bool gRight = rightward(g), hRight = rightward(h);
                     return gRight != hRight ? gRight : orientation(points_[point], target(g), target(h)) > 0;
                 });
@@ -71,9 +68,9 @@ class FaceFinder {
     void linkBoundaries() {
         next_.resize(face_.size());
         for (std::size_t point = 0; point < points_.size(); ++point) {
-            const std::uint32_t first = starts_[point], last = starts_[point + 1];
-            for (std::uint32_t i = first; i < last; ++i) {
-                next_[star_[i] ^ 1U] = star_[i == first ? last - 1 : i - 1];
+            const std::span<const std::uint32_t> star = stars_[point];
+            for (std::size_t i = 0; i < star.size(); ++i) {
+                next_[star[i] ^ 1U] = star[i == 0 ? star.size() - 1 : i - 1];
             }
         }
     }
@@ -105,8 +102,8 @@ class FaceFinder {
     }
 
     void visit(std::uint32_t point) {
-        const std::uint32_t first = starts_[point], last = starts_[point + 1];
-        if (first == last) {
+        const std::span<const std::uint32_t> star = stars_[point];
+        if (star.empty()) {
             result_.ofPoint.resize(points_.size(), kNoIndex);
             if (sweep_.on[point] == kNoIndex) {
                 result_.ofPoint[point] = faceAround(point);
@@ -118,11 +115,11 @@ class FaceFinder {
             // The leftmost point of its component: all its edges lead to the right, and the face around it lies left of
             // the uppermost one.
             reached = 1;
-            label(star_[last - 1], faceAround(point));
+            label(star.back(), faceAround(point));
         }
-        for (std::uint32_t i = first; i < last && rightward(star_[i]); ++i) {
-            if (face_[star_[i]] == kNoIndex) {
-                label(star_[i], result_.count++);
+        for (std::size_t i = 0; i < star.size() && rightward(star[i]); ++i) {
+            if (face_[star[i]] == kNoIndex) {
+                label(star[i], result_.count++);
             }
         }
     }
@@ -137,7 +134,8 @@ class FaceFinder {
     std::span<const Vec2> points_;
     std::span<const PlaneEdge> edges_;
     const PlaneSweepResult &sweep_;
-    std::vector<std::uint32_t> starts_, star_, next_;
+    Rows<std::uint32_t> stars_; ///< half-edges by origin
+    std::vector<std::uint32_t> next_;
     std::vector<std::uint32_t> face_; // per half-edge
     std::vector<std::uint32_t> root_; // union-find over canonical points
     std::vector<std::uint8_t> reached_;

@@ -5,7 +5,7 @@ namespace forefront {
 const DomainFaces *LazyFaces::get() const {
     if (!found_) {
         DomainFaces found;
-        found.graph = graphOf(domain_);
+        found.graph = graphOf(domain_, places_);
         found.sweep = sweepPlane(found.graph.points, found.graph.edges, stop_);
         if (stop_.stop_requested()) {
             return nullptr;

@@ -5,6 +5,8 @@
 
 #include <optional>
 #include <stop_token>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -12,7 +14,9 @@ namespace forefront {
 /// once.
 class LazyFaces {
   public:
-    explicit LazyFaces(const Domain &domain, std::stop_token stop = {}) : domain_(domain), stop_(std::move(stop)) {}
+    /// `places`: further places whose faces are to be found, see DomainGraph::place.
+    explicit LazyFaces(const Domain &domain, std::stop_token stop = {}, std::vector<Vec2> places = {})
+        : domain_(domain), stop_(std::move(stop)), places_(std::move(places)) {}
 
     /// Returns the faces; null if segments cross, so that there are none, and after a stop request.
     const DomainFaces *get() const;
@@ -22,6 +26,7 @@ class LazyFaces {
   private:
     const Domain &domain_;
     std::stop_token stop_;
+    std::vector<Vec2> places_;
     mutable std::optional<DomainFaces> found_; ///< without faces if segments cross
     mutable std::optional<InsideTest> inside_;
 };

@@ -1,9 +1,11 @@
 #include "core/engine/geometry/plane_sweep.hpp"
 
 #include "core/engine/base/key_order.hpp"
+#include "core/engine/base/rows.hpp"
 #include "core/engine/geometry/sweep_status.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace forefront {
 
@@ -78,25 +80,19 @@ class Sweeper {
 
     /// Edges by their lower end, and one edge that ends at each point, kept up to date while sweeping.
     void linkEdges() {
-        starts_.assign(result_.order.size() + 1, 0);
         ending_.assign(result_.order.size(), kNoIndex);
         for (std::uint32_t e = 0; e < low_.size(); ++e) {
             if (low_[e] == high_[e]) {
                 markDropped(e);
-            } else {
-                ++starts_[low_[e] + 1];
             }
         }
-        for (std::size_t i = 1; i < starts_.size(); ++i) {
-            starts_[i] += starts_[i - 1];
-        }
-        outgoing_.resize(starts_.back());
-        std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t e = 0; e < low_.size(); ++e) {
-            if (low_[e] != high_[e]) {
-                outgoing_[fill[low_[e]]++] = e;
+        outgoing_ = Rows<std::uint32_t>(result_.order.size(), [this](const auto &add) {
+            for (std::uint32_t e = 0; e < low_.size(); ++e) {
+                if (low_[e] != high_[e]) {
+                    add(low_[e], e);
+                }
             }
-        }
+        });
     }
 
     void markDropped(std::uint32_t edge) {
@@ -111,7 +107,8 @@ class Sweeper {
     void visit(std::uint32_t point) {
         const std::uint32_t rank = rank_[point];
         const Vec2 p = points_[point];
-        const auto first = outgoing_.begin() + starts_[rank], last = outgoing_.begin() + starts_[rank + 1];
+        const std::span<std::uint32_t> leaving = outgoing_[rank];
+        const auto first = leaving.begin(), last = leaving.end();
         std::uint32_t below = kNoIndex;
         std::uint32_t spare = kNoIndex; // an ended edge whose place in the tree can be reused
         const std::uint32_t ended = endingAt(rank);
@@ -236,8 +233,8 @@ class Sweeper {
     std::vector<std::uint32_t> rank_;       // per point: position in order
     std::vector<std::uint32_t> low_, high_; // per edge: ranks of its ends
     std::vector<SweepStatus::Ends> ends_;
-    std::vector<std::uint32_t> starts_, outgoing_; // edges by rank of the lower end
-    std::vector<std::uint32_t> ending_;            // per rank: the last inserted edge that ends there
+    Rows<std::uint32_t> outgoing_;      // edges by rank of the lower end
+    std::vector<std::uint32_t> ending_; // per rank: the last inserted edge that ends there
     SweepStatus status_;
 };
 

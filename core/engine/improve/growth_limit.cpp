@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -31,6 +33,40 @@ double cosineOfMinAngle(Vec2 a, Vec2 b, Vec2 c) {
     return std::max({cosine(a, b, c), cosine(b, c, a), cosine(c, a, b)});
 }
 
+double areaOf(const ImproveWorkspace &work, std::size_t e) {
+    const Element &n = work.mesh.elements[e];
+    return twiceArea(work.at(n[0]), work.at(n[1]), work.at(n[2]));
+}
+
+/// Returns the half-edge across each, as in the workspace, but also across tagged edges.
+RawVector<HalfEdge> acrossAllEdges(const ImproveWorkspace &work) {
+    RawVector<HalfEdge> across = work.twin;
+    std::vector<std::pair<std::pair<NodeId, NodeId>, HalfEdge>> open;
+    for (HalfEdge h = 0; h < static_cast<HalfEdge>(across.size()); ++h) {
+        if (across[h] == kNoHalfEdge) {
+            open.emplace_back(std::minmax(work.from(h), work.to(h)), h);
+        }
+    }
+    std::sort(open.begin(), open.end());
+    for (std::size_t k = 1; k < open.size(); ++k) {
+        if (open[k].first == open[k - 1].first) {
+            across[open[k].second] = open[k - 1].second;
+            across[open[k - 1].second] = open[k].second;
+        }
+    }
+    return across;
+}
+
+double growthOf(const ImproveWorkspace &work, const RawVector<HalfEdge> &across) {
+    double growth = 1.0;
+    for (HalfEdge h = 0; h < static_cast<HalfEdge>(across.size()); ++h) {
+        if (across[h] != kNoHalfEdge && across[h] > h) {
+            growth = std::max(growth, ratioOf(areaOf(work, elementOf(h)), areaOf(work, elementOf(across[h]))));
+        }
+    }
+    return growth;
+}
+
 /// How far the areas around a node are from the goal.
 struct Excess {
     double sum = 0.0;   ///< of the squares of what ratios exceed the goal by, relative to it
@@ -48,7 +84,8 @@ struct Excess {
 /// The elements around a free node, and those across from it.
 class AreaStar {
   public:
-    AreaStar(const ImproveWorkspace &work, const GrowthGoal &goal, NodeId n) : goal_(goal), centre_(work.at(n)) {
+    AreaStar(const ImproveWorkspace &work, const RawVector<HalfEdge> &across, const GrowthGoal &goal, NodeId n)
+        : goal_(goal), centre_(work.at(n)) {
         work.aroundFree(n, [&](HalfEdge h) {
             Petal &petal = petals_[count_++];
             petal.element = elementOf(h);
@@ -56,9 +93,8 @@ class AreaStar {
             petal.r = work.at(work.apex(h));
             petal.alpha = shapeFactor(centre_, petal.q, petal.r);
             petal.cosine = cosineOfMinAngle(centre_, petal.q, petal.r);
-            if (const HalfEdge across = work.twin[nextSide(h)]; across != kNoHalfEdge) {
-                petal.across =
-                    twiceArea(work.at(work.from(across)), work.at(work.to(across)), work.at(work.apex(across)));
+            if (const HalfEdge outer = across[nextSide(h)]; outer != kNoHalfEdge) {
+                petal.across = areaOf(work, elementOf(outer));
             }
             reach_ += distance(centre_, petal.q);
         });
@@ -126,7 +162,7 @@ class AreaStar {
 class GrowthLimiter {
   public:
     GrowthLimiter(ImproveWorkspace &work, const GrowthGoal &goal, const Progress &progress)
-        : work_(work), goal_(goal), progress_(progress) {}
+        : work_(work), goal_(goal), progress_(progress), across_(acrossAllEdges(work)) {}
 
     std::size_t run() {
         std::size_t moves = 0;
@@ -141,18 +177,13 @@ class GrowthLimiter {
     }
 
   private:
-    double areaOf(std::size_t e) const {
-        const Element &n = work_.mesh.elements[e];
-        return twiceArea(work_.at(n[0]), work_.at(n[1]), work_.at(n[2]));
-    }
-
     std::size_t sweep() {
         std::size_t moved = 0;
         const auto edges = static_cast<HalfEdge>(3 * work_.mesh.elements.size());
         for (HalfEdge h = 0; h < edges; ++h) {
-            const HalfEdge across = work_.twin[h];
+            const HalfEdge across = across_[h];
             if (across == kNoHalfEdge || across < h ||
-                !(ratioOf(areaOf(elementOf(h)), areaOf(elementOf(across))) > goal_.growth)) {
+                !(ratioOf(areaOf(work_, elementOf(h)), areaOf(work_, elementOf(across))) > goal_.growth)) {
                 continue;
             }
             for (const NodeId n : {work_.apex(h), work_.apex(across), work_.from(h), work_.to(h)}) {
@@ -163,7 +194,7 @@ class GrowthLimiter {
     }
 
     bool move(NodeId n) {
-        const AreaStar star(work_, goal_, n);
+        const AreaStar star(work_, across_, goal_, n);
         const Excess before = star.excessAt(star.centre());
         if (!(before.sum > 0.0)) {
             return false;
@@ -195,9 +226,14 @@ class GrowthLimiter {
     ImproveWorkspace &work_;
     const GrowthGoal &goal_;
     const Progress &progress_;
+    const RawVector<HalfEdge> across_; ///< nodes move, edges stay
 };
 
 } // namespace
+
+double growthOf(const ImproveWorkspace &work) {
+    return growthOf(work, acrossAllEdges(work));
+}
 
 std::size_t limitGrowth(ImproveWorkspace &work, const GrowthGoal &goal, const Progress &progress) {
     return GrowthLimiter(work, goal, progress).run();

@@ -14,9 +14,12 @@ struct GrowthGoal {
     double angle = 39.0; ///< the same for the minimum angle, degrees
 };
 
-/// Moves free nodes where the areas of neighbours differ by more than the goal, by a pattern search (R. Hooke, T. A.
-/// Jeeves, 1961), as long as that brings the ratios around a node closer to the goal and the worst of them does not
-/// rise. α must be up to date and is kept up to date. Returns the number of moves.
+/// Returns the maximum ratio of the areas of elements that share an edge, also across tagged edges; 1 if none do.
+double growthOf(const ImproveWorkspace &work);
+
+/// Moves free nodes where the areas of neighbours, also across tagged edges, differ by more than the goal, by a pattern
+/// search (R. Hooke, T. A. Jeeves, 1961), as long as that brings the ratios around a node closer to the goal and the
+/// worst of them does not rise. α must be up to date and is kept up to date. Returns the number of moves.
 std::size_t limitGrowth(ImproveWorkspace &work, const GrowthGoal &goal, const Progress &progress);
 
 } // namespace forefront

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -53,6 +54,9 @@ struct Plan {
         return std::any_of(rounds.begin(), rounds.end(), [](const Round &round) { return round.restructures; });
     }
 };
+
+/// Ratio of the areas of neighbours that level Best keeps to where level Default does not do better.
+constexpr double kMaxGrowth = 2.0;
 
 constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
 constexpr Plan kSmallPlan{kSmallRounds, kDefaultGoal};
@@ -96,6 +100,7 @@ class Improvement {
         if (proceeding) {
             report_.alphaMinBefore = report_.alphaMinAfter = minAlpha;
         }
+        const double growth = proceeding && plan_.limitsGrowth ? growthOf(work_) : 0.0;
         std::optional<NodeSmoother> smoother;
         for (const Round &round : plan_.rounds) {
             proceeding = proceeding && swapAndSmooth(round, smoother) &&
@@ -109,7 +114,8 @@ class Improvement {
             proceeding = next();
         }
         if (proceeding && plan_.limitsGrowth) {
-            report_.moves += limitGrowth(work_, {.alpha = plan_.goal->alpha, .angle = plan_.goal->angle}, progress_);
+            report_.moves +=
+                limitGrowth(work_, {std::min(growth, kMaxGrowth), plan_.goal->alpha, plan_.goal->angle}, progress_);
             proceeding = next();
         }
         if (proceeding && plan_.polishes) {
@@ -209,6 +215,18 @@ double geometricMeanAlpha(const TriMesh &mesh) {
     return std::exp(product.logarithm() / static_cast<double>(mesh.elements.size()));
 }
 
+/// Returns a progress that reports into a part of another, which must outlive it.
+Progress partOf(const Progress &whole, double from, double to) {
+    Progress part;
+    part.stop = whole.stop;
+    if (whole.report) {
+        part.report = [&whole, from, to](std::string_view stage, double fraction) {
+            whole(stage, from + (to - from) * fraction);
+        };
+    }
+    return part;
+}
+
 /// Adds the report of further improvement.
 void append(ImproveReport &report, const ImproveReport &further) {
     report.swaps += further.swaps;
@@ -255,12 +273,16 @@ ImproveReport improve(TriMesh &mesh, const ImproveOptions &options, const Progre
         report.alphaMinBefore = report.alphaMinAfter = minAlpha(mesh);
         return report;
     }
-    const Plan &plan = options.level == ImproveLevel::Best  ? kBestPlan
-                       : mesh.elements.size() <= kSmallMesh ? kSmallPlan
-                                                            : kDefaultPlan;
-    ImproveReport report = improveBy(plan, mesh, options, progress);
-    if (options.level == ImproveLevel::Default && !progress.cancelled()) {
-        improveFurther(mesh, options, progress, report);
+    const Plan &plan = mesh.elements.size() <= kSmallMesh ? kSmallPlan : kDefaultPlan;
+    const bool best = options.level == ImproveLevel::Best;
+    const double share = best ? 0.3 : 1.0;
+    ImproveReport report = improveBy(plan, mesh, options, partOf(progress, 0.0, 0.7 * share));
+    if (!progress.cancelled()) {
+        improveFurther(mesh, options, partOf(progress, 0.7 * share, share), report);
+    }
+    // It starts from what level Default makes, so that it can tell what growth that has.
+    if (best && !progress.cancelled()) {
+        append(report, improveBy(kBestPlan, mesh, options, partOf(progress, share, 1.0)));
     }
     return report;
 }

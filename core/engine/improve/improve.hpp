@@ -27,13 +27,12 @@ struct ImproveReport {
     double seconds = 0.0;       ///< CPU time of all threads
 };
 
-/// Improves a mesh in place by swapping edges and smoothing nodes. Level Best also removes and adds nodes where the
-/// mesh is irregular, which changes the numbers of nodes and elements and their order; level Default goes on like that
-/// if the geometric mean of α is then from .93 to .95, and if that does not suffice, moves nodes for the shapes alone.
-/// Nodes of tagged edges and tagged points do not move, tagged
-/// edges are not swapped, and elements keep their regions. No element becomes inverted or flat (exact sign), and the
-/// minimum α never falls. Deterministic. Cancelling leaves a valid mesh and takes about 50 ms up to 10⁶ elements,
-/// 0.4 s up to 10⁷.
+/// Improves a mesh in place by swapping edges and smoothing nodes. Level Best then also removes and adds nodes where
+/// the mesh is irregular, which changes the numbers of nodes and elements and their order, and evens the areas of
+/// neighbours; level Default removes and adds nodes if the geometric mean of α is from .93 to .95, and if that does not
+/// suffice, moves nodes for the shapes alone. Nodes of tagged edges and tagged points do not move, tagged edges are not
+/// swapped, and elements keep their regions. No element becomes inverted or flat (exact sign), and the minimum α never
+/// falls. Deterministic. Cancelling leaves a valid mesh and takes about 50 ms up to 10⁶ elements, 0.4 s up to 10⁷.
 /// Smoothing works in single precision: lengths beyond about 1e±38 leave the mesh as it is.
 /// Throws std::bad_alloc if memory runs out; the mesh is then unusable.
 ImproveReport improve(TriMesh &mesh, const ImproveOptions &options = {}, const Progress &progress = {});

@@ -1,5 +1,6 @@
 #include "core/engine/mesh/elements_across.hpp"
 
+#include "core/engine/base/rows.hpp"
 #include "core/engine/mesh/wall_loops.hpp"
 
 #include <cstdint>
@@ -16,20 +17,12 @@ struct Nearest {
 
 /// Finds the nearest nodes on walls by a search that starts at all of them at once.
 Nearest nearestWall(const MeshView &mesh, const MeshEdges &edges, const WallLoops &loops) {
-    std::vector<std::uint32_t> offsets(mesh.nodes.size() + 1, 0);
-    for (const MeshEdge &edge : edges.edges) {
-        ++offsets[index(edge.a) + 1];
-        ++offsets[index(edge.b) + 1];
-    }
-    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-        offsets[n + 1] += offsets[n];
-    }
-    std::vector<NodeId> neighbours(offsets.back());
-    std::vector<std::uint32_t> fill(offsets.begin(), offsets.end() - 1);
-    for (const MeshEdge &edge : edges.edges) {
-        neighbours[fill[index(edge.a)]++] = edge.b;
-        neighbours[fill[index(edge.b)]++] = edge.a;
-    }
+    const Rows<NodeId> neighbours(mesh.nodes.size(), [&](const auto &add) {
+        for (const MeshEdge &edge : edges.edges) {
+            add(index(edge.a), edge.b);
+            add(index(edge.b), edge.a);
+        }
+    });
     Nearest nearest{std::vector<NodeId>(mesh.nodes.size(), kNoNode), std::vector<std::uint32_t>(mesh.nodes.size(), 0)};
     std::vector<NodeId> queue;
     for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -40,12 +33,12 @@ Nearest nearestWall(const MeshView &mesh, const MeshEdges &edges, const WallLoop
     }
     for (std::size_t k = 0; k < queue.size(); ++k) {
         const std::size_t at = index(queue[k]);
-        for (std::uint32_t i = offsets[at]; i < offsets[at + 1]; ++i) {
-            const std::size_t to = index(neighbours[i]);
+        for (const NodeId neighbour : neighbours[at]) {
+            const std::size_t to = index(neighbour);
             if (nearest.origin[to] == kNoNode) {
                 nearest.origin[to] = nearest.origin[at];
                 nearest.edges[to] = nearest.edges[at] + 1;
-                queue.push_back(neighbours[i]);
+                queue.push_back(neighbour);
             }
         }
     }

@@ -1,5 +1,6 @@
 #include "core/engine/mesh/quality.hpp"
 
+#include "core/engine/mesh/area_conformity.hpp"
 #include "core/engine/mesh/edge_table.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/placed_cell.hpp"
@@ -156,6 +157,7 @@ MeshQuality measureQuality(const MeshView &mesh, const SpacingField *spacing) {
     measureShapes(mesh, quality);
     measurePercentiles(mesh, quality);
     measureEdges(mesh, spacing, quality);
+    quality.deltaAreaMean = spacing != nullptr ? conformityOverArea(mesh, *spacing) : 0.0;
     return quality;
 }
 

@@ -29,7 +29,8 @@ struct MeshQuality {
     double alphaGeometricMean = 0.0;
     double alphaMin = 0.0;
     double alpha1 = 0.0, alpha5 = 0.0, alpha50 = 0.0; ///< percentiles 1, 5 and 50 %
-    double deltaMean = 0.0;                           ///< 0 without a spacing
+    double deltaMean = 0.0;                           ///< of the edges; 0 without a spacing
+    double deltaAreaMean = 0.0;                       ///< over the area; 0 without a spacing
     double minAngle = 0.0, maxAngle = 0.0;            ///< degrees
     double minScaledJacobian = 0.0;
     std::array<std::size_t, wordsOf<CellKind>().size()> kinds{}; ///< numbers of elements, by CellKind

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/mesh/mesh_numbers.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 
@@ -38,8 +39,9 @@ Diagnostics verifyAgainst(const MeshView &mesh, const DiscreteDomain &domain, st
 /// domain segments, areas must agree, and constraint points must be nodes. Where segments follow a curve, the inserted
 /// nodes must lie on the curve or on its chords. So must nodes in the middles of edges along segments (middle-node);
 /// otherwise curved edges are compared by their chords. `innerTags`: false if the mesh carries no tags of edges inside
-/// the domain, where constraints must then be edges, whichever tags they have.
-Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, std::size_t limit = kMaxListedFaults,
-                          const MeshNumbers &numbers = {}, bool innerTags = true);
+/// the domain, where constraints must then be edges, whichever tags they have. `elements`: PlacedSizes::elements of the
+/// spacing; edges along a curve with a number of elements may be far from it.
+Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, SegmentElements elements = {},
+                          std::size_t limit = kMaxListedFaults, const MeshNumbers &numbers = {}, bool innerTags = true);
 
 } // namespace forefront

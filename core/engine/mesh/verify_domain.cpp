@@ -140,7 +140,7 @@ std::vector<NodeId> walk(NodeId from, NodeId to, double start, const Choices &ch
 /// Walks along the curve of a chain from one of its ends to the other.
 class CurveWalk {
   public:
-    CurveWalk(const Domain &domain, const CurveChain &chain, double tolerance)
+    CurveWalk(const Domain &domain, const CurveChain &chain, SegmentElements elements, double tolerance)
         : domain_(domain), chain_(chain), curve_(domain.curves[chain.curve]), tolerance_(tolerance),
           deviation_(chordTolerance(domain)) {
         for (const std::uint32_t number : chain.segments) {
@@ -151,7 +151,7 @@ class CurveWalk {
             deviation_ = std::max(deviation_, curve_.deviation(segment.stretch.t0, segment.stretch.t1));
         }
         deviation_ *= 1.01; // parameters of nodes are rounded
-        if (elementsAlong(domain, chain) > 0) {
+        if (elementsAlong(domain, chain, elements) > 0) {
             deviation_ = curve_.length(chain.t0, chain.t1); // few elements may be anywhere between their nodes
         }
     }
@@ -275,7 +275,7 @@ struct CutDomain {
     DiscreteDomain domain;
     double areaBeside = 0.0;
 };
-CutDomain cutAsMeshed(const MeshView &mesh, const Domain &domain, const CurveChains &chains,
+CutDomain cutAsMeshed(const MeshView &mesh, const Domain &domain, const CurveChains &chains, SegmentElements elements,
                       const DiscreteDomain &given, double tolerance, bool innerTags, FaultList &faults) {
     CutDomain result;
     DiscreteDomain &cut = result.domain;
@@ -310,7 +310,7 @@ CutDomain cutAsMeshed(const MeshView &mesh, const Domain &domain, const CurveCha
         }
         std::optional<CurveWalk> curve;
         if (curved != nullptr) {
-            curve.emplace(domain, *curved, tolerance);
+            curve.emplace(domain, *curved, elements, tolerance);
         }
         const std::vector<NodeId> nodes =
             curve ? curve->nodes(mesh, edges, from, to) : chain(mesh, edges, from, to, tolerance);
@@ -351,7 +351,7 @@ double roundingOf(const Box2 &bounds) {
 
 /// Returns the deviations of a counter-clockwise mesh without faults from a domain.
 Diagnostics deviations(const MeshView &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
-                       bool innerTags) {
+                       bool innerTags, SegmentElements elements) {
     Diagnostics wrong = validate(domain, limit);
     if (hasErrors(wrong)) {
         return wrong;
@@ -369,7 +369,7 @@ Diagnostics deviations(const MeshView &mesh, const Domain &domain, std::size_t l
     FaultList faults(limit);
     const CurveChains chains = curveChains(domain);
     const double tolerance = std::max(1e-9 * domain.bounds().diagonal(), roundingOf(domain.bounds()));
-    CutDomain meshed = cutAsMeshed(mesh, domain, chains, *given, tolerance, innerTags, faults);
+    CutDomain meshed = cutAsMeshed(mesh, domain, chains, elements, *given, tolerance, innerTags, faults);
     DiscreteDomain &cut = meshed.domain;
     if (!faults.clean()) {
         return faults.take();
@@ -378,7 +378,7 @@ Diagnostics deviations(const MeshView &mesh, const Domain &domain, std::size_t l
     double allowed = is.error + whole.error + meshed.areaBeside;
     // Along curves, the edges of the mesh cut off other areas than the chords of the domain.
     for (const CurveChain &chain : chains.list) {
-        allowed += CurveWalk(domain, chain, 0.0).areaBetween();
+        allowed += CurveWalk(domain, chain, elements, 0.0).areaBetween();
     }
     if (!(std::abs(is.area - whole.area) <= allowed)) {
         faults.add("area",
@@ -399,15 +399,15 @@ Diagnostics deviations(const MeshView &mesh, const Domain &domain, std::size_t l
 
 } // namespace
 
-Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, std::size_t limit, const MeshNumbers &numbers,
-                          bool innerTags) {
+Diagnostics verifyAgainst(const MeshView &mesh, const Domain &domain, SegmentElements elements, std::size_t limit,
+                          const MeshNumbers &numbers, bool innerTags) {
     return orOutOfMemory("to check the mesh", [&] {
         Diagnostics own = verify(mesh, limit, numbers);
         if (hasErrors(own)) {
             return own;
         }
         std::optional<Mesh> copy;
-        Diagnostics found = deviations(turnedRight(mesh, copy), domain, limit, numbers, innerTags);
+        Diagnostics found = deviations(turnedRight(mesh, copy), domain, limit, numbers, innerTags, elements);
         found.insert(found.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
         return found;
     });

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -108,36 +107,31 @@ void WallLoops::follow(const std::vector<Side> &sides, std::uint32_t start, std:
     std::uint32_t last = start;
     for (std::uint32_t s = start; s != kNoIndex && visited[s] == 0; s = sides[s].next) {
         visited[s] = 1;
-        passes_.push_back({sides[s].from, loop, length});
+        found_.push_back({sides[s].from, loop, length});
         length += distance(mesh_.nodes[index(sides[s].from)], mesh_.nodes[index(sides[s].to)]);
         last = s;
     }
     const bool closed = sides[last].next == start;
     if (!closed) {
-        passes_.push_back({sides[last].to, loop, length});
+        found_.push_back({sides[last].to, loop, length});
     }
     lengths_.push_back(closed ? length : std::numeric_limits<double>::infinity());
 }
 
 void WallLoops::sortPasses() {
-    std::stable_sort(passes_.begin(), passes_.end(),
-                     [](const Pass &a, const Pass &b) { return index(a.node) < index(b.node); });
-    first_.assign(mesh_.nodes.size() + 1, 0);
-    for (const Pass &pass : passes_) {
-        ++first_[index(pass.node) + 1];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-}
-
-std::span<const WallLoops::Pass> WallLoops::passes(NodeId node) const {
-    return std::span(passes_).subspan(first_[index(node)], first_[index(node) + 1] - first_[index(node)]);
+    passes_ = Rows<Pass>(mesh_.nodes.size(), [this](const auto &add) {
+        for (const Pass &pass : found_) {
+            add(index(pass.node), pass);
+        }
+    });
+    found_ = {};
 }
 
 bool WallLoops::facing(NodeId a, NodeId b) const {
     constexpr double kDetour = 4.0;
     const double straight = distance(mesh_.nodes[index(a)], mesh_.nodes[index(b)]);
-    for (const Pass &one : passes(a)) {
-        for (const Pass &other : passes(b)) {
+    for (const Pass &one : passes_[index(a)]) {
+        for (const Pass &other : passes_[index(b)]) {
             const double apart = std::abs(one.along - other.along);
             if (one.loop == other.loop && std::min(apart, lengths_[one.loop] - apart) <= kDetour * straight) {
                 return false;

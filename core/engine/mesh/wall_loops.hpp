@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/base/rows.hpp"
 #include "core/engine/mesh/measures.hpp"
 
 #include <cstdint>
@@ -16,7 +17,7 @@ class WallLoops {
     WallLoops(const MeshView &mesh, const MeshEdges &edges);
 
     /// Returns true if a node lies on a wall.
-    bool holds(NodeId node) const { return first_[index(node)] != first_[index(node) + 1]; }
+    bool holds(NodeId node) const { return !passes_[index(node)].empty(); }
 
     /// Returns true if two nodes on walls face each other: they lie on different loops, or much farther apart along the
     /// walls than in a straight line.
@@ -30,9 +31,9 @@ class WallLoops {
     };
     /// One passage of a loop through a node.
     struct Pass {
-        NodeId node;
-        std::uint32_t loop;
-        double along; ///< distance from the start of the loop
+        NodeId node{};
+        std::uint32_t loop = 0;
+        double along = 0.0; ///< distance from the start of the loop
     };
 
     double directionOf(NodeId from, NodeId to) const;
@@ -41,12 +42,11 @@ class WallLoops {
     void follow(const std::vector<Side> &sides, std::uint32_t start, std::vector<char> &visited);
     void followAll(const std::vector<Side> &sides);
     void sortPasses();
-    std::span<const Pass> passes(NodeId node) const;
 
     MeshView mesh_;
-    std::vector<Pass> passes_;         ///< ordered by node
-    std::vector<std::uint32_t> first_; ///< per node, its first pass; one more at the end
-    std::vector<double> lengths_;      ///< of the loops; infinite for open chains
+    std::vector<Pass> found_;     ///< in the order of the loops
+    Rows<Pass> passes_;           ///< by node
+    std::vector<double> lengths_; ///< of the loops; infinite for open chains
 };
 
 } // namespace forefront

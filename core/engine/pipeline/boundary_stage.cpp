@@ -1,9 +1,11 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/boundary/estimate.hpp"
+#include "core/engine/boundary/graded_nodes.hpp"
 #include "core/engine/pipeline/build_spacing.hpp"
 #include "core/engine/pipeline/element_limit.hpp"
 #include "core/engine/pipeline/stages.hpp"
+#include "core/engine/spacing/kept_field.hpp"
 #include "core/engine/spacing/scaled_field.hpp"
 
 #include <algorithm>
@@ -24,10 +26,14 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
     progress("discretising the boundary", 0.0);
     // Sizes that were asked for are kept everywhere, sizes chosen automatically only where they help.
     const bool automatic = job.spacing.usesAutomatic() && !job.spacing.maximum;
-    Result<DiscreteDomain> boundary = discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces,
-                                                 automatic ? NarrowTips::Whole : NarrowTips::Divided);
+    Result<DiscreteDomain> boundary =
+        discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces,
+                   automatic ? NarrowTips::Whole : NarrowTips::Divided, job.spacing.placed.elements);
     if (!boundary) {
         return boundary.faults();
+    }
+    if (const auto *const kept = dynamic_cast<const KeptField *>(spacing.get())) {
+        addGradedNodes(*kept, faces, *boundary);
     }
     PreparedJob prepared;
     prepared.estimatedElements = boundary->estimatedElements = estimateElements(*boundary, *spacing);
@@ -57,8 +63,10 @@ std::vector<SizeSource> shortChords(const PreparedJob &prepared, const MeshingJo
     constexpr double kFarShorter = 0.5; // relative to the spacing
     const double minimum = job.spacing.minimum.value_or(0.0);
     std::vector<SizeSource> sources;
-    for (const DomainSegment &segment : domain.segments) {
-        if (!segment.stretch.follows() || segment.elements > 0 || (isEnd[segment.a] == 0 && isEnd[segment.b] == 0)) {
+    const SegmentElements elements = job.spacing.placed.elements;
+    for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+        const DomainSegment &segment = domain.segments[s];
+        if (!segment.stretch.follows() || elements[s] > 0 || (isEnd[segment.a] == 0 && isEnd[segment.b] == 0)) {
             continue;
         }
         const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];

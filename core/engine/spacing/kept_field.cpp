@@ -4,9 +4,12 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace forefront {
@@ -17,6 +20,10 @@ namespace {
 // size asked for.
 constexpr double kAtSegment = 0.7; ///< the size at a segment, relative to its length
 constexpr double kFall = 1.0;      ///< of the size, per unit of distance
+/// The size at a crowded segment: that of the sides of a triangle over it with angles of 30 degrees.
+constexpr double kAtCrowded = 0.577;
+/// The minimum fall of the size beside crowded segments; it is steeper where the domain is narrower.
+constexpr double kCrowdedFall = 1.15;
 /// Length of a segment relative to the size asked for from which on the size is raised. Below, the front and the
 /// improvement find shapes that are as good.
 constexpr double kTooLong = 4.5;
@@ -71,13 +78,94 @@ Result<std::shared_ptr<const SpacingField>> KeptField::raise(std::shared_ptr<con
     if (!field->lengths_) {
         return cancelled("preparing the spacing");
     }
+    field->findCrowded(domain, progress);
     field->words_.boundaryNames = domain.boundaryNames;
     for (const DomainSegment &segment : domain.segments) {
         field->words_.segmentTags.push_back(segment.tag);
     }
+    const bool crowded = std::ranges::find(field->crowded_, worst->segment.index) != field->crowded_.end();
+    const double share = crowded ? kAtCrowded : kAtSegment, fall = crowded ? kCrowdedFall : kFall;
     field->note(worst->ratio, midpoint(worst->segment.a, worst->segment.b),
-                (kAtSegment - 1.0 / worst->ratio) * worst->segment.length() / kFall);
+                (share - 1.0 / worst->ratio) * worst->segment.length() / fall);
     return std::shared_ptr<const SpacingField>(std::move(field));
+}
+
+/// Returns true if the size asked for is reached nowhere around a long segment, in the parts of the domain beside it.
+bool KeptField::isCrowded(std::size_t item, const InsideTest &inside) const {
+    constexpr int kCells = 24;
+    constexpr double kAround = 3.0;  ///< lengths of the segment
+    constexpr double kBeside = 0.05; ///< the same
+    constexpr double kReached = 1.5; ///< times the size asked for
+    const SizeSite &site = long_[item];
+    const Vec2 middle = site.a + 0.5 * site.ab, normal = leftNormal(site.ab); // as long as the segment
+    const Box2 box = boxAround(middle, kAround * length(site.ab));
+    bool any = false;
+    for (const double side : {-kBeside, kBeside}) {
+        const Vec2 from = middle + side * normal;
+        if (!inside.contains(from)) {
+            continue;
+        }
+        any = true;
+        for (int k = 0; k < kCells * kCells; ++k) {
+            const Vec2 cell{(k % kCells + 0.5) / kCells, (k / kCells + 0.5) / kCells};
+            const Vec2 p{std::lerp(box.min.x, box.max.x, cell.x), std::lerp(box.min.y, box.max.y, cell.y)};
+            if (!inside.contains(p)) {
+                continue;
+            }
+            const double size = asked_->at(p);
+            if (raised(p, size) <= kReached * size && !inside.boundaryCrosses(from, p)) {
+                return false;
+            }
+        }
+    }
+    return any;
+}
+
+/// Returns the fall with which the size beside a crowded segment reaches that asked for where the domain is widest.
+double KeptField::crowdedFall(std::size_t item, const InsideTest &inside) const {
+    constexpr int kSteps = 64;
+    constexpr double kEarly = 0.95; // relative to that place
+    const SizeSite &site = long_[item];
+    const Vec2 middle = site.a + 0.5 * site.ab, normal = leftNormal(site.ab);
+    double farthest = 0.0, asked = 0.0;
+    for (const double side : {-1.0, 1.0}) {
+        for (int step = 1; step <= kSteps; ++step) {
+            const Vec2 p = middle + (side * step / kSteps) * normal;
+            if (!inside.contains(p)) {
+                break;
+            }
+            double clearance = std::numeric_limits<double>::infinity();
+            for (const SizeSite &other : long_) {
+                clearance = std::min(clearance, other.distanceTo(p));
+            }
+            if (clearance > farthest) {
+                farthest = clearance;
+                asked = asked_->at(p);
+            }
+        }
+    }
+    const double fall = (kAtCrowded * length(site.ab) - asked) / (kEarly * farthest);
+    return std::clamp(fall, kCrowdedFall, kSteepestFall);
+}
+
+/// Lets the size fall faster beside segments between which it would not reach that asked for.
+void KeptField::findCrowded(const Domain &domain, const Progress &progress) {
+    const LazyFaces faces(domain, progress.stop);
+    const InsideTest *const inside = faces.inside();
+    if (inside == nullptr) {
+        return;
+    }
+    std::vector<std::pair<std::size_t, double>> items; // with their falls
+    for (std::size_t k = 0; k < long_.size() && !progress.cancelled(); ++k) {
+        if (isCrowded(k, *inside)) {
+            items.emplace_back(k, crowdedFall(k, *inside));
+        }
+    }
+    for (const auto &[k, fall] : items) {
+        const Vec2 a = long_[k].a, b = a + long_[k].ab;
+        long_[k] = SizeSite::segment(a, b, kAtCrowded * distance(a, b), -fall);
+        crowded_.push_back(source_[k]);
+    }
 }
 
 /// Notes the segment that is longest in relation to the size asked for.

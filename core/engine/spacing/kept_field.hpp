@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engine/domain/inside_test.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/spacing/sites/site_tree.hpp"
 #include "core/engine/spacing/sites/site_words.hpp"
@@ -27,16 +28,29 @@ class KeptField final : public SpacingField {
     double minimum() const override { return asked_->minimum(); }
     double maximum() const override;
 
+    /// Returns the size asked for, without what kept segments need.
+    double asked(Vec2 p) const { return asked_->at(p); }
+    /// Returns the long segments between which the size asked for would be reached nowhere, at their indices in the
+    /// domain. Beside them the size falls as fast as elements can follow, and only with given nodes: see
+    /// addGradedNodes().
+    const std::vector<std::uint32_t> &crowded() const { return crowded_; }
+    /// Maximum fall of the size beside crowded segments, per unit of distance.
+    static constexpr double kSteepestFall = 2.5;
+
   private:
     explicit KeptField(std::shared_ptr<const SpacingField> asked) : asked_(std::move(asked)) {}
 
     double raised(Vec2 p, double asked) const;
+    bool isCrowded(std::size_t item, const InsideTest &inside) const;
+    double crowdedFall(std::size_t item, const InsideTest &inside) const;
+    void findCrowded(const Domain &domain, const Progress &progress);
     void note(double ratio, Vec2 at, double reach);
 
     std::shared_ptr<const SpacingField> asked_;
-    std::vector<SizeSite> long_;        ///< segments that are too long; their growth is negative
-    std::vector<std::uint32_t> source_; ///< per long segment: its index in the domain
-    BoxTree reach_;                     ///< boxes in which each long segment raises the size
+    std::vector<SizeSite> long_;         ///< segments that are too long; their growth is negative
+    std::vector<std::uint32_t> source_;  ///< per long segment: its index in the domain
+    std::vector<std::uint32_t> crowded_; ///< indices in the domain
+    BoxTree reach_;                      ///< boxes in which each long segment raises the size
     /// All segments: near a short one, a long one beside it does not raise the size above that of the short one.
     std::optional<SiteTree> lengths_;
     SiteWords words_;

@@ -19,7 +19,7 @@
 namespace forefront {
 namespace {
 
-void neverFaulty(const SpacingSpec &, const Domain &, Diagnostics &) {}
+void neverFaulty(const SpacingSpec &, Diagnostics &) {}
 
 /// Returns true if both are null or their contents are equal; shared content is not compared.
 template <class T>
@@ -53,7 +53,7 @@ bool sameFunction(const SpacingSpec &a, const SpacingSpec &b) {
     return !a.hasFunction() && !b.hasFunction();
 }
 
-void checkFunction(const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
+void checkFunction(const SpacingSpec &spec, Diagnostics &faults) {
     if (spec.function && spec.bulkFunction) {
         const Diagnostics both = error("two-functions", "the spacing has both a function and a bulk function",
                                        "give one of them; the bulk function is faster");
@@ -143,9 +143,9 @@ Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addNodeSizes(const PartInput &input, FieldParts &parts) {
-    addNodeSizeSites(input.domain.nodeSizes, input.minimum, input.givenGradation(), parts.few);
+    addNodeSizeSites(input.spec.placed.nodes, input.minimum, input.givenGradation(), parts.few);
     noteSteepNodes(input, parts.notes);
-    for (const NodeSize &node : input.domain.nodeSizes) {
+    for (const NodeSize &node : input.spec.placed.nodes) {
         parts.words.nodes.push_back(node.name);
     }
     return {};
@@ -157,8 +157,9 @@ Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addBends(const PartInput &input, FieldParts &parts) {
-    addCurvatureSites(input.domain, input.faces, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
-                      input.gradation, SpacingOrigin::Boundary, false, input.progress, parts.few);
+    addCurvatureSites(input.domain, input.faces, curveChains(input.domain), input.spec.placed.elements,
+                      *input.spec.segmentsPerTurn, input.minimum, input.gradation, SpacingOrigin::Boundary, false,
+                      input.progress, parts.few);
     return {};
 }
 
@@ -166,7 +167,7 @@ Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
     const SpacingSpec &spec = input.spec;
     double longest = std::min(parts.cap, spec.maximum.value_or(parts.cap));
     if (spec.usesAutomatic() && !spec.background) {
-        longest = std::min(longest, std::max(automaticMaximum(input.box), largestRegionSize(input.domain)));
+        longest = std::min(longest, std::max(automaticMaximum(input.box), largestRegionSize(spec.placed.regions)));
     }
     addGapSites(input.domain, input.faces, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()),
                 input.minimum, input.gradation, input.progress, parts.few);
@@ -174,11 +175,9 @@ Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
-    for (const RegionMarker &marker : input.domain.regionMarkers) {
-        parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
-    }
-    noteSteepRegions(input, parts.notes);
-    auto regions = RegionPart::build(input.domain, input.faces, input.minimum);
+    parts.words.regions = namesOf(input.spec.placed.regions, input.domain, input.faces);
+    noteSteepRegions(input, parts.words.regions, parts.notes);
+    auto regions = RegionPart::build(input.spec.placed.regions, input.faces, input.minimum);
     if (regions) {
         regions->addSites(input.gradation, input.givenGradation(), parts.few);
         parts.point<RegionPart>() = std::move(*regions);
@@ -188,55 +187,55 @@ Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
 
 // The order is also that of the sites, so it decides which of several equal ones the inspector names.
 constexpr auto kKinds = std::to_array<SpacingPartKind>({
-    {"size", [](const SpacingSpec &spec, const Domain &) { return spec.size.has_value(); },
-     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },
+    {"size", [](const SpacingSpec &spec) { return spec.size.has_value(); },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.size == b.size; }, addSize},
-    {"expression", [](const SpacingSpec &spec, const Domain &) { return spec.expression.has_value(); }, neverFaulty,
+    {"expression", [](const SpacingSpec &spec) { return spec.expression.has_value(); }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) {
          return a.expression == b.expression && (!a.expression || a.names == b.names);
      },
      addExpression},
-    {"", [](const SpacingSpec &spec, const Domain &) { return spec.hasFunction(); }, checkFunction, sameFunction,
-     addFunction},
-    {"paint", [](const SpacingSpec &spec, const Domain &) { return !spec.paint.tiles.empty(); }, neverFaulty, samePaint,
-     addPaint},
-    {"background", [](const SpacingSpec &spec, const Domain &) { return spec.background != nullptr; }, neverFaulty,
+    {"function", [](const SpacingSpec &spec) { return spec.hasFunction(); }, checkFunction, sameFunction, addFunction},
+    {"paint", [](const SpacingSpec &spec) { return !spec.paint.tiles.empty(); }, neverFaulty, samePaint, addPaint},
+    {"background", [](const SpacingSpec &spec) { return spec.background != nullptr; }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) { return samePointed(a.background, b.background); }, addBackground},
-    {"sources", [](const SpacingSpec &spec, const Domain &) { return !spec.sources.empty(); },
-     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSources(spec.sources, faults); },
+    {"sources", [](const SpacingSpec &spec) { return !spec.sources.empty(); },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkSources(spec.sources, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) {
          return a.sources == b.sources && a.keepAutomatic.value_or(false) == b.keepAutomatic.value_or(false);
      },
      addSources},
-    {"partSizes", [](const SpacingSpec &spec, const Domain &) { return !spec.partSizes.empty(); },
-     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkPartSizes(spec.partSizes, faults); },
+    {"partSizes", [](const SpacingSpec &spec) { return !spec.partSizes.empty(); },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkPartSizes(spec.partSizes, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.partSizes == b.partSizes; }, addPartSizes},
-    {"", [](const SpacingSpec &, const Domain &domain) { return !domain.nodeSizes.empty(); },
-     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) { checkNodeSizes(domain.nodeSizes, faults); },
-     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addNodeSizes},
-    {"fromBoundary", [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
+    {"nodeSizes", [](const SpacingSpec &spec) { return !spec.placed.nodes.empty(); },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkNodeSizes(spec.placed.nodes, faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.placed.nodes == b.placed.nodes; }, addNodeSizes},
+    {"fromBoundary", [](const SpacingSpec &spec) { return spec.fromBoundary; }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.fromBoundary == b.fromBoundary; }, addBoundary},
-    {"segmentsPerTurn",
-     [](const SpacingSpec &spec, const Domain &domain) {
-         return spec.segmentsPerTurn.value_or(0.0) > 0.0 && !domain.curves.empty();
-     },
-     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
-         checkSegmentsPerTurn(spec.segmentsPerTurn, faults);
-     },
+    {"segmentsPerTurn", [](const SpacingSpec &spec) { return spec.segmentsPerTurn.value_or(0.0) > 0.0; },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkSegmentsPerTurn(spec.segmentsPerTurn, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.segmentsPerTurn == b.segmentsPerTurn; }, addBends},
-    {"elementsAcross", [](const SpacingSpec &spec, const Domain &) { return spec.elementsAcross.value_or(0.0) > 0.0; },
-     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
-         checkElementsAcross(spec.elementsAcross, faults);
-     },
+    {"elementsAcross", [](const SpacingSpec &spec) { return spec.elementsAcross.value_or(0.0) > 0.0; },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkElementsAcross(spec.elementsAcross, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.elementsAcross == b.elementsAcross; }, addGaps},
-    {"",
-     [](const SpacingSpec &, const Domain &domain) {
-         return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),
-                            [](const RegionMarker &marker) { return marker.maxArea > 0.0 || marker.size > 0.0; });
-     },
-     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) { checkRegions(domain.regionMarkers, faults); },
-     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addRegions},
+    {"regionSizes", [](const SpacingSpec &spec) { return !spec.placed.regions.empty(); },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkRegions(spec.placed.regions, faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.placed.regions == b.placed.regions; }, addRegions},
 });
+
+/// Numbers of elements are no part of the field: they say how curves and lines are divided whatever it asks for.
+void checkElementCounts(const SpacingSpec &spec, const Domain &domain, Diagnostics &faults) {
+    const std::size_t count = spec.placed.elements.size();
+    if (count != 0 && count != domain.segments.size()) {
+        faults.push_back(error("bad-element-counts",
+                               "numbers of elements are given for " + std::to_string(count) +
+                                   " segments; expected one for each of the " + std::to_string(domain.segments.size()) +
+                                   " segments of the domain, or none",
+                               "give 0 where the spacing decides; after a repair, call carryElements()")
+                             .front());
+    }
+}
 
 } // namespace
 
@@ -248,13 +247,15 @@ Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain) {
     Diagnostics faults;
     checkLimits(spec, faults);
     for (const SpacingPartKind &kind : kKinds) {
-        kind.check(spec, domain, faults);
+        kind.check(spec, faults);
     }
+    checkElementCounts(spec, domain, faults);
     return faults;
 }
 
 bool sameContent(const SpacingSpec &a, const SpacingSpec &b) {
     return a.minimum == b.minimum && a.maximum == b.maximum && a.gradation == b.gradation &&
+           a.placed.elements == b.placed.elements &&
            std::all_of(kKinds.begin(), kKinds.end(), [&](const SpacingPartKind &kind) { return kind.same(a, b); });
 }
 

@@ -10,12 +10,10 @@ namespace forefront {
 
 /// One kind of spacing part, with everything needed to build, check, compare, read and write it.
 struct SpacingPartKind {
-    /// Member of "spacing" in a project file; empty for parts that belong to the domain and for functions, which no
-    /// file can hold.
-    std::string_view word;
-    bool (*given)(const SpacingSpec &, const Domain &);
+    std::string_view name; ///< as in project files, where it is a member of "spacing" unless it belongs to a place
+    bool (*given)(const SpacingSpec &);
     /// Adds the faults of its numbers.
-    void (*check)(const SpacingSpec &, const Domain &, Diagnostics &);
+    void (*check)(const SpacingSpec &, Diagnostics &);
     /// Returns true if two specifications agree in this part.
     bool (*same)(const SpacingSpec &, const SpacingSpec &);
     /// Adds the part to the field. Only called if it is given and has no faults.
@@ -26,8 +24,8 @@ struct SpacingPartKind {
 std::span<const SpacingPartKind> spacingPartKinds();
 
 /// Returns all faults of the numbers in a specification. Codes: bad-size (sizes, limits, gradation), bad-source,
-/// bad-region-area; sources and markers by index in `ids`, with a place if known. Paint and background meshes
-/// are checked while they are built.
+/// bad-region-area, bad-element-counts; sources and regions by index in `ids`, with a place if known. Paint and
+/// background meshes are checked while they are built. `domain`: that whose places the sizes belong to.
 Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain);
 
 /// Returns true if two specifications have the same content, wherever it is in memory.

@@ -16,13 +16,14 @@ constexpr double kOwnGradation = 0.25;     ///< as for other paint, see SpacingS
 constexpr double kBeyond = 1e3;            ///< size where no rule is kept, in diagonals of the domain's box
 constexpr SpreadOptions kSpread{256, 4.0}; ///< as for the edges of paint: there are many, and meshes follow the brush
 
-/// Returns the rules that paint does not replace, with the paint itself; those of the domain are kept, too.
+/// Returns the rules that paint does not replace, with the paint itself.
 SpacingSpec keptRules(const SpacingSpec &spec, double beyond) {
     SpacingSpec kept;
     kept.size = beyond; // or automatic spacing would apply
     kept.paint = spec.paint;
     kept.paint.replaces = false;
     kept.partSizes = spec.partSizes;
+    kept.placed = spec.placed;
     kept.fromBoundary = spec.fromBoundary;
     kept.minimum = spec.minimum;
     kept.maximum = spec.maximum;

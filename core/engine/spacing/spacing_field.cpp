@@ -30,13 +30,15 @@ constexpr double kPaintCellsPerSize = 4.0; ///< keeps the gradation within 2 %
 class FieldBuilder {
   public:
     FieldBuilder(const SpacingSpec &spec, const Domain &domain, const Progress &progress)
-        : spec_(spec), faces_(domain, progress.stop), input_{spec,
-                                                             domain,
-                                                             faces_,
-                                                             spacingBox(domain),
-                                                             spec.minimum.value_or(0.0),
-                                                             spec.gradation.value_or(kDefaultGradation),
-                                                             progress} {
+        : spec_(spec),
+          faces_(domain, progress.stop, placesOf(spec.placed.regions)), input_{
+                                                                            spec,
+                                                                            domain,
+                                                                            faces_,
+                                                                            spacingBox(domain),
+                                                                            spec.minimum.value_or(0.0),
+                                                                            spec.gradation.value_or(kDefaultGradation),
+                                                                            progress} {
         parts_.cap = std::numeric_limits<double>::infinity();
         parts_.minimum = input_.minimum;
         parts_.words.boundaryNames = domain.boundaryNames;
@@ -51,7 +53,7 @@ class FieldBuilder {
             return faults;
         }
         for (const SpacingPartKind &kind : spacingPartKinds()) {
-            if (kind.given(spec_, input_.domain)) {
+            if (kind.given(spec_)) {
                 if (Diagnostics faults = kind.add(input_, parts_); !faults.empty()) {
                     return faults;
                 }
@@ -85,9 +87,9 @@ class FieldBuilder {
         auto &background = parts_.point<FilledBackground>();
         auto &regions = parts_.point<RegionPart>();
         const double largest = regions && !background ? regions->largest() : 0.0;
-        AutomaticSpacing automatic =
-            automaticSpacing(input_.domain, faces_, input_.box, input_.minimum, input_.gradation, largest,
-                             spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
+        AutomaticSpacing automatic = automaticSpacing(
+            input_.domain, faces_, spec_.placed.elements, input_.box, input_.minimum, input_.gradation, largest,
+            spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
         if (!background) {
             if (largest > automatic.maximum) { // a region that may be coarser is
                 regions->limitOthers(automatic.maximum, input_.gradation, parts_.few);
@@ -171,7 +173,7 @@ class FieldBuilder {
             return std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin);
         }
         auto &expression = parts_.point<ExpressionSpacing>();
-        const auto given = [&](const SpacingPartKind &kind) { return kind.given(spec_, input_.domain); };
+        const auto given = [&](const SpacingPartKind &kind) { return kind.given(spec_); };
         const std::span<const SpacingPartKind> kinds = spacingPartKinds();
         if (expression && std::count_if(kinds.begin(), kinds.end(), given) == 1) { // its limits are its own
             return std::make_shared<ExpressionField>(std::move(*expression));

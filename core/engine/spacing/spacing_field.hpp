@@ -26,9 +26,10 @@ enum class GivenSegments : std::uint8_t {
 class SpacingField {
   public:
     /// Builds the field of a specification. The domain supplies the extent, the lengths for boundary and automatic
-    /// spacing, and the regions with a maximum area (ignored while segments cross). Where segments are divided,
+    /// spacing, and the faces of region sizes (ignored while segments cross). Where segments are divided,
     /// Domain::curveTolerance limits the spacing beside curves. Errors: expression-syntax (with column),
-    /// expression-value (with a place), bad-size, bad-source, bad-paint, bad-background, bad-region-area, cancelled.
+    /// expression-value (with a place), bad-size, bad-source, bad-paint, bad-background, bad-region-area,
+    /// bad-element-counts, cancelled.
     static Result<std::shared_ptr<const SpacingField>> build(const SpacingSpec &spec, const Domain &domain,
                                                              const Progress &progress = {},
                                                              GivenSegments segments = GivenSegments::Divided);

@@ -169,8 +169,11 @@ class AbaqusReader {
                           "write one part, or a flat input file without parts and assemblies");
         } else if (!ofThisPass) {
             skipData();
+        } else if (keyword.name == "*INCLUDE" || keyword.parameters.contains("INPUT")) {
+            scanner_.fail(keyword.offset, "unknown-section", "included files are not read",
+                          "put their lines in the place of the keyword");
         } else if (!nodesFinished_) {
-            nodes();
+            nodes(keyword);
         } else if (keyword.name == "*ELEMENT") {
             elements(keyword);
         } else if (keyword.name == "*ELSET") {
@@ -179,8 +182,10 @@ class AbaqusReader {
             points();
         } else if (keyword.name == "*SURFACE") {
             surface(keyword);
-        } else if (keyword.name == "*INCLUDE") {
-            scanner_.fail(keyword.offset, "unknown-section", "included files are not read");
+        } else if (keyword.name == "*SYSTEM") {
+            scanner_.fail(keyword.offset, "coordinate-system",
+                          "nodes in a coordinate system of their own cannot be read",
+                          "write the nodes in global coordinates");
         } else {
             if (keyword.name == "*NSET") {
                 nodeSets_.emplace_back(upperCase(parameter(keyword, "NSET")), keyword.offset);
@@ -197,7 +202,18 @@ class AbaqusReader {
         }
     }
 
-    void nodes() {
+    void nodes(const Keyword &keyword) {
+        const std::string system = upperCase(parameter(keyword, "SYSTEM"));
+        if (!system.empty() && system != "R") {
+            scanner_.fail(keyword.offset, "coordinate-system",
+                          "nodes in the coordinate system " + inQuotes(system) +
+                              " cannot be read; expected rectangular coordinates",
+                          "write the nodes in global coordinates");
+            return;
+        }
+        if (const std::string set = upperCase(parameter(keyword, "NSET")); !set.empty() && set != "NALL") {
+            nodeSets_.emplace_back(set, keyword.offset);
+        }
         while (more()) {
             TextScanner fields = scanner_;
             std::int64_t number = 0;
@@ -280,9 +296,16 @@ class AbaqusReader {
             std::int64_t from = 0, to = 0, step = 1;
             const std::string_view word = scanner_.peek();
             if (word.front() < '0' || word.front() > '9') {
-                const auto other = sets_.find(upperCase(scanner_.word()));
+                const std::size_t place = scanner_.offset();
+                const std::string given = upperCase(scanner_.word());
+                const auto other = sets_.find(given);
                 if (other != sets_.end()) {
                     members.insert(members.end(), other->second.begin(), other->second.end());
+                } else {
+                    scanner_.source().note("element-set",
+                                           "the set " + inQuotes(given) +
+                                               " is left out of another set: it holds no plane elements so far",
+                                           place);
                 }
                 continue;
             }

@@ -1,18 +1,49 @@
+#include "core/engine/base/number_text.hpp"
 #include "core/files/abaqus/abaqus.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/common/tagged_sides.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
 #include <map>
 #include <set>
 #include <span>
+#include <string_view>
 
 namespace forefront {
 
 namespace {
 
 constexpr std::size_t kPerLine = 10;
+
+/// Abaqus and CalculiX read at most this many characters of a number.
+constexpr std::size_t kNumberCharacters = 20;
+
+/// The text of a coordinate: the shortest that reads back to the same bits or, if that is too long, that of the number
+/// rounded to as many digits as fit.
+class CoordinateText {
+  public:
+    explicit CoordinateText(double value) {
+        char *const end = text_.data() + text_.size();
+        length_ = lengthTo(std::to_chars(text_.data(), end, value).ptr);
+        for (int digits = 16; length_ > kNumberCharacters; --digits) {
+            length_ = lengthTo(std::to_chars(text_.data(), end, value, std::chars_format::general, digits).ptr);
+            rounded_ = true;
+        }
+    }
+    std::string_view text() const { return {text_.data(), length_}; }
+    bool rounded() const { return rounded_; }
+
+  private:
+    std::size_t lengthTo(const char *end) const { return static_cast<std::size_t>(end - text_.data()); }
+
+    std::array<char, 64> text_;
+    std::size_t length_ = 0;
+    bool rounded_ = false;
+};
 
 /// Writes a node set; the indices ascend.
 void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes, TextWriter &out) {
@@ -109,14 +140,15 @@ void writePoints(const MeshView &mesh, const AbaqusNames &names, TextWriter &out
 
 /// Writes Abaqus input for CalculiX and Abaqus: elements of plane stress in a set per region, a node set and a surface
 /// per boundary tag, a node set per tag of points. The names become identifiers; comments keep the original names and
-/// the tags.
+/// the tags. Coordinates have at most 20 characters.
 void writeAbaqus(const MeshView &mesh, TextWriter &out) {
     const AbaqusNames names(tagsOf(mesh));
     out << "*HEADING\n" << titleOf(mesh) << '\n';
     writeNameComments(mesh, "**", out);
     out << "*NODE, NSET=" << names.allNodes << '\n';
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
-        out << n + 1 << ", " << mesh.nodes[n].x << ", " << mesh.nodes[n].y << ", 0\n";
+        out << n + 1 << ", " << CoordinateText(mesh.nodes[n].x).text() << ", " << CoordinateText(mesh.nodes[n].y).text()
+            << ", 0\n";
     }
     writeElements(mesh, names, out);
     if (mesh.elementCount() > 0) {
@@ -127,7 +159,20 @@ void writeAbaqus(const MeshView &mesh, TextWriter &out) {
 
 Diagnostics noteAbaqusChanges(const MeshView &mesh) {
     const TagList tags = tagsOf(mesh);
-    return noteChangedNames(tags, AbaqusNames(tags).sets);
+    Diagnostics notes = noteChangedNames(tags, AbaqusNames(tags).sets);
+    std::size_t rounded = 0;
+    for (const Vec2 node : mesh.nodes) {
+        rounded += CoordinateText(node.x).rounded() ? 1 : 0;
+        rounded += CoordinateText(node.y).rounded() ? 1 : 0;
+    }
+    if (rounded > 0) {
+        Diagnostic &note = notes.emplace_back();
+        note.severity = Severity::Note;
+        note.code = "rounded-coordinates";
+        note.message = countText(rounded, "coordinate") + (rounded == 1 ? " is" : " are") +
+                       " rounded to 20 characters, the most that Abaqus and CalculiX read of a number";
+    }
+    return notes;
 }
 
 } // namespace forefront

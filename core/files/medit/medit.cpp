@@ -10,6 +10,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace forefront {
 
@@ -147,12 +148,53 @@ class MeditReader {
         if (!scanner_.count(count, word == "RequiredVertices" ? 2 : 6, {"the number of items"})) {
             return false;
         }
+        scanner_.peek();
+        const std::size_t items = scanner_.offset();
         for (std::size_t k = 0; k < count; ++k) {
             if (!item(kind, k + 1)) {
-                return false;
+                return kind && count > 0 && refuseOfSecondOrder(word, *kind, items);
             }
         }
-        return true;
+        const std::string_view next = scanner_.atEnd() ? std::string_view("End") : scanner_.peek();
+        const bool numbers = next.front() >= '0' && next.front() <= '9';
+        return !kind || count == 0 || !numbers || !hasSecondOrder(*kind, items) ||
+               refuseOfSecondOrder(word, *kind, items);
+    }
+
+    /// Returns the number of words on the line at a place.
+    std::size_t wordsOnLine(std::size_t place) const {
+        const std::string_view text = scanner_.source().text;
+        TextScanner line = scanner_.part(place, std::min(text.find('\n', place), text.size()));
+        std::size_t words = 0;
+        for (; !line.atEnd(); ++words) {
+            line.word();
+        }
+        return words;
+    }
+
+    /// Returns true if the line of an item has the nodes of a kind of second order, and a reference.
+    bool hasSecondOrder(CellKind kind, std::size_t place) const {
+        const std::size_t words = wordsOnLine(place);
+        const auto kinds = valuesOf<CellKind>();
+        return traitsOf(kind).order == 1 && std::any_of(kinds.begin(), kinds.end(), [&](CellKind other) {
+                   const CellTraits &traits = traitsOf(other);
+                   return traits.order == 2 && traits.corners == traitsOf(kind).corners &&
+                          traits.dimension == traitsOf(kind).dimension && words == traits.nodes + 1U;
+               });
+    }
+
+    /// Refuses a section of elements that Gmsh has written under the keyword of the first order; returns false.
+    bool refuseOfSecondOrder(std::string_view word, CellKind kind, std::size_t place) {
+        if (!hasSecondOrder(kind, place)) {
+            return false; // refused for another reason
+        }
+        const std::string keyword(word);
+        scanner_ = TextScanner(scanner_.source(), '#');
+        return scanner_.fail(place, "unknown-element",
+                             "the section " + inQuotes(keyword) + " holds elements of second order, with " +
+                                 std::to_string(wordsOnLine(place) - 1) + " nodes on a line instead of " +
+                                 std::to_string(traitsOf(kind).nodes) + ", as Gmsh writes them",
+                             "save it from gmsh as .msh or .vtk instead");
     }
 
     /// Returns the kind of cells in a section.

@@ -7,8 +7,9 @@
 #include "core/files/triangle/triangle.hpp"
 #include "core/files/triangle/triangle_nodes.hpp"
 
-#include <algorithm>
 #include <limits>
+#include <string>
+#include <system_error>
 
 namespace forefront {
 
@@ -20,11 +21,12 @@ class PolyReader {
   public:
     explicit PolyReader(const SourceText &source) : source_(source), scanner_(source, '#') {}
 
-    Result<Domain> read() {
+    Result<DomainFile> read() {
         domain_.insideRule = InsideRule::HoleMarkers;
         if (!nodes() || !segments() || !holes() || !regions()) {
             return scanner_.ok() ? faults_ : scanner_.faults();
         }
+        noteLinesAfter();
         isolatedNodes();
         openChainsAsConstraints();
         TagNames names = readNameComments(source_.text, "#");
@@ -33,7 +35,7 @@ class PolyReader {
             domain_.regionNames.insert_or_assign(tag, name);
         }
         raiseTags(domain_, source_);
-        return std::move(domain_);
+        return std::move(file_);
     }
 
   private:
@@ -131,17 +133,32 @@ class PolyReader {
         AttributeTags tags(domain_.regionNames, TagKind::Region);
         for (std::size_t k = 0; k < count; ++k) {
             RegionMarker marker;
-            double attribute = 0.0;
+            double attribute = 0.0, maxArea = 0.0;
             if (!numberedPlace(line, marker.at, DomainPartKind::RegionMarker, {"region", k + 1}) ||
                 !line.real(attribute, {"the attribute of region", k + 1}) ||
-                (!line.atEnd() && !line.real(marker.maxArea, {"the maximum area of region", k + 1}))) {
+                (!line.atEnd() && !line.real(maxArea, {"the maximum area of region", k + 1}))) {
                 return scanner_.fail(line);
             }
-            marker.maxArea = std::max(marker.maxArea, 0.0); // Triangle writes -1 for "no limit"
             marker.tag = tags.of(attribute);
             domain_.regionMarkers.push_back(marker);
+            if (maxArea > 0.0) { // Triangle writes -1 for "no limit"
+                file_.spacing.placed.regions.push_back({.at = marker.at, .maxArea = maxArea});
+            }
         }
         return true;
+    }
+
+    /// Notes lines after the last section, which may be longer than it announces.
+    void noteLinesAfter() {
+        TextScanner line = scanner_;
+        std::size_t lines = 0, place = 0;
+        while (scanner_.nextLine(line)) {
+            place = lines++ == 0 ? line.offset() : place;
+        }
+        if (lines > 0) {
+            source_.note("more-lines", "lines after the last section are ignored; its number of items may be wrong",
+                         place, lines);
+        }
     }
 
     bool header(TextScanner &line, std::size_t &count, const char *what, std::size_t bytes) {
@@ -255,7 +272,8 @@ class PolyReader {
     const SourceText &source_;
     TextScanner scanner_;
     Diagnostics faults_;
-    Domain domain_;
+    DomainFile file_;
+    Domain &domain_ = file_.domain;
     NodeTable table_;
     std::vector<std::int32_t> nodeMarkers_;
     std::vector<std::uint32_t> degrees_;
@@ -263,13 +281,25 @@ class PolyReader {
 
 } // namespace
 
-bool hasNodesInNodeFile(const SourceText &poly) {
-    TextScanner scanner(poly, '#');
-    std::int64_t nodes = -1;
-    return scanner.integer(nodes, 0, 0, {"the number of nodes"});
+std::vector<std::filesystem::path> filesBesidePoly(const std::filesystem::path &poly) {
+    std::filesystem::path nodes = poly;
+    nodes.replace_extension(".node");
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(poly, none) || !std::filesystem::is_regular_file(nodes, none)) {
+        return {};
+    }
+    const Result<std::string> bytes = readFileBytes(poly, ImportOptions().maxBytes);
+    if (!bytes) {
+        return {};
+    }
+    const SourceText source{*bytes, poly.string(), poly, {}};
+    TextScanner scanner(source, '#');
+    std::int64_t count = -1;
+    const bool elsewhere = scanner.integer(count, 0, 0, {"the number of nodes"});
+    return elsewhere ? std::vector{nodes} : std::vector<std::filesystem::path>();
 }
 
-Result<Domain> readPoly(const SourceText &source) {
+Result<DomainFile> readPoly(const SourceText &source) {
     return PolyReader(source).read();
 }
 

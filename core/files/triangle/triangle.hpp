@@ -2,13 +2,14 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
-#include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/files/common/domain_file.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/file_set.hpp"
 
 #include <array>
 #include <filesystem>
+#include <vector>
 
 namespace forefront {
 
@@ -22,9 +23,9 @@ inline constexpr std::array<const char *, 3> kTriangleExtensions{".node", ".ele"
 /// different meshes are not read as one.
 void writeTriangle(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, const Progress &progress);
 
-/// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes.
-Result<Domain> readPoly(const SourceText &source);
-/// Returns true if the .node file beside the .poly file holds its nodes.
-bool hasNodesInNodeFile(const SourceText &poly);
+/// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes, and maximum areas.
+Result<DomainFile> readPoly(const SourceText &source);
+/// Returns the .node file beside a .poly file if that holds its nodes.
+std::vector<std::filesystem::path> filesBesidePoly(const std::filesystem::path &poly);
 
 } // namespace forefront

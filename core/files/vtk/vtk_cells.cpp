@@ -108,6 +108,15 @@ void readNames(const VtkGrid &grid, CellTags &regions, CellTags &boundaries, Mes
     }
 }
 
+/// Notes values of the whole data set, such as its time, other than the names of tags.
+void noteFieldData(const VtkGrid &grid, const SourceText &source) {
+    for (const auto &[field, values] : grid.fields) {
+        if (!field.starts_with("region:") && !field.starts_with("boundary:")) {
+            source.note("field-data", "the field data " + inQuotes(field) + " is ignored", grid.offset);
+        }
+    }
+}
+
 /// Returns the number of a type of cells that cannot be read, with its name if it is a usual one.
 std::string typeName(std::int64_t type) {
     constexpr std::array<std::pair<std::int64_t, const char *>, 17> kNames = {{{2, "a set of vertices"},
@@ -200,6 +209,7 @@ bool meshOfVtk(VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
     mesh.points = std::move(cellsOnly.points);
     mesh.nodes = grid.nodes;
     readNames(grid, regions, boundaries, mesh);
+    noteFieldData(grid, scanner.source());
     scanner.source().numbered(PartNumbers(), PartNumbers(cells));
     raiseTags(mesh, scanner.source());
     return true;

@@ -189,8 +189,13 @@ class VtuReader {
     template <class Target>
     bool arrays(const pugi::xml_node &parent, std::map<std::string, std::vector<Target>> &target) {
         for (const pugi::xml_node node : parent.children("DataArray")) {
-            if (typeOf(node) == NumberType::None) {
-                continue; // strings, for example
+            if (typeOf(node) == NumberType::None) { // strings, for example
+                if (std::string_view(parent.name()) == "FieldData") {
+                    scanner_.source().note("field-data",
+                                           "the field data " + inQuotes(node.attribute("Name").value()) + " is ignored",
+                                           offsetOf(node));
+                }
+                continue;
             }
             if (!numbers(node, target[node.attribute("Name").value()])) {
                 return false;

@@ -56,8 +56,8 @@ Result<AdaptedJob> adaptToTarget(const AdaptiveCase &problem, const NodalField &
     if (!first) {
         return first.faults();
     }
-    Result<AdaptOutcome> outcome =
-        adaptMesh(problem.domain, takeTriMesh(std::move(first->mesh)), field, problem.target, kMaxRounds, {}, progress);
+    Result<AdaptOutcome> outcome = adaptMesh({problem.domain, {}, {}}, takeTriMesh(std::move(first->mesh)), field,
+                                             problem.target, kMaxRounds, progress);
     if (!outcome) {
         return outcome.faults();
     }

@@ -291,7 +291,7 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
             }
         });
     }
-    if (!EditState::apply(context, std::move(next), label)) {
+    if (!context.applyCommand(std::move(next), label)) {
         return false;
     }
     context.selection.clear();

@@ -33,7 +33,7 @@ ContextGroup markerMenu(const Shell &context, std::uint32_t marker) {
         selectMarker(c, marker);
     }));
     group.push_back(commandOf("region/delete", "Delete region", [marker](Shell &c) {
-        if (EditState::apply(c, removeRegionMarker(*c.document.current(), marker), "Delete region")) {
+        if (c.applyCommand(removeRegionMarker(*c.document.current(), marker), "Delete region")) {
             c.selection.markers.clear(); // their numbers have changed
         }
     }));
@@ -64,7 +64,7 @@ ContextGroup regionMenu(const Shell &context, Vec2 place, bool makes, std::int32
     }
     const std::string name = regionName(context.document.current()->regionNames, next);
     return {commandOf("region/make", "Make this face region " + name, [place, next, name](Shell &c) {
-        if (EditState::apply(c, fillRegion(*c.document.current(), place, next), "Fill " + name)) {
+        if (c.applyCommand(fillRegion(*c.document.current(), place, next), "Fill " + name)) {
             selectMarker(c, static_cast<std::uint32_t>(c.document.current()->regionMarkers.size() - 1));
         }
     })};

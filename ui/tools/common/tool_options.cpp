@@ -33,7 +33,7 @@ std::optional<std::int32_t> typedTag(Workspace &context, const std::string &type
         return known;
     } else if (!text.empty()) {
         const std::int32_t tag = freeBoundaryTag(*document);
-        const bool named = EditState::apply(context, setBoundaryName(*document, tag, text), "Name boundary");
+        const bool named = context.applyCommand(setBoundaryName(*document, tag, text), "Name boundary");
         return named ? std::optional(tag) : std::nullopt;
     }
     const std::string reason = "expected a tag from 1 to 1000000000 or a name, got '" + text + "'";

@@ -66,7 +66,7 @@ void RegionTool::place(Vec2 at, Shell &context) {
                                    : std::move(next);
         }
     }
-    if (EditState::apply(context, std::move(next), "Fill " + regionName(document->regionNames, tag))) {
+    if (context.applyCommand(std::move(next), "Fill " + regionName(document->regionNames, tag))) {
         context.selection.clear();
         const auto count = context.document.current()->regionMarkers.size();
         context.selection.markers.insert(static_cast<std::uint32_t>(count - 1));
@@ -131,7 +131,7 @@ void RegionTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("name");
     std::string name = regionName(document->regionNames, next);
     if (ui::inputName(context, "options/region/name", name, "name", 140.0F, true) &&
-        EditState::apply(context, setRegionName(*document, next, name), "Name region")) {
+        context.applyCommand(setRegionName(*document, next, name), "Name region")) {
         tag_ = next;
     }
     flow.item("new");

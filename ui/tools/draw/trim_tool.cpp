@@ -75,9 +75,9 @@ void TrimTool::apply(const Change &change, Shell &context) const {
     }
     context.selection.drop({change.shape}); // its nodes and segments get other numbers
     if (change.end) {
-        EditState::apply(context, extendEnd(document, *change.end), "Extend");
+        context.applyCommand(extendEnd(document, *change.end), "Extend");
     } else {
-        EditState::apply(context, trimAt(document, change.shape, change.at), "Trim");
+        context.applyCommand(trimAt(document, change.shape, change.at), "Trim");
     }
 }
 

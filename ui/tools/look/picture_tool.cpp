@@ -178,7 +178,7 @@ void PictureTool::calibrate(Shell &context, double distance) const {
         change(context, scaledAbout(*before->picture, fixed, factor), "Calibrate background picture");
         return;
     }
-    if (EditState::apply(context, scaleDocument(*before, fixed, factor), "Calibrate picture and drawing")) {
+    if (context.applyCommand(scaleDocument(*before, fixed, factor), "Calibrate picture and drawing")) {
         keepPictureInView(context, *before);
         if (before->spacing.expression) {
             context.log.announce("The drawing is scaled; the spacing expression is not");

@@ -72,7 +72,7 @@ void SelectTool::updateMove(Shell &context) {
     } else {
         snapped_ = snap(*startIndex_, query);
     }
-    EditState::apply(context, moved(snapped_.at), moveLabel(), stroke_);
+    context.applyCommand(moved(snapped_.at), moveLabel(), stroke_);
 }
 
 void SelectTool::joinMoved(Shell &context) {
@@ -101,7 +101,7 @@ void SelectTool::joinMoved(Shell &context) {
             nodes.insert({node.shape, static_cast<std::uint32_t>(at - now.begin())});
         }
     }
-    if (EditState::apply(context, std::move(joined), moveLabel(), stroke_)) {
+    if (context.applyCommand(std::move(joined), moveLabel(), stroke_)) {
         context.selection.nodes = std::move(nodes);
     }
 }

@@ -82,7 +82,7 @@ std::optional<std::uint32_t> SelectTool::markerAt(Vec2 place, Shell &context) co
 }
 
 void SelectTool::pointAtFace(Shell &context) const {
-    const std::vector<RegionMarker> &markers = context.document.current()->regionMarkers;
+    const std::vector<MarkedRegion> &markers = context.document.current()->regionMarkers;
     const bool points = over_ && hover_.kind == Hit::Kind::Marker && hover_.marker < markers.size();
     context.view.facePlace = points ? std::optional(markers[hover_.marker].at) : std::nullopt;
 }

@@ -32,15 +32,15 @@ ContextGroup segmentMenu(const Shape &shape, SegmentRef segment, Vec2 at) {
         return {};
     }
     group.push_back(commandOf("segment/insert", "Insert node", [segment, at](Shell &c) {
-        EditState::apply(c, insertNode(*c.document.current(), segment, at), "Insert node");
+        c.applyCommand(insertNode(*c.document.current(), segment, at), "Insert node");
     }));
     const Outline outline = outlineOf(shape);
     for (std::size_t k = 0; k < outline.segmentCount() && isPath(shape); ++k) {
         if (outline.part(k) == segment.segment) {
             const bool curved = outline.isCurved(k);
             group.push_back(commandOf("segment/form", curved ? "To line" : "To curve", [segment, curved](Shell &c) {
-                EditState::apply(c, setCurved(*c.document.current(), {segment}, !curved),
-                                 curved ? "Segment to line" : "Segment to curve");
+                c.applyCommand(setCurved(*c.document.current(), {segment}, !curved),
+                               curved ? "Segment to line" : "Segment to curve");
             }));
             break;
         }

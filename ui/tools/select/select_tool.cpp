@@ -181,7 +181,7 @@ bool SelectTool::pressLabel(const CanvasEvent &event, Shell &context) {
 }
 
 void SelectTool::insertAt(const Hit &hit, Shell &context) {
-    if (!EditState::apply(context, insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
+    if (!context.applyCommand(insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
         mode_ = Mode::Idle;
         return;
     }
@@ -284,8 +284,8 @@ void SelectTool::nudge(Vec2 direction, bool far, bool repeated, Shell &context) 
     }
     // A tenth of the drawing grid; with Shift a whole step.
     const double step = EditState::gridStep(context) * (far ? 1.0 : 0.1);
-    EditState::apply(context, moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
-                     nudgeStroke_);
+    context.applyCommand(moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
+                         nudgeStroke_);
 }
 
 } // namespace forefront

@@ -133,7 +133,7 @@ void TransformHandles::update(Shell &context) {
     Result<Document> next = transformSelection(*start_, moving_, map());
     fault_ = next ? std::string() : next.faults().front().message;
     if (next) {
-        EditState::apply(context, std::move(next), handle_.rotates ? "Rotate" : "Scale", stroke_);
+        context.applyCommand(std::move(next), handle_.rotates ? "Rotate" : "Scale", stroke_);
     }
 }
 

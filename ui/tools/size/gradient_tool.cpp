@@ -108,8 +108,7 @@ void GradientTool::place(Vec2 at, Shell &context) {
 
 void GradientTool::addSource(Shell &context, SizeSource gradient) {
     gradient.name = freeSourceName(*context.document.current(), "gradient");
-    if (EditState::apply(context, forefront::addSource(*context.document.current(), std::move(gradient)),
-                         "Add gradient")) {
+    if (context.applyCommand(forefront::addSource(*context.document.current(), std::move(gradient)), "Add gradient")) {
         const auto count = context.document.current()->spacing.sources.size();
         context.selection.clear();
         context.selection.sources.insert(static_cast<std::uint32_t>(count - 1));

@@ -64,7 +64,7 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     if (next) {
         keepSourceFormulas(*next, source);
     }
-    if (EditState::apply(context, std::move(next), "Add size source")) {
+    if (context.applyCommand(std::move(next), "Add size source")) {
         context.selection.clear();
         const auto count = context.document.current()->spacing.sources.size();
         context.selection.sources.insert(static_cast<std::uint32_t>(count - 1));

@@ -1,7 +1,6 @@
 #include "ui/workspace/document/document_examiner.hpp"
 
 #include "core/drawing/document/document.hpp"
-#include "core/drawing/formulas/element_counts.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/boundary/estimate.hpp"
 #include "core/engine/domain/domain_graph.hpp"
@@ -13,58 +12,35 @@
 
 namespace forefront {
 
-DocumentExaminer::DocumentExaminer(std::function<void()> wake)
-    : wake_(std::move(wake)), preview_(std::make_shared<DocumentPreview>()), raster_(std::make_shared<SpacingRaster>()),
-      thread_([this](const std::stop_token &stop) { work(stop); }) {}
-
-DocumentExaminer::~DocumentExaminer() {
-    thread_.request_stop();
-    const std::lock_guard lock(mutex_);
-    examining_.request_stop();
-    changed_.notify_all();
-}
+DocumentExaminer::DocumentExaminer(BackgroundList &list)
+    : worker_(list, answer, {}, LeavableThread::kForever, NewsPace::WithPreview) {}
 
 void DocumentExaminer::submit(std::shared_ptr<SharedDomain> drawn, std::uint64_t revision,
                               std::shared_ptr<SharedSpacing> spacing) {
-    const std::lock_guard lock(mutex_);
-    if (revision == wantedRevision_) {
+    if (revision == wanted_.revision) {
         return;
     }
-    wanted_ = std::move(drawn);
-    wantedSpacing_ = std::move(spacing);
-    wantedRevision_ = revision;
-    changed_.notify_all();
+    wanted_.drawn = std::move(drawn);
+    wanted_.spacing = std::move(spacing);
+    wanted_.revision = revision;
+    worker_.submit(wanted_);
 }
 
 void DocumentExaminer::abandon() {
-    const std::lock_guard lock(mutex_);
-    wantedRevision_ = doneRevision_;
-    examining_.request_stop();
+    worker_.cancel();
+    wanted_.revision = preview()->revision;
+    if (worker_.now().rasterNumber != wanted_.raster.number || raster()->revision != wanted_.revision) {
+        worker_.submit(wanted_); // of the preview that is shown
+    }
 }
 
 void DocumentExaminer::submitRaster(const Box2 &box, int columns, int rows) {
-    const std::lock_guard lock(mutex_);
-    if (box == wantedRaster_.box && columns == wantedRaster_.columns && rows == wantedRaster_.rows) {
+    const RasterRequest &last = wanted_.raster;
+    if (box == last.box && columns == last.columns && rows == last.rows) {
         return;
     }
-    wantedRaster_ = {box, columns, rows, wantedRaster_.number + 1};
-    changed_.notify_all();
-}
-
-std::shared_ptr<const DocumentPreview> DocumentExaminer::latest() const {
-    const std::lock_guard lock(mutex_);
-    return preview_;
-}
-
-std::shared_ptr<const SpacingRaster> DocumentExaminer::raster() const {
-    const std::lock_guard lock(mutex_);
-    return raster_;
-}
-
-bool DocumentExaminer::busy() const {
-    const std::lock_guard lock(mutex_);
-    return doneRevision_ != wantedRevision_ || rasterNumber_ != wantedRaster_.number ||
-           rasterRevision_ != doneRevision_;
+    wanted_.raster = {box, columns, rows, last.number + 1};
+    worker_.submit(wanted_);
 }
 
 namespace {
@@ -97,11 +73,11 @@ double largestSpacingIn(const Domain &domain, const FaceMap &faces, const Spacin
 
 } // namespace
 
-std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(SharedDomain &drawn, std::uint64_t revision,
-                                                                 SharedSpacing &spacing, const std::stop_token &stop) {
+std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Request &request, const std::stop_token &stop) {
+    SharedDomain &drawn = *request.drawn;
     auto preview = std::make_shared<DocumentPreview>();
-    preview->revision = revision;
-    const Document &document = *drawn.document();
+    preview->revision = request.revision;
+    const std::shared_ptr<const MeshingJob> job = drawn.job();
     const std::shared_ptr<const Domain> domain = drawn.get();
     preview->domain = domain;
     if (domain->nodes.empty()) {
@@ -115,8 +91,8 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(SharedDomain &d
     }
     Progress progress;
     progress.stop = stop;
-    const GivenSegments segments = document.options.keepBoundary ? GivenSegments::Kept : GivenSegments::Divided;
-    Result<std::shared_ptr<const SpacingField>> field = spacing.get(spacingOf(document), *domain, progress, segments);
+    const GivenSegments segments = job->options.keepBoundary ? GivenSegments::Kept : GivenSegments::Divided;
+    Result<std::shared_ptr<const SpacingField>> field = request.spacing->get(job->spacing, *domain, progress, segments);
     if (!field) {
         preview->faults.insert(preview->faults.end(), field.faults().begin(), field.faults().end());
         return preview;
@@ -174,51 +150,32 @@ std::shared_ptr<const DocumentPreview> withoutMemory(std::uint64_t revision) {
 
 } // namespace
 
-void DocumentExaminer::work(const std::stop_token &stop) {
-    std::unique_lock lock(mutex_);
-    while (!stop.stop_requested()) {
-        // Raster first, so that it follows the newest finished field even while edits keep coming.
-        if (rasterNumber_ != wantedRaster_.number || rasterRevision_ != doneRevision_) {
-            const RasterRequest request = wantedRaster_;
-            const std::shared_ptr<const SpacingField> field = preview_->spacing;
-            const std::uint64_t revision = doneRevision_;
-            lock.unlock();
-            auto raster = sampleRaster(field.get(), request.box, request.columns, request.rows, revision);
-            lock.lock();
-            raster_ = std::move(raster);
-            rasterNumber_ = request.number;
-            rasterRevision_ = revision;
-        } else if (doneRevision_ != wantedRevision_) {
-            const std::shared_ptr<SharedDomain> drawn = wanted_;
-            const std::shared_ptr<SharedSpacing> spacing = wantedSpacing_;
-            const std::uint64_t revision = wantedRevision_;
-            examining_ = std::stop_source();
-            const std::stop_token superseded = examining_.get_token();
-            lock.unlock();
-            std::shared_ptr<const DocumentPreview> preview;
-            try {
-                preview = examine(*drawn, revision, *spacing, superseded);
-            } catch (const std::bad_alloc &) {
-                preview = withoutMemory(revision);
-            }
-            lock.lock();
-            if (!superseded.stop_requested()) {
-                preview_ = std::move(preview);
-                doneRevision_ = revision;
-            }
-        } else {
-            changed_.wait(lock, stop, [this] {
-                return doneRevision_ != wantedRevision_ || rasterNumber_ != wantedRaster_.number ||
-                       rasterRevision_ != doneRevision_;
-            });
-            continue;
+DocumentExaminer::Answer DocumentExaminer::answer(const LatestTurn<Request, Answer> &turn) {
+    const Request &request = turn.request;
+    const auto sample = [&raster = request.raster](Answer &now) {
+        now.raster =
+            sampleRaster(now.preview->spacing.get(), raster.box, raster.columns, raster.rows, now.preview->revision);
+        now.rasterNumber = raster.number;
+    };
+    Answer now = turn.earlier;
+    const bool newer = request.drawn && request.revision != now.preview->revision;
+    // Raster first, so that it follows the view even while edits keep coming.
+    if (!newer || now.rasterNumber != request.raster.number) {
+        sample(now);
+        if (newer) {
+            turn.publish(now);
         }
-        lock.unlock();
-        if (wake_) {
-            wake_();
-        }
-        lock.lock();
     }
+    if (newer) {
+        try {
+            now.preview = examine(request, turn.stop);
+        } catch (const std::bad_alloc &) {
+            now.preview = withoutMemory(request.revision);
+        }
+        turn.publish(now);
+        sample(now);
+    }
+    return now;
 }
 
 } // namespace forefront

@@ -5,15 +5,11 @@
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
+#include "ui/background/latest.hpp"
 
-#include <condition_variable>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <stop_token>
-#include <thread>
 #include <vector>
 
 namespace forefront {
@@ -40,14 +36,11 @@ struct SpacingRaster {
     std::vector<float> rho;
 };
 
-/// Computes the preview of a document, and a raster of its spacing, on a separate thread.
+/// Computes the preview of a document, and a raster of its spacing, on a separate thread. Call all members from one
+/// thread; none of them waits, except the destructor.
 class DocumentExaminer {
   public:
-    /// `wake` is called from that thread when a result is ready.
-    explicit DocumentExaminer(std::function<void()> wake);
-    ~DocumentExaminer();
-    DocumentExaminer(const DocumentExaminer &) = delete;
-    DocumentExaminer &operator=(const DocumentExaminer &) = delete;
+    explicit DocumentExaminer(BackgroundList &list);
 
     /// Sets the document to examine, with its domain; cheap if the revision has not changed. Work on an earlier
     /// revision is finished and shown first, so that the preview keeps moving when edits come faster than it can be
@@ -55,13 +48,13 @@ class DocumentExaminer {
     void submit(std::shared_ptr<SharedDomain> drawn, std::uint64_t revision, std::shared_ptr<SharedSpacing> spacing);
     /// Sets the raster of ρ to compute; cheap when unchanged. With 0 columns, no raster is computed.
     void submitRaster(const Box2 &box, int columns, int rows);
-    /// Stops the current work, because another document is about to be opened.
+    /// Stops the current work and drops its results, because another document has been opened.
     void abandon();
-    /// Returns the newest preview and the newest raster; never null.
-    std::shared_ptr<const DocumentPreview> latest() const;
-    std::shared_ptr<const SpacingRaster> raster() const;
-    /// Returns true while any submitted work is unfinished.
-    bool busy() const;
+    /// Fetches the newest preview and raster. Returns true if one of them is new.
+    bool refresh() { return worker_.refresh(); }
+    /// Returns the preview and the raster fetched last; never null.
+    const std::shared_ptr<const DocumentPreview> &preview() const { return worker_.now().preview; }
+    const std::shared_ptr<const SpacingRaster> &raster() const { return worker_.now().raster; }
 
   private:
     struct RasterRequest {
@@ -69,22 +62,22 @@ class DocumentExaminer {
         int columns = 0, rows = 0;
         std::uint64_t number = 0;
     };
-    void work(const std::stop_token &stop);
-    static std::shared_ptr<const DocumentPreview> examine(SharedDomain &drawn, std::uint64_t revision,
-                                                          SharedSpacing &spacing, const std::stop_token &stop);
+    struct Request {
+        std::shared_ptr<SharedDomain> drawn; ///< null: no document yet
+        std::shared_ptr<SharedSpacing> spacing;
+        std::uint64_t revision = 0;
+        RasterRequest raster;
+    };
+    struct Answer {
+        std::shared_ptr<const DocumentPreview> preview = std::make_shared<DocumentPreview>();
+        std::shared_ptr<const SpacingRaster> raster = std::make_shared<SpacingRaster>();
+        std::uint64_t rasterNumber = 0;
+    };
+    static Answer answer(const LatestTurn<Request, Answer> &turn);
+    static std::shared_ptr<const DocumentPreview> examine(const Request &request, const std::stop_token &stop);
 
-    std::function<void()> wake_;
-    mutable std::mutex mutex_;
-    std::condition_variable_any changed_;
-    std::shared_ptr<SharedDomain> wanted_;
-    std::shared_ptr<SharedSpacing> wantedSpacing_;
-    std::uint64_t wantedRevision_ = 0;
-    RasterRequest wantedRaster_;
-    std::uint64_t doneRevision_ = 0, rasterNumber_ = 0, rasterRevision_ = 0;
-    std::shared_ptr<const DocumentPreview> preview_;
-    std::shared_ptr<const SpacingRaster> raster_;
-    std::stop_source examining_;
-    std::jthread thread_;
+    Request wanted_;
+    Latest<Request, Answer> worker_;
 };
 
 } // namespace forefront

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "ui/background/background_task.hpp"
+#include "ui/background/file_watch.hpp"
 #include "ui/canvas/picture.hpp"
-#include "ui/workspace/background/background_task.hpp"
-#include "ui/workspace/background/file_watch.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -16,8 +15,7 @@ namespace forefront {
 /// program has changed the file.
 class PictureStore {
   public:
-    /// `wake` is called from that thread when the picture is there.
-    explicit PictureStore(const std::function<void()> &wake) : task_(wake), watch_(wake) {}
+    explicit PictureStore(BackgroundList &list) : task_(list), watch_(list) {}
 
     /// Reads the picture of a document unless that has been done. `loads` identifies the opened document, see
     /// DocumentStore::loads(): a file that was missing is looked for again when its document is opened again.
@@ -34,8 +32,6 @@ class PictureStore {
     const std::shared_ptr<const Picture> &shown() const { return shown_; }
     /// Returns true if the document has a picture that cannot be read.
     bool failed() const { return failed_; }
-    bool busy() const { return task_.busy(); }
-    bool hasNews() const { return task_.hasNews() || watch_.hasNews(); }
 
   private:
     void startReading();

@@ -11,15 +11,15 @@ ComparedFile comparedFile(MeshFields read) {
     return file;
 }
 
-ComparedMesh::ComparedMesh(std::string name, ComparedFile file, std::uint64_t version, std::function<void()> wake)
-    : name_(std::move(name)), fields_(std::move(file.fields)), judge_(std::move(wake)), judgement_(judge_.latest()) {
+ComparedMesh::ComparedMesh(BackgroundList &list, std::string name, ComparedFile file, std::uint64_t version)
+    : name_(std::move(name)), fields_(std::move(file.fields)), judge_(list) {
     file.view->version = version;
     view_ = std::move(file.view);
 }
 
 const std::vector<MeshEdge> &ComparedMesh::outline() const {
     static const std::vector<MeshEdge> kNone;
-    return judgement_->outline ? *judgement_->outline : kNone;
+    return judgement()->outline ? *judgement()->outline : kNone;
 }
 
 bool ComparedMesh::follow(JudgeRequest request) {
@@ -38,12 +38,7 @@ bool ComparedMesh::follow(JudgeRequest request) {
     request.outline = true;
     request.quality = true;
     judge_.submit(request);
-    std::shared_ptr<const Judgement> newest = judge_.latest();
-    if (newest == judgement_) {
-        return false;
-    }
-    judgement_ = std::move(newest);
-    return true;
+    return judge_.refresh();
 }
 
 std::optional<MeshFigures> figuresOf(const Judgement &judgement) {

@@ -4,7 +4,6 @@
 #include "ui/workspace/mesh/mesh_judge.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,30 +23,27 @@ ComparedFile comparedFile(MeshFields read);
 /// The mesh of a file, shown for comparison with the mesh on the canvas. It is evaluated on a separate thread.
 class ComparedMesh {
   public:
-    /// `name`: of the file. `version`: of the mesh view. `wake`: as for MeshJudge.
-    ComparedMesh(std::string name, ComparedFile file, std::uint64_t version, std::function<void()> wake);
+    /// `name`: of the file. `version`: of the mesh view.
+    ComparedMesh(BackgroundList &list, std::string name, ComparedFile file, std::uint64_t version);
 
     const std::string &name() const { return name_; }
     /// Returns the triangles by which the mesh is drawn.
     const TriMesh &mesh() const { return view_->mesh; }
     const std::shared_ptr<const MeshSnapshot> &view() const { return view_; }
     /// Returns the evaluation of this frame; never null.
-    const std::shared_ptr<const Judgement> &judgement() const { return judgement_; }
+    const std::shared_ptr<const Judgement> &judgement() const { return judge_.now(); }
     /// Returns the edges with one element; empty until the mesh has been evaluated.
     const std::vector<MeshEdge> &outline() const;
 
     /// Evaluates the mesh with the measure or field and the spacing of the canvas, and fetches the latest evaluation.
     /// Call it once per frame. Returns true if the evaluation is new.
     bool follow(JudgeRequest request);
-    bool busy() const { return judge_.busy(); }
-    bool hasNews() const { return judge_.latest() != judgement_; }
 
   private:
     std::string name_;
     std::shared_ptr<const FileFields> fields_; ///< null: none
     std::shared_ptr<const MeshSnapshot> view_;
     MeshJudge judge_;
-    std::shared_ptr<const Judgement> judgement_;
 };
 
 /// The figures of a mesh that a comparison shows.

@@ -115,14 +115,15 @@ Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index) {
 
 namespace {
 
+using JudgeTurn = LatestTurn<JudgeRequest, std::shared_ptr<const Judgement>>;
+
 /// Returns the evaluation, or one with an out-of-memory fault.
-template <class Answer>
-std::shared_ptr<const Judgement> judgementWithin(const JudgeRequest &request, Answer answer) {
+std::shared_ptr<const Judgement> judgementWithin(const JudgeTurn &turn, const MeshJudge::Answer &answer) {
     try {
-        return answer();
+        return answer(turn.request, *turn.earlier);
     } catch (const std::bad_alloc &) {
         auto judgement = std::make_shared<Judgement>();
-        judgement->of = request;
+        judgement->of = turn.request;
         judgement->faults = error("out-of-memory", "not enough memory to evaluate the mesh",
                                   "close other programs, or open a smaller mesh");
         return judgement;
@@ -131,54 +132,15 @@ std::shared_ptr<const Judgement> judgementWithin(const JudgeRequest &request, An
 
 } // namespace
 
-MeshJudge::MeshJudge(std::function<void()> wake, Answer answer)
-    : wake_(std::move(wake)), answer_(std::move(answer)), judgement_(std::make_shared<Judgement>()),
-      thread_([this](const std::stop_token &stop) { work(stop); }) {}
-
-MeshJudge::~MeshJudge() {
-    thread_.request_stop();
-    const std::lock_guard lock(mutex_);
-    changed_.notify_all();
-}
+MeshJudge::MeshJudge(BackgroundList &list, Answer answer)
+    : worker_(
+          list, [answer = std::move(answer)](const JudgeTurn &turn) { return judgementWithin(turn, answer); },
+          std::make_shared<const Judgement>()) {}
 
 void MeshJudge::submit(const JudgeRequest &request) {
-    const std::lock_guard lock(mutex_);
     if (!(wanted_ == request)) {
         wanted_ = request;
-        changed_.notify_all();
-    }
-}
-
-std::shared_ptr<const Judgement> MeshJudge::latest() const {
-    const std::lock_guard lock(mutex_);
-    return judgement_;
-}
-
-bool MeshJudge::busy() const {
-    const std::lock_guard lock(mutex_);
-    return !(judgement_->of == wanted_);
-}
-
-void MeshJudge::work(const std::stop_token &stop) {
-    std::unique_lock lock(mutex_);
-    while (!stop.stop_requested()) {
-        if (!changed_.wait(lock, stop, [this] { return !(judgement_->of == wanted_); })) {
-            return;
-        }
-        const JudgeRequest request = wanted_;
-        std::shared_ptr<const Judgement> earlier = judgement_;
-        lock.unlock();
-        std::shared_ptr<const Judgement> judgement =
-            judgementWithin(request, [&] { return answer_(request, *earlier); });
-        earlier.reset();
-        lock.lock();
-        judgement_.swap(judgement);
-        lock.unlock();
-        judgement.reset(); // frees an old mesh outside the lock
-        if (wake_) {
-            wake_();
-        }
-        lock.lock();
+        worker_.submit(request);
     }
 }
 

@@ -6,16 +6,13 @@
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/session/snapshot.hpp"
+#include "ui/background/latest.hpp"
 #include "ui/style/colour_map.hpp"
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace forefront {
@@ -65,29 +62,21 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
 class MeshJudge {
   public:
     using Answer = std::function<std::shared_ptr<const Judgement>(const JudgeRequest &, const Judgement &earlier)>;
-    /// `wake` is called from that thread when a judgement is ready. `answer` computes it; tests pass their own.
-    explicit MeshJudge(std::function<void()> wake, Answer answer = judgementOf);
-    ~MeshJudge();
-    MeshJudge(const MeshJudge &) = delete;
-    MeshJudge &operator=(const MeshJudge &) = delete;
+    /// `answer` computes the judgement; tests pass their own.
+    explicit MeshJudge(BackgroundList &list, Answer answer = judgementOf);
 
     /// Sets the request; cheap if it has not changed. Work on an earlier request is finished first.
     void submit(const JudgeRequest &request);
-    /// Returns the newest judgement; never null.
-    std::shared_ptr<const Judgement> latest() const;
+    /// Fetches the newest judgement. Called once per frame; returns true if it is new.
+    bool refresh() { return worker_.refresh(); }
+    /// Returns the judgement of this frame; never null.
+    const std::shared_ptr<const Judgement> &now() const { return worker_.now(); }
     /// Returns true while the newest request is unanswered.
-    bool busy() const;
+    bool busy() const { return worker_.working(); }
 
   private:
-    void work(const std::stop_token &stop);
-
-    std::function<void()> wake_;
-    Answer answer_;
-    mutable std::mutex mutex_;
-    std::condition_variable_any changed_;
     JudgeRequest wanted_;
-    std::shared_ptr<const Judgement> judgement_;
-    std::jthread thread_; ///< last, so that it ends before what it uses
+    Latest<JudgeRequest, std::shared_ptr<const Judgement>> worker_;
 };
 
 /// Returns the position of a part of the evaluated mesh. For edges, the judgement must include them.

@@ -5,123 +5,99 @@
 #include "core/engine/adapt/mesh_outline.hpp"
 
 #include <new>
-#include <stop_token>
 #include <string_view>
 #include <utility>
 
 namespace forefront {
 
 Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &progress, const AdaptReport &report) {
-    const Result<Domain> domain =
-        request.drawing ? Result<Domain>(toDomain(*request.drawing)) : outlineOf(request.mesh->view(), progress);
-    if (!domain) {
-        return domain.faults();
+    MeshingJob job;
+    if (request.drawing) {
+        job = jobOf(*request.drawing);
+    } else if (Result<Domain> outline = outlineOf(request.mesh->view(), progress); outline) {
+        job.domain = std::move(*outline);
+    } else {
+        return outline.faults();
     }
+    job.options = request.options;
     if (request.values) {
-        return adaptMeshOnce(*domain, request.mesh->mesh, *request.values, request.target, request.options, progress,
-                             report);
+        return adaptMeshOnce(job, request.mesh->mesh, *request.values, request.target, progress, report);
     }
     const Result<NodalField> field = expressionField(request.field);
     if (!field) {
         return field.faults();
     }
-    return adaptMesh(*domain, request.mesh->mesh, *field, request.target, request.maxRounds, request.options, progress,
-                     report);
+    return adaptMesh(job, request.mesh->mesh, *field, request.target, request.maxRounds, progress, report);
 }
 
 namespace {
 
-using AdaptWorker = WorkerState<AdaptProgress>;
+using AdaptTurn = LatestTurn<AdaptRequest, AdaptProgress>;
 
-template <class Apply>
-void changeProgress(AdaptWorker &worker, Apply apply) {
-    worker.change([&](AdaptProgress &progress) {
-        apply(progress);
-        return true;
-    });
-}
-
-void runAdaptation(AdaptWorker &worker, const Adaptation::Work &work, const AdaptRequest &request,
-                   const std::stop_token &stop) {
+AdaptProgress runAdaptation(const AdaptTurn &turn, const Adaptation::Work &work) {
+    AdaptProgress now{.running = true};
     Progress progress;
-    progress.stop = stop;
-    progress.report = [&worker, last = std::pair<std::string, int>()](std::string_view stage, double fraction) mutable {
+    progress.stop = turn.stop;
+    progress.report = [&, last = std::pair<std::string, int>()](std::string_view stage, double fraction) mutable {
         const std::pair<std::string, int> next{stage, static_cast<int>(20.0 * fraction)};
         if (next != last) { // a frame for each report would cost more than the work
             last = next;
-            changeProgress(worker, [&](AdaptProgress &p) {
-                p.stage = stage;
-                p.fraction = fraction;
-            });
+            now.stage = stage;
+            now.fraction = fraction;
+            turn.publish(now);
         }
     };
-    const auto keep = [&worker](AdaptedMesh round) {
-        auto kept = std::make_shared<const AdaptedMesh>(std::move(round));
-        changeProgress(worker, [&](AdaptProgress &p) { p.rounds.push_back(std::move(kept)); });
+    const auto keep = [&](AdaptedMesh round) {
+        now.rounds.push_back(std::make_shared<const AdaptedMesh>(std::move(round)));
+        turn.publish(now);
     };
     const auto report = [&](std::size_t, const AdaptRound &round, const AdaptState &state) {
         keep({state.mesh, state.values, state.estimate.elements, round.error, state.spacing});
     };
-    Diagnostics faults;
-    bool met = false, stalled = false;
     try {
-        Result<AdaptOutcome> outcome = work(request, progress, report);
+        Result<AdaptOutcome> outcome = work(turn.request, progress, report);
         if (!outcome) {
-            faults = outcome.faults();
+            now.faults = outcome.faults();
         } else {
-            met = outcome->met;
-            stalled = outcome->stalled;
-            if (request.values) {
+            if (turn.request.values) {
                 keep({std::move(outcome->mesh), {}, {}, std::nullopt, std::move(outcome->spacing)});
             }
+            now.met = outcome->met;
+            now.stalled = outcome->stalled;
         }
     } catch (const std::bad_alloc &) {
-        faults =
+        now.faults =
             error("out-of-memory", "not enough memory to adapt the mesh", "allow a larger error or set a minimum size");
     }
-    changeProgress(worker, [&](AdaptProgress &p) {
-        p.running = false;
-        p.faults = std::move(faults);
-        p.met = met;
-        p.stalled = stalled;
-    });
+    now.running = false;
+    return now;
 }
 
 } // namespace
 
-Adaptation::Adaptation(std::function<void()> wake, Work work) : wake_(std::move(wake)), work_(std::move(work)) {}
+Adaptation::Adaptation(BackgroundList &list, Work work)
+    : worker_(list, [work = std::move(work)](const AdaptTurn &turn) { return runAdaptation(turn, work); }) {}
 
-void Adaptation::retire() {
-    worker_.retire();
+/// Drops the rounds and shows `now`.
+void Adaptation::reset(AdaptProgress now) {
+    worker_.clear(std::move(now));
     selected = followed = 0;
     shown = 0;
     compared_.reset();
 }
 
 void Adaptation::start(AdaptRequest request) {
-    if (now_.running) {
+    if (busy()) {
         return;
     }
-    retire();
+    reset({.running = true});
     request_ = std::move(request);
-    now_ = {.running = true};
-    worker_.start(now_, wake_, [work = work_, copy = request_](AdaptWorker &worker, const std::stop_token &stop) {
-        runAdaptation(worker, work, copy, stop);
-    });
+    worker_.submit(request_);
 }
 
 void Adaptation::clear() {
-    retire();
-    now_ = {};
+    reset({});
     request_ = {};
-}
-
-bool Adaptation::refresh() {
-    std::optional<AdaptProgress> newest = worker_.refresh();
-    if (newest) {
-        now_ = std::move(*newest);
-    }
-    return newest.has_value();
 }
 
 bool Adaptation::fits(const std::shared_ptr<const Document> &drawing) const {

@@ -3,7 +3,7 @@
 #include "core/drawing/document/document.hpp"
 #include "core/engine/adapt/adaptive_meshing.hpp"
 #include "core/engine/session/snapshot.hpp"
-#include "ui/workspace/background/retiring_worker.hpp"
+#include "ui/background/latest.hpp"
 #include "ui/workspace/mesh/file_fields.hpp"
 
 #include <cstddef>
@@ -61,20 +61,19 @@ class Adaptation {
   public:
     using Work = std::function<Result<AdaptOutcome>(const AdaptRequest &, const Progress &, const AdaptReport &)>;
 
-    /// `wake` is called from that thread when there is news. `work` adapts the mesh; tests pass their own.
-    explicit Adaptation(std::function<void()> wake, Work work = adaptedMesh);
+    /// `work` adapts the mesh; tests pass their own.
+    explicit Adaptation(BackgroundList &list, Work work = adaptedMesh);
 
     /// Starts an adaptation and drops the rounds of the previous one; does nothing while one is running.
     void start(AdaptRequest request);
-    void cancel() { worker_.stop(); }
+    void cancel() { worker_.requestStop(); }
     /// Drops the rounds, and cancels the adaptation if it is running.
     void clear();
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
-    bool refresh();
-    bool hasNews() const { return worker_.hasNews(); }
-    bool busy() const { return now_.running; }
+    bool refresh() { return worker_.refresh(); }
+    bool busy() const { return now().running; }
     /// Returns the progress of this frame.
-    const AdaptProgress &now() const { return now_; }
+    const AdaptProgress &now() const { return worker_.now(); }
     /// Returns the request of the rounds.
     const AdaptRequest &request() const { return request_; }
     /// Returns true if the rounds are of the domain that `drawing` has now, or of the mesh of a file.
@@ -86,12 +85,9 @@ class Adaptation {
     std::uint64_t loads = 0;  ///< DocumentStore::loads() of the document that the rounds belong to
 
   private:
-    void retire();
+    void reset(AdaptProgress now);
 
-    std::function<void()> wake_;
-    Work work_;
-    RetiringWorker<AdaptProgress> worker_{LeavableThread::kForever};
-    AdaptProgress now_;
+    Latest<AdaptRequest, AdaptProgress> worker_;
     AdaptRequest request_;
     mutable std::shared_ptr<const Document> compared_; ///< the last drawing that fits() was called with
     mutable bool fits_ = false;

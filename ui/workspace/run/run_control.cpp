@@ -11,8 +11,9 @@
 
 namespace forefront {
 
-RunControl::RunControl(DocumentStore &document, MessageLog &log, std::function<void()> wake)
-    : document_(document), log_(log), session_(std::move(wake)), snapshot_(session_.latest()) {}
+RunControl::RunControl(DocumentStore &document, MessageLog &log, BackgroundList &list)
+    : BackgroundActivity(list, NewsPace::WithMesh), document_(document), log_(log), session_(list.wake()),
+      snapshot_(session_.latest()), liveMeshing_(list, *this) {}
 
 void RunControl::refresh() {
     const bool busy = session_.busy(); // read before the snapshot: an idle worker has delivered its last one
@@ -211,8 +212,7 @@ void RunControl::showFile(FileMesh read) {
 }
 
 MeshingJob RunControl::job() const {
-    const std::shared_ptr<const Document> document = document_.current();
-    return {*document_.domain(), spacingOf(*document), document->options};
+    return *document_.sharedDomain()->job();
 }
 
 void RunControl::start(StartMode mode, Extent extent) {

@@ -2,10 +2,10 @@
 
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/session/meshing_session.hpp"
+#include "ui/background/background_list.hpp"
 #include "ui/workspace/mesh/file_fields.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,13 +36,13 @@ FileMesh fileMeshOf(MeshFields read);
 
 /// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and
 /// knows whether the mesh is out of date. Call all members from the UI thread; none of them blocks.
-class RunControl {
+class RunControl final : public BackgroundActivity {
   public:
     /// Advances per second at speed 1.
     static constexpr double kAdvancesPerSecond = 10.0;
     static constexpr double kSlowest = 0.1, kFastest = 1000.0;
 
-    RunControl(DocumentStore &document, MessageLog &log, std::function<void()> wake);
+    RunControl(DocumentStore &document, MessageLog &log, BackgroundList &list);
 
     /// Fetches the newest snapshot and logs what the run reports. Called once per frame.
     void refresh();
@@ -58,7 +58,7 @@ class RunControl {
     /// Returns true if the mesh shown is a preview, coarser than the document asks for.
     bool preview() const { return snapshot_->coarsening > 1.0; }
     /// Returns true if a newer snapshot is waiting.
-    bool hasNews() const { return session_.latest() != snapshot_; }
+    bool hasNews() const override { return session_.latest() != snapshot_; }
     /// Returns the snapshot of this frame; it does not change within a frame.
     const SessionSnapshot &now() const { return *snapshot(); }
     /// Returns that of an empty session for an empty drawing; undoing its deletion brings the mesh back.
@@ -99,6 +99,7 @@ class RunControl {
 
     /// Returns true while a command is pending or the worker is busy.
     bool busy() const { return session_.busy(); }
+    bool working() const override { return busy(); }
     bool playing() const;
     bool hasRun() const;
     /// Returns true if the document has changed since the run started and live meshing will not catch up by itself.
@@ -125,6 +126,17 @@ class RunControl {
   private:
     /// The extent of a run for live meshing: a preview, or the full mesh that the document asks for.
     enum class Extent : std::uint8_t { Preview, Full };
+
+    /// Live meshing, which the window must not miss while the worker is idle.
+    class LiveMeshing final : public BackgroundActivity {
+      public:
+        LiveMeshing(BackgroundList &list, const RunControl &run) : BackgroundActivity(list), run_(run) {}
+        bool working() const override { return run_.hasToFollow(); }
+        bool hasNews() const override { return run_.canFollow(); }
+
+      private:
+        const RunControl &run_;
+    };
 
     bool emptied() const;
     void start(StartMode mode, Extent extent = Extent::Full);
@@ -175,6 +187,7 @@ class RunControl {
     mutable std::shared_ptr<const Document> seen_; ///< the document of the last call of meshRevision()
     mutable std::uint64_t seenRevision_ = 0, meshRevision_ = 0;
     mutable std::map<std::uint64_t, std::uint64_t> meshRevisions_; ///< by document revision
+    LiveMeshing liveMeshing_;
     std::uint64_t loggedRun_ = 0;
     RunState loggedState_ = RunState::Empty;
 };

@@ -8,9 +8,6 @@
 namespace forefront {
 
 bool SideBySide::hasNews() const {
-    if (mesh_ && mesh_->hasNews()) {
-        return true;
-    }
     for (std::size_t k = 0; k < shown_.size(); ++k) {
         if (lockstep_->latest(k) != shown_[k]) {
             return true;
@@ -19,8 +16,8 @@ bool SideBySide::hasNews() const {
     return false;
 }
 
-void SideBySide::compareWith(std::string name, ComparedFile file, std::function<void()> wake) {
-    mesh_ = std::make_unique<ComparedMesh>(std::move(name), std::move(file), ++meshes_, std::move(wake));
+void SideBySide::compareWith(std::string name, ComparedFile file) {
+    mesh_ = std::make_unique<ComparedMesh>(list(), std::move(name), std::move(file), ++meshes_);
     visible = true;
 }
 
@@ -29,7 +26,7 @@ void SideBySide::close() {
     mesh_.reset();
 }
 
-bool SideBySide::follow(const RunControl &run, const Document &document, const std::function<void()> &wake) {
+bool SideBySide::follow(const RunControl &run, const Document &document) {
     const SessionSnapshot &main = run.now();
     if (!visible || mesh_ || !run.hasRun() || run.showsFile() || !main.mesh) {
         const bool had = lockstep_.has_value();
@@ -46,7 +43,7 @@ bool SideBySide::follow(const RunControl &run, const Document &document, const s
         started_ = comparison;
         const std::vector<RunVariant> variants = variantsBeside({run.method(), document.options.grid}, comparison);
         lockstep_.reset();
-        lockstep_.emplace(run.job(), variants, wake);
+        lockstep_.emplace(run.job(), variants, list().wake());
         shown_.assign(variants.size(), nullptr);
     }
     lockstep_->follow(main.advance, main.complete && main.advance == main.known);

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,26 +17,28 @@ class RunControl;
 
 /// The views beside the canvas: runs with other grids or the other method at the same advance as the run of the
 /// document, or the mesh of a file.
-class SideBySide {
+class SideBySide final : public BackgroundActivity {
   public:
+    explicit SideBySide(BackgroundList &list) : BackgroundActivity(list) {}
+
     bool visible = false;
     Comparison comparison = Comparison::Grids;
     bool overlaid = false; ///< the mesh of a file is drawn over that of the canvas rather than beside it
 
     /// Starts the runs of a new mesh, moves them to the position of the run on the canvas and fetches their snapshots.
-    /// Call it once per frame; `wake` as for MeshingSession. Returns true if there is a new snapshot.
-    bool follow(const RunControl &run, const Document &document, const std::function<void()> &wake);
-    /// Shows the mesh of a file instead of runs. `wake`: as for MeshJudge.
-    void compareWith(std::string name, ComparedFile file, std::function<void()> wake);
+    /// Call it once per frame. Returns true if there is a new snapshot.
+    bool follow(const RunControl &run, const Document &document);
+    /// Shows the mesh of a file instead of runs.
+    void compareWith(std::string name, ComparedFile file);
     /// Evaluates the mesh of the file with the measure and the spacing of the canvas. Call it once per frame. Returns
     /// true if there is a new evaluation.
     bool judge(const JudgeRequest &canvas) { return mesh_ && mesh_->follow(canvas); }
     /// Returns the mesh of the file; null if runs are compared.
     const ComparedMesh *mesh() const { return mesh_.get(); }
     void close();
-    /// Returns true while a run is still moving to the position of the canvas, or the mesh is being evaluated.
-    bool busy() const { return (lockstep_ && lockstep_->busy()) || (mesh_ && mesh_->busy()); }
-    bool hasNews() const;
+    /// Returns true while a run is still moving to the position of the canvas.
+    bool working() const override { return lockstep_ && lockstep_->busy(); }
+    bool hasNews() const override;
     /// Returns the number of runs or meshes compared with that of the canvas.
     std::size_t size() const { return mesh_ ? 1 : shown_.size(); }
     /// Returns the number of views beside the canvas.

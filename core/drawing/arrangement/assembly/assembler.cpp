@@ -2,12 +2,13 @@
 
 #include "core/drawing/arrangement/snapping/stretch_part.hpp"
 #include "core/engine/base/ids.hpp"
+#include "core/engine/base/rows.hpp"
 #include "core/engine/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <span>
 
 namespace forefront {
 
@@ -37,7 +38,6 @@ Arrangement Assembler::run() {
 void Assembler::collectRuns() {
     const std::size_t edgeCount = snapped_.edges.size();
     isLine_.assign(edgeCount, 0);
-    std::vector<std::uint32_t> starts(edgeCount + 1, 0);
     const auto forEach = [&](const auto &visit) {
         for (std::uint32_t i = 0; i < lineCount(); ++i) {
             for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
@@ -46,23 +46,21 @@ void Assembler::collectRuns() {
         }
     };
     forEach([&](const ArrangementPiece &piece, std::uint32_t way) {
-        if (piece.role == PieceRole::Outline) {
-            ++starts[way / 2 + 1];
-        } else if (piece.limit == kNoClip) {
+        if (piece.role != PieceRole::Outline && piece.limit == kNoClip) {
             isLine_[way / 2] = 1;
         }
     });
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    std::vector<ContourRun> runs(starts.back());
-    std::vector<std::uint32_t> fill(starts.begin(), starts.end() - 1);
-    forEach([&](const ArrangementPiece &piece, std::uint32_t way) {
-        if (piece.role == PieceRole::Outline) {
-            runs[fill[way / 2]++] = {piece.contour, way % 2 == 0 ? 1 : -1};
-        }
+    Rows<ContourRun> runs(edgeCount, [&](const auto &add) {
+        forEach([&](const ArrangementPiece &piece, std::uint32_t way) {
+            if (piece.role == PieceRole::Outline) {
+                add(way / 2, ContourRun{piece.contour, way % 2 == 0 ? 1 : -1});
+            }
+        });
     });
     runs_.starts.push_back(0);
     for (std::size_t e = 0; e < edgeCount; ++e) {
-        const auto first = runs.begin() + starts[e], last = runs.begin() + starts[e + 1];
+        const std::span<ContourRun> row = runs[e];
+        const auto first = row.begin(), last = row.end();
         std::sort(first, last, [](const ContourRun &s, const ContourRun &t) { return s.contour < t.contour; });
         for (auto run = first; run != last; ++run) {
             if (run != first && runs_.runs.back().contour == run->contour) {

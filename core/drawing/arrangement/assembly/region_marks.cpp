@@ -1,6 +1,7 @@
 #include "core/drawing/arrangement/assembly/assembler.hpp"
 #include "core/drawing/arrangement/assembly/face_points.hpp"
 #include "core/engine/base/ids.hpp"
+#include "core/engine/base/rows.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -32,7 +33,6 @@ std::vector<std::uint32_t> Assembler::joinFaces() const {
 /// Puts a marker into every face inside, in the order of the faces' first edges in the domain.
 void Assembler::markRegions() {
     const std::vector<std::uint32_t> root = joinFaces();
-    std::vector<std::uint32_t> starts(faces_.count + 1, 0);
     const auto forEach = [&](const auto &visit) { // edges of the domain, on the faces inside
         for (std::uint32_t e = 0; e < fate_.size(); ++e) {
             const std::uint32_t left = root[faces_.left[e]], right = root[faces_.right[e]];
@@ -44,20 +44,18 @@ void Assembler::markRegions() {
             }
         }
     };
-    forEach([&](std::uint32_t, std::uint32_t face, bool) { ++starts[face + 1]; });
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    std::vector<FaceEdge> edges(starts.back());
-    std::vector<std::uint32_t> fill(starts.begin(), starts.end() - 1);
-    forEach([&](std::uint32_t e, std::uint32_t face, bool twice) {
-        const PlaneEdge &edge = snapped_.edges[e];
-        edges[fill[face]++] = {snapped_.nodes[edge.a], snapped_.nodes[edge.b], twice};
+    const Rows<FaceEdge> edges(faces_.count, [&](const auto &add) {
+        forEach([&](std::uint32_t e, std::uint32_t face, bool twice) {
+            const PlaneEdge &edge = snapped_.edges[e];
+            add(face, FaceEdge{snapped_.nodes[edge.a], snapped_.nodes[edge.b], twice});
+        });
     });
     for (std::uint32_t face = 1; face < faces_.count; ++face) {
-        if (starts[face] == starts[face + 1]) {
+        if (edges[face].empty()) {
             continue;
         }
         const std::uint32_t feature = cover_.owner[face];
-        if (const auto at = pointInFace(std::span(edges).subspan(starts[face], starts[face + 1] - starts[face]))) {
+        if (const auto at = pointInFace(edges[face])) {
             result_.domain.regionMarkers.push_back({*at, input_.features[feature].regionTag});
             result_.markerFeature.push_back(feature);
         }

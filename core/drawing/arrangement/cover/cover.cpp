@@ -2,6 +2,7 @@
 
 #include "core/drawing/arrangement/cover/winding_walk.hpp"
 #include "core/engine/base/ids.hpp"
+#include "core/engine/base/rows.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -103,18 +104,12 @@ class CoverFinder {
     }
 
     void linkFaces() {
-        starts_.assign(faces_.count + 1, 0);
-        for (std::size_t e = 0; e < edges_.size(); ++e) {
-            ++starts_[faces_.left[e] + 1];
-            ++starts_[faces_.right[e] + 1];
-        }
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-        around_.resize(2 * edges_.size());
-        std::vector<std::uint32_t> fill(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-            around_[fill[faces_.left[e]]++] = e;
-            around_[fill[faces_.right[e]]++] = e;
-        }
+        around_ = Rows<std::uint32_t>(faces_.count, [this](const auto &add) {
+            for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+                add(faces_.left[e], e);
+                add(faces_.right[e], e);
+            }
+        });
     }
 
     void walk() {
@@ -126,12 +121,12 @@ class CoverFinder {
         struct Step {
             std::uint32_t face, by, next;
         };
-        std::vector<Step> path{{0, kNoIndex, starts_[0]}};
+        std::vector<Step> path{{0, kNoIndex, 0}};
         known[0] = 1;
         visit(0);
         while (!path.empty()) {
             Step &step = path.back();
-            if (step.next == starts_[step.face + 1]) {
+            if (step.next == around_[step.face].size()) {
                 const Step left = step;
                 path.pop_back();
                 if (left.by != kNoIndex) {
@@ -139,7 +134,7 @@ class CoverFinder {
                 }
                 continue;
             }
-            const std::uint32_t e = around_[step.next++];
+            const std::uint32_t e = around_[step.face][step.next++];
             const bool fromLeft = faces_.left[e] == step.face;
             const std::uint32_t other = fromLeft ? faces_.right[e] : faces_.left[e];
             if (fromLeft && other != step.face) {
@@ -152,7 +147,7 @@ class CoverFinder {
                 known[other] = 1;
                 cross(e, other);
                 visit(other);
-                path.push_back({other, e, starts_[other]});
+                path.push_back({other, e, 0});
             }
         }
     }
@@ -313,7 +308,7 @@ class CoverFinder {
     std::vector<ClippedLine> &lines_;
     WindingWalk covering_;
     HolderFinder holders_;
-    std::vector<std::uint32_t> starts_, around_; // edges of each face
+    Rows<std::uint32_t> around_; // edges of each face
     std::vector<std::uint32_t> touched_;
     struct Crowd {
         std::uint32_t face, first, count; // a range of rivals_

@@ -1,12 +1,12 @@
 #include "core/drawing/arrangement/cover/hidden_shapes.hpp"
 
+#include "core/engine/base/rows.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/geometry/curve_part.hpp"
 #include "core/engine/geometry/predicates.hpp"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -22,20 +22,16 @@ double areaOf(const Box2 &box) {
 class HiddenShapes {
   public:
     HiddenShapes(const ArrangementInput &input, double reach)
-        : input_(input), reach_(reach), boxes_(input.shapes.size()), starts_(input.shapes.size() + 1, 0),
-          hidden_(input.shapes.size(), 0) {
+        : input_(input), reach_(reach), boxes_(input.shapes.size()), hidden_(input.shapes.size(), 0) {
+        pieces_ = Rows<std::uint32_t>(input.shapes.size(), [&](const auto &add) {
+            for (std::uint32_t k = 0; k < input.pieces.size(); ++k) {
+                if (input.pieces[k].role == PieceRole::Outline) {
+                    add(shapeOf(input.pieces[k]), k);
+                }
+            }
+        });
         for (const ArrangementPiece &piece : input.pieces) {
             if (piece.role == PieceRole::Outline) {
-                ++starts_[shapeOf(piece) + 1];
-            }
-        }
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-        pieces_.resize(starts_.back());
-        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t k = 0; k < input.pieces.size(); ++k) {
-            const ArrangementPiece &piece = input.pieces[k];
-            if (piece.role == PieceRole::Outline) {
-                pieces_[next[shapeOf(piece)]++] = k;
                 boxes_[shapeOf(piece)].add(boxOf(piece));
             }
         }
@@ -90,9 +86,7 @@ class HiddenShapes {
         return box;
     }
 
-    std::span<const std::uint32_t> piecesOf(std::uint32_t shape) const {
-        return std::span(pieces_).subspan(starts_[shape], starts_[shape + 1] - starts_[shape]);
-    }
+    std::span<const std::uint32_t> piecesOf(std::uint32_t shape) const { return pieces_[shape]; }
 
     /// Marks the smaller shapes within one that have none of its outlines in their boxes.
     void hideBelow(std::uint32_t cover, std::span<const std::uint32_t> smaller) {
@@ -156,9 +150,8 @@ class HiddenShapes {
 
     const ArrangementInput &input_;
     double reach_;
-    std::vector<Box2> boxes_;           ///< per shape
-    std::vector<std::uint32_t> starts_; ///< per shape: its first piece in pieces_
-    std::vector<std::uint32_t> pieces_;
+    std::vector<Box2> boxes_;    ///< per shape
+    Rows<std::uint32_t> pieces_; ///< per shape: its pieces
     std::vector<std::uint8_t> hidden_;
 };
 

@@ -1,6 +1,7 @@
 #include "core/drawing/arrangement/cover/united.hpp"
 
 #include "core/engine/base/ids.hpp"
+#include "core/engine/base/rows.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -26,19 +27,13 @@ ArrangementInput inputOf(std::span<const OutlinedArea> areas, double tolerance) 
 class RingTracer {
   public:
     explicit RingTracer(const Domain &domain) : domain_(domain), newCurves_(domain.curves.size(), kNoIndex) {
-        starts_.assign(domain.nodes.size() + 1, 0);
-        for (const DomainSegment &segment : domain.segments) {
-            ++starts_[segment.a + 1];
-            ++starts_[segment.b + 1];
-        }
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-        incident_.resize(2 * domain.segments.size());
-        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
-            incident_[next[domain.segments[s].a]++] = s;
-            incident_[next[domain.segments[s].b]++] = s;
-        }
-        next_.assign(starts_.begin(), starts_.end() - 1);
+        incident_ = Rows<std::uint32_t>(domain.nodes.size(), [&](const auto &add) {
+            for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+                add(domain.segments[s].a, s);
+                add(domain.segments[s].b, s);
+            }
+        });
+        next_.assign(domain.nodes.size(), 0);
         used_.assign(domain.segments.size(), 0);
     }
 
@@ -69,9 +64,10 @@ class RingTracer {
     }
 
     std::uint32_t unusedAt(std::uint32_t node) {
-        for (std::uint32_t &next = next_[node]; next < starts_[node + 1]; ++next) {
-            if (used_[incident_[next]] == 0) {
-                return incident_[next];
+        const std::span<const std::uint32_t> here = incident_[node];
+        for (std::uint32_t &next = next_[node]; next < here.size(); ++next) {
+            if (used_[here[next]] == 0) {
+                return here[next];
             }
         }
         return kNoIndex;
@@ -90,8 +86,8 @@ class RingTracer {
     }
 
     const Domain &domain_;
-    std::vector<std::uint32_t> starts_, incident_; ///< per node: its segments
-    std::vector<std::uint32_t> next_;              ///< per node: the first segment that may be unused
+    Rows<std::uint32_t> incident_;    ///< per node: its segments
+    std::vector<std::uint32_t> next_; ///< per node: the first of them that may be unused
     std::vector<std::uint8_t> used_;
     std::vector<std::uint32_t> newCurves_; ///< per curve: its index in the area
     OutlinedArea area_;

@@ -4,6 +4,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <cstdint>
 #include <stop_token>
@@ -38,6 +39,10 @@ struct Repaired {
 ///   repaired; `validate` reports them afterwards. Errors: out-of-range, repair-failed,
 ///   out-of-memory, cancelled.
 Result<Repaired> repair(const Domain &domain, double tolerance = 0.0, std::stop_token stop = {});
+
+/// Takes the numbers of elements of a spacing along from a domain to what a repair made of it: parts of a straight
+/// segment share its number by their lengths. All other sizes belong to tags or places, which a repair keeps.
+void carryElements(const Domain &before, const Repaired &repaired, SpacingSpec &spacing);
 
 /// Returns true if `repair` removes faults of this kind.
 bool repairable(const Diagnostic &fault);

@@ -2,21 +2,7 @@
 #include "core/drawing/arrangement/repair/repairer.hpp"
 #include "core/drawing/arrangement/snapping/stretch_part.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace forefront {
-
-namespace {
-
-/// Returns the number of elements along a part of a straight segment: its share, by length.
-std::uint32_t elementsOfPart(const Domain &domain, const DomainSegment &segment, Vec2 a, Vec2 b) {
-    const double whole = distance(domain.nodes[segment.a], domain.nodes[segment.b]);
-    return static_cast<std::uint32_t>(
-        std::max(1.0, std::round(segment.elements * std::min(1.0, distance(a, b) / whole))));
-}
-
-} // namespace
 
 /// Assembles the repaired domain.
 void Repairer::build() {
@@ -148,10 +134,6 @@ void Repairer::addSegments() {
             const std::uint32_t line = edges_[e].line; // the part of the source segment
             segment.stretch = stretchAlong(lines_.stretches[line], given_.curves, lines_.lines[line],
                                            domain.nodes[segment.a], domain.nodes[segment.b]);
-            if (segment.elements > 0 && !segment.stretch.follows()) {
-                segment.elements = elementsOfPart(given_, given_.segments[edges_[e].source], domain.nodes[segment.a],
-                                                  domain.nodes[segment.b]);
-            }
             domain.segments.push_back(segment);
             result_.segmentSource.push_back(edges_[e].source);
         }

@@ -4,12 +4,13 @@
 #include "core/drawing/arrangement/repeated_lines/loose_chains.hpp"
 #include "core/drawing/arrangement/repeated_lines/outline_runs.hpp"
 #include "core/drawing/arrangement/repeated_lines/outline_search.hpp"
+#include "core/engine/base/rows.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace forefront {
@@ -225,21 +226,15 @@ class RepeatFinder {
 
     /// Keeps chains at nodes where lines that divide faces would no longer reach an outline.
     void keepConnections() {
-        std::vector<std::uint32_t> starts(nodes_.size() + 1, 0); // chains by their ends
-        for (const LooseChain &chain : chains_) {
-            for (const std::uint32_t end : chain.ends) {
-                ++starts[end + 1];
+        const Rows<std::uint32_t> ending(nodes_.size(), [this](const auto &add) { // chains by their ends
+            for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+                for (const std::uint32_t end : chains_[c].ends) {
+                    add(end, c);
+                }
             }
-        }
-        std::partial_sum(starts.begin(), starts.end(), starts.begin());
-        std::vector<std::uint32_t> ending(starts.back()), fill(starts.begin(), starts.end() - 1);
-        for (std::uint32_t c = 0; c < chains_.size(); ++c) {
-            for (const std::uint32_t end : chains_[c].ends) {
-                ending[fill[end]++] = c;
-            }
-        }
+        });
         for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
-            const std::span<const std::uint32_t> here(ending.data() + starts[node], starts[node + 1] - starts[node]);
+            const std::span<const std::uint32_t> here = ending[node];
             if (kept_[node].lacksOutline() && !keepShortest(node, here)) {
                 for (const std::uint32_t chain : here) {
                     fates_[chain] = ChainFate::Stays;

@@ -33,4 +33,12 @@ std::vector<std::uint8_t> findRepeatedPaths(const std::vector<SvgPath> &paths,
     return repeated;
 }
 
+std::map<std::size_t, std::size_t> subpathsOfElements(const std::vector<SvgPath> &paths) {
+    std::map<std::size_t, std::size_t> counts;
+    for (const SvgPath &path : paths) {
+        ++counts[path.element];
+    }
+    return counts;
+}
+
 } // namespace forefront

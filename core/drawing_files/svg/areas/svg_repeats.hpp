@@ -2,8 +2,10 @@
 
 #include "core/drawing_files/svg/drawing/svg_drawing.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace forefront {
@@ -13,5 +15,8 @@ namespace forefront {
 /// first one with a name of its own is kept, or else the first. `tolerance` in domain units.
 std::vector<std::uint8_t> findRepeatedPaths(const std::vector<SvgPath> &paths,
                                             const std::function<bool(const SvgPath &)> &compares, double tolerance);
+
+/// Returns the number of subpaths of each element.
+std::map<std::size_t, std::size_t> subpathsOfElements(const std::vector<SvgPath> &paths);
 
 } // namespace forefront

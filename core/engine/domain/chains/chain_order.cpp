@@ -26,7 +26,6 @@ class ChainOrderer {
         addPoints();
         ordered_.holeMarkers = domain_.holeMarkers;
         ordered_.regionMarkers = domain_.regionMarkers;
-        ordered_.nodeSizes = domain_.nodeSizes;
         ordered_.insideRule = domain_.insideRule;
         ordered_.curveTolerance = domain_.curveTolerance;
         ordered_.boundaryNames = domain_.boundaryNames;
@@ -47,7 +46,7 @@ class ChainOrderer {
         const std::size_t chord = ids_.size();
         ids_.push_back(addNode(stretch.t0 > 0.0 ? path.curves[part].point(stretch.t0) : path.nodes[part],
                                path.chords[chord].node));
-        ordered_.segments.push_back({ids_.back(), 0, path.tags[part], role, stretch, path.elements[part]});
+        ordered_.segments.push_back({ids_.back(), 0, path.tags[part], role, stretch});
         order_.segments.push_back(path.chords[chord].segment);
     }
 

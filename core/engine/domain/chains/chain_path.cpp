@@ -144,20 +144,6 @@ Curve ChainPaths::curveOf(std::span<const Link> run) const {
     return loose.start || loose.end ? movedArc(curve, start, end) : curve;
 }
 
-/// Returns the number of elements that a run along one curve asks for.
-std::uint32_t ChainPaths::elementsOf(std::span<const Link> run) const {
-    const Link &first = run.front(), &last = run.back();
-    if (!first.stretch.follows() || domain_.segments[first.segment].elements == 0) {
-        return domain_.segments[first.segment].elements;
-    }
-    CurveChain chain{first.stretch.curve, first.from, last.to, first.stretch.t0, last.stretch.t1, {first.segment}};
-    if (chain.t1 < chain.t0) {
-        std::swap(chain.t0, chain.t1);
-        std::swap(chain.start, chain.end);
-    }
-    return elementsAlong(domain_, chain);
-}
-
 /// Adds the links along one curve, or one straight link. Chords at loose ends are split off if all nodes must stay, or
 /// if the whole curve would move much farther than its ends.
 void ChainPaths::addRuns(std::span<const Link> run, ChainPath &path) const {
@@ -181,7 +167,6 @@ void ChainPaths::addRuns(std::span<const Link> run, ChainPath &path) const {
 void ChainPaths::addRun(std::span<const Link> run, ChainPath &path) const {
     path.nodes.push_back(domain_.nodes[run.front().from]);
     path.tags.push_back(domain_.segments[run.front().segment].tag);
-    path.elements.push_back(elementsOf(run));
     path.chords.push_back({run.front().from, run.front().segment});
     if (run.front().stretch.follows()) {
         path.curves.resize(path.nodes.size());

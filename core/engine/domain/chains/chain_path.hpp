@@ -20,8 +20,7 @@ enum class LooseEnds : std::uint8_t {
 struct ChainPath {
     bool closed = false;
     std::vector<Vec2> nodes;
-    std::vector<std::int32_t> tags;      ///< per part
-    std::vector<std::uint32_t> elements; ///< per part, see DomainSegment::elements
+    std::vector<std::int32_t> tags; ///< per part
     /// Per part, its curve, which ends at its nodes; of kind Line for a straight part. Empty: all parts are straight.
     std::vector<Curve> curves;
     /// Per part, the parameters between 0 and 1 at which its curve is divided into chords; 1 alone: it is a single
@@ -65,7 +64,6 @@ class ChainPaths {
     };
     Loose looseEnds(const Curve &curve, Vec2 start, Vec2 end) const;
     Curve alongRun(std::span<const Link> run) const;
-    std::uint32_t elementsOf(std::span<const Link> run) const;
     void addRuns(std::span<const Link> run, ChainPath &path) const;
     void addRun(std::span<const Link> run, ChainPath &path) const;
     void addCurve(std::span<const Link> run, ChainPath &path) const;

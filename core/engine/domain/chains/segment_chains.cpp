@@ -1,6 +1,10 @@
 #include "core/engine/domain/chains/segment_chains.hpp"
 
 #include "core/engine/base/ids.hpp"
+#include "core/engine/base/rows.hpp"
+
+#include <algorithm>
+#include <span>
 
 namespace forefront {
 namespace {
@@ -8,24 +12,14 @@ namespace {
 class SegmentChainer {
   public:
     SegmentChainer(const Domain &domain, SegmentRole role) : domain_(domain), role_(role) {
-        starts_.assign(domain.nodes.size() + 1, 0);
-        for (const DomainSegment &segment : domain.segments) {
-            if (takes(segment)) {
-                ++starts_[segment.a + 1];
-                ++starts_[segment.b + 1];
+        around_ = Rows<std::uint32_t>(domain.nodes.size(), [&](const auto &add) {
+            for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+                if (takes(domain.segments[s])) {
+                    add(domain.segments[s].a, s);
+                    add(domain.segments[s].b, s);
+                }
             }
-        }
-        for (std::size_t k = 1; k < starts_.size(); ++k) {
-            starts_[k] += starts_[k - 1];
-        }
-        around_.resize(starts_.back());
-        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-        for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
-            if (takes(domain.segments[s])) {
-                around_[next[domain.segments[s].a]++] = s;
-                around_[next[domain.segments[s].b]++] = s;
-            }
-        }
+        });
         used_.assign(domain.segments.size(), false);
     }
 
@@ -55,7 +49,7 @@ class SegmentChainer {
     bool takes(const DomainSegment &segment) const {
         return segment.role == role_ && segment.a < domain_.nodes.size() && segment.b < domain_.nodes.size();
     }
-    std::uint32_t degree(std::uint32_t node) const { return starts_[node + 1] - starts_[node]; }
+    std::size_t degree(std::uint32_t node) const { return around_[node].size(); }
 
     SegmentChain walk(std::uint32_t segment, std::uint32_t from) {
         SegmentChain chain;
@@ -69,12 +63,10 @@ class SegmentChainer {
             chain.nodes.push_back(at);
             segment = kNoIndex;
             if (degree(at) == 2) {
-                for (std::uint32_t k = starts_[at]; k < starts_[at + 1]; ++k) {
-                    if (!used_[around_[k]]) {
-                        segment = around_[k];
-                        break;
-                    }
-                }
+                const std::span<const std::uint32_t> here = around_[at];
+                const auto unused =
+                    std::find_if(here.begin(), here.end(), [&](std::uint32_t other) { return !used_[other]; });
+                segment = unused != here.end() ? *unused : kNoIndex;
             }
         }
         if (at == from && chain.segments.size() > 2) {
@@ -86,8 +78,7 @@ class SegmentChainer {
 
     const Domain &domain_;
     SegmentRole role_;
-    std::vector<std::uint32_t> starts_; ///< per node, into around_
-    std::vector<std::uint32_t> around_; ///< segments by node
+    Rows<std::uint32_t> around_; ///< segments by node
     std::vector<bool> used_;
 };
 

@@ -64,16 +64,16 @@ void noteSteepParts(const PartInput &input, Diagnostics &notes) {
 }
 
 void noteSteepNodes(const PartInput &input, Diagnostics &notes) {
-    for (const NodeSize &node : input.domain.nodeSizes) {
+    for (const NodeSize &node : input.spec.placed.nodes) {
         noteGrowth(input, "the size at " + (node.name.empty() ? "a node" : node.name), node.growth, node.at, notes);
     }
 }
 
-void noteSteepRegions(const PartInput &input, Diagnostics &notes) {
-    for (const RegionMarker &marker : input.domain.regionMarkers) {
-        if (marker.size > 0.0) {
-            noteGrowth(input, "the size of region '" + regionName(input.domain.regionNames, marker.tag) + "'",
-                       marker.growth, marker.at, notes);
+void noteSteepRegions(const PartInput &input, std::span<const std::string> names, Diagnostics &notes) {
+    const std::vector<RegionSize> &regions = input.spec.placed.regions;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        if (regions[k].size > 0.0) {
+            noteGrowth(input, "the size of region '" + names[k] + "'", regions[k].growth, regions[k].at, notes);
         }
     }
 }

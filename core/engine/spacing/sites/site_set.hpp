@@ -16,10 +16,10 @@ enum class SiteReason : std::uint8_t {
     BackgroundEdge, ///< reach of a background mesh
     ExpressionEdge, ///< reach of an expression steeper than the gradation
     FunctionEdge,   ///< reach of a function steeper than the gradation
-    RegionEdge,     ///< reach of a region with a maximum area; index: of the region marker
-    RegionSize,     ///< size of a region; index: of the region marker
+    RegionEdge,     ///< reach of a region with a maximum area; index into PlacedSizes::regions
+    RegionSize,     ///< size of a region; index into PlacedSizes::regions
     PartSize,       ///< size of a boundary part; index: its tag
-    NodeSize,       ///< size of a node; index into Domain::nodeSizes
+    NodeSize,       ///< size of a node; index into PlacedSizes::nodes
     SegmentLength,  ///< index: of the domain segment
     Bend,           ///< curvature; index: of the domain segment
     Tolerance,      ///< distance of a curve from its edges; index: of the domain segment

@@ -36,11 +36,13 @@ class SiteTreeBuilder : SiteTreeWriter {
 
   private:
     /// The aims of building: `shortList` sites in a list, `thinning` per level and `tolerance` relative to the value.
+    /// Longer lists make fewer leaves, and values are looked up for longer; with 16 sites, both together took least
+    /// time on maps of 700 to 5,000 points, two thirds of that with 5.
     struct Aims {
         std::size_t shortList;
         double thinning, tolerance;
     };
-    static constexpr Aims kAims{5, 4e-4, SiteTree::kTolerance};
+    static constexpr Aims kAims{16, 1e-3, SiteTree::kTolerance};
     /// With many sites, building would take several times as long as meshing.
     static constexpr Aims kAimsOfMany{12, 6.4e-3, 2.0 * SiteTree::kTolerance};
     static constexpr std::size_t kLongestList = 64;

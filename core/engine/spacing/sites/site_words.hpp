@@ -13,8 +13,8 @@ namespace forefront {
 /// Names that descriptions of sites refer to.
 struct SiteWords {
     std::vector<std::string> sources;                  ///< by index into SpacingSpec::sources; may be empty strings
-    std::vector<std::string> regions;                  ///< by index into Domain::regionMarkers
-    std::vector<std::string> nodes;                    ///< names, by index into Domain::nodeSizes
+    std::vector<std::string> regions;                  ///< names, by index into PlacedSizes::regions
+    std::vector<std::string> nodes;                    ///< names, by index into PlacedSizes::nodes
     std::map<std::uint32_t, std::string> parts;        ///< names of boundary parts with a size, by tag
     std::vector<std::int32_t> segmentTags;             ///< by index into Domain::segments
     std::map<std::int32_t, std::string> boundaryNames; ///< as in Domain

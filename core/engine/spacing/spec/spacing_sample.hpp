@@ -34,8 +34,9 @@ struct SpacingRunnerUp {
 struct SpacingSample {
     double rho = 0.0;
     SpacingOrigin origin = SpacingOrigin::Constant;
-    std::uint32_t source = 0; ///< index into SpacingSpec::sources, the domain's segments or its markers, by origin
-    std::string describe;     ///< for the inspector, such as "source 'pier head'"; filled by sample() only
+    /// Index into SpacingSpec::sources, the domain's segments or PlacedSizes::regions, by origin.
+    std::uint32_t source = 0;
+    std::string describe; ///< for the inspector, such as "source 'pier head'"; filled by sample() only
     std::optional<SpacingRunnerUp> runnerUp = {}; ///< nothing if no other part sets a size there
 };
 

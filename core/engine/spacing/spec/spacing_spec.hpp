@@ -3,6 +3,7 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/vec2.hpp"
+#include "core/engine/spacing/spec/placed_sizes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,15 +88,16 @@ struct BackgroundMesh {
     friend bool operator==(const BackgroundMesh &, const BackgroundMesh &) = default;
 };
 
-/// The node spacing function ρ(x, y) as data, part of the document.
+/// The node spacing function ρ(x, y) as data, part of the document: every element size that there is, as rules and as
+/// sizes of places of the domain.
 ///
-/// The given parts, and the sizes and maximum areas of the domain's region markers, are combined by minimum, clamped to
-/// [minimum, maximum], then limited so that |∇ρ| <= gradation. Paint that replaces other rules stands in place of all
-/// of them but sizes of boundary parts, nodes and regions, lengths of boundary segments and region areas. Where nothing
-/// covers the whole domain (no size, expression, function, gradient, source or boundary lengths), automatic spacing
-/// applies: from boundary lengths, bends, narrow places and domain size, graded. It is combined by minimum with paint,
-/// sizes of parts and regions, region areas and, with `keepAutomatic`, sources, and fills in outside a background mesh.
-/// In regions with a size or a maximum area, that stands in place of the domain size, so that they may be coarser.
+/// The given parts are combined by minimum, clamped to [minimum, maximum], then limited so that |∇ρ| <= gradation.
+/// Paint that replaces other rules stands in place of all of them but sizes of boundary parts, nodes and regions,
+/// lengths of boundary segments and region areas. Where nothing covers the whole domain (no size, expression, function,
+/// gradient, source or boundary lengths), automatic spacing applies: from boundary lengths, bends, narrow places and
+/// domain size, graded. It is combined by minimum with paint, sizes of parts and regions, region areas and, with
+/// `keepAutomatic`, sources, and fills in outside a background mesh. In regions with a size or a maximum area, that
+/// stands in place of the domain size, so that they may be coarser.
 struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
@@ -116,6 +118,7 @@ struct SpacingSpec {
     std::shared_ptr<const BackgroundMesh> background;
     /// Sizes of boundary parts and constraints by tag; they also apply to points with the tag.
     std::map<std::int32_t, PartSize> partSizes;
+    PlacedSizes placed;        ///< sizes of nodes and regions, and numbers of elements along lines and curves
     bool fromBoundary = false; ///< the given lengths of boundary segments act as sources
     /// Edges per full turn of curved boundaries, >= 0; 0: curvature is ignored. Absent: 40 where the spacing is
     /// automatic, 0 elsewhere.
@@ -132,6 +135,15 @@ struct SpacingSpec {
     /// The limited spacing is within 1 % of exact for sources (see GradedSources for the exception) and boundary
     /// lengths, within 2 % for paint, expression, function and mesh.
     std::optional<double> gradation;
+
+    /// Replaces the rules by others, as options of the command line do: everything but the sizes of nodes and regions,
+    /// which belong to the domain and stay. Numbers of elements belong to the rules that they were chosen with and go.
+    /// `rules`: its own placed sizes, which belong to another domain, are dropped.
+    void replaceRules(SpacingSpec rules) {
+        rules.placed = std::exchange(placed, {});
+        rules.placed.elements.clear();
+        *this = std::move(rules);
+    }
 
     /// Returns true if no part is given, so that the spacing is automatic.
     bool automatic() const { return usesAutomatic() && sources.empty() && paint.tiles.empty() && !background; }

@@ -131,24 +131,24 @@ void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults) {
     }
 }
 
-void checkRegions(std::span<const RegionMarker> markers, Diagnostics &faults) {
-    for (std::uint32_t i = 0; i < markers.size(); ++i) {
+void checkRegions(std::span<const RegionSize> regions, Diagnostics &faults) {
+    for (std::uint32_t k = 0; k < regions.size(); ++k) {
+        const RegionSize &region = regions[k];
         const auto add = [&](Diagnostic fault) {
-            fault.parts = {{DomainPartKind::RegionMarker, i}};
-            if (isFinite(markers[i].at)) {
-                fault.at = markers[i].at;
+            fault.ids = {k};
+            if (isFinite(region.at)) {
+                fault.at = region.at;
             }
             faults.push_back(std::move(fault));
         };
-        if (!isNotNegative(markers[i].maxArea)) {
+        if (!isNotNegative(region.maxArea)) {
             add(error("bad-region-area",
-                      "invalid maximum area " + text(markers[i].maxArea) + " of a region; expected a number above 0",
+                      "invalid maximum area " + text(region.maxArea) + " of a region; expected a number above 0",
                       "set it to 0 for no limit")
                     .front());
         }
-        const std::string owner = "region " + std::to_string(markers[i].tag);
-        const bool none = markers[i].size == 0.0;
-        if (auto fault = partSizeFault({none ? 1.0 : markers[i].size, markers[i].growth}, owner, "bad-source")) {
+        const bool none = region.size == 0.0;
+        if (auto fault = partSizeFault({none ? 1.0 : region.size, region.growth}, "a region", "bad-source")) {
             add(*std::move(fault));
         }
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/engine/base/diagnostic.hpp"
-#include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <cstdint>
@@ -31,8 +30,9 @@ void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &
 /// Checks the sizes of nodes. Faults: bad-source, with the place if it is finite.
 void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults);
 
-/// Checks the sizes and maximum areas of region markers. Faults: bad-source, bad-region-area, with the marker as part.
-void checkRegions(std::span<const RegionMarker> markers, Diagnostics &faults);
+/// Checks the sizes and maximum areas of regions. Faults: bad-source, bad-region-area, with the index in `ids` and the
+/// place if it is finite.
+void checkRegions(std::span<const RegionSize> regions, Diagnostics &faults);
 
 /// Checks that the number of elements per turn is absent, or finite and >= 0. Fault: bad-size.
 void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults);

@@ -82,9 +82,9 @@ class AutomaticSites {
         }
     }
 
-    void addCurvature(double segmentsPerTurn, const Progress &progress) {
-        addCurvatureSites(domain_, faces_, chains_, segmentsPerTurn, minimum_, gradation_, SpacingOrigin::Automatic,
-                          true, progress, sites_);
+    void addCurvature(SegmentElements elements, double segmentsPerTurn, const Progress &progress) {
+        addCurvatureSites(domain_, faces_, chains_, elements, segmentsPerTurn, minimum_, gradation_,
+                          SpacingOrigin::Automatic, true, progress, sites_);
     }
 
     /// Adds the sites of corners and lone points, and with `channels` those of narrow places.
@@ -139,15 +139,15 @@ double automaticMaximum(const Box2 &box) {
     return box.diagonal() / kAcross;
 }
 
-AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, const Box2 &box, double minimum,
-                                  double gradation, double largest, double segmentsPerTurn, bool channels,
-                                  const Progress &progress) {
+AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, SegmentElements elements,
+                                  const Box2 &box, double minimum, double gradation, double largest,
+                                  double segmentsPerTurn, bool channels, const Progress &progress) {
     AutomaticSpacing automatic;
     automatic.maximum = automaticMaximum(box);
     AutomaticSites sites(domain, faces, minimum, std::max(automatic.maximum, largest), gradation, automatic.sites);
     sites.addLengths();
     if (segmentsPerTurn > 0.0) {
-        sites.addCurvature(segmentsPerTurn, progress);
+        sites.addCurvature(elements, segmentsPerTurn, progress);
     }
     sites.addGaps(box, channels, progress);
     automatic.sites.dropDominated();

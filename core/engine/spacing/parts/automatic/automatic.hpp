@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/domain/lazy_faces.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/spacing/sites/site_set.hpp"
 
 namespace forefront {
@@ -18,9 +19,10 @@ double automaticMaximum(const Box2 &box);
 /// Chooses a graded spacing that leaves short segments and curves undivided, makes the domain about 45 elements across,
 /// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require). It is finer at sharp
 /// corners and lone points, and with `channels` in narrow places, too. Where regions have sizes of up
-/// to `largest`, which may exceed the automatic maximum, the rules of the boundary hold for these.
-AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, const Box2 &box, double minimum,
-                                  double gradation, double largest, double segmentsPerTurn, bool channels = true,
-                                  const Progress &progress = {});
+/// to `largest`, which may exceed the automatic maximum, the rules of the boundary hold for these. Curves with a number
+/// of `elements` get no edges per turn.
+AutomaticSpacing automaticSpacing(const Domain &domain, const LazyFaces &faces, SegmentElements elements,
+                                  const Box2 &box, double minimum, double gradation, double largest,
+                                  double segmentsPerTurn, bool channels = true, const Progress &progress = {});
 
 } // namespace forefront

@@ -1,9 +1,10 @@
 #include "core/engine/spacing/parts/automatic/gap_finder.hpp"
 
+#include "core/engine/base/rows.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace forefront {
@@ -118,8 +119,8 @@ SegmentIndex::SegmentIndex(std::vector<PlacedSegment> placed) : segments(std::mo
 
 GapFinder::GapFinder(const Domain &domain, const LazyFaces &faces, const SegmentIndex &index, double longest,
                      double shortest, const Progress &progress, GapRules rules)
-    : domain_(domain), faces_(faces), index_(index), places_(chainPlaces(domain, index.segments)), longest_(longest),
-      shortest_(shortest), box_(spacingBox(domain)),
+    : domain_(domain), faces_(faces), index_(index), places_(chainPlaces(domain, index.segments)),
+      crowded_(domain, index.segments), longest_(longest), shortest_(shortest), box_(spacingBox(domain)),
       rounding_(kRounding *
                 std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x), std::fabs(box_.max.y)})),
       progress_(progress), rules_(rules) {}
@@ -198,11 +199,15 @@ GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b
     const Box2 part = boxOf(a, b);
     Box2 around = part.grown(reach); // shrinks as nearer ones are found
     const SegmentPart piece{a, b, {normal.y, -normal.x}, length(b - a), rounding_};
+    const CrowdedNodes::Hidden hidden = crowded_.hiddenFrom(position, a, b);
     const auto visit = [&](std::uint32_t other) {
         if (other == position) {
             return;
         }
         const PlacedSegment &wall = index_.segments[other];
+        if (hidden.any() && !isPoint(wall) && hidden.contains(other, wall, domain_.segments[wall.index])) {
+            return;
+        }
         const double sideA = dot(wall.a - a, normal), sideB = dot(wall.b - a, normal);
         if (!(sides.left && std::max(sideA, sideB) > 0.0) && !(sides.right && std::min(sideA, sideB) < 0.0)) {
             return;
@@ -319,8 +324,7 @@ double GapFinder::reachOf(const PlacedSegment &segment) const {
 /// Finds, for each node, the segments there along which the sides stay the same: those of a boundary that passes
 /// through the node, or lines that no boundary touches there.
 struct GapFinder::Continuations {
-    std::vector<std::uint32_t> starts;    ///< per node, into `positions`; then its size
-    std::vector<std::uint32_t> positions; ///< of segments in the index
+    Rows<std::uint32_t> positions; ///< per node: of segments in the index
 };
 
 GapFinder::Continuations GapFinder::findContinuations() const {
@@ -336,17 +340,13 @@ GapFinder::Continuations GapFinder::findContinuations() const {
     std::vector<std::uint32_t> walls(domain_.nodes.size(), 0); // per node: number of boundary segments
     forEnds([&](std::uint32_t i, std::uint32_t node) { walls[node] += isWall(i) ? 1U : 0U; });
     const auto continues = [&](std::uint32_t i, std::uint32_t node) { return walls[node] == (isWall(i) ? 2U : 0U); };
-    Continuations found{std::vector<std::uint32_t>(domain_.nodes.size() + 1, 0), {}};
-    forEnds([&](std::uint32_t i, std::uint32_t node) { found.starts[node + 1] += continues(i, node) ? 1U : 0U; });
-    std::partial_sum(found.starts.begin(), found.starts.end(), found.starts.begin());
-    found.positions.resize(found.starts.back());
-    std::vector<std::uint32_t> next(found.starts.begin(), found.starts.end() - 1);
-    forEnds([&](std::uint32_t i, std::uint32_t node) {
-        if (continues(i, node)) {
-            found.positions[next[node]++] = i;
-        }
-    });
-    return found;
+    return {Rows<std::uint32_t>(domain_.nodes.size(), [&](const auto &add) {
+        forEnds([&](std::uint32_t i, std::uint32_t node) {
+            if (continues(i, node)) {
+                add(node, i);
+            }
+        });
+    })};
 }
 
 /// Returns the segments that continue one another, from the first on, and records the direction of each along them.
@@ -358,8 +358,7 @@ std::vector<std::uint32_t> GapFinder::chainFrom(std::uint32_t first, const Conti
         const DomainSegment &here = domain_.segments[index_.segments[chain[k]].index];
         const bool along = directions[chain[k]] == Direction::Along;
         for (const std::uint32_t node : {here.a, here.b}) {
-            for (std::uint32_t c = continuations.starts[node]; c < continuations.starts[node + 1]; ++c) {
-                const std::uint32_t other = continuations.positions[c];
+            for (const std::uint32_t other : continuations.positions[node]) {
                 if (directions[other] != Direction::Unknown || isWall(other) != isWall(first)) {
                     continue;
                 }

@@ -6,6 +6,7 @@
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/engine/spacing/parts/automatic/chain_places.hpp"
+#include "core/engine/spacing/parts/automatic/crowded_nodes.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -108,6 +109,7 @@ class GapFinder {
     const LazyFaces &faces_;
     const SegmentIndex &index_;
     std::vector<ChainPlace> places_; ///< per segment of the index
+    CrowdedNodes crowded_;
     double longest_;
     double shortest_;
     Box2 box_;

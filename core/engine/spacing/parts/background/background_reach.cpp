@@ -1,8 +1,9 @@
 #include "core/engine/base/paced_progress.hpp"
+#include "core/engine/base/rows.hpp"
 #include "core/engine/spacing/parts/background/background_part.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 #include <utility>
 
 namespace forefront {
@@ -53,26 +54,20 @@ Edge edgeOf(std::uint32_t a, std::uint32_t b) {
 
 void BackgroundPart::addBorderSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites,
                                     const Progress &progress) {
-    // The upper nodes of the edges in rows by their lower node.
-    std::vector<std::uint32_t> ends(mesh.nodes.size() + 1, 0);
-    for (const auto &[a, b, c] : mesh.elements) {
-        for (const Edge edge : {edgeOf(a, b), edgeOf(b, c), edgeOf(c, a)}) {
-            ++ends[edge.low + 1];
+    // The upper nodes of the edges by their lower node.
+    Rows<std::uint32_t> upper(mesh.nodes.size(), [&](const auto &add) {
+        for (const auto &[a, b, c] : mesh.elements) {
+            for (const Edge edge : {edgeOf(a, b), edgeOf(b, c), edgeOf(c, a)}) {
+                add(edge.low, edge.high);
+            }
         }
-    }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<std::uint32_t> upper(ends.back());
-    std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
-    for (const auto &[a, b, c] : mesh.elements) {
-        for (const Edge edge : {edgeOf(a, b), edgeOf(b, c), edgeOf(c, a)}) {
-            upper[next[edge.low]++] = edge.high;
-        }
-    }
+    });
     PacedProgress pace(progress, "finding the border of the background mesh", mesh.nodes.size());
     for (std::uint32_t low = 0; low < mesh.nodes.size() && pace.next(); ++low) {
-        const auto end = upper.begin() + ends[low + 1];
-        std::sort(upper.begin() + ends[low], end);
-        for (auto at = upper.begin() + ends[low]; at != end;) {
+        const std::span<std::uint32_t> row = upper[low];
+        const auto end = row.end();
+        std::sort(row.begin(), end);
+        for (auto at = row.begin(); at != end;) {
             const auto other = std::find_if(at, end, [at](std::uint32_t high) { return high != *at; });
             if (other == at + 1) {
                 addEdge(mesh, low, *at, minimum, gradation, sites);

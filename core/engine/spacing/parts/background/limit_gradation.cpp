@@ -1,10 +1,10 @@
 #include "core/engine/spacing/parts/background/limit_gradation.hpp"
 
 #include "core/engine/base/paced_progress.hpp"
+#include "core/engine/base/rows.hpp"
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -12,31 +12,23 @@
 namespace forefront {
 namespace {
 
-/// The nodes that share an edge with each node, in rows; those of inner edges are listed twice.
-struct NodeNeighbours {
-    explicit NodeNeighbours(const BackgroundMesh &mesh) : offsets(mesh.nodes.size() + 1, 0) {
-        for (const auto &corners : mesh.elements) {
-            for (const std::uint32_t node : corners) {
-                offsets[node + 1] += 2;
+/// Returns the nodes that share an edge with each node; those of inner edges are listed twice.
+Rows<std::uint32_t> neighboursOf(const BackgroundMesh &mesh) {
+    return {
+        mesh.nodes.size(), [&](const auto &add) {
+            for (const auto &[a, b, c] : mesh.elements) {
+                for (const auto &[node, one, other] : {std::array{a, b, c}, std::array{b, c, a}, std::array{c, a, b}}) {
+                    add(node, one);
+                    add(node, other);
+                }
             }
-        }
-        std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-        nodes.resize(offsets.back());
-        std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-        for (const auto &[a, b, c] : mesh.elements) {
-            for (const auto &[node, one, other] : {std::array{a, b, c}, std::array{b, c, a}, std::array{c, a, b}}) {
-                nodes[next[node]++] = one;
-                nodes[next[node]++] = other;
-            }
-        }
-    }
-    std::vector<std::uint32_t> offsets, nodes;
-};
+        }};
+}
 
 } // namespace
 
 bool limitGradation(BackgroundMesh &mesh, double gradation, const Progress &progress) {
-    const NodeNeighbours around(mesh);
+    const Rows<std::uint32_t> around = neighboursOf(mesh);
     std::vector<double> &values = mesh.values;
     using Entry = std::pair<double, std::uint32_t>;
     std::vector<Entry> entries;
@@ -56,8 +48,7 @@ bool limitGradation(BackgroundMesh &mesh, double gradation, const Progress &prog
         if (value > values[node]) {
             continue; // lowered since it was queued
         }
-        for (std::uint32_t i = around.offsets[node]; i < around.offsets[node + 1]; ++i) {
-            const std::uint32_t next = around.nodes[i];
+        for (const std::uint32_t next : around[node]) {
             const double limit = value + gradation * distance(mesh.nodes[node], mesh.nodes[next]);
             if (limit < values[next]) {
                 values[next] = limit;

@@ -77,9 +77,9 @@ void forEachBend(const Curve &curve, CurveStretch stretch, double shortest, cons
 
 } // namespace
 
-void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const CurveChains &chains, double segmentsPerTurn,
-                       double minimum, double gradation, SpacingOrigin origin, bool visibleOnly,
-                       const Progress &progress, SiteSet &sites) {
+void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const CurveChains &chains,
+                       SegmentElements elements, double segmentsPerTurn, double minimum, double gradation,
+                       SpacingOrigin origin, bool visibleOnly, const Progress &progress, SiteSet &sites) {
     if (chains.list.empty()) {
         return;
     }
@@ -89,7 +89,7 @@ void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const Curve
         if (progress.cancelled()) {
             return;
         }
-        if (domain.segments[chain.segments.front()].elements > 0) {
+        if (elements[chain.segments.front()] > 0) {
             continue; // their size is given
         }
         const Curve &curve = domain.curves[chain.curve];

@@ -12,13 +12,13 @@ namespace forefront {
 inline constexpr double kSegmentsPerTurn = 40.0;
 
 /// Adds the sites of the curvature rule: a spacing of 2π / (n κ) along curves of curvature κ, where n is
-/// `segmentsPerTurn`, growing by `gradation`. Curves with a number of elements of their own are left out.
+/// `segmentsPerTurn`, growing by `gradation`. Curves with a number of `elements` are left out.
 ///
 /// With `visibleOnly`, where that would be needlessly fine, the spacing is such that edges leave at most a small
 /// fraction of the diagonal between them and the curve, and all curves together at most a small part of the area. Bends
 /// that this makes invisible, such as a barely rounded corner, count as corners. Incomplete after a stop request.
-void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const CurveChains &chains, double segmentsPerTurn,
-                       double minimum, double gradation, SpacingOrigin origin, bool visibleOnly,
-                       const Progress &progress, SiteSet &sites);
+void addCurvatureSites(const Domain &domain, const LazyFaces &faces, const CurveChains &chains,
+                       SegmentElements elements, double segmentsPerTurn, double minimum, double gradation,
+                       SpacingOrigin origin, bool visibleOnly, const Progress &progress, SiteSet &sites);
 
 } // namespace forefront

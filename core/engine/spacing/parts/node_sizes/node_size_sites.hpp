@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/sites/site_set.hpp"
+#include "core/engine/spacing/spec/placed_sizes.hpp"
 
 #include <span>
 

@@ -1,5 +1,6 @@
 #include "core/engine/spacing/parts/regions/region_part.hpp"
 
+#include "core/engine/base/assert.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <algorithm>
@@ -16,19 +17,18 @@ double heightAt(Vec2 a, Vec2 b, double x) {
     return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
 }
 
-/// Returns the face of each region marker of a domain, or kNoIndex outside all bounded faces.
-std::vector<std::uint32_t> facesOfMarkers(const DomainGraph &graph, const Faces &faces) {
-    std::vector<std::uint32_t> list(graph.regionMarker.size(), kNoIndex);
-    for (std::size_t m = 0; m < list.size(); ++m) {
-        const std::uint32_t point = graph.regionMarker[m];
-        const std::uint32_t face = point != kNoIndex ? faces.ofPoint[point] : kNoIndex;
-        list[m] = face == 0 ? kNoIndex : face;
+/// Returns the face of each region size, or kNoIndex outside all bounded faces.
+std::vector<std::uint32_t> facesOfPlaces(const DomainFaces &found) {
+    std::vector<std::uint32_t> list;
+    for (const std::uint32_t point : found.graph.place) {
+        const std::uint32_t face = point != kNoIndex ? found.faces.ofPoint[point] : kNoIndex;
+        list.push_back(face == 0 ? kNoIndex : face);
     }
     return list;
 }
 
-bool limitsSpacing(const RegionMarker &marker) {
-    return marker.maxArea > 0.0 || marker.size > 0.0;
+bool limitsSpacing(const RegionSize &region) {
+    return region.maxArea > 0.0 || region.size > 0.0;
 }
 
 } // namespace
@@ -37,29 +37,53 @@ double spacingForArea(double maxArea) {
     return std::sqrt(kAreaShare * maxArea * 4.0 / std::sqrt(3.0));
 }
 
-double largestRegionSize(const Domain &domain) {
+double largestRegionSize(std::span<const RegionSize> regions) {
     double largest = 0.0;
-    for (const RegionMarker &marker : domain.regionMarkers) {
-        largest = std::max({largest, marker.size, spacingForArea(marker.maxArea)});
+    for (const RegionSize &region : regions) {
+        largest = std::max({largest, region.size, spacingForArea(region.maxArea)});
     }
     return largest;
 }
 
-/// Collects the limits of the faces from the markers in them. Returns the limit of each face, or kNoIndex.
-std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionMarker> markers,
-                                                  std::span<const std::uint32_t> faceOfMarker, std::size_t faces) {
+std::vector<Vec2> placesOf(std::span<const RegionSize> regions) {
+    std::vector<Vec2> places;
+    for (const RegionSize &region : regions) {
+        places.push_back(region.at);
+    }
+    return places;
+}
+
+std::vector<std::string> namesOf(std::span<const RegionSize> regions, const Domain &domain, const LazyFaces &faces) {
+    const DomainFaces *const found = faces.get();
+    const std::vector<std::uint32_t> faceOf = found != nullptr ? facesOfPlaces(*found) : std::vector<std::uint32_t>();
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        std::int32_t tag = 1;
+        if (const std::uint32_t marker = regionMarkerAt(domain, regions[k].at, k); marker != kNoIndex) {
+            tag = domain.regionMarkers[marker].tag;
+        } else if (k < faceOf.size() && faceOf[k] != kNoIndex) {
+            tag = found->labels.tag[faceOf[k]];
+        }
+        names.push_back(regionName(domain.regionNames, tag));
+    }
+    return names;
+}
+
+/// Collects the limits of the faces from the sizes in them. Returns the limit of each face, or kNoIndex.
+std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionSize> regions,
+                                                  std::span<const std::uint32_t> faceOfRegion, std::size_t faces) {
     std::vector<Limit> limitOfFace(faces);
-    for (std::uint32_t m = 0; m < markers.size(); ++m) {
-        const RegionMarker &marker = markers[m];
-        if (faceOfMarker[m] == kNoIndex) {
+    for (std::uint32_t r = 0; r < regions.size(); ++r) {
+        const RegionSize &region = regions[r];
+        if (faceOfRegion[r] == kNoIndex) {
             continue;
         }
-        Limit &limit = limitOfFace[faceOfMarker[m]];
-        if (marker.maxArea > 0.0 && spacingForArea(marker.maxArea) < limit.area.size) {
-            limit.area = {spacingForArea(marker.maxArea), marker.maxArea, limit.area.growth, m};
+        Limit &limit = limitOfFace[faceOfRegion[r]];
+        if (region.maxArea > 0.0 && spacingForArea(region.maxArea) < limit.area.size) {
+            limit.area = {spacingForArea(region.maxArea), region.maxArea, limit.area.growth, r};
         }
-        if (marker.size > 0.0 && marker.size < limit.size.size) {
-            limit.size = {marker.size, marker.size, marker.growth, m};
+        if (region.size > 0.0 && region.size < limit.size.size) {
+            limit.size = {region.size, region.size, region.growth, r};
         }
     }
     std::vector<std::uint32_t> limitOf(faces, kNoIndex);
@@ -76,8 +100,9 @@ std::vector<std::uint32_t> RegionPart::takeLimits(std::span<const RegionMarker> 
     return limitOf;
 }
 
-std::optional<RegionPart> RegionPart::build(const Domain &domain, const LazyFaces &lazy, double minimum) {
-    if (!std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(), limitsSpacing)) {
+std::optional<RegionPart> RegionPart::build(std::span<const RegionSize> regions, const LazyFaces &lazy,
+                                            double minimum) {
+    if (std::none_of(regions.begin(), regions.end(), limitsSpacing)) {
         return std::nullopt;
     }
     const DomainFaces *const found = lazy.get();
@@ -85,10 +110,10 @@ std::optional<RegionPart> RegionPart::build(const Domain &domain, const LazyFace
         return std::nullopt;
     }
     const auto &[graph, sweep, faces, labels] = *found;
+    FOREFRONT_ASSERT(graph.place.size() == regions.size());
     RegionPart part;
     part.raised_ = minimum;
-    const std::vector<std::uint32_t> limitOf =
-        part.takeLimits(domain.regionMarkers, facesOfMarkers(graph, faces), faces.count);
+    const std::vector<std::uint32_t> limitOf = part.takeLimits(regions, facesOfPlaces(*found), faces.count);
     std::vector<Box2> boxes;
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
         Wall wall{graph.points[graph.edges[e].a], graph.points[graph.edges[e].b], limitOf[faces.left[e]],
@@ -108,7 +133,7 @@ std::optional<RegionPart> RegionPart::build(const Domain &domain, const LazyFace
         boxes.push_back(boxOf(wall.a, wall.b));
     }
     if (part.walls_.empty()) {
-        return std::nullopt; // all markers lie outside
+        return std::nullopt; // all places lie outside
     }
     part.tree_ = BoxTree(boxes);
     return part;
@@ -140,7 +165,7 @@ std::uint32_t RegionPart::faceAt(Vec2 p) const {
 }
 
 SpacingRunnerUp RegionPart::described(const Rule &rule, bool size, const SiteWords &words) const {
-    const std::string of = " of region '" + words.regions[rule.marker] + "'";
+    const std::string of = " of region '" + words.regions[rule.region] + "'";
     return {std::max(rule.size, raised_), size ? "size" + of : "maximum area " + numberText(rule.given, 4) + of};
 }
 
@@ -152,8 +177,8 @@ SpacingSample RegionPart::sample(Vec2 p, const SiteWords &words) const {
     const Limit &limit = limits_[face];
     const bool bySize = limit.size.size <= limit.area.size;
     const Rule &rule = bySize ? limit.size : limit.area, &other = bySize ? limit.area : limit.size;
-    SpacingSample sample{limit.least, SpacingOrigin::Region, rule.marker, described(rule, bySize, words).describe};
-    if (other.marker != kNoIndex) {
+    SpacingSample sample{limit.least, SpacingOrigin::Region, rule.region, described(rule, bySize, words).describe};
+    if (other.region != kNoIndex) {
         sample.runnerUp = described(other, !bySize, words);
     }
     return sample;
@@ -192,16 +217,16 @@ void RegionPart::addSites(double gradation, double givenGradation, SiteSet &site
         double gentlest = std::numeric_limits<double>::infinity(); // growth of the rules so far
         for (const Reach &reach : rules) {
             const Rule &rule = *reach.rule;
-            if (rule.marker == kNoIndex || !(reach.growth < gentlest)) {
+            if (rule.region == kNoIndex || !(reach.growth < gentlest)) {
                 continue;
             }
             gentlest = reach.growth;
             if (reach.size) {
                 sites.add(limited(SizeSite::segment(wall.a, wall.b, rule.size, rule.growth), raised_, givenGradation),
-                          {SpacingOrigin::Region, SiteReason::RegionSize, rule.marker});
+                          {SpacingOrigin::Region, SiteReason::RegionSize, rule.region});
             } else {
                 sites.add(SizeSite::segment(wall.a, wall.b, std::max(rule.size, raised_), reach.growth),
-                          {SpacingOrigin::Region, SiteReason::RegionEdge, rule.marker});
+                          {SpacingOrigin::Region, SiteReason::RegionEdge, rule.region});
             }
         }
     }

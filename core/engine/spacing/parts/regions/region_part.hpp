@@ -3,12 +3,14 @@
 #include "core/engine/domain/lazy_faces.hpp"
 #include "core/engine/geometry/box_tree.hpp"
 #include "core/engine/spacing/sites/site_words.hpp"
+#include "core/engine/spacing/spec/placed_sizes.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -18,16 +20,21 @@ namespace forefront {
 /// test requires that they stay within `maxArea`.
 double spacingForArea(double maxArea);
 
-/// Returns the largest size that a region of the domain has or that its maximum area implies; 0 if none has one.
-double largestRegionSize(const Domain &domain);
+/// Returns the largest size that a region has or that its maximum area implies; 0 if none has one.
+double largestRegionSize(std::span<const RegionSize> regions);
 
-/// The sizes and maximum element areas of a domain's regions as spacing: constant in each face that has one.
+/// Returns the places of region sizes, for LazyFaces.
+std::vector<Vec2> placesOf(std::span<const RegionSize> regions);
+
+/// Returns the names of regions with sizes, for descriptions: that of a marker at the same place, or else of the face.
+std::vector<std::string> namesOf(std::span<const RegionSize> regions, const Domain &domain, const LazyFaces &faces);
+
+/// The sizes and maximum element areas of regions as spacing: constant in each face that has one.
 class RegionPart {
   public:
     /// Returns the part, or std::nullopt if no face has a size or a maximum area, or if segments cross so that there
-    /// are no faces. Spacings are raised to `minimum`. Of several markers in one face, the smallest size and the
-    /// smallest area count.
-    static std::optional<RegionPart> build(const Domain &domain, const LazyFaces &faces, double minimum);
+    /// are no faces. Spacings are raised to `minimum`. `faces` must know the places of the regions.
+    static std::optional<RegionPart> build(std::span<const RegionSize> regions, const LazyFaces &faces, double minimum);
 
     /// Returns the spacing of the face that contains p, which is infinite for faces without a rule unless limitOthers()
     /// was called.
@@ -55,14 +62,14 @@ class RegionPart {
         double size = std::numeric_limits<double>::infinity(); ///< infinite: there is none
         double given = 0.0;                                    ///< size or maximum area
         double growth = std::numeric_limits<double>::infinity();
-        std::uint32_t marker = kNoIndex;
+        std::uint32_t region = kNoIndex;
     };
     struct Limit {
         Rule size, area;
         double least = 0.0; ///< the smaller spacing of the two, raised to the minimum
     };
-    std::vector<std::uint32_t> takeLimits(std::span<const RegionMarker> markers,
-                                          std::span<const std::uint32_t> faceOfMarker, std::size_t faces);
+    std::vector<std::uint32_t> takeLimits(std::span<const RegionSize> regions,
+                                          std::span<const std::uint32_t> faceOfRegion, std::size_t faces);
     /// Describes a rule; `size`: it is a size, not an area.
     SpacingRunnerUp described(const Rule &rule, bool size, const SiteWords &words) const;
     /// An edge between faces of different limits, directed to the right (increasing x) unless it is vertical.

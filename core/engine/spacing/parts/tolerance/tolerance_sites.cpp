@@ -18,8 +18,9 @@ constexpr double kCorner = 1.2;     ///< bends with a smaller radius, relative t
 
 class ToleranceFinder {
   public:
-    ToleranceFinder(const Domain &domain, const OtherSizes &others, double minimum, double gradation, SiteSet &sites)
-        : domain_(domain), others_(others), tolerance_(chordTolerance(domain)), minimum_(minimum),
+    ToleranceFinder(const Domain &domain, SegmentElements elements, const OtherSizes &others, double minimum,
+                    double gradation, SiteSet &sites)
+        : domain_(domain), elements_(elements), others_(others), tolerance_(chordTolerance(domain)), minimum_(minimum),
           gradation_(gradation), sites_(sites) {}
 
     void run(const Progress &progress) {
@@ -27,7 +28,7 @@ class ToleranceFinder {
             if (progress.cancelled()) {
                 return;
             }
-            if (domain_.segments[chain.segments.front()].elements > 0) {
+            if (elements_[chain.segments.front()] > 0) {
                 continue; // their size is given
             }
             loop_ = chain.start == chain.end;
@@ -83,6 +84,7 @@ class ToleranceFinder {
     }
 
     const Domain &domain_;
+    SegmentElements elements_;
     const OtherSizes &others_;
     double tolerance_, minimum_, gradation_;
     SiteSet &sites_;
@@ -91,9 +93,9 @@ class ToleranceFinder {
 
 } // namespace
 
-void addToleranceSites(const Domain &domain, const OtherSizes &others, double minimum, double gradation,
-                       const Progress &progress, SiteSet &sites) {
-    ToleranceFinder(domain, others, minimum, gradation, sites).run(progress);
+void addToleranceSites(const Domain &domain, SegmentElements elements, const OtherSizes &others, double minimum,
+                       double gradation, const Progress &progress, SiteSet &sites) {
+    ToleranceFinder(domain, elements, others, minimum, gradation, sites).run(progress);
 }
 
 } // namespace forefront

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 #include "core/engine/spacing/sites/site_set.hpp"
 
 #include <functional>
@@ -16,9 +17,9 @@ struct OtherSizes {
 
 /// Adds the sites of the curve tolerance: along each curve the size of the longest chord that Domain::curveTolerance
 /// allows, raised to `minimum` and growing by `gradation`. Left out are sites that are nowhere finer than `others`, the
-/// spacing by all other rules, curves with a number of elements of their own, and bends too small to be seen, which are
+/// spacing by all other rules, curves with a number of `elements`, and bends too small to be seen, which are
 /// corners. Incomplete after a stop request.
-void addToleranceSites(const Domain &domain, const OtherSizes &others, double minimum, double gradation,
-                       const Progress &progress, SiteSet &sites);
+void addToleranceSites(const Domain &domain, SegmentElements elements, const OtherSizes &others, double minimum,
+                       double gradation, const Progress &progress, SiteSet &sites);
 
 } // namespace forefront

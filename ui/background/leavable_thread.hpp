@@ -11,6 +11,14 @@
 
 namespace forefront {
 
+/// Runs a function on another thread. Throws std::system_error if no thread can be started.
+using ThreadStarter = std::function<std::thread(std::function<void()>)>;
+
+/// Starts a std::thread.
+inline std::thread startThread(std::function<void()> run) {
+    return std::thread(std::move(run));
+}
+
 /// A thread that may hang in a call of the operating system, such as reading a file of a server that no longer answers.
 /// The destructor asks it to stop, waits for a moment, and then leaves it behind: the thread must own or share
 /// everything that it uses, and must use nothing that its owner may have destroyed once it was asked to stop.
@@ -22,15 +30,15 @@ class LeavableThread {
     /// The time that the threads that read files get to end.
     static constexpr std::chrono::milliseconds kPatience{1000};
 
-    /// `patience`: how long the destructor waits.
-    LeavableThread(Run run, std::chrono::milliseconds patience)
+    /// `patience`: how long the destructor waits. `start`: replaced by tests.
+    LeavableThread(Run run, std::chrono::milliseconds patience, const ThreadStarter &start = startThread)
         : patience_(patience), end_(std::make_shared<End>()),
-          thread_([work = std::move(run), end = end_, stop = stop_.get_token()] {
+          thread_(start([work = std::move(run), end = end_, stop = stop_.get_token()] {
               work(stop);
               const std::lock_guard lock(end->mutex);
               end->reached = true;
               end->changed.notify_all();
-          }) {}
+          })) {}
     ~LeavableThread() {
         stop_.request_stop();
         const bool joins = patience_ == kForever || endsWithin(patience_);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/engine/base/progress.hpp"
-#include "ui/workspace/background/retiring_worker.hpp"
+#include "ui/background/latest.hpp"
 
 #include <functional>
 #include <optional>
@@ -19,29 +19,26 @@ class BackgroundTask {
     /// Runs on the thread of the task, and may use only what it owns or shares; see LeavableThread.
     using Work = std::function<Finish(const Progress &)>;
 
-    /// `wake` is called from the thread of the task when there is news.
-    explicit BackgroundTask(std::function<void()> wake);
+    explicit BackgroundTask(BackgroundList &list);
 
     /// Starts a task; `purpose` says what it is for, such as "reading plate.msh".
     void start(std::string purpose, Work work);
-    /// Drops the task and its result. Its thread ends by itself, when it next checks its stop token; its memory
-    /// is freed by a later refresh().
+    /// Drops the task and its result. Its thread ends by itself, when it next checks its stop token.
     void cancel();
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
-    bool refresh();
-    bool hasNews() const { return worker_.hasNews(); }
+    bool refresh() { return worker_.refresh(); }
     /// Returns true until the result has been used.
-    bool busy() const { return worker_.working(); }
+    bool busy() const { return busy_; }
     /// Returns true if the result is there, to be used by finish().
-    bool ready() const { return now_.result.has_value(); }
+    bool ready() const { return worker_.now().result.has_value(); }
     /// Uses the result. Call it only while it is ready, and no gesture or dialog depends on the state of the window.
     void finish();
     /// Returns what the task does at the moment, such as "finding the outline".
-    const std::string &name() const { return now_.name; }
+    const std::string &name() const { return worker_.now().name; }
     /// Returns what the task is for, as given to start().
     const std::string &purpose() const { return purpose_; }
     /// Returns the fraction done in [0, 1]; 0 while it is unknown.
-    double fraction() const { return now_.fraction; }
+    double fraction() const { return worker_.now().fraction; }
 
   private:
     /// How far a task is.
@@ -51,10 +48,17 @@ class BackgroundTask {
         std::optional<Finish> result{}; ///< none until it is there
     };
 
-    std::function<void()> wake_;
+    /// What a task is for, and its work.
+    struct Request {
+        std::string purpose;
+        Work work;
+    };
+
+    static State answer(const LatestTurn<Request, State> &turn);
+
     std::string purpose_;
-    State now_; ///< of this frame
-    RetiringWorker<State> worker_{LeavableThread::kPatience};
+    bool busy_ = false;
+    Latest<Request, State> worker_;
 };
 
 } // namespace forefront

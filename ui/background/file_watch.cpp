@@ -1,4 +1,4 @@
-#include "ui/workspace/background/file_watch.hpp"
+#include "ui/background/file_watch.hpp"
 
 #include <stop_token>
 #include <utility>
@@ -10,7 +10,7 @@ void FileWatch::watch(const std::filesystem::path &file, const FileStamp &known)
     const bool starts = shared_ == nullptr;
     if (starts) {
         shared_ = std::make_shared<Shared>();
-        shared_->wake = wake_;
+        shared_->wake = list().wake();
     }
     {
         const std::lock_guard lock(shared_->mutex);

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/files/source/file_stamp.hpp"
-#include "ui/workspace/background/leavable_thread.hpp"
+#include "ui/background/background_list.hpp"
+#include "ui/background/leavable_thread.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -11,19 +12,15 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <utility>
 
 namespace forefront {
 
 /// Watches a file for changes by other programs. A thread of its own looks at it every few seconds, since the disc may
 /// be slow or no longer answer. Call all members from one thread; none of them waits.
-class FileWatch {
+class FileWatch final : public BackgroundActivity {
   public:
-    /// `wake` is called from the thread when the file has changed.
-    explicit FileWatch(std::function<void()> wake) : wake_(std::move(wake)) {}
-    ~FileWatch() { forget(); }
-    FileWatch(const FileWatch &) = delete;
-    FileWatch &operator=(const FileWatch &) = delete;
+    explicit FileWatch(BackgroundList &list) : BackgroundActivity(list) {}
+    ~FileWatch() override { forget(); }
 
     /// Watches `file`, which held `known` when it was last read or written, in place of the earlier one.
     void watch(const std::filesystem::path &file, const FileStamp &known);
@@ -32,7 +29,9 @@ class FileWatch {
     const std::filesystem::path &file() const { return file_; }
     /// Looks at the file at once, such as when the window gets the focus.
     void lookNow();
-    bool hasNews() const;
+    /// Returns false: the window does not wait for a change.
+    bool working() const override { return false; }
+    bool hasNews() const override;
     /// Returns what the file holds now if another program has changed or deleted it since the last call.
     std::optional<FileStamp> takeNews();
 
@@ -52,7 +51,6 @@ class FileWatch {
     };
     static void run(Shared &shared, const std::stop_token &stop);
 
-    std::function<void()> wake_;
     std::filesystem::path file_;
     std::shared_ptr<Shared> shared_;
     std::unique_ptr<LeavableThread> thread_; ///< null: nothing is watched

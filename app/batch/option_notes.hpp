@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/engine/base/diagnostic.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/mesh/limits.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+
+#include <string>
+
+namespace forefront {
+
+/// Returns a list that holds one note or warning of the command line.
+Diagnostics noteOf(std::string code, std::string message, std::string advice = {}, Severity severity = Severity::Note);
+
+/// Returns a note that lists what an option such as --size replaces in a project besides its size or expression; empty
+/// if there is nothing else.
+Diagnostics replacedSpacing(const std::string &option, const SpacingSpec &spacing);
+
+/// Returns a warning for each limit that a mesh violates.
+Diagnostics violatedLimits(const MeshView &mesh, const MeshLimits &limits, const SpacingField *spacing);
+
+} // namespace forefront

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/vec2.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// An element size at a node, growing by `growth` per unit of distance.
+struct NodeSize {
+    Vec2 at;             ///< place of the node
+    double size = 1.0;   ///< > 0
+    double growth = 0.2; ///< >= 0
+    std::string name{};  ///< of the node, such as "node 3 of quay"
+
+    friend bool operator==(const NodeSize &, const NodeSize &) = default;
+};
+
+/// Limits of the elements in the face that contains a point. Of several in one face, the smallest size and the smallest
+/// area count.
+struct RegionSize {
+    Vec2 at; ///< any point inside the face, such as RegionMarker::at; one outside all faces has no effect
+    /// Maximum area of an element in the face, in domain units squared; 0: no limit.
+    double maxArea{};
+    /// Size of the elements in the face, in domain units, which grows by `growth` per unit of distance outside it; 0:
+    /// none is given.
+    double size{};
+    double growth{0.2}; ///< >= 0
+
+    friend bool operator==(const RegionSize &, const RegionSize &) = default;
+};
+
+/// The sizes that belong to places of one domain, as opposed to rules that hold for any.
+///
+/// Nodes and regions are addressed by their places, which validation, repair and reordering keep, so that these sizes
+/// need no care when the numbers of nodes, segments or markers change. Numbers of elements are addressed by segment:
+/// carryElements() takes them along through a repair, and a list for another number of segments is refused.
+struct PlacedSizes {
+    std::vector<NodeSize> nodes;
+    std::vector<RegionSize> regions;
+    /// Number of elements along the whole line or curve that a segment is a part of, by index into Domain::segments; 0:
+    /// as the spacing asks. Empty: 0 for all. Takes precedence over the spacing and the tolerance of curves.
+    std::vector<std::uint32_t> elements;
+
+    friend bool operator==(const PlacedSizes &, const PlacedSizes &) = default;
+};
+
+} // namespace forefront

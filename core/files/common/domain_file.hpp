@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/domain/domain.hpp"
+#include "core/engine/spacing/spec/spacing_spec.hpp"
+
+namespace FOREFRONT_API forefront {
+
+/// What a file says of a domain: its geometry, and the element sizes that come with it, such as the maximum areas of
+/// the regions of a .poly file or the spacing of a project. Mesh it with both: MeshingJob{file.domain, file.spacing,
+/// {}}.
+struct DomainFile {
+    Domain domain;
+    SpacingSpec spacing;
+};
+
+} // namespace forefront

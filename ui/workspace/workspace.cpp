@@ -1,0 +1,58 @@
+#include "ui/workspace/workspace.hpp"
+
+#include "core/drawing/formulas/document_numbers.hpp"
+#include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/formulas/lost_formulas.hpp"
+#include "ui/workspace/number_field.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+/// Names the numbers that a change took the expressions from; only the first ones if there are many. Those that were
+/// just typed over are left out.
+void announceLost(Workspace &context, const Document &before) {
+    constexpr std::size_t kNamed = 6;
+    std::vector<NumberAddress> lost = lostFormulas(before, *context.document.current());
+    if (context.entered.frame == ImGui::GetFrameCount()) {
+        std::erase_if(lost, [&](const NumberAddress &address) { return context.entered.texts.contains(address); });
+    }
+    if (lost.empty()) {
+        return;
+    }
+    std::string names;
+    for (std::size_t k = 0; k < std::min(lost.size(), kNamed); ++k) {
+        names += (k == 0 ? "" : ", ") + numberName(before, lost[k]);
+    }
+    const std::string more = lost.size() > kNamed ? " and " + std::to_string(lost.size() - kNamed) + " more" : "";
+    context.log.announce(
+        "Removed " + std::to_string(lost.size()) +
+        (lost.size() == 1 ? " expression that no longer fits: " : " expressions that no longer fit: ") + names + more);
+}
+
+} // namespace
+
+bool Workspace::applyCommand(Result<Document> next, const std::string &label, const std::string &merge) {
+    if (!next) {
+        ui::refuseCommand(*this, next.faults());
+        return false;
+    }
+    if (entered.frame == ImGui::GetFrameCount()) {
+        for (const auto &[address, text] : entered.texts) {
+            next = setFormula(*std::move(next), address, text);
+        }
+    }
+    const std::shared_ptr<const Document> before = document.current();
+    document.apply(*std::move(next), label, merge);
+    announceLost(*this, *before);
+    return true;
+}
+
+} // namespace forefront
