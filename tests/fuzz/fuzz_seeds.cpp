@@ -74,20 +74,19 @@ Document smallDocument() {
     document.shapes.push_back(std::make_shared<const Shape>(shape));
     shape.id = 2;
     shape.nodes = {{5, 0}, {7, 0}, {7, 2}};
-    shape.curves = {
+    shape.path().curves = {
         Curve::arc({6, 0}, {-1, 0}, {0, -1}, 0.0, 3.141592653589793), Curve::cubic({7, 0}, {8, 0}, {8, 2}, {7, 2}), {}};
     shape.cuts = {{0.5}, {0.25, 0.75}, {}};
     document.shapes.push_back(std::make_shared<const Shape>(shape));
     Shape box;
     box.id = 3;
-    box.kind = ShapeKind::Rectangle;
+    box.form = RectangleForm{};
     box.nodes = {{10, 0}, {12, 3}};
-    box.radius = 0.5;
+    box.as<RectangleForm>().radius = 0.5;
     document.shapes.push_back(std::make_shared<const Shape>(box));
     box.id = 4;
-    box.kind = ShapeKind::Ellipse;
+    box.form = EllipseForm{};
     box.nodes = {{15, 1}, {17, 1}, {15, 2}};
-    box.radius = 0.0;
     document.shapes.push_back(std::make_shared<const Shape>(box));
     document.regionMarkers = {{{1, 1}, 2, 0.5, 0.25, 0.1}};
     document.boundaryNames = {{2, "b"}};

@@ -81,7 +81,8 @@ std::vector<ActionCase> editCases() {
              d.context().selection.clear();
          },
          [](D &d, const B &) { return d.context().selection.shapes.size() == 3; }},
-        {"edit.toPath", drawThree, [](D &d, const B &) { return d.document().shapes[0]->kind == ShapeKind::Polygon; }},
+        {"edit.toPath", drawThree,
+         [](D &d, const B &) { return d.document().shapes[0]->kind() == ShapeKind::Polygon; }},
         {"edit.repair", drawCrossing, [](D &d, const B &) { return d.context().preview->faults.empty(); }},
         {"edit.clearPaint", paintSpot, [](D &d, const B &) { return d.document().spacing.paint.tiles.empty(); }},
         {"edit.preferences", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "preferences"); }}};

@@ -83,7 +83,7 @@ void drawSmooth(Draughtsman &driver) {
 }
 
 CurveKind firstCurve(Draughtsman &driver) {
-    const auto &curves = driver.document().shapes[0]->curves;
+    const auto &curves = driver.document().shapes[0]->path().curves;
     return curves.empty() ? CurveKind::Line : curves[0].kind();
 }
 
@@ -118,18 +118,18 @@ std::vector<ActionCase> pathCases() {
                  drawTriangle(d);
                  selectNode(d, 1);
              },
-             [](D &d, const B &) { return d.document().shapes[0]->kind == ShapeKind::Polyline; }},
+             [](D &d, const B &) { return d.document().shapes[0]->kind() == ShapeKind::Polyline; }},
             {"path.join",
              [](D &d) {
                  Shape line;
-                 line.kind = ShapeKind::Polyline;
+                 line.form = PathForm{.closed = false};
                  line.use = ShapeUse::Constraint;
                  line.nodes = {{2, 2}, {6, 2}, {6, 5}, {2, 3}};
                  drawShapes(d, {line});
                  const std::uint32_t id = d.document().shapes[0]->id;
                  d.context().selection.nodes = {{id, 0}, {id, 3}};
              },
-             [](D &d, const B &) { return d.document().shapes[0]->kind == ShapeKind::Polygon; }}};
+             [](D &d, const B &) { return d.document().shapes[0]->kind() == ShapeKind::Polygon; }}};
 }
 
 std::vector<ActionCase> arrangementCases() {

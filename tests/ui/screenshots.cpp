@@ -53,7 +53,7 @@ void showRegions(Driver &driver) {
     driver.settle();
     const auto shape = [](ShapeKind kind, ShapeUse use, std::vector<Vec2> nodes) {
         Shape item;
-        item.kind = kind;
+        item.form = formOf(kind);
         item.use = use;
         item.nodes = std::move(nodes);
         return item;

@@ -21,7 +21,7 @@ void drawShapes(Draughtsman &driver, std::vector<Shape> shapes) {
 void drawThree(Draughtsman &driver) {
     const auto box = [](Vec2 a, Vec2 b) {
         Shape shape;
-        shape.kind = ShapeKind::Rectangle;
+        shape.form = RectangleForm{};
         shape.nodes = {a, b};
         return shape;
     };

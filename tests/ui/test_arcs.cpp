@@ -1,6 +1,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/engine/geometry/path_curve.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -41,7 +42,7 @@ TEST_CASE("Arc by centre: the hand chooses the direction, also beyond half a tur
     driver.clickPlace({5, 7});
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.undoLabel() == "Draw arc");
-    const Curve long270 = driver.document().shapes[0]->curves.at(0);
+    const Curve long270 = driver.document().shapes[0]->path().curves.at(0);
     CHECK(long270.length() == doctest::Approx(1.5 * kPi * 2.0));
     CHECK(distance(long270.point(1.0 / 3.0), {5, 3}) < 1e-9);
     driver.clickPlace({5, 5});
@@ -50,7 +51,7 @@ TEST_CASE("Arc by centre: the hand chooses the direction, also beyond half a tur
     driver.type("270");
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 2);
-    CHECK(distance(driver.document().shapes[1]->curves.at(0).point(1.0 / 3.0), {5, 6}) < 1e-9);
+    CHECK(distance(driver.document().shapes[1]->path().curves.at(0).point(1.0 / 3.0), {5, 6}) < 1e-9);
     driver.clickPlace({5, 5});
     driver.key(key::kBackspace);
     CHECK(driver.context().tools.current().undoLabel(driver.context()).empty());
@@ -58,7 +59,7 @@ TEST_CASE("Arc by centre: the hand chooses the direction, also beyond half a tur
     driver.clickPlace({1, 1});
     driver.clickPlace({3, 1});
     driver.clickPlace({2, 2});
-    CHECK(radiusOf(driver.document().shapes[2]->curves.at(0)) == doctest::Approx(1.0));
+    CHECK(radiusOf(driver.document().shapes[2]->path().curves.at(0)) == doctest::Approx(1.0));
 }
 
 TEST_CASE("Pen: an outline of lines and tangent arcs is drawn in one go, and closed by an arc") {
@@ -75,7 +76,7 @@ TEST_CASE("Pen: an outline of lines and tangent arcs is drawn in one go, and clo
     driver.clickPlace({3, 3}); // the first node
     REQUIRE(driver.document().shapes.size() == 1);
     const Shape &stadium = *driver.document().shapes[0];
-    CHECK(stadium.kind == ShapeKind::Polygon);
+    CHECK(stadium.kind() == ShapeKind::Polygon);
     CHECK(stadium.nodes.size() == 4);
     CHECK(areaOf(stadium) == doctest::Approx(8.0 + kPi));
     CHECK(sharpest(stadium) < 1e-9);
@@ -108,14 +109,14 @@ TEST_CASE("Pen: arcs by a typed radius and angle, and through a point; undo remo
     const Shape drawn = *driver.document().shapes[0];
     REQUIRE(drawn.nodes.size() == 4);
     CHECK(distance(drawn.nodes[2], {6, 4}) < 1e-9);
-    CHECK(radiusOf(drawn.curves[1]) == doctest::Approx(2.0));
-    CHECK(distance(drawn.curves[2].point(0.5), {7, 5}) < 1e-6);
-    CHECK(driver.document().formulas.at("shape/1/arcRadius/1") == "2*r");
+    CHECK(radiusOf(drawn.path().curves[1]) == doctest::Approx(2.0));
+    CHECK(distance(drawn.path().curves[2].point(0.5), {7, 5}) < 1e-6);
+    CHECK(driver.document().formulas.at("shape/1/arcRadius/1"_number) == "2*r");
     driver.context().document.apply(*overrideParameters(driver.document(), {{"r", "0.5"}}), "Change parameter");
     const Shape &smaller = *driver.document().shapes[0];
     CHECK(distance(smaller.nodes[2], {5, 3}) < 1e-9);
-    CHECK(radiusOf(smaller.curves[1]) == doctest::Approx(1.0));
-    CHECK(distance(smaller.curves[1].tangent(0.0), {1, 0}) < 1e-6);
+    CHECK(radiusOf(smaller.path().curves[1]) == doctest::Approx(1.0));
+    CHECK(distance(smaller.path().curves[1].tangent(0.0), {1, 0}) < 1e-6);
 
     driver.clickPlace({2, 8});
     driver.key('A'); // without a segment before it: through a point
@@ -123,11 +124,11 @@ TEST_CASE("Pen: arcs by a typed radius and angle, and through a point; undo remo
     driver.clickPlace({4, 8});
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 2);
-    CHECK(radiusOf(driver.document().shapes[1]->curves.at(0)) == doctest::Approx(1.0));
+    CHECK(radiusOf(driver.document().shapes[1]->path().curves.at(0)) == doctest::Approx(1.0));
     driver.clickPlace({1, 1});
     driver.clickPlace({2, 1}); // a line again
     driver.key(key::kEnter);
-    CHECK(driver.document().shapes.at(2)->curves.empty());
+    CHECK(driver.document().shapes.at(2)->path().curves.empty());
 }
 
 TEST_CASE("Inspector: the radius of an arc of a path can be changed") {
@@ -141,9 +142,9 @@ TEST_CASE("Inspector: the radius of an arc of a path can be changed") {
     driver.context().selection.segments.insert({1, 0});
     driver.frames(3);
     driver.fill("inspector/arcradius", "2");
-    CHECK(radiusOf(driver.document().shapes[0]->curves.at(0)) == doctest::Approx(2.0));
+    CHECK(radiusOf(driver.document().shapes[0]->path().curves.at(0)) == doctest::Approx(2.0));
     CHECK(driver.undoLabel() == "Change radius");
     driver.fill("inspector/arcradius", "0.5");
     CHECK(driver.logHas("bad-number"));
-    CHECK(radiusOf(driver.document().shapes[0]->curves.at(0)) == doctest::Approx(2.0));
+    CHECK(radiusOf(driver.document().shapes[0]->path().curves.at(0)) == doctest::Approx(2.0));
 }

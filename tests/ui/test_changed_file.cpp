@@ -26,7 +26,7 @@ namespace {
 Document squareOf(double side) {
     Shape shape;
     shape.id = 1;
-    shape.kind = ShapeKind::Rectangle;
+    shape.form = RectangleForm{};
     shape.nodes = {{0, 0}, {side, side}};
     Document document;
     document.shapes = {std::make_shared<const Shape>(shape)};

@@ -163,7 +163,7 @@ TEST_CASE("Snapping: the pointer snaps to nodes, Ctrl disables snapping, and Shi
     REQUIRE(driver.document().shapes.size() == 2);
     const Shape &line = *driver.document().shapes[1];
     CHECK(line.use == ShapeUse::Constraint);
-    CHECK(line.kind == ShapeKind::Polyline);
+    CHECK(line.kind() == ShapeKind::Polyline);
     CHECK(line.nodes[0] == Vec2{9, 9});
     CHECK(line.nodes[1].x == doctest::Approx(line.nodes[1].y));
 }
@@ -184,7 +184,7 @@ TEST_CASE("Polyline: a line between two boundaries connects them, and the drawin
     CHECK(driver.context().preview->faults.empty());
     CHECK(driver.undoLabel() == "Draw polyline");
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Rectangle);
 }
 
 TEST_CASE("Rectangle and circle: by drag, by two clicks, by typed size") {
@@ -287,7 +287,7 @@ TEST_CASE("Select: a double-click that inserts a node into a rounded rectangle s
     driver.rectangle({1, 1}, {9, 9});
     Document rounded = driver.document();
     Shape box = *rounded.shapes[0];
-    box.radius = 1.0;
+    box.as<RectangleForm>().radius = 1.0;
     rounded.shapes[0] = std::make_shared<const Shape>(box);
     driver.context().document.apply(std::move(rounded), "Round");
     driver.key('V');

@@ -441,7 +441,7 @@ TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
     driver.click("dialog/importoptions/ok");
     driver.settle();
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
+    CHECK(driver.document().shapes.front()->kind() == ShapeKind::Polygon);
 }
 
 TEST_CASE("Import: regions are offered only where a drawing has several filled shapes") {

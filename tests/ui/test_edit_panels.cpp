@@ -291,8 +291,8 @@ TEST_CASE("Polygon: as a spline through clicked points, or freehand with its cor
     REQUIRE(driver.document().shapes.size() == 1);
     const Shape &smooth = *driver.document().shapes[0];
     CHECK(smooth.nodes.size() == 4);
-    REQUIRE(smooth.curves.size() == 4);
-    CHECK(smooth.curves[3].kind() == CurveKind::Cubic);
+    REQUIRE(smooth.path().curves.size() == 4);
+    CHECK(smooth.path().curves[3].kind() == CurveKind::Cubic);
     CHECK(areaOf(smooth) > 30.0);
     driver.key('Z', kControl);
     driver.key('P');
@@ -308,7 +308,7 @@ TEST_CASE("Polygon: as a spline through clicked points, or freehand with its cor
     driver.release(driver.pixel({2, 7}));
     driver.settle();
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Polygon);
     CHECK(driver.document().shapes[0]->nodes.size() == 4);
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(30.0).epsilon(0.02));
 }
@@ -333,12 +333,12 @@ TEST_CASE("Polygon: a freehand loop becomes smooth curves, or corners as chosen"
     driver.click("options/pen/Freehand");
     const double radius = driver.context().view.camera.length(150.0), disc = std::numbers::pi * radius * radius;
     const Shape smooth = draw();
-    CHECK(smooth.kind == ShapeKind::Polygon);
+    CHECK(smooth.kind() == ShapeKind::Polygon);
     CHECK(smooth.nodes.size() >= 2);
     CHECK(smooth.nodes.size() <= 8);
-    REQUIRE(smooth.curves.size() == smooth.nodes.size());
+    REQUIRE(smooth.path().curves.size() == smooth.nodes.size());
     for (std::size_t k = 0; k < smooth.nodes.size(); ++k) {
-        CHECK(smooth.curves[k].kind() == CurveKind::Cubic);
+        CHECK(smooth.path().curves[k].kind() == CurveKind::Cubic);
         CHECK(nodeKind(smooth, static_cast<std::uint32_t>(k)) != NodeKind::Corner);
     }
     CHECK(areaOf(smooth) == doctest::Approx(disc).epsilon(0.03));
@@ -347,7 +347,7 @@ TEST_CASE("Polygon: a freehand loop becomes smooth curves, or corners as chosen"
     driver.key('P');
     driver.click("options/freehand/Corners");
     const Shape straight = draw();
-    CHECK(straight.curves.empty());
+    CHECK(straight.path().curves.empty());
     CHECK(straight.nodes.size() > 10);
     driver.key('L'); // a line with a corner in its middle
     driver.click("options/freehand/Smooth");
@@ -360,10 +360,10 @@ TEST_CASE("Polygon: a freehand loop becomes smooth curves, or corners as chosen"
     driver.release(middle + Pixel(100, 0));
     driver.settle();
     const Shape &line = *driver.document().shapes.back();
-    CHECK(line.kind == ShapeKind::Polyline);
+    CHECK(line.kind() == ShapeKind::Polyline);
     CHECK(line.use == ShapeUse::Constraint);
     CHECK(line.nodes.size() == 3);
-    CHECK(line.curves.empty());
+    CHECK(line.path().curves.empty());
 }
 
 TEST_CASE("Polygon: a freehand loop closes where it began; undo while drawing cancels it") {

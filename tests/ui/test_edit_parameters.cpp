@@ -1,4 +1,5 @@
 #include "core/drawing/formulas/formulas.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -33,7 +34,7 @@ TEST_CASE("Parameters: fields accept expressions; a change updates all dependent
     driver.key('V');
     driver.fill("inspector/radius", "2*r");
     CHECK(circleRadius(*driver.document().shapes[0]) == 3.0);
-    CHECK(driver.document().formulas.at("shape/1/radius") == "2*r");
+    CHECK(driver.document().formulas.at("shape/1/radius"_number) == "2*r");
     driver.unfold("spacing");
     driver.fill("spacing/size", "gap");
     CHECK(*driver.document().spacing.size == doctest::Approx(0.5));
@@ -48,8 +49,8 @@ TEST_CASE("Parameters: fields accept expressions; a change updates all dependent
     CHECK(driver.document().parameters[0].expression == "1.5");
     driver.dragPlaces({8, 5}, {7, 5}); // by hand: the radius no longer follows
     CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
-    CHECK_FALSE(driver.document().formulas.contains("shape/1/radius"));
-    CHECK(driver.document().formulas.contains("spacing/size"));
+    CHECK_FALSE(driver.document().formulas.contains("shape/1/radius"_number));
+    CHECK(driver.document().formulas.contains("spacing/size"_number));
 }
 
 TEST_CASE("Parameters: a typed formula is shown in the field, and typing a number removes it") {
@@ -59,11 +60,11 @@ TEST_CASE("Parameters: a typed formula is shown in the field, and typing a numbe
     driver.key('V');
     driver.fill("inspector/size/x", "w");
     CHECK(driver.undoLabel() == "Change formula");
-    CHECK(driver.document().formulas.at("shape/1/width") == "w");
+    CHECK(driver.document().formulas.at("shape/1/width"_number) == "w");
     driver.fill("inspector/size/x", "4");
     CHECK(driver.document().formulas.empty());
     driver.fill("inspector/corner/x", "w/4 + 1");
-    CHECK(driver.document().formulas.at("shape/1/left") == "w/4 + 1");
+    CHECK(driver.document().formulas.at("shape/1/left"_number) == "w/4 + 1");
     CHECK(boundsOf(driver.document()).min == Vec2{2, 1});
 }
 
@@ -120,7 +121,7 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
     CHECK(driver.document().formulas ==
-          std::map<std::string, std::string>{{"shape/1/radius", "2*r"}, {"shape/1/x/0", "4*r"}});
+          std::map<NumberAddress, std::string>{{"shape/1/radius"_number, "2*r"}, {"shape/1/x/0"_number, "4*r"}});
     driver.key('R');
     driver.clickPlace({1, 1});
     typed("3");
@@ -134,12 +135,12 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
     driver.type("1.5*r");
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 2);
-    CHECK(driver.document().formulas.at("shape/2/width") == "r/2");
-    CHECK(driver.document().formulas.at("shape/2/height") == "1.5*r");
+    CHECK(driver.document().formulas.at("shape/2/width"_number) == "r/2");
+    CHECK(driver.document().formulas.at("shape/2/height"_number) == "1.5*r");
     driver.key('V');
     driver.key('C', kControl);
     driver.key('V', kControl);
-    CHECK(driver.document().formulas.at("shape/3/width") == "r/2");
+    CHECK(driver.document().formulas.at("shape/3/width"_number) == "r/2");
     driver.context().document.apply(*overrideParameters(driver.document(), {{"r", "1.2"}}), "Change parameter");
     CHECK(circleRadius(*driver.document().shapes[0]) == doctest::Approx(2.4));
     CHECK(boundsOf(*driver.document().shapes[2]).size().x == doctest::Approx(0.6));
@@ -149,7 +150,7 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
     driver.clickPlace({3, 9.5});
     driver.clickPlace({2, 9.8});
     driver.key(key::kEnter);
-    CHECK(driver.document().formulas.at("shape/4/x/0") == "1*r");
+    CHECK(driver.document().formulas.at("shape/4/x/0"_number) == "1*r");
 }
 
 TEST_CASE("Parameters: a new one is named and given a value without the mouse") {
@@ -181,7 +182,7 @@ TEST_CASE("Parameters: a circle of radius d/2, with d a parameter, begins on its
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{4, 4}, {5.5, 4}});
-    CHECK(driver.document().formulas.at("shape/1/radius") == "d/2");
+    CHECK(driver.document().formulas.at("shape/1/radius"_number) == "d/2");
 }
 
 TEST_CASE("Parameters: a negative width is drawn to the left and keeps its expression") {
@@ -195,8 +196,8 @@ TEST_CASE("Parameters: a negative width is drawn to the left and keeps its expre
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{5, 2}, {7, 5}});
-    CHECK(driver.document().formulas.at("shape/1/width") == "-(-r)");
-    CHECK(driver.document().formulas.at("shape/1/height") == "1.5*r");
+    CHECK(driver.document().formulas.at("shape/1/width"_number) == "-(-r)");
+    CHECK(driver.document().formulas.at("shape/1/height"_number) == "1.5*r");
     driver.clickPlace({4, 4});
     driver.type("-1");
     driver.key(key::kTab);
@@ -210,8 +211,8 @@ TEST_CASE("Parameters: a negative width is drawn to the left and keeps its expre
     driver.type("2*r");
     driver.key(key::kEnter);
     CHECK(driver.document().formulas.size() == 4);
-    CHECK(driver.document().formulas.at("shape/1/left") == "7 - r"); // the right side stays
-    CHECK(driver.document().formulas.at("shape/3/ry") == "(2*r)/2");
+    CHECK(driver.document().formulas.at("shape/1/left"_number) == "7 - r"); // the right side stays
+    CHECK(driver.document().formulas.at("shape/3/ry"_number) == "(2*r)/2");
 }
 
 TEST_CASE("Parameters: a path that undo brings back keeps the expressions of its nodes") {
@@ -259,7 +260,7 @@ TEST_CASE("Parameters: renaming one keeps the formulas that use it") {
     driver.key('V');
     driver.fill("inspector/radius", "r");
     driver.fill("parameters/0/name", "radius");
-    CHECK(driver.document().formulas.at("shape/1/radius") == "radius");
+    CHECK(driver.document().formulas.at("shape/1/radius"_number) == "radius");
     driver.fill("parameters/0/expression", "2");
     CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
 }

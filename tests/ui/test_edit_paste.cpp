@@ -20,14 +20,14 @@ TEST_CASE("Paste: the shapes of another program stay apart, and the log says wha
     driver.settle();
     const auto &shapes = driver.document().shapes;
     REQUIRE(shapes.size() == 3);
-    CHECK(shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(shapes[0]->kind() == ShapeKind::Polygon);
     CHECK(shapes[0]->nodes.size() == 4);
     CHECK(shapes[0]->use == ShapeUse::Boundary);
-    CHECK(shapes[1]->kind == ShapeKind::Circle);
+    CHECK(shapes[1]->kind() == ShapeKind::Circle);
     CHECK(shapes[1]->use == ShapeUse::Boundary);
-    CHECK(shapes[2]->kind == ShapeKind::Polyline);
+    CHECK(shapes[2]->kind() == ShapeKind::Polyline);
     CHECK(shapes[2]->use == ShapeUse::Constraint);
-    CHECK(shapes[2]->curves.size() == 1);
+    CHECK(shapes[2]->path().curves.size() == 1);
     CHECK(distance(shapes[2]->nodes.front(), shapes[2]->nodes.back()) == doctest::Approx(std::hypot(4, 6)));
     for (const char *code : {"svg-shapes", "svg-duplicate", "svg-stroke", "svg-element"}) {
         CAPTURE(code);

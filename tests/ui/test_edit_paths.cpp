@@ -31,11 +31,11 @@ TEST_CASE("Pen: a drag makes a smooth node with two control points, and two of t
     drawLeaf(driver);
     REQUIRE(driver.document().shapes.size() == 1);
     const Shape &leaf = *driver.document().shapes[0];
-    CHECK(leaf.kind == ShapeKind::Polygon);
+    CHECK(leaf.kind() == ShapeKind::Polygon);
     CHECK(leaf.nodes == std::vector<Vec2>{{2, 5}, {8, 5}});
-    REQUIRE(leaf.curves.size() == 2);
-    CHECK(leaf.curves[0] == Curve::cubic({2, 5}, {2, 8}, {8, 8}, {8, 5}));
-    CHECK(leaf.curves[1] == Curve::cubic({8, 5}, {8, 2}, {2, 2}, {2, 5}));
+    REQUIRE(leaf.path().curves.size() == 2);
+    CHECK(leaf.path().curves[0] == Curve::cubic({2, 5}, {2, 8}, {8, 8}, {8, 5}));
+    CHECK(leaf.path().curves[1] == Curve::cubic({8, 5}, {8, 2}, {2, 2}, {2, 5}));
     CHECK(driver.undoLabel() == "Draw polygon");
     driver.key('Z', {Modifiers::kControl});
     CHECK(driver.document().shapes.empty());
@@ -50,10 +50,10 @@ TEST_CASE("Pen: corners and smooth nodes mix; a click on the first node closes")
     driver.clickPlace({1, 1});
     REQUIRE(driver.document().shapes.size() == 1);
     const Shape &shape = *driver.document().shapes[0];
-    REQUIRE(shape.curves.size() == 3);
-    CHECK(shape.curves[0] == Curve::cubic({1, 1}, {1, 1}, {8, -1}, {9, 1}));
-    CHECK(shape.curves[1] == Curve::cubic({9, 1}, {10, 3}, {5, 8}, {5, 8}));
-    CHECK(shape.curves[2] == Curve());
+    REQUIRE(shape.path().curves.size() == 3);
+    CHECK(shape.path().curves[0] == Curve::cubic({1, 1}, {1, 1}, {8, -1}, {9, 1}));
+    CHECK(shape.path().curves[1] == Curve::cubic({9, 1}, {10, 3}, {5, 8}, {5, 8}));
+    CHECK(shape.path().curves[2] == Curve());
 }
 
 TEST_CASE("Ellipse: drawn from corner to corner of its box, or with typed width and height") {
@@ -61,7 +61,7 @@ TEST_CASE("Ellipse: drawn from corner to corner of its box, or with typed width 
     driver.key('K');
     driver.dragPlaces({1, 2}, {9, 6});
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Ellipse);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Ellipse);
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{5, 4}, {9, 4}, {5, 6}});
     driver.clickPlace({4, 4});
     driver.moveToPlace({5, 5});
@@ -80,14 +80,14 @@ TEST_CASE("Rectangle: the corner radius of the options rounds the next one; the 
     driver.fill("options/cornerradius", "1.5");
     driver.dragPlaces({1, 1}, {9, 7});
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.document().shapes[0]->radius == 1.5);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 1.5);
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(48.0 - 2.25 * (4.0 - std::numbers::pi)));
     driver.key('V');
     driver.unfold("inspector");
     driver.fill("inspector/cornerradius", "0.5");
-    CHECK(driver.document().shapes[0]->radius == 0.5);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 0.5);
     driver.click("inspector/topath");
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Polygon);
     CHECK(driver.document().shapes[0]->nodes.size() == 8);
 }
 
@@ -118,19 +118,19 @@ TEST_CASE("Arc: by three points, and by its ends and a radius") {
     driver.clickPlace({5, 8});
     REQUIRE(driver.document().shapes.size() == 1);
     const Shape &half = *driver.document().shapes[0];
-    CHECK(half.kind == ShapeKind::Polyline);
+    CHECK(half.kind() == ShapeKind::Polyline);
     CHECK(half.use == ShapeUse::Constraint);
-    REQUIRE(half.curves.size() == 1);
-    CHECK(half.curves[0].length() == doctest::Approx(3.0 * std::numbers::pi));
+    REQUIRE(half.path().curves.size() == 1);
+    CHECK(half.path().curves[0].length() == doctest::Approx(3.0 * std::numbers::pi));
     driver.clickPlace({2, 2});
     driver.clickPlace({8, 2});
     driver.moveToPlace({5, 1});
     driver.type("5");
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 2);
-    const auto numbers = driver.document().shapes[1]->curves[0].numbers();
+    const auto numbers = driver.document().shapes[1]->path().curves[0].numbers();
     CHECK(length({numbers[2], numbers[3]}) == doctest::Approx(5.0));
-    CHECK(driver.document().shapes[1]->curves[0].point(0.5).y == doctest::Approx(1.0));
+    CHECK(driver.document().shapes[1]->path().curves[0].point(0.5).y == doctest::Approx(1.0));
     CHECK(driver.undoLabel() == "Draw arc");
 }
 
@@ -142,13 +142,14 @@ TEST_CASE("Select: control points of a selected node can be dragged; one drag is
     REQUIRE(driver.context().selection.nodes.size() == 1);
     driver.dragPlaces({2, 8}, {3, 9});
     const Shape &leaf = *driver.document().shapes[0];
-    CHECK(leaf.curves[0] == Curve::cubic({2, 5}, {3, 9}, {8, 8}, {8, 5}));
-    CHECK(leaf.curves[1].numbers()[4] == doctest::Approx(1.0)); // the opposite one follows: the node is symmetric
-    CHECK(leaf.curves[1].numbers()[5] == doctest::Approx(1.0));
+    CHECK(leaf.path().curves[0] == Curve::cubic({2, 5}, {3, 9}, {8, 8}, {8, 5}));
+    CHECK(leaf.path().curves[1].numbers()[4] ==
+          doctest::Approx(1.0)); // the opposite one follows: the node is symmetric
+    CHECK(leaf.path().curves[1].numbers()[5] == doctest::Approx(1.0));
     CHECK(driver.context().selection.nodes.size() == 1);
     CHECK(driver.undoLabel() == "Move control point");
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().shapes[0]->curves[0] == Curve::cubic({2, 5}, {2, 8}, {8, 8}, {8, 5}));
+    CHECK(driver.document().shapes[0]->path().curves[0] == Curve::cubic({2, 5}, {2, 8}, {8, 8}, {8, 5}));
 }
 
 TEST_CASE("Paths: keys change nodes and segments, split and join") {
@@ -165,19 +166,19 @@ TEST_CASE("Paths: keys change nodes and segments, split and join") {
     driver.key('S', shift);
     CHECK(nodeKind(*driver.document().shapes[0], 2) != NodeKind::Corner);
     driver.key('B', shift);
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polyline);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Polyline);
     CHECK(driver.document().shapes[0]->nodes.front() == Vec2{9, 9});
     driver.context().selection.clear();
     driver.context().selection.nodes = {{1, 0}, {1, 4}};
     driver.key('J', shift);
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Polygon);
     driver.context().selection.clear();
     driver.context().selection.segments = {{1, 2}};
     driver.key('U', shift);
-    REQUIRE(driver.document().shapes[0]->curves.size() == 4);
-    CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Cubic);
+    REQUIRE(driver.document().shapes[0]->path().curves.size() == 4);
+    CHECK(driver.document().shapes[0]->path().curves[2].kind() == CurveKind::Cubic);
     driver.key('L', shift);
-    CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Line);
+    CHECK(driver.document().shapes[0]->path().curves[2].kind() == CurveKind::Line);
 }
 
 TEST_CASE("Paths: with whole shapes selected, keys change the kind of all their nodes") {
@@ -228,8 +229,8 @@ TEST_CASE("Paths: converting several shapes to paths is one undo step") {
     CHECK(isPath(*driver.document().shapes[0]));
     CHECK(isPath(*driver.document().shapes[1]));
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
-    CHECK(driver.document().shapes[1]->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[1]->kind() == ShapeKind::Rectangle);
 }
 
 TEST_CASE("Trim tool: a click removes the part between two crossings, or extends an open end to the next line") {
@@ -331,6 +332,6 @@ TEST_CASE("Select: the end of a line that is dropped on a side becomes a node of
     CHECK(driver.context().selection.nodes == std::set<NodeRef>{{line.id, 1}});
     CHECK(driver.undoLabel() == "Move node");
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Rectangle);
     CHECK(driver.document().shapes[1]->nodes.back() == Vec2{5, 5});
 }

@@ -121,11 +121,11 @@ TEST_CASE("Dialogs with a preview: Esc and Cancel keep the redo steps") {
     for (const bool escape : {true, false}) {
         driver.key('F', kControlShift);
         driver.settle();
-        CHECK(driver.document().shapes[0]->radius > 0.0);
+        CHECK(driver.document().shapes[0]->as<RectangleForm>().radius > 0.0);
         CHECK(driver.context().document.redoLabel().empty());
         escape ? driver.key(key::kEscape) : static_cast<void>(driver.click("dialog/fillet/cancel"));
         driver.settle();
-        CHECK(driver.document().shapes[0]->radius == 0.0);
+        CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 0.0);
         CHECK(driver.context().document.redoLabel() == "Draw rectangle");
     }
 }
@@ -144,12 +144,12 @@ TEST_CASE("Dialogs with a preview: a dropped file withdraws the preview before i
         driver.key('A', kControl);
         driver.key('F', kControlShift);
         driver.settle();
-        REQUIRE(driver.document().shapes[0]->radius > 0.0);
+        REQUIRE(driver.document().shapes[0]->as<RectangleForm>().radius > 0.0);
         driver.editor().input().push({.kind = InputKind::Drop, .paths = {file.string()}});
         driver.settle();
         CHECK_FALSE(driver.has("dialog/fillet/ok"));
         if (!saved) {
-            CHECK(driver.document().shapes[0]->radius == 0.0);
+            CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 0.0);
             REQUIRE(driver.click("dialog/unsaved/discard"));
             driver.settle();
         }
@@ -194,7 +194,7 @@ TEST_CASE("Arrays: the default step and centre never put copies on the original"
     driver.context().selection.clear();
     driver.key('Z', kControl);
     Shape line;
-    line.kind = ShapeKind::Polyline;
+    line.form = PathForm{.closed = false};
     line.nodes = {{5, 2}, {5, 7}};
     driver.context().document.apply(*addShape(driver.document(), line), "Draw line");
     driver.key('A', kControl);
@@ -246,16 +246,16 @@ TEST_CASE("Fillet, chamfer, offset: typed sizes show on the canvas; OK is one un
     openFillet(driver);
     fill(driver, "dialog/fillet/size", "9");
     CHECK(driver.has("dialog/fillet/fault"));
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Rectangle);
     fill(driver, "dialog/fillet/size", "1");
     CHECK_FALSE(driver.has("dialog/fillet/fault"));
     driver.click("dialog/fillet/ok");
     driver.settle();
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
-    CHECK(driver.document().shapes[0]->radius == 1.0);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 1.0);
     CHECK(driver.undoLabel() == "Fillet");
     driver.key('Z', kControl);
-    CHECK(driver.document().shapes[0]->radius == 0.0);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 0.0);
     driver.clickPlace({9, 8}); // one node
     driver.key('K', kControlShift);
     driver.settle();
@@ -321,12 +321,12 @@ TEST_CASE("Dialogs with a preview: a number shows its result, or why there is no
     openFillet(driver);
     driver.type("1");
     driver.settle();
-    CHECK(driver.document().shapes[0]->radius == 1.0);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 1.0);
     driver.type("0");
     driver.settle();
     REQUIRE(driver.has("dialog/fillet/fault"));
     CHECK(shows(driver, driver.context().widgets.find("dialog/fillet/fault")->rect, driver.context().theme.bad));
-    CHECK(driver.document().shapes[0]->radius == 0.0);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 0.0);
     driver.key(key::kEnter);
     driver.settle();
     CHECK(driver.has("dialog/fillet/fault"));
@@ -336,7 +336,7 @@ TEST_CASE("Dialogs with a preview: a number shows its result, or why there is no
     driver.type("1");
     driver.settle();
     CHECK_FALSE(driver.has("dialog/fillet/fault"));
-    CHECK(driver.document().shapes[0]->radius == 2.0);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 2.0);
     driver.key(key::kEnter);
     driver.settle();
     CHECK_FALSE(driver.has("dialog/fillet/ok"));
@@ -374,7 +374,7 @@ TEST_CASE("Dialogs with a preview: the first number has the focus, and typing re
     driver.key(key::kEnter);
     driver.settle();
     CHECK_FALSE(driver.has("dialog/fillet/ok"));
-    CHECK(driver.document().shapes[0]->radius > 0.0);
+    CHECK(driver.document().shapes[0]->as<RectangleForm>().radius > 0.0);
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(56.0 - 4.0 + std::numbers::pi));
     driver.key('Z', kControl);
     driver.clickPlace({9, 8}); // the size of a single node cannot be proposed from the node
@@ -409,7 +409,7 @@ TEST_CASE("Clipboard: copy, paste beside the original, and cut") {
     driver.key('V', kControl);
     driver.settle();
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Rectangle);
 }
 
 TEST_CASE("Clipboard: a second paste is offset from the first") {

@@ -1,5 +1,6 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -204,7 +205,7 @@ TEST_CASE("Sources: the end size follows a parameter") {
     driver.key('V');
     driver.fill("inspector/endsize", "h/2");
     CHECK(driver.document().spacing.sources[0].endSize == doctest::Approx(0.2));
-    CHECK(driver.document().formulas.at("source/0/endSize") == "h/2");
+    CHECK(driver.document().formulas.at("source/0/endSize"_number) == "h/2");
     driver.context().document.apply(*setParameters(driver.document(), {{"h", "1"}}), "Change parameter");
     CHECK(driver.document().spacing.sources[0].endSize == doctest::Approx(0.5));
 }

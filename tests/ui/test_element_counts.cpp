@@ -1,6 +1,7 @@
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -124,7 +125,7 @@ TEST_CASE("Elements: the number takes an expression, and a size replaces it") {
     driver.clickPlace({5, 5.6});
     driver.fill("inspector/elements", "2*n");
     CHECK(elementCount(driver.document(), {2, 0}) == 60U);
-    CHECK(driver.document().formulas.at("part/2/elements") == "2*n");
+    CHECK(driver.document().formulas.at("part/2/elements"_number) == "2*n");
     driver.context().document.apply(*overrideParameters(driver.document(), {{"n", "40"}}), "Change parameter");
     driver.settle();
     CHECK(elementCount(driver.document(), {2, 0}) == 80U);
@@ -135,7 +136,7 @@ TEST_CASE("Elements: the number takes an expression, and a size replaces it") {
     CHECK(driver.document().formulas.empty());
     CHECK(driver.document().spacing.partSizes.at(2) == PartSize{0.25, 0.5});
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().formulas.at("part/2/elements") == "2*n");
+    CHECK(driver.document().formulas.at("part/2/elements"_number) == "2*n");
     CHECK(elementCount(driver.document(), {2, 0}) == 80U);
 }
 

@@ -21,7 +21,7 @@ Labels labelsOf(Draughtsman &driver) {
     const auto add = [&](ShapeKind kind, std::vector<Vec2> nodes, std::int32_t tag) {
         Shape shape;
         shape.id = drawing.nextId++;
-        shape.kind = kind;
+        shape.form = formOf(kind);
         shape.nodes = std::move(nodes);
         shape.tag = tag;
         drawing.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
@@ -121,7 +121,7 @@ TEST_CASE("Labels: those of sources and regions cover neither marks nor the line
     Draughtsman driver;
     Document drawing = driver.document();
     Shape plate;
-    plate.kind = ShapeKind::Rectangle;
+    plate.form = RectangleForm{};
     plate.nodes = {{0, 0}, {10, 8}};
     drawing = *addShape(drawing, plate);
     drawing.spacing.sources = {
@@ -150,7 +150,7 @@ TEST_CASE("Labels: the radius of a selected hole is written clear of its handles
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     Shape hole;
-    hole.kind = ShapeKind::Circle;
+    hole.form = CircleForm{};
     hole.nodes = {{5, 4}, {5.6, 4}};
     driver.context().document.apply(*addShape(driver.document(), hole), "Hole");
     showLayer(driver.context().layers, "dimensions", true);
@@ -165,7 +165,7 @@ TEST_CASE("Labels: the radius of a selected hole is written clear of its handles
 TEST_CASE("Labels: the legend of the element size ends at the largest size in the domain") {
     Draughtsman driver;
     Shape disc;
-    disc.kind = ShapeKind::Circle;
+    disc.form = CircleForm{};
     disc.nodes = {{5, 5}, {7, 5}};
     Document drawing = *addShape(driver.document(), disc);
     drawing.spacing.sources = {{.shape = SourceShape::Point, .a = {5, 5}, .size = 0.1, .growth = 0.1}};

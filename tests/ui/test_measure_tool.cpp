@@ -13,13 +13,13 @@ namespace {
 struct Measurer : Draughtsman {
     Measurer() {
         Shape square;
-        square.kind = ShapeKind::Rectangle;
+        square.form = RectangleForm{};
         square.nodes = {{1, 1}, {9, 8}};
         Shape hole;
-        hole.kind = ShapeKind::Circle;
+        hole.form = CircleForm{};
         hole.nodes = {{3, 4}, {4, 4}};
         Shape slope;
-        slope.kind = ShapeKind::Polyline;
+        slope.form = PathForm{.closed = false};
         slope.nodes = {{5, 3}, {8, 6}};
         slope.use = ShapeUse::Constraint;
         context().document.apply(*addShapes(Document(), {square, hole, slope}), "Draw");

@@ -15,7 +15,7 @@ namespace {
 struct Namer : Draughtsman {
     Namer() {
         Shape square;
-        square.kind = ShapeKind::Rectangle;
+        square.form = RectangleForm{};
         square.nodes = {{1, 1}, {9, 8}};
         Document document = *addShape(Document(), square);
         document = *setSegmentTag(document, {{1, 0}}, 3);

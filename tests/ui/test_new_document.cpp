@@ -45,7 +45,7 @@ TEST_CASE("New: tags and sizes of the next items are those of a fresh program") 
     }
     const Document &document = driver.document(), &expected = fresh.document();
     CHECK(document.shapes[0]->tag == 1);
-    CHECK(document.shapes[0]->radius == 0.0);
+    CHECK(document.shapes[0]->as<RectangleForm>().radius == 0.0);
     CHECK_FALSE(expected.spacing.paint.tiles.empty());
     CHECK(expected.spacing.sources.size() == 1);
     CHECK(sameContent(document, expected));

@@ -113,10 +113,10 @@ TEST_CASE("Open: unsaved changes are asked about once a mesh has been read") {
     driver.settle();
     CHECK_FALSE(driver.has("dialog/open/ok"));
     REQUIRE(driver.has("dialog/unsaved/discard"));
-    CHECK(driver.document().shapes.front()->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes.front()->kind() == ShapeKind::Rectangle);
     driver.click("dialog/unsaved/discard");
     driver.settle();
-    CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
+    CHECK(driver.document().shapes.front()->kind() == ShapeKind::Polygon);
 }
 
 TEST_CASE("Open mesh: a file that cannot be read is reported in the dialog, which stays open until one can") {

@@ -2,6 +2,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -203,7 +204,7 @@ TEST_CASE("Picture: a calibration names the numbers whose expressions it removes
     driver.dragPlaces({150.0, 60.0}, {250.0, 120.0});
     Document document = driver.document();
     const double width = boundsOf(document).size().x;
-    document.formulas["shape/1/width"] = "w";
+    document.formulas["shape/1/width"_number] = "w";
     driver.context().document.apply(*setParameters(document, {{"w", std::to_string(width)}}), "Set parameters");
     REQUIRE(driver.document().formulas.size() == 1);
     driver.key('Z');

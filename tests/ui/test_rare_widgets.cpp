@@ -36,7 +36,7 @@ Shape triangle() {
 TEST_CASE("Inspector: the radii of an ellipse are fields") {
     Draughtsman driver;
     Shape ellipse;
-    ellipse.kind = ShapeKind::Ellipse;
+    ellipse.form = EllipseForm{};
     ellipse.nodes = {{5, 5}, {7, 5}, {5, 6}};
     driver.context().selection.shapes = {draw(driver, ellipse)};
     driver.settle();

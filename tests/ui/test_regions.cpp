@@ -2,6 +2,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "tests/ui/two_faces.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -179,7 +180,7 @@ TEST_CASE("Regions: the size of a region takes an expression of parameters") {
     driver.clickPlace({2.4, 3.4});
     driver.fill("inspector/regionsize", "h/2");
     CHECK(driver.document().regionMarkers[0].size == doctest::Approx(0.2));
-    CHECK(driver.document().formulas.at("region/0/size") == "h/2");
+    CHECK(driver.document().formulas.at("region/0/size"_number) == "h/2");
 }
 
 TEST_CASE("Regions: with the select tool, a click on a label selects the region") {
@@ -200,7 +201,7 @@ TEST_CASE("Regions: with the select tool, a click on a label selects the region"
 TEST_CASE("Face raster: faces get their tints, rims fade inwards, and curves are curves") {
     Document document;
     Shape disc;
-    disc.kind = ShapeKind::Circle;
+    disc.form = CircleForm{};
     disc.nodes = {{5, 5}, {9, 5}};
     Shape hole = disc;
     hole.nodes = {{5, 5}, {6, 5}};
@@ -249,7 +250,7 @@ TEST_CASE("Regions: a label that makes way for a node is clicked where it is, no
     driver.settle();
     const PixelRect before = driver.context().widgets.find("label/region/0")->rect;
     Shape node;
-    node.kind = ShapeKind::Point;
+    node.form = PointForm{};
     node.use = ShapeUse::Constraint;
     node.nodes = {driver.context().view.camera.toPlane({before.x + 8.0, before.centre().y})};
     driver.context().document.apply(*addShape(driver.document(), node), "Point");

@@ -2,6 +2,7 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/two_faces.hpp"
 
 #include <doctest/doctest.h>
@@ -271,7 +272,7 @@ TEST_CASE("Right click: fields are cut, copied and pasted, and a formula is repl
     user.unfold("spacing");
     user.settle();
     user.fill("spacing/size", "h/2");
-    REQUIRE(user.document().formulas.at("spacing/size") == "h/2");
+    REQUIRE(user.document().formulas.at("spacing/size"_number) == "h/2");
     user.rightClick("spacing/size");
     CHECK(user.offers("field/cut"));
     user.choose("field/copy");
@@ -279,12 +280,12 @@ TEST_CASE("Right click: fields are cut, copied and pasted, and a formula is repl
     user.rightClick("spacing/size");
     user.choose("field/value");
     CHECK(user.document().spacing.size == doctest::Approx(0.2));
-    CHECK_FALSE(user.document().formulas.contains("spacing/size"));
+    CHECK_FALSE(user.document().formulas.contains("spacing/size"_number));
     user.rightClick("spacing/maximum");
     CHECK_FALSE(user.offers("field/cut")); // empty
     user.choose("field/paste");
     CHECK(user.document().spacing.maximum == doctest::Approx(0.2));
-    CHECK(user.document().formulas.at("spacing/maximum") == "h/2");
+    CHECK(user.document().formulas.at("spacing/maximum"_number) == "h/2");
     user.rightClick("spacing/size");
     user.choose("field/cut");
     CHECK_FALSE(user.document().spacing.size.has_value());

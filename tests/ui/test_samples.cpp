@@ -22,7 +22,7 @@ namespace {
 
 /// Returns true if the nodes of a polygon are those of a regular one with more than four corners.
 bool regular(const Shape &shape) {
-    if (shape.kind != ShapeKind::Polygon || shape.nodes.size() < 5) {
+    if (shape.kind() != ShapeKind::Polygon || shape.nodes.size() < 5) {
         return false;
     }
     Vec2 centre;
@@ -41,11 +41,11 @@ bool regular(const Shape &shape) {
 }
 
 void countShape(const Shape &shape, std::map<std::string, int> &counts) {
-    ++counts["shape " + std::string(wordOf(shape.kind))];
+    ++counts["shape " + std::string(wordOf(shape.kind()))];
     counts["inner line"] += shape.use == ShapeUse::Constraint ? 1 : 0;
     counts["node size"] += static_cast<int>(shape.nodeSizes.size());
     counts["regular polygon"] += regular(shape) ? 1 : 0;
-    for (const Curve &curve : shape.curves) {
+    for (const Curve &curve : shape.path().curves) {
         counts["arc"] += curve.kind() == CurveKind::Arc ? 1 : 0;
         counts["cubic"] += curve.kind() == CurveKind::Cubic ? 1 : 0;
     }

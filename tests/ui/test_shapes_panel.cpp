@@ -17,7 +17,7 @@ Document twoSquares() {
     Document document;
     for (int k = 0; k < 2; ++k) {
         Shape square;
-        square.kind = ShapeKind::Rectangle;
+        square.form = RectangleForm{};
         square.nodes = {{1.0 + 4.0 * k, 1}, {4.0 + 4.0 * k, 4}};
         document = *addShape(document, square);
     }
@@ -30,7 +30,7 @@ Document nineSquares() {
     Document document;
     for (int k = 0; k < 9; ++k) {
         Shape square;
-        square.kind = ShapeKind::Rectangle;
+        square.form = RectangleForm{};
         square.nodes = {{2.0 * k, 0}, {2.0 * k + 1.0, 1}};
         document = *addShape(document, square);
     }
@@ -193,7 +193,7 @@ TEST_CASE(
     std::vector<Shape> squares;
     for (int k = 0; k < 10'000; ++k) {
         Shape square;
-        square.kind = ShapeKind::Rectangle;
+        square.form = RectangleForm{};
         const double x = 2.0 * (k % 100), y = 2.0 * (k / 100);
         square.nodes = {{x, y}, {x + 1.0, y + 1.0}};
         squares.push_back(square);

@@ -45,7 +45,7 @@ void draw(Draughtsman &driver, std::vector<Shape> shapes) {
 
 Shape shapeOf(ShapeKind kind, std::vector<Vec2> nodes, ShapeUse use = ShapeUse::Constraint) {
     Shape shape;
-    shape.kind = kind;
+    shape.form = formOf(kind);
     shape.use = use;
     shape.nodes = std::move(nodes);
     return shape;

@@ -2,6 +2,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/geometry/path_curve.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -49,7 +50,7 @@ class Parametric : public Draughtsman {
         frames(2);
     }
     const Shape &shape(std::size_t k = 0) { return *document().shapes[k]; }
-    std::string formula(const std::string &address) {
+    std::string formula(const NumberAddress &address) {
         const auto found = document().formulas.find(address);
         return found != document().formulas.end() ? found->second : std::string();
     }
@@ -67,11 +68,11 @@ TEST_CASE("Typed formulas: the nodes of a pen path follow distances and angles; 
     driver.enter({"=L/2", "180 - 30*r"});
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.formula("shape/1/x/1") == "2 + L");
-    CHECK(driver.formula("shape/1/y/1").empty());
-    CHECK(driver.formula("shape/1/x/2") == "2 + L");
-    CHECK(driver.formula("shape/1/y/2") == "2 + w");
-    CHECK(driver.formula("shape/1/x/3") == "2 + L + L/2*cos((180 - 30*r)*pi/180)");
+    CHECK(driver.formula("shape/1/x/1"_number) == "2 + L");
+    CHECK(driver.formula("shape/1/y/1"_number).empty());
+    CHECK(driver.formula("shape/1/x/2"_number) == "2 + L");
+    CHECK(driver.formula("shape/1/y/2"_number) == "2 + w");
+    CHECK(driver.formula("shape/1/x/3"_number) == "2 + L + L/2*cos((180 - 30*r)*pi/180)");
     driver.set("L", "6");
     driver.set("w", "3");
     CHECK(driver.shape().nodes[1] == Vec2{8, 2});
@@ -85,7 +86,7 @@ TEST_CASE("Typed formulas: the nodes of a pen path follow distances and angles; 
     CHECK(driver.shape().nodes[2] == Vec2{8, 4});
     driver.key('Z', kControl);
     CHECK(driver.shape().nodes[1] == Vec2{6, 2});
-    CHECK(driver.formula("shape/1/x/1") == "2 + L");
+    CHECK(driver.formula("shape/1/x/1"_number) == "2 + L");
 }
 
 TEST_CASE("Typed formulas: a place relative to the last node follows; a mixture with a coordinate says so") {
@@ -98,10 +99,10 @@ TEST_CASE("Typed formulas: a place relative to the last node follows; a mixture 
     driver.clickPlace({7, 7});
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.formula("shape/1/x/0") == "1*r");
-    CHECK(driver.formula("shape/1/x/1") == "1*r + L");
-    CHECK(driver.formula("shape/1/y/1") == "2 + w/2");
-    CHECK(driver.formula("shape/1/x/2").empty());
+    CHECK(driver.formula("shape/1/x/0"_number) == "1*r");
+    CHECK(driver.formula("shape/1/x/1"_number) == "1*r + L");
+    CHECK(driver.formula("shape/1/y/1"_number) == "2 + w/2");
+    CHECK(driver.formula("shape/1/x/2"_number).empty());
     driver.set("r", "2");
     CHECK(driver.shape().nodes[1] == Vec2{6, 3});
 }
@@ -115,9 +116,10 @@ TEST_CASE("Typed formulas: corners of rectangles and ellipses, and the corner ra
     driver.moveToPlace({7, 7});
     driver.enter({"=L, w + 1"}); // width, height
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.document().formulas ==
-          std::map<std::string, std::string>{
-              {"shape/1/left", "1*r"}, {"shape/1/width", "L"}, {"shape/1/height", "w + 1"}, {"shape/1/radius", "r/4"}});
+    CHECK(driver.document().formulas == std::map<NumberAddress, std::string>{{"shape/1/left"_number, "1*r"},
+                                                                             {"shape/1/width"_number, "L"},
+                                                                             {"shape/1/height"_number, "w + 1"},
+                                                                             {"shape/1/radius"_number, "r/4"}});
     driver.key('K');
     driver.clickPlace({1, 6});
     driver.moveToPlace({3, 8});
@@ -125,13 +127,13 @@ TEST_CASE("Typed formulas: corners of rectangles and ellipses, and the corner ra
     driver.type("1 + L,8");
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 2);
-    CHECK(driver.formula("shape/2/rx") == "(1 + L - 1)/2");
+    CHECK(driver.formula("shape/2/rx"_number) == "(1 + L - 1)/2");
     driver.set("L", "6");
     CHECK(boundsOf(driver.shape(0)) == Box2{{1, 2}, {7, 5}});
     CHECK(boundsOf(driver.shape(1)).max.x == doctest::Approx(7.0));
     CHECK(boundsOf(driver.shape(1)).min.x == doctest::Approx(1.0));
     driver.set("r", "2");
-    CHECK(driver.shape(0).radius == 0.5);
+    CHECK(driver.shape(0).as<RectangleForm>().radius == 0.5);
     CHECK(boundsOf(driver.shape(0)).min.x == 2.0);
 }
 
@@ -142,7 +144,7 @@ TEST_CASE("Typed formulas: regular polygons and size sources follow") {
     driver.moveToPlace({4, 4});
     driver.enter({"=2*r", "30*r"});
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.formula("shape/1/x/0") == "3 + 2*r*cos(30*r*pi/180)");
+    CHECK(driver.formula("shape/1/x/0"_number) == "3 + 2*r*cos(30*r*pi/180)");
     driver.set("r", "1.5");
     for (const Vec2 corner : driver.shape(0).nodes) {
         CHECK(distance(corner, {3, 3}) == doctest::Approx(3.0));
@@ -154,8 +156,8 @@ TEST_CASE("Typed formulas: regular polygons and size sources follow") {
     driver.moveToPlace({8, 8});
     driver.enter({"=r"});
     REQUIRE(driver.document().spacing.sources.size() == 1);
-    CHECK(driver.formula("source/0/radius") == "r");
-    CHECK(driver.formula("source/0/size") == "r/10");
+    CHECK(driver.formula("source/0/radius"_number) == "r");
+    CHECK(driver.formula("source/0/size"_number) == "r/10");
 }
 
 TEST_CASE("Typed formulas: a slot keeps width and length, by numbers, formulas and handles") {
@@ -169,27 +171,27 @@ TEST_CASE("Typed formulas: a slot keeps width and length, by numbers, formulas a
     driver.key(key::kEnter);
     driver.frames(2);
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.shape().kind == ShapeKind::Slot);
+    CHECK(driver.shape().kind() == ShapeKind::Slot);
     CHECK(driver.document().formulas ==
-          std::map<std::string, std::string>{{"shape/1/length", "L"}, {"shape/1/width", "w"}});
+          std::map<NumberAddress, std::string>{{"shape/1/length"_number, "L"}, {"shape/1/width"_number, "w"}});
     driver.set("w", "1");
-    CHECK(driver.shape().radius == 0.5);
+    CHECK(driver.shape().as<SlotForm>().radius == 0.5);
     driver.key('V');
     driver.fill("inspector/slotwidth", "w/2 + 1");
-    CHECK(driver.shape().radius == 0.75);
-    CHECK(driver.formula("shape/1/width") == "w/2 + 1");
+    CHECK(driver.shape().as<SlotForm>().radius == 0.75);
+    CHECK(driver.formula("shape/1/width"_number) == "w/2 + 1");
     driver.fill("inspector/slotlength", "3");
     CHECK(driver.shape().nodes[1] == Vec2{5, 5});
     driver.fill("inspector/centre2/x", "L + 3");
     CHECK(driver.shape().nodes[1] == Vec2{7, 5});
     driver.dragPlaces({4.5, 5.75}, {4.5, 7}); // the side
-    CHECK(driver.shape().radius == doctest::Approx(2.0));
-    CHECK(driver.formula("shape/1/width").empty());
+    CHECK(driver.shape().as<SlotForm>().radius == doctest::Approx(2.0));
+    CHECK(driver.formula("shape/1/width"_number).empty());
     driver.key('Z', kControl);
-    CHECK(driver.shape().radius == 0.75);
+    CHECK(driver.shape().as<SlotForm>().radius == 0.75);
     driver.dragPlaces({2, 5}, {2, 3});
     CHECK(driver.shape().nodes[0] == Vec2{2, 3});
-    CHECK(driver.shape().radius == 0.75);
+    CHECK(driver.shape().as<SlotForm>().radius == 0.75);
 }
 
 TEST_CASE("Typed formulas: a parameter's name begins a number while a shape is drawn, not a shortcut") {
@@ -205,8 +207,8 @@ TEST_CASE("Typed formulas: a parameter's name begins a number while a shape is d
         driver.key(key::kEnter);
         driver.frames(2);
         REQUIRE(driver.document().shapes.size() == 1);
-        CHECK(driver.shape().radius == 1.0);
-        CHECK(driver.formula("shape/1/width") == "w");
+        CHECK(driver.shape().as<SlotForm>().radius == 1.0);
+        CHECK(driver.formula("shape/1/width"_number) == "w");
     }
     SUBCASE("circle") {
         driver.key('C');
@@ -215,7 +217,7 @@ TEST_CASE("Typed formulas: a parameter's name begins a number while a shape is d
         driver.key(key::kEnter);
         driver.frames(2);
         REQUIRE(driver.document().shapes.size() == 1);
-        CHECK(driver.formula("shape/1/radius") == "r");
+        CHECK(driver.formula("shape/1/radius"_number) == "r");
         driver.keys("r"); // nothing is drawn now: the tool for rectangles
         CHECK(tool() == "rectangle");
     }
@@ -245,7 +247,7 @@ TEST_CASE("Typed formulas: the length of a segment moves its end, which follows;
     driver.frames(3);
     driver.fill("inspector/length", "L + 1");
     CHECK(driver.shape().nodes[1] == Vec2{6, 1});
-    CHECK(driver.formula("shape/1/x/1") == "1 + L + 1");
+    CHECK(driver.formula("shape/1/x/1"_number) == "1 + L + 1");
     CHECK(driver.has("inspector/follows"));
     driver.set("L", "2");
     CHECK(driver.shape().nodes[1] == Vec2{4, 1});
@@ -258,7 +260,7 @@ TEST_CASE("Typed formulas: the length of a segment moves its end, which follows;
     driver.context().selection.segments.insert({2, 1});
     driver.frames(3);
     driver.fill("inspector/length", "w/2");
-    CHECK(driver.formula("shape/2/height") == "w/2");
+    CHECK(driver.formula("shape/2/height"_number) == "w/2");
 }
 
 TEST_CASE("Typed formulas: fields that cannot follow say that parameters are used once") {
@@ -292,11 +294,11 @@ TEST_CASE("Typed formulas: a rectangle rounded by the fillet dialog keeps its fo
     CHECK_FALSE(driver.has("dialog/fillet/once"));
     driver.click("dialog/fillet/ok");
     driver.frames(2);
-    CHECK(driver.shape().kind == ShapeKind::Rectangle);
-    CHECK(driver.formula("shape/1/width") == "L + 1");
-    CHECK(driver.formula("shape/1/radius") == "r/4");
+    CHECK(driver.shape().kind() == ShapeKind::Rectangle);
+    CHECK(driver.formula("shape/1/width"_number) == "L + 1");
+    CHECK(driver.formula("shape/1/radius"_number) == "r/4");
     driver.set("r", "2");
-    CHECK(driver.shape().radius == 0.5);
+    CHECK(driver.shape().as<RectangleForm>().radius == 0.5);
 }
 
 TEST_CASE("Typed formulas: arcs by three points and by their centre follow their radius, not an angle") {
@@ -307,7 +309,7 @@ TEST_CASE("Typed formulas: arcs by three points and by their centre follow their
     driver.moveToPlace({2, 7.5});
     driver.enter({"=2*r"});
     REQUIRE(driver.document().shapes.size() == 1);
-    CHECK(driver.formula("shape/1/arcRadius/0") == "2*r");
+    CHECK(driver.formula("shape/1/arcRadius/0"_number) == "2*r");
     driver.click("options/arc/Centre");
     driver.clickPlace({5, 3});
     driver.moveToPlace({6, 3});
@@ -315,12 +317,12 @@ TEST_CASE("Typed formulas: arcs by three points and by their centre follow their
     driver.moveToPlace({6, 4});
     driver.enter({"90"});
     REQUIRE(driver.document().shapes.size() == 2);
-    CHECK(driver.formula("shape/2/x/0") == "5 + 2*r");
-    CHECK(driver.formula("shape/2/y/1") == "3 + 2*r");
+    CHECK(driver.formula("shape/2/x/0"_number) == "5 + 2*r");
+    CHECK(driver.formula("shape/2/y/1"_number) == "3 + 2*r");
     driver.set("r", "1.5");
-    CHECK(radiusOf(driver.shape(0).curves[0]) == doctest::Approx(3.0));
+    CHECK(radiusOf(driver.shape(0).path().curves[0]) == doctest::Approx(3.0));
     CHECK(driver.shape(1).nodes == std::vector<Vec2>{{8, 3}, {5, 6}});
-    CHECK(radiusOf(driver.shape(1).curves[0]) == doctest::Approx(3.0));
+    CHECK(radiusOf(driver.shape(1).path().curves[0]) == doctest::Approx(3.0));
     CHECK(lengthOf(driver.shape(1)) == doctest::Approx(1.5 * std::numbers::pi));
 }
 
@@ -331,14 +333,14 @@ TEST_CASE("Typed formulas: a moved shape takes them along; a turn removes those 
     driver.moveToPlace({7, 7});
     driver.enter({"=L, w"});
     REQUIRE(driver.document().shapes.size() == 1);
-    driver.context().document.apply(setFormula(driver.document(), "shape/1/left", "r"), "Change formula");
+    driver.context().document.apply(setFormula(driver.document(), "shape/1/left"_number, "r"), "Change formula");
     driver.key('V');
     driver.clickPlace({3, 1});
     const std::size_t messages = driver.context().log.entries().size();
     driver.dragPlaces({3, 1}, {5, 2});
     CHECK(boundsOf(driver.shape()) == Box2{{3, 2}, {7, 4}});
-    CHECK(driver.formula("shape/1/left") == "r + 2");
-    CHECK(driver.formula("shape/1/width") == "L");
+    CHECK(driver.formula("shape/1/left"_number) == "r + 2");
+    CHECK(driver.formula("shape/1/width"_number) == "L");
     CHECK(driver.context().log.entries().size() == messages);
     driver.set("r", "2");
     CHECK(boundsOf(driver.shape()) == Box2{{4, 2}, {8, 4}});
@@ -349,10 +351,10 @@ TEST_CASE("Typed formulas: a moved shape takes them along; a turn removes those 
           "Removed 3 expressions that no longer fit: height of rectangle 1, left of rectangle 1, width of rectangle 1");
     // An expression that is typed over is not reported.
     driver.key('Z', {Modifiers::kControl});
-    REQUIRE(driver.formula("shape/1/width") == "L");
+    REQUIRE(driver.formula("shape/1/width"_number) == "L");
     const std::size_t before = driver.context().log.entries().size();
     driver.fill("inspector/size/x", "5");
-    CHECK(driver.formula("shape/1/width").empty());
-    CHECK(driver.formula("shape/1/height") == "w");
+    CHECK(driver.formula("shape/1/width"_number).empty());
+    CHECK(driver.formula("shape/1/height"_number) == "w");
     CHECK(driver.context().log.entries().size() == before);
 }

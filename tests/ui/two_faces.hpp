@@ -9,7 +9,7 @@ namespace forefront::test {
 inline void drawTwoFaces(Draughtsman &driver) {
     driver.rectangle({1, 1}, {9, 8});
     Shape inner;
-    inner.kind = ShapeKind::Rectangle;
+    inner.form = RectangleForm{};
     inner.use = ShapeUse::Constraint;
     inner.nodes = {{2, 3}, {5, 7}};
     inner.tag = 2;

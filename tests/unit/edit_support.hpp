@@ -18,7 +18,7 @@ namespace forefront::edit_test {
 inline Shape makeShape(ShapeKind kind, std::vector<Vec2> nodes, ShapeUse use = ShapeUse::Boundary,
                        std::int32_t tag = 1) {
     Shape shape;
-    shape.kind = kind;
+    shape.form = formOf(kind);
     shape.use = use;
     shape.nodes = std::move(nodes);
     shape.tag = tag;

@@ -3,6 +3,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 #include "core/files/common/names.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 Shape shape(std::uint32_t id, ShapeKind kind, ShapeUse use, std::vector<Vec2> nodes, std::string name) {
     Shape result;
     result.id = id;
-    result.kind = kind;
+    result.form = formOf(kind);
     result.use = use;
     result.nodes = std::move(nodes);
     result.tag = static_cast<std::int32_t>(id);
@@ -49,14 +50,14 @@ Document fullDocument() {
     outline.segmentTags = {1, 2, 2, 7};
     outline.nodeSizes = {{1, {1.0 / 3.0, 0.3}}, {3, {0.05, 0.0}}};
     Shape sail = shape(10, ShapeKind::Polygon, ShapeUse::Constraint, {{2, 1}, {2.5, 1.1}, {2.1, 1.2}}, "sail");
-    sail.curves = {Curve::cubic({2, 1}, {1.0 / 3.0 + 2.0, 0.9}, {2.4, 1}, {2.5, 1.1}),
-                   joining(Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.1, 1.0 / 3.0), {2.5, 1.1}, {2.1, 1.2}),
-                   {}};
+    sail.path().curves = {Curve::cubic({2, 1}, {1.0 / 3.0 + 2.0, 0.9}, {2.4, 1}, {2.5, 1.1}),
+                          joining(Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.1, 1.0 / 3.0), {2.5, 1.1}, {2.1, 1.2}),
+                          {}};
     sail.hidden = true;
     sail.cuts = {{0.25, 2.0 / 3.0}, {}, {}};
     Shape pier = shape(4, ShapeKind::Polyline, ShapeUse::Constraint, {{1, 1}, {1.5, 1}, {2, 1.25}}, "pier");
     Shape box = shape(2, ShapeKind::Rectangle, ShapeUse::Boundary, {{3, 1}, {3.5, 2}}, "");
-    box.radius = 0.1;
+    box.as<RectangleForm>().radius = 0.1;
     box.locked = true;
     for (const Shape &item :
          {outline, box, shape(3, ShapeKind::Circle, ShapeUse::Boundary, {{1, 2}, {1.2, 2}}, "island"), pier,
@@ -83,7 +84,8 @@ Document fullDocument() {
     document.elementCounts = {{10, {24, 0.1}}, {11, {7, 0.0}}};
     document.parameters = {{"half", "h/2"}, {"h", "0.1"}};
     document.spacing.names = parameterValues(document.parameters);
-    document.formulas = {{"shape/2/radius", "h"}, {"source/0/size", "half"}, {"spacing/size", "h"}};
+    document.formulas = {
+        {"shape/2/radius"_number, "h"}, {"source/0/size"_number, "half"}, {"spacing/size"_number, "h"}};
     document.spacing.fromBoundary = true;
     document.spacing.minimum = 1e-3;
     document.spacing.maximum = 12.5;

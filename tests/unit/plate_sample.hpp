@@ -2,6 +2,7 @@
 
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -23,8 +24,10 @@ inline Document plate() {
     source.size = 0.25;
     drawn = addSource(*drawn, source);
     REQUIRE(drawn.ok());
-    drawn->formulas = {
-        {"shape/1/width", "2*gap"}, {"shape/2/radius", "r"}, {"source/0/size", "r/2"}, {"source/0/radius", "gap"}};
+    drawn->formulas = {{"shape/1/width"_number, "2*gap"},
+                       {"shape/2/radius"_number, "r"},
+                       {"source/0/size"_number, "r/2"},
+                       {"source/0/radius"_number, "gap"}};
     pruneFormulas(*drawn);
     REQUIRE(drawn->formulas.size() == 4);
     return *std::move(drawn);

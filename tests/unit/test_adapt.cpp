@@ -184,7 +184,7 @@ TEST_CASE("outlineOf: can be cancelled at each of its reports") {
 TEST_CASE("outlineOf: a mesh along curves gives them back, so that a finer mesh follows them") {
     Document document;
     Shape disc;
-    disc.kind = ShapeKind::Circle;
+    disc.form = CircleForm{};
     disc.nodes = {{2, 1}, {3, 1}};
     document = *addShape(document, disc);
     MeshingJob job;

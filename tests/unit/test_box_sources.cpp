@@ -1,8 +1,8 @@
 #include "core/drawing/commands/insert_document.hpp"
 #include "core/drawing/commands/scale_document.hpp"
 #include "core/drawing/commands/transform.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/picking/pick_index.hpp"
 #include "core/drawing_files/project/project.hpp"
@@ -12,6 +12,7 @@
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "tests/support/domain_builder.hpp"
+#include "tests/support/number_literal.hpp"
 
 #include <doctest/doctest.h>
 
@@ -180,8 +181,8 @@ TEST_CASE("Box sources: corners and sides are picked, and boxes enclose them") {
 
 TEST_CASE("Box sources: are numbers of the document, and survive projects, copies and changes of scale") {
     Document document = *addSource({}, boxSource({1, 1}, {5, 3}, 0.1, 0.2, 30.0));
-    CHECK(numberAt(document, "source/0/x2") == 5.0);
-    CHECK(numberAt(document, "source/0/angle") == 30.0);
+    CHECK(readNumber(document, "source/0/x2"_number) == 5.0);
+    CHECK(readNumber(document, "source/0/angle"_number) == 30.0);
     const auto read = parseProject(projectText(document), "test");
     REQUIRE(read.ok());
     CHECK(read->spacing.sources == document.spacing.sources);
@@ -214,7 +215,7 @@ TEST_CASE("Box sources: an angle that a map leaves alone keeps its value, and it
         }
     }
     Document named = *addSource({}, boxSource({1, 1}, {5, 3}, 0.1, 0.2, 60.0));
-    named.formulas = {{"source/0/angle", "alpha"}};
+    named.formulas = {{"source/0/angle"_number, "alpha"}};
     named = *setParameters(named, {{"alpha", "60"}});
     CHECK(scaleDocument(named, {0, 0}, 2.0)->formulas.size() == 1);
 }
@@ -223,8 +224,8 @@ TEST_CASE("Box sources: width and height are numbers, along the angle and across
     for (const double angle : {0.0, 30.0, 60.0, -135.0}) {
         Document document = *addSource({}, boxSource({1000, 1}, {990, 30}, 0.1, 0.2, angle));
         const Vec2 extent = boxExtent(document.spacing.sources[0]);
-        CHECK(numberAt(document, "source/0/width") == extent.x);
-        document.formulas = {{"source/0/width", "w"}, {"source/0/height", "w/2"}};
+        CHECK(readNumber(document, "source/0/width"_number) == extent.x);
+        document.formulas = {{"source/0/width"_number, "w"}, {"source/0/height"_number, "w/2"}};
         const Result<Document> sized = setParameters(document, {{"w", "0.01"}});
         REQUIRE(sized.ok());
         const SizeSource &box = sized->spacing.sources[0];
@@ -241,7 +242,7 @@ TEST_CASE("Box sources: width and height are numbers, along the angle and across
         CHECK(refused.faults().front().message == "invalid height -0.5 of a size source; expected a number above 0");
     }
     const Document document = *addSource({}, boxSource({0, 0}, {4, 2}));
-    CHECK_FALSE(numberAt(*addSource({}, SizeSource()), "source/0/width"));
+    CHECK_FALSE(readNumber(*addSource({}, SizeSource()), "source/0/width"_number));
     SizeSource wide = document.spacing.sources[0];
     resizeBox(wide, {6, 2});
     CHECK(wide.b == Vec2{6, 2});
@@ -253,7 +254,7 @@ TEST_CASE("Box sources: a new angle turns the box about its centre, and its side
     const Vec2 centre{2.5, 2.5};
     for (const double angle : {30.0, 60.0, 90.0, -135.0, 0.0}) {
         CAPTURE(angle);
-        REQUIRE(setNumber(document, *parseAddress("source/0/angle"), angle).empty());
+        REQUIRE(setNumber(document, "source/0/angle"_number, angle).empty());
         const SizeSource &box = document.spacing.sources[0];
         CHECK(box.angle == angle);
         CHECK(distance(SourceBox(box).centre(), centre) < 1e-12);

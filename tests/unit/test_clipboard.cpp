@@ -25,7 +25,7 @@ const Shape &only(const Result<Document> &drawing) {
 
 TEST_CASE("Clipboard: what is copied comes back exactly, and other programs see an SVG drawing of it") {
     Shape leaf = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}});
-    leaf.curves = {Curve::cubic({0, 0}, {1, 1}, {3, 1}, {4, 0}), arcThrough({4, 0}, {2, -1}, {0, 0})};
+    leaf.path().curves = {Curve::cubic({0, 0}, {1, 1}, {3, 1}, {4, 0}), arcThrough({4, 0}, {2, -1}, {0, 0})};
     leaf.name = "leaf";
     Document document = *addShapes({}, {leaf, makeShape(ShapeKind::Circle, {{7, 7}, {8, 7}})});
     document.regionMarkers = {{{2, 0.1}, 3, 0.0}};
@@ -42,7 +42,7 @@ TEST_CASE("Clipboard: what is copied comes back exactly, and other programs see 
     std::string plain = text; // as after a detour through another program
     plain.erase(plain.find("<metadata"), plain.find("</metadata>") + 11 - plain.find("<metadata"));
     const Result<Document> drawing = readClipboard(plain);
-    CHECK(only(drawing).kind == ShapeKind::Polygon);
+    CHECK(only(drawing).kind() == ShapeKind::Polygon);
     CHECK(areaOf(only(drawing)) == doctest::Approx(areaOf(leaf)).epsilon(1e-3));
     CHECK(clipboardText(document, {}).empty());
 }
@@ -75,14 +75,14 @@ TEST_CASE("Clipboard: two columns of a spreadsheet, with any separators, become 
                              "(0, 0)\n(1.5, 0)\n(1, 2.25)\n(0.25, 1)", "0 0 9\n+1.5 0 9\n1 2.25 9\n0.25 1 9"}) {
         CAPTURE(text);
         const Result<Document> drawing = readClipboard(text);
-        CHECK(only(drawing).kind == ShapeKind::Polygon);
+        CHECK(only(drawing).kind() == ShapeKind::Polygon);
         CHECK(only(drawing).use == ShapeUse::Boundary);
         CHECK(only(drawing).nodes == triangle);
     }
     const Result<Document> open = readClipboard("0 0\n1 0\n2 0\n3 1\n");
-    CHECK(only(open).kind == ShapeKind::Polyline);
+    CHECK(only(open).kind() == ShapeKind::Polyline);
     CHECK(only(open).use == ShapeUse::Constraint);
-    CHECK(only(readClipboard("-1e-3 2")).kind == ShapeKind::Point);
+    CHECK(only(readClipboard("-1e-3 2")).kind() == ShapeKind::Point);
 }
 
 TEST_CASE("Clipboard: in cells the last point or comma is the decimal sign, and the other separates thousands") {

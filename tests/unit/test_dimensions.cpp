@@ -60,7 +60,7 @@ TEST_CASE("dimensionsOf: the angle inside a closed shape may exceed 180 degrees,
     shape.nodes = {{0, 0}, {2, 1}, {4, 0}, {2, 4}}; // an arrow head
     const std::vector<double> closed = valuesOf(dimensionsOf(shape), DimensionKind::Angle);
     CHECK(*std::max_element(closed.begin(), closed.end()) == doctest::Approx(233.130102));
-    shape.kind = ShapeKind::Polyline;
+    shape.form = PathForm{.closed = false};
     shape.nodes.resize(3);
     const std::vector<Dimension> open = dimensionsOf(shape);
     const std::vector<double> angles = valuesOf(open, DimensionKind::Angle);
@@ -75,7 +75,7 @@ TEST_CASE("dimensionsOf: the angle inside a closed shape may exceed 180 degrees,
 
 TEST_CASE("dimensionsOf: radii of circles, arcs, ellipses and rounded corners; none of hidden shapes and points") {
     Shape circle;
-    circle.kind = ShapeKind::Circle;
+    circle.form = CircleForm{};
     circle.nodes = {{1, 1}, {1, 9}};
     const std::vector<Dimension> round = dimensionsOf(circle);
     REQUIRE(round.size() == 1);
@@ -83,31 +83,31 @@ TEST_CASE("dimensionsOf: radii of circles, arcs, ellipses and rounded corners; n
     CHECK(round[0].value == doctest::Approx(8));
     CHECK(distance(round[0].to, {1, 1}) == doctest::Approx(8));
     Shape ellipse;
-    ellipse.kind = ShapeKind::Ellipse;
+    ellipse.form = EllipseForm{};
     ellipse.nodes = {{0, 0}, {3, 0}, {0, 2}};
     CHECK(valuesOf(dimensionsOf(ellipse), DimensionKind::RadiusX) == std::vector<double>{3});
     CHECK(valuesOf(dimensionsOf(ellipse), DimensionKind::RadiusY) == std::vector<double>{2});
     Shape path;
-    path.kind = ShapeKind::Polyline;
+    path.form = PathForm{.closed = false};
     path.nodes = {{2, 0}, {0, 2}, {0, 5}, {4, 5}};
-    path.curves = {Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.0, 1.57079632679489662), Curve(),
-                   Curve::cubic({0, 5}, {1, 6}, {3, 6}, {4, 5})};
+    path.path().curves = {Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.0, 1.57079632679489662), Curve(),
+                          Curve::cubic({0, 5}, {1, 6}, {3, 6}, {4, 5})};
     const std::vector<Dimension> mixed = dimensionsOf(path);
     CHECK(mixed.size() == 2); // nothing for the cubic and the corners beside curves
     CHECK(valuesOf(mixed, DimensionKind::Length) == std::vector<double>{3});
     REQUIRE(valuesOf(mixed, DimensionKind::Radius).size() == 1);
     CHECK(valuesOf(mixed, DimensionKind::Radius)[0] == doctest::Approx(2));
     Shape rounded;
-    rounded.kind = ShapeKind::Rectangle;
+    rounded.form = RectangleForm{};
     rounded.nodes = {{0, 0}, {6, 4}};
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     CHECK(valuesOf(dimensionsOf(rounded), DimensionKind::Length).size() == 4);
     CHECK(valuesOf(dimensionsOf(rounded), DimensionKind::Radius).size() == 4);
     CHECK(valuesOf(dimensionsOf(rounded), DimensionKind::Angle).empty());
     rounded.hidden = true;
     CHECK(dimensionsOf(rounded).empty());
     Shape point;
-    point.kind = ShapeKind::Point;
+    point.form = PointForm{};
     point.nodes = {{1, 1}};
     CHECK(dimensionsOf(point).empty());
 }

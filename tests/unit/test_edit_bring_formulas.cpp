@@ -8,6 +8,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/clipboard/clipboard.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/unit/edit_support.hpp"
 #include "tests/unit/plate_sample.hpp"
 
@@ -33,15 +34,15 @@ TEST_CASE("insertCopied: formulas come along with the parameters that they use")
     SUBCASE("they share a parameter with the same meaning") {
         const Document twice = *insertCopied(pasted, *copied, {1, -1}, nullptr);
         CHECK(twice.parameters == other.parameters);
-        CHECK(twice.formulas.at("shape/4/radius") == "r");
-        CHECK(twice.formulas.at("source/1/size") == "r/2");
+        CHECK(twice.formulas.at("shape/4/radius"_number) == "r");
+        CHECK(twice.formulas.at("source/1/size"_number) == "r/2");
     }
     SUBCASE("one with another meaning gets a free name, and so does what depends on it") {
         const Document here = *setParameters(pasted, {{"gap", "2*r"}, {"r", "3"}, {"r_2", "1"}});
         const Document both = *insertCopied(here, *copied, {1, -1}, nullptr);
-        CHECK(both.formulas.at("shape/2/radius") == "r");
-        CHECK(both.formulas.at("shape/4/radius") == "r_3");
-        CHECK(both.formulas.at("shape/3/width") == "2*gap_2");
+        CHECK(both.formulas.at("shape/2/radius"_number) == "r");
+        CHECK(both.formulas.at("shape/4/radius"_number) == "r_3");
+        CHECK(both.formulas.at("shape/3/width"_number) == "2*gap_2");
         CHECK(both.parameters.back() == Parameter{"r_3", "0.5"});
         CHECK(both.parameters[3] == Parameter{"gap_2", "2*r_3"});
         const Result<Document> changed = overrideParameters(both, {{"r_3", "0.75"}});
@@ -51,15 +52,15 @@ TEST_CASE("insertCopied: formulas come along with the parameters that they use")
     }
     SUBCASE("places beside the copied ones have the shift in their formulas") {
         Document moved = other;
-        moved.formulas["shape/2/x/0"] = "2*r";
+        moved.formulas["shape/2/x/0"_number] = "2*r";
         const Document beside = *insertCopied(moved, moved, {1, -1}, nullptr);
-        CHECK(beside.formulas.at("shape/2/x/0") == "2*r");
-        CHECK(beside.formulas.at("shape/4/x/0") == "2*r + 1");
-        CHECK(beside.formulas.contains("shape/4/radius"));
+        CHECK(beside.formulas.at("shape/2/x/0"_number) == "2*r");
+        CHECK(beside.formulas.at("shape/4/x/0"_number) == "2*r + 1");
+        CHECK(beside.formulas.contains("shape/4/radius"_number));
     }
     SUBCASE("scaled drawings have scaled formulas") {
         const Document scaled = insertDrawing({}, other, 10.0, nullptr);
-        CHECK(scaled.formulas.at("shape/2/radius") == "10*(r)");
+        CHECK(scaled.formulas.at("shape/2/radius"_number) == "10*(r)");
         CHECK(circleRadius(*overrideParameters(scaled, {{"r", "1"}})->shapes[1]) == doctest::Approx(10.0));
     }
 }
@@ -92,22 +93,22 @@ TEST_CASE("setSpacing: parameters of the expression come along with their values
 
 TEST_CASE("copySelection: copies follow the same formulas, with the shift in those of places") {
     Document document = plate();
-    document.formulas["shape/2/x/0"] = "gap";
+    document.formulas["shape/2/x/0"_number] = "gap";
     pruneFormulas(document);
-    REQUIRE(document.formulas.contains("shape/2/x/0"));
+    REQUIRE(document.formulas.contains("shape/2/x/0"_number));
     Selection hole;
     hole.shapes = {2};
     hole.sources = {0};
     document = *addRegionMarker(document, {{1, 1}, 1, 0.5});
-    document.formulas["region/0/area"] = "r";
+    document.formulas["region/0/area"_number] = "r";
     hole.markers = {0};
     const Result<Document> copied = linearArray(document, hole, 3, {2, 0});
     REQUIRE(copied.ok());
-    CHECK(copied->formulas.at("region/2/area") == "r");
-    CHECK(copied->formulas.at("shape/3/radius") == "r");
-    CHECK(copied->formulas.at("shape/4/radius") == "r");
-    CHECK(copied->formulas.at("source/2/size") == "r/2");
-    CHECK(copied->formulas.at("shape/3/x/0") == "gap + 2");
+    CHECK(copied->formulas.at("region/2/area"_number) == "r");
+    CHECK(copied->formulas.at("shape/3/radius"_number) == "r");
+    CHECK(copied->formulas.at("shape/4/radius"_number) == "r");
+    CHECK(copied->formulas.at("source/2/size"_number) == "r/2");
+    CHECK(copied->formulas.at("shape/3/x/0"_number) == "gap + 2");
     const Result<Document> larger = overrideParameters(*copied, {{"r", "0.75"}});
     REQUIRE(larger.ok());
     CHECK(circleRadius(*larger->shapes[3]) == doctest::Approx(0.75));

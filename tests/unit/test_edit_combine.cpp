@@ -94,7 +94,7 @@ TEST_CASE("combineShapes: a divided shape keeps its outline, and the lines insid
     CHECK(result.shapes[0]->use == ShapeUse::Boundary);
     CHECK(isClosed(*result.shapes[0]));
     CHECK(result.shapes[1]->use == ShapeUse::Constraint);
-    CHECK(result.shapes[1]->kind == ShapeKind::Polyline);
+    CHECK(result.shapes[1]->kind() == ShapeKind::Polyline);
     CHECK(result.shapes[1]->tag == 2);
 }
 

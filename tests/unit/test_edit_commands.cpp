@@ -63,7 +63,7 @@ TEST_CASE("insertNode: a rectangle becomes a path, a circle is refused with advi
         documentOf({makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 2}}), makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}})});
     const Result<Document> cut = insertNode(document, {1, 1}, {5, 1});
     REQUIRE(cut.ok());
-    CHECK(cut->shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(cut->shapes[0]->kind() == ShapeKind::Polygon);
     CHECK(cut->shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {4, 0}, {5, 1}, {4, 2}, {0, 2}});
     const Result<Document> refused = insertNode(document, {2, 0}, {1, 1});
     CHECK(codeOf(refused) == "not-possible");
@@ -85,7 +85,7 @@ TEST_CASE("deleteSelection: a polygon without two of its segments leaves two pol
     sides.segments = {{1, 1}, {1, 3}};
     const Document open = deleteSelection(document, sides);
     REQUIRE(open.shapes.size() == 2);
-    CHECK(open.shapes[0]->kind == ShapeKind::Polyline);
+    CHECK(open.shapes[0]->kind() == ShapeKind::Polyline);
     CHECK(open.shapes[0]->id != open.shapes[1]->id);
     const Domain domain = toDomain(open);
     REQUIRE(domain.segments.size() == 2);
@@ -156,7 +156,7 @@ TEST_CASE("joinToSegments: where a line ends on other shapes, their segments get
     const Document joined = joinToSegments(document, 3);
     CHECK(joined.shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {4, 0}, {4, 1}, {4, 3}, {4, 4}, {0, 4}});
     CHECK(joined.shapes[0]->segmentTags == std::vector<std::int32_t>{1, 2, 2, 2, 3, 4});
-    CHECK(joined.shapes[1]->kind == ShapeKind::Polygon);
+    CHECK(joined.shapes[1]->kind() == ShapeKind::Polygon);
     CHECK(joined.shapes[1]->nodes == std::vector<Vec2>{{6, 0}, {8, 0}, {8, 4}, {6, 4}, {6, 3}, {6, 1}});
     CHECK(sameContent(joinToSegments(joined, 3), joined));
     CHECK(sameContent(joinToSegments(before, 1), before));
@@ -169,7 +169,7 @@ TEST_CASE("toggleClosed: opening and closing a polygon restores it") {
     const Document document = documentOf({tagged});
     const Result<Document> open = toggleClosed(document, 1);
     REQUIRE(open.ok());
-    CHECK(open->shapes[0]->kind == ShapeKind::Polyline);
+    CHECK(open->shapes[0]->kind() == ShapeKind::Polyline);
     CHECK(sortedSegments(toDomain(*open)) == sortedSegments(toDomain(document)));
     CHECK(sameContent(*toggleClosed(*open, 1), document));
 }

@@ -11,7 +11,7 @@ namespace {
 
 Document outlineDocument() {
     Shape outline;
-    outline.kind = ShapeKind::Polygon;
+    outline.form = PathForm{};
     outline.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
     return addShape({}, outline).value();
 }
@@ -21,7 +21,7 @@ Document outlineDocument() {
 TEST_CASE("pinNode: a place inside becomes a constraint point") {
     const Document next = pinNode(outlineDocument(), {1, 2}, 5).value();
     REQUIRE(next.shapes.size() == 2);
-    CHECK(next.shapes[1]->kind == ShapeKind::Point);
+    CHECK(next.shapes[1]->kind() == ShapeKind::Point);
     CHECK(next.shapes[1]->use == ShapeUse::Constraint);
     CHECK(next.shapes[1]->tag == 5);
     CHECK(next.shapes[1]->nodes == std::vector<Vec2>{{1, 2}});
@@ -41,7 +41,7 @@ TEST_CASE("pinNode: a place on a segment becomes one of its nodes, and one on a 
 TEST_CASE("keepEdge: an edge becomes a constraint segment that shares its ends with the segments there") {
     const Document inside = keepEdge(outlineDocument(), {1, 1}, {2, 1}, 7).value();
     REQUIRE(inside.shapes.size() == 2);
-    CHECK(inside.shapes[1]->kind == ShapeKind::Polyline);
+    CHECK(inside.shapes[1]->kind() == ShapeKind::Polyline);
     CHECK(inside.shapes[1]->tag == 7);
     CHECK(inside.shapes[0]->nodes.size() == 4);
     const Document touching = keepEdge(outlineDocument(), {2, 1}, {2, 0}, 7).value();

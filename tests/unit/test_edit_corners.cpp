@@ -43,7 +43,7 @@ double sharpest(const Shape &shape) {
 /// A half disc of radius 2 on a cubic.
 Shape mixedPath() {
     Shape path = makeShape(ShapeKind::Polygon, {{-2, 0}, {2, 0}});
-    path.curves = {Curve::cubic({-2, 0}, {-1, 1}, {1, -1}, {2, 0}), arcThrough({2, 0}, {0, 2}, {-2, 0})};
+    path.path().curves = {Curve::cubic({-2, 0}, {-1, 1}, {1, -1}, {2, 0}), arcThrough({2, 0}, {0, 2}, {-2, 0})};
     path.tag = 3;
     return path;
 }
@@ -111,7 +111,7 @@ TEST_CASE("filletCorners: the ends of an open path stay; selected ends and smoot
 
 TEST_CASE("filletCorners: refuses a rounded rectangle with advice, and a bad number with its value") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
-    rounded.radius = 1.0;
+    rounded.as<RectangleForm>().radius = 1.0;
     const Result<Document> result = filletCorners(documentOf({rounded}), selected({1}), 0.5);
     REQUIRE_FALSE(result.ok());
     CHECK(result.faults().front().message == "rectangle 1 already has rounded corners");
@@ -141,7 +141,7 @@ TEST_CASE("filletCorners, chamferCorners: corners that use up a side, and severa
 
 TEST_CASE("hasCorners: paths and sharp rectangles, selected as a whole or by a node") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
-    rounded.radius = 1.0;
+    rounded.as<RectangleForm>().radius = 1.0;
     const Document document = documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}}), square({0, 0}, 1), rounded});
     CHECK_FALSE(hasCorners(document, {}));
     CHECK_FALSE(hasCorners(document, selected({1, 3})));
@@ -195,17 +195,17 @@ TEST_CASE("offsetShapes: areas follow Steiner's formula outside, and shrink by i
 
 TEST_CASE("offsetShapes: circles, ellipses and mixed paths; parallels stay tangent to their wedges") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
-    rounded.radius = 1.0;
+    rounded.as<RectangleForm>().radius = 1.0;
     const std::vector<Shape> shapes = {makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}), rounded,
                                        makeShape(ShapeKind::Ellipse, {{0, 0}, {3, 0}, {0, 2}}), mixedPath()};
     for (const Shape &shape : shapes) {
-        CAPTURE(shape.kind);
+        CAPTURE(shape.kind());
         const double d = 0.3;
         const Result<Document> outside = offsetShapes(documentOf({shape}), {1}, d);
         REQUIRE(outside.ok());
         REQUIRE(outside->shapes.size() == 2);
         CHECK(validate(toDomain(*outside)).empty());
-        if (shape.kind != ShapeKind::Polygon) { // convex, so that the formula holds
+        if (shape.kind() != ShapeKind::Polygon) { // convex, so that the formula holds
             CHECK(areaOf(*outside->shapes[1]) ==
                   doctest::Approx(areaOf(shape) + d * lengthOf(shape) + pi * d * d).epsilon(1e-6));
             const Result<Document> inside = offsetShapes(documentOf({shape}), {1}, -d);
@@ -217,7 +217,7 @@ TEST_CASE("offsetShapes: circles, ellipses and mixed paths; parallels stay tange
     }
     const Result<Document> circle = offsetShapes(documentOf({shapes[0]}), {1}, -0.5);
     REQUIRE(circle.ok());
-    CHECK(circle->shapes[1]->kind == ShapeKind::Circle);
+    CHECK(circle->shapes[1]->kind() == ShapeKind::Circle);
     CHECK(circleRadius(*circle->shapes[1]) == doctest::Approx(1.5));
 }
 
@@ -238,23 +238,23 @@ TEST_CASE("offsetShapes: a waist that closes divides a shape; an open path becom
 
 TEST_CASE("slotAround: two half circles and two lines around a line") {
     Shape slot = slotAround({1, 1}, {4, 5}, 0.5);
-    CHECK(slot.kind == ShapeKind::Slot);
+    CHECK(slot.kind() == ShapeKind::Slot);
     CHECK(isSlot(slot));
     CHECK(checkShape(slot).empty());
     CHECK(areaOf(slot) == doctest::Approx(5.0 + 0.25 * pi));
     CHECK(lengthOf(slot) == doctest::Approx(10.0 + pi));
-    CHECK(slotAround({1, 1}, {1, 1}, 0.5).kind == ShapeKind::Circle);
+    CHECK(slotAround({1, 1}, {1, 1}, 0.5).kind() == ShapeKind::Circle);
     CHECK(isSlot(slot));
     CHECK_FALSE(isSlot(slotAround({1, 1}, {1, 1}, 0.5)));
     becomePath(slot);
-    CHECK(slot.kind == ShapeKind::Polygon);
+    CHECK(slot.kind() == ShapeKind::Polygon);
     CHECK(areaOf(slot) == doctest::Approx(5.0 + 0.25 * pi));
     Shape turned = slot; // another node is the first one
     std::rotate(turned.nodes.begin(), turned.nodes.begin() + 1, turned.nodes.end());
-    std::rotate(turned.curves.begin(), turned.curves.begin() + 1, turned.curves.end());
+    std::rotate(turned.path().curves.begin(), turned.path().curves.begin() + 1, turned.path().curves.end());
     CHECK(isSlot(turned));
     Shape straight = slot;
-    straight.curves[1] = Curve();
+    straight.path().curves[1] = Curve();
     CHECK_FALSE(isSlot(straight));
     const Result<Document> wide =
         transformSelection(documentOf({slot}), {.shapes = {1}}, PlaneMap::scaling({2, 1}, {}));
@@ -272,16 +272,16 @@ TEST_CASE("filletCorners: a rectangle rounded at all corners stays a rectangle; 
         const Result<Document> result = filletCorners(document, selection, 1.0);
         REQUIRE(result.ok());
         const Shape &shape = *result->shapes[0];
-        CHECK(shape.kind == ShapeKind::Rectangle);
-        CHECK(shape.radius == 1.0);
+        CHECK(shape.kind() == ShapeKind::Rectangle);
+        CHECK(shape.as<RectangleForm>().radius == 1.0);
         CHECK(shape.segmentTags == plate.segmentTags);
         CHECK(areaOf(shape) == doctest::Approx(24.0 - 4.0 + pi));
     }
-    CHECK(filletCorners(document, selected({1}), 2.0)->shapes[0]->radius == 2.0);
+    CHECK(filletCorners(document, selected({1}), 2.0)->shapes[0]->as<RectangleForm>().radius == 2.0);
     CHECK(codeOf(filletCorners(document, selected({1}), 2.1)) == "not-possible");
     corners.nodes.erase({1, 2});
-    CHECK(filletCorners(document, corners, 1.0)->shapes[0]->kind == ShapeKind::Polygon);
-    CHECK(chamferCorners(document, selected({1}), 1.0)->shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(filletCorners(document, corners, 1.0)->shapes[0]->kind() == ShapeKind::Polygon);
+    CHECK(chamferCorners(document, selected({1}), 1.0)->shapes[0]->kind() == ShapeKind::Polygon);
 }
 
 TEST_CASE("Slot: handles change the ends and the width; commands that need nodes make it a path") {
@@ -289,23 +289,23 @@ TEST_CASE("Slot: handles change the ends and the width; commands that need nodes
     slot.segmentTags = {1, 2, 3, 4};
     const Document document = documentOf({slot});
     CHECK(handlesOf(slot) == std::vector<Vec2>{{0, 0}, {4, 0}, {2, 1}});
-    CHECK(setHandle(document, {1, 2}, {7, -3})->shapes[0]->radius == 3.0);
+    CHECK(setHandle(document, {1, 2}, {7, -3})->shapes[0]->as<SlotForm>().radius == 3.0);
     CHECK(setHandle(document, {1, 1}, {0, 5})->shapes[0]->nodes[1] == Vec2{0, 5});
     CHECK(codeOf(setHandle(document, {1, 1}, {0, 0})) == "bad-shape");
     CHECK(codeOf(setHandle(document, {1, 1}, {1e-310, 0})) == "bad-shape"); // too near for a direction
     CHECK(setSegmentLength(document, {1, 2}, 6.0)->shapes[0]->nodes[1] == Vec2{6, 0});
     CHECK(codeOf(setSegmentLength(document, {1, 1}, 6.0)) == "not-possible");
     const Shape split = *insertNode(document, {1, 2}, {3, 1})->shapes[0];
-    CHECK(split.kind == ShapeKind::Polygon);
+    CHECK(split.kind() == ShapeKind::Polygon);
     CHECK(split.nodes.size() == 5);
     CHECK(split.segmentTags == std::vector<std::int32_t>{1, 2, 3, 3, 4});
     const Shape mirrored = *transformSelection(document, selected({1}), PlaneMap::reflection(0.0, {0, 0}))->shapes[0];
-    CHECK(mirrored.kind == ShapeKind::Slot);
+    CHECK(mirrored.kind() == ShapeKind::Slot);
     CHECK(mirrored.segmentTags == std::vector<std::int32_t>{3, 2, 1, 4}); // the lower side is now the upper one
-    CHECK(transformSelection(document, selected({1}), PlaneMap::scaling({2, 1}, {}))->shapes[0]->kind ==
+    CHECK(transformSelection(document, selected({1}), PlaneMap::scaling({2, 1}, {}))->shapes[0]->kind() ==
           ShapeKind::Polygon);
-    CHECK(offsetShapes(document, {1}, 0.5)->shapes[1]->radius == 1.5);
-    CHECK(offsetShapes(document, {1}, -0.5)->shapes[1]->radius == 0.5);
+    CHECK(offsetShapes(document, {1}, 0.5)->shapes[1]->as<SlotForm>().radius == 1.5);
+    CHECK(offsetShapes(document, {1}, -0.5)->shapes[1]->as<SlotForm>().radius == 0.5);
     CHECK(codeOf(offsetShapes(document, {1}, -1.5)) == "not-possible");
     CHECK(codeOf(setNodeSize(document, {{1, 0}}, PartSize{0.1, 0.2})) == "no-such-node");
     CHECK(contains(slot, {4.9, 0}));
@@ -343,15 +343,15 @@ TEST_CASE("convertToSlot: a path with the form of a slot becomes one, with the s
             document = *transformSelection(document, selected({1}), PlaneMap::reflection(0.0, {}));
             Shape turned = *document.shapes[0];
             std::rotate(turned.nodes.begin(), turned.nodes.begin() + 1, turned.nodes.end());
-            std::rotate(turned.curves.begin(), turned.curves.begin() + 1, turned.curves.end());
+            std::rotate(turned.path().curves.begin(), turned.path().curves.begin() + 1, turned.path().curves.end());
             std::rotate(turned.segmentTags.begin(), turned.segmentTags.begin() + 1, turned.segmentTags.end());
             document = *replaceShape(document, turned);
         }
         const Result<Document> result = convertToSlot(document, 1);
         REQUIRE(result.ok());
         const Shape &made = *result->shapes[0];
-        CHECK(made.kind == ShapeKind::Slot);
-        CHECK(made.radius == doctest::Approx(0.5));
+        CHECK(made.kind() == ShapeKind::Slot);
+        CHECK(made.as<SlotForm>().radius == doctest::Approx(0.5));
         CHECK(areaOf(made) == doctest::Approx(areaOf(slot)));
         const Outline before = outlineOf(*document.shapes[0]), after = outlineOf(made);
         for (std::uint32_t k = 0; k < 4; ++k) {

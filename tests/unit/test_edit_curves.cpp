@@ -40,14 +40,14 @@ const Curve kWave = Curve::cubic({0, 0}, {1, -2}, {3, 2}, {4, 0});
 /// A closed path: a wave at the bottom, a half circle on the right, a straight line back.
 Shape sail() {
     Shape shape = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}}, ShapeUse::Boundary, 3);
-    shape.curves = {kWave, Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, pi), {}};
+    shape.path().curves = {kWave, Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, pi), {}};
     shape.segmentTags = {3, 4, 5};
     return shape;
 }
 
 Shape roundedBox(double radius) {
     Shape shape = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
-    shape.radius = radius;
+    shape.as<RectangleForm>().radius = radius;
     return shape;
 }
 
@@ -187,12 +187,12 @@ TEST_CASE("Curved drawings: paths keep the curves of the file exactly") {
     REQUIRE(document->shapes.size() == 1);
     const Shape &shape = *document->shapes[0];
     REQUIRE(shape.nodes.size() == 2);
-    REQUIRE(shape.curves.size() == 2);
+    REQUIRE(shape.path().curves.size() == 2);
     const Vec2 start = shape.nodes[0];
-    CHECK(shape.curves[0] == Curve::cubic(start, {6, start.y - 4}, {10, start.y + 16}, {14, start.y}));
-    REQUIRE(shape.curves[1].kind() == CurveKind::Arc);
-    CHECK(shape.curves[1].numbers()[2] == doctest::Approx(6.0));
-    CHECK(joins(shape.curves[1], shape.nodes[1], start));
+    CHECK(shape.path().curves[0] == Curve::cubic(start, {6, start.y - 4}, {10, start.y + 16}, {14, start.y}));
+    REQUIRE(shape.path().curves[1].kind() == CurveKind::Arc);
+    CHECK(shape.path().curves[1].numbers()[2] == doctest::Approx(6.0));
+    CHECK(joins(shape.path().curves[1], shape.nodes[1], start));
 }
 
 TEST_CASE("Curved drawings: loops of one curve become circles and ellipses, and crossings end curves") {
@@ -200,9 +200,9 @@ TEST_CASE("Curved drawings: loops of one curve become circles and ellipses, and 
     const Result<Document> loops = readDocument(fileOf(kDrawings[0], folder));
     REQUIRE(loops.ok());
     REQUIRE(loops->shapes.size() == 2);
-    CHECK(loops->shapes[0]->kind == ShapeKind::Circle);
+    CHECK(loops->shapes[0]->kind() == ShapeKind::Circle);
     CHECK(circleRadius(*loops->shapes[0]) == doctest::Approx(4.0));
-    CHECK(loops->shapes[1]->kind == ShapeKind::Ellipse);
+    CHECK(loops->shapes[1]->kind() == ShapeKind::Ellipse);
     CHECK(areaOf(*loops->shapes[1]) == doctest::Approx(18.0 * pi));
     const Result<Document> crossing = readDocument(fileOf(kDrawings[5], folder));
     REQUIRE(crossing.ok());
@@ -230,7 +230,7 @@ TEST_CASE("toDomain: curved segments become chords that follow their curves, wit
     }
     const CurveChains chains = curveChains(domain);
     CHECK(chains.list.size() == 2);
-    CHECK(fromDomain(domain).shapes[0]->curves == sail().curves);
+    CHECK(fromDomain(domain).shapes[0]->path().curves == sail().path().curves);
 }
 
 TEST_CASE("Shapes with curves: bounds, area and length are those of the curves") {
@@ -278,7 +278,7 @@ TEST_CASE("convertToPath: a circle becomes a path of four arcs") {
     const Result<Document> path = convertToPath(document, 1);
     REQUIRE(path.ok());
     const Shape &shape = *path->shapes[0];
-    CHECK(shape.kind == ShapeKind::Polygon);
+    CHECK(shape.kind() == ShapeKind::Polygon);
     CHECK(shape.nodes.size() == 4);
     CHECK(curvedSegments(*path) == 4);
     CHECK(areaOf(shape) == doctest::Approx(25.0 * pi));
@@ -292,28 +292,28 @@ TEST_CASE("insertNode and deleteSelection: a divided curve keeps its shape, and 
     const Result<Document> divided = insertNode(document, {1, 0}, on);
     REQUIRE_MESSAGE(divided.ok(), messages(divided.faults()));
     const Shape &shape = *divided->shapes[0];
-    REQUIRE(shape.curves.size() == 4);
+    REQUIRE(shape.path().curves.size() == 4);
     CHECK(shape.nodes[1] == on);
     CHECK(shape.segmentTags == std::vector<std::int32_t>{3, 3, 4, 5});
     for (double t = 0.0; t <= 1.0; t += 0.125) {
-        const Curve &half = shape.curves[t < 0.375 ? 0 : 1];
+        const Curve &half = shape.path().curves[t < 0.375 ? 0 : 1];
         const double own = t < 0.375 ? t / 0.375 : (t - 0.375) / 0.625;
         CHECK(distance(half.point(own), kWave.point(t)) <= 1e-12);
     }
     Selection node;
     node.nodes = {{1, 1}};
     const Document merged = deleteSelection(*divided, node);
-    REQUIRE(merged.shapes[0]->curves.size() == 3);
+    REQUIRE(merged.shapes[0]->path().curves.size() == 3);
     double worst = 0.0;
     for (double t = 0.0; t <= 1.0; t += 0.0625) {
-        const Curve &back = merged.shapes[0]->curves[0];
+        const Curve &back = merged.shapes[0]->path().curves[0];
         worst = std::max(worst, distance(back.point(back.nearest(kWave.point(t))), kWave.point(t)));
     }
     CHECK(worst <= 0.02);
     const Result<Document> arc = insertNode(document, {1, 1}, {6, 2});
     REQUIRE(arc.ok());
     node.nodes = {{1, 2}};
-    const Curve whole = deleteSelection(*arc, node).shapes[0]->curves[1]; // arcs of one circle join exactly
+    const Curve whole = deleteSelection(*arc, node).shapes[0]->path().curves[1]; // arcs of one circle join exactly
     REQUIRE(whole.kind() == CurveKind::Arc);
     CHECK(whole.numbers()[7] == doctest::Approx(pi));
 }
@@ -323,16 +323,16 @@ TEST_CASE("moveSelection: curves move with their shapes, and bend with their nod
     Selection whole, node, both;
     whole.shapes = {1};
     const Shape moved = *moveSelection(document, whole, {1.0 / 3.0, 100})->shapes[0];
-    CHECK(moved.curves[1].numbers()[4] == 2.0);
-    CHECK(joins(moved.curves[1], moved.nodes[1], moved.nodes[2]));
+    CHECK(moved.path().curves[1].numbers()[4] == 2.0);
+    CHECK(joins(moved.path().curves[1], moved.nodes[1], moved.nodes[2]));
     node.nodes = {{1, 1}};
     const Shape bent = *moveSelection(document, node, {0, -1})->shapes[0];
-    CHECK(bent.curves[0] == Curve::cubic({0, 0}, {1, -2}, {3, 1}, {4, -1}));
-    CHECK(joins(bent.curves[1], {4, -1}, {4, 4}));
-    CHECK(bent.curves[1].turning() == doctest::Approx(pi)); // still a half circle
-    both.segments = {{1, 1}};                               // both ends by the length of the arc's chord
+    CHECK(bent.path().curves[0] == Curve::cubic({0, 0}, {1, -2}, {3, 1}, {4, -1}));
+    CHECK(joins(bent.path().curves[1], {4, -1}, {4, 4}));
+    CHECK(bent.path().curves[1].turning() == doctest::Approx(pi)); // still a half circle
+    both.segments = {{1, 1}};                                      // both ends by the length of the arc's chord
     const Shape shifted = *moveSelection(document, both, {0, 4})->shapes[0];
-    CHECK(joins(shifted.curves[1], {4, 4}, {4, 8}));
+    CHECK(joins(shifted.path().curves[1], {4, 4}, {4, 8}));
     CHECK(moveSelection(document, node, {0, 4}).faults().front().code == "bad-curve"); // an arc without a chord
 }
 
@@ -340,13 +340,13 @@ TEST_CASE("toggleClosed and deleteSelection of segments keep the curves that are
     const Document document = documentOf({sail()});
     const Result<Document> open = toggleClosed(document, 1);
     REQUIRE(open.ok());
-    CHECK(open->shapes[0]->kind == ShapeKind::Polyline);
+    CHECK(open->shapes[0]->kind() == ShapeKind::Polyline);
     CHECK(sameDomain(toDomain(*open), toDomain(document)));
     CHECK(sameContent(*toggleClosed(*open, 1), document));
     Selection side;
     side.segments = {{1, 2}};
     const Shape rest = *deleteSelection(document, side).shapes[0];
-    CHECK(rest.curves == std::vector<Curve>{sail().curves[0], sail().curves[1]});
+    CHECK(rest.path().curves == std::vector<Curve>{sail().path().curves[0], sail().path().curves[1]});
     CHECK(rest.segmentTags == std::vector<std::int32_t>{3, 4});
 }
 
@@ -377,7 +377,7 @@ TEST_CASE("PickIndex: the nearest point of a curved segment is on its curve") {
 }
 
 TEST_CASE("joinToSegments: a line that ends on a curve divides it there") {
-    const Vec2 on = sail().curves[1].point(0.25);
+    const Vec2 on = sail().path().curves[1].point(0.25);
     Document document = documentOf({sail()});
     document = *addShape(document, makeShape(ShapeKind::Polyline, {{4, 2}, on}, ShapeUse::Constraint));
     const Document joined = joinToSegments(document, 2);
@@ -414,7 +414,7 @@ TEST_CASE("joinToSegments: a line that begins on a circle or an ellipse divides 
     const Shape ellipse = makeShape(ShapeKind::Ellipse, {{0, 0}, {2, 0}, {0, 1}});
     for (const Shape &round : {circle, ellipse}) {
         for (const double angle : {0.06, 1.0, 3.0}) {
-            const double width = round.kind == ShapeKind::Circle ? 1.0 : 2.0;
+            const double width = round.kind() == ShapeKind::Circle ? 1.0 : 2.0;
             const Vec2 on{width * std::cos(angle), std::sin(angle)};
             Document document = documentOf({round});
             document = *addShape(document, makeShape(ShapeKind::Polyline, {on, {0.1, 0.2}}, ShapeUse::Constraint));
@@ -462,18 +462,18 @@ TEST_CASE("repairDrawing: a crossing of curves is repaired, and the parts remain
 TEST_CASE("checkShape: refuses curves that are not finite, have no radius or miss their nodes") {
     const auto codeWith = [](const Curve &curve) {
         Shape shape = sail();
-        shape.curves[1] = curve;
+        shape.path().curves[1] = curve;
         const Diagnostics faults = checkShape(shape);
         return faults.empty() ? std::string() : faults.front().code;
     };
-    CHECK(codeWith(sail().curves[1]).empty());
+    CHECK(codeWith(sail().path().curves[1]).empty());
     CHECK(codeWith(Curve::arc({4, 2}, {0, -2}, {0, 2}, 0.0, pi)) == "bad-curve");
     CHECK(codeWith(Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, 0.0)) == "bad-curve");
     CHECK(codeWith(Curve::arc({4, 2.1}, {0, -2}, {2, 0}, 0.0, pi)) == "bad-curve");
     CHECK(codeWith(Curve::cubic({4, 0}, {std::nan(""), 0}, {5, 5}, {4, 4})) == "bad-curve");
     Shape lens = makeShape(ShapeKind::Polygon, {{0, 0}, {2, 0}});
     CHECK(checkShape(lens).front().code == "bad-shape");
-    lens.curves = {Curve::arc({1, 0}, {-1, 0}, {0, -1}, 0.0, pi), {}};
+    lens.path().curves = {Curve::arc({1, 0}, {-1, 0}, {0, -1}, 0.0, pi), {}};
     CHECK(checkShape(lens).empty());
     CHECK(validate(toDomain(documentOf({lens}))).empty());
     CHECK(checkShape(makeShape(ShapeKind::Ellipse, {{0, 0}, {1, 0}, {2, 0}})).front().code == "bad-shape");

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 using namespace forefront;
 using namespace forefront::edit_test;
@@ -142,10 +143,10 @@ TEST_CASE("fromDomain: loops become polygons and chains polylines, for any order
     std::swap(domain.segments[2].a, domain.segments[2].b);
     const Document document = fromDomain(domain);
     REQUIRE(document.shapes.size() == 3);
-    CHECK(document.shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(document.shapes[0]->kind() == ShapeKind::Polygon);
     CHECK(document.shapes[0]->nodes.size() == 4);
-    CHECK(document.shapes[1]->kind == ShapeKind::Polygon);
-    CHECK(document.shapes[2]->kind == ShapeKind::Polyline);
+    CHECK(document.shapes[1]->kind() == ShapeKind::Polygon);
+    CHECK(document.shapes[2]->kind() == ShapeKind::Polyline);
     CHECK(document.shapes[2]->use == ShapeUse::Constraint);
     CHECK(document.shapes[2]->segmentTags == std::vector<std::int32_t>{2, 4});
     CHECK(document.nextId == 4);
@@ -383,4 +384,19 @@ TEST_CASE("Shape geometry: bounds, area, length and inside test of every kind") 
     CHECK(lengthOf(polyline) == doctest::Approx(6));
     CHECK_FALSE(contains(polyline, {2.9, 4}));
     CHECK(displayName(polyline) == "polyline 0");
+}
+
+TEST_CASE("Shape: each kind has a form; a form other than the shape's is refused") {
+    for (const ShapeKind kind : valuesOf<ShapeKind>()) {
+        CAPTURE(wordOf(kind));
+        Shape shape;
+        shape.form = formOf(kind);
+        CHECK(shape.kind() == kind);
+        CHECK(shape.isPolygon() == (kind == ShapeKind::Polygon));
+        CHECK(shape.isPolyline() == (kind == ShapeKind::Polyline));
+        CHECK(isPath(shape) == shape.is<PathForm>());
+        if (kind != ShapeKind::Slot) {
+            CHECK_THROWS_AS(shape.as<SlotForm>(), std::bad_variant_access);
+        }
+    }
 }

@@ -1,8 +1,8 @@
 #include "core/drawing/commands/transform.hpp"
 #include "core/drawing/document/equality.hpp"
 #include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/names/region_commands.hpp"
@@ -13,11 +13,13 @@
 #include "core/engine/geometry/path_curve.hpp"
 #include "core/engine/spacing/part_list.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/unit/edit_support.hpp"
 #include "tests/unit/plate_sample.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -79,29 +81,30 @@ TEST_CASE("pruneFormulas: an edited or deleted number loses its formula; the oth
     Result<Document> moved = setRadius(before, 2, 0.6);
     REQUIRE(moved.ok());
     pruneFormulas(*moved);
-    CHECK_FALSE(moved->formulas.contains("shape/2/radius"));
+    CHECK_FALSE(moved->formulas.contains("shape/2/radius"_number));
     CHECK(moved->formulas.size() == 3);
     Document removed = removeShapes(before, {1});
     pruneFormulas(removed);
-    CHECK_FALSE(removed.formulas.contains("shape/1/width"));
+    CHECK_FALSE(removed.formulas.contains("shape/1/width"_number));
     CHECK(removed.formulas.size() == 3);
 }
 
-TEST_CASE("numberAt: finds every kind of number, and none for missing ones") {
+TEST_CASE("readNumber: finds every kind of number, and none for missing ones") {
     Document document = plate();
     document.spacing.minimum = 0.125;
     document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.75});
-    CHECK(*numberAt(document, "shape/2/x/1") == 1.5);
-    CHECK(*numberAt(document, "shape/1/left") == 0.0);
-    CHECK(*numberAt(document, "shape/1/height") == 3.0);
-    CHECK(*numberAt(document, "source/0/y") == 1.0);
-    CHECK(*numberAt(document, "region/0/area") == 0.75);
-    CHECK(*numberAt(document, "spacing/minimum") == 0.125);
+    CHECK(*readNumber(document, "shape/2/x/1"_number) == 1.5);
+    CHECK(*readNumber(document, "shape/1/left"_number) == 0.0);
+    CHECK(*readNumber(document, "shape/1/height"_number) == 3.0);
+    CHECK(*readNumber(document, "source/0/y"_number) == 1.0);
+    CHECK(*readNumber(document, "region/0/area"_number) == 0.75);
+    CHECK(*readNumber(document, "spacing/minimum"_number) == 0.125);
     for (const char *address : {"shape/9/x/0", "shape/2/x/7", "shape/2/x", "shape/2/width", "source/1/x", "region/1/x",
                                 "region/0/size", "part/4/size", "spacing/maximum", "spacing/foo", "", "shape",
                                 "shape/2/radius/1", "foo/1/x", "shape/-1/x/0", "shape/2/x/1/"}) {
         CAPTURE(address);
-        CHECK_FALSE(numberAt(document, address).has_value());
+        const std::optional<NumberAddress> number = parseAddress(address);
+        CHECK_FALSE((number && readNumber(document, *number)));
     }
 }
 
@@ -151,9 +154,9 @@ TEST_CASE("setNumber: every kind of number can be set and is read back") {
         Document changed = document;
         CHECK(setNumber(changed, *address, 0.625).empty());
         CHECK(checkedOwner(changed, *address).ok());
-        CHECK(*numberAt(changed, text) == doctest::Approx(0.625).epsilon(1e-12));
+        CHECK(*readNumber(changed, *address) == doctest::Approx(0.625).epsilon(1e-12));
     }
-    const NumberAddress axis = *parseAddress("shape/3/rx"), size = *parseAddress("spacing/size");
+    const NumberAddress axis = "shape/3/rx"_number, size = "spacing/size"_number;
     Document changed = document;
     CHECK(setNumber(changed, axis, 0.0).front().code == "bad-number");
     changed = document;
@@ -165,7 +168,7 @@ TEST_CASE("setParameters: numbers that are only valid together change together")
     Document document = *setParameters({}, {{"r", "10"}});
     document.spacing.minimum = 10.0;
     document.spacing.maximum = 20.0;
-    document.formulas = {{"spacing/maximum", "2*r"}, {"spacing/minimum", "r"}};
+    document.formulas = {{"spacing/maximum"_number, "2*r"}, {"spacing/minimum"_number, "r"}};
     for (const char *r : {"1", "100"}) {
         const Result<Document> changed = overrideParameters(document, {{"r", r}});
         REQUIRE(changed.ok());
@@ -174,7 +177,7 @@ TEST_CASE("setParameters: numbers that are only valid together change together")
     }
     Document box = *setParameters({}, {{"a", "1"}, {"b", "2*a"}});
     box = *addShape(box, makeShape(ShapeKind::Rectangle, {{1, 0}, {2, 3}}));
-    box.formulas = {{"shape/1/x/0", "a"}, {"shape/1/x/2", "b"}};
+    box.formulas = {{"shape/1/x/0"_number, "a"}, {"shape/1/x/2"_number, "b"}};
     const Result<Document> moved = overrideParameters(box, {{"a", "2"}});
     REQUIRE(moved.ok());
     CHECK(boundsOf(*moved->shapes[0]) == Box2{{2, 0}, {4, 3}});
@@ -182,20 +185,20 @@ TEST_CASE("setParameters: numbers that are only valid together change together")
     REQUIRE(exchanged.ok());
     CHECK(exchanged->shapes[0]->nodes == std::vector<Vec2>{{2, 0}, {1, 3}});
     CHECK(codeOf(overrideParameters(box, {{"b", "a"}})) == "bad-shape");
-    document.formulas["spacing/maximum"] = "r/2";
+    document.formulas["spacing/maximum"_number] = "r/2";
     CHECK(codeOf(overrideParameters(document, {{"r", "1"}})) == "bad-size");
 }
 
 TEST_CASE("applyFormulas: a corner and the width of one rectangle agree; contradictions are refused") {
     Document document = plate();
-    document.formulas = {{"shape/1/x/0", "r"}, {"shape/1/width", "gap"}};
+    document.formulas = {{"shape/1/x/0"_number, "r"}, {"shape/1/width"_number, "gap"}};
     const Result<Document> moved = applyFormulas(document);
     REQUIRE(moved.ok());
     CHECK(boundsOf(*moved->shapes[0]) == Box2{{0.5, 0}, {1.5, 3}});
-    document.formulas = {{"shape/1/x/0", "r"}, {"shape/1/left", "gap"}};
-    std::string failed;
+    document.formulas = {{"shape/1/x/0"_number, "r"}, {"shape/1/left"_number, "gap"}};
+    NumberAddress failed;
     CHECK(codeOf(applyFormulas(document, &failed)) == "bad-formula");
-    CHECK(failed.starts_with("shape/1/"));
+    CHECK((failed.owner == NumberOwner::ofShape(1)));
 }
 
 TEST_CASE("carryFormulas: formulas move with nodes, sources and markers whose indices change") {
@@ -203,43 +206,43 @@ TEST_CASE("carryFormulas: formulas move with nodes, sources and markers whose in
     SizeSource second;
     second.size = 0.125;
     before = *addSource(before, second);
-    before.formulas["shape/3/x/2"] = "gap";
-    before.formulas["source/1/size"] = "r/4";
+    before.formulas["shape/3/x/2"_number] = "gap";
+    before.formulas["source/1/size"_number] = "r/4";
     pruneFormulas(before);
     REQUIRE(before.formulas.size() == 6);
 
     Document inserted = *insertNode(before, {3, 0}, {0.5, 5});
     carryFormulas(before, inserted);
-    CHECK_FALSE(inserted.formulas.contains("shape/3/x/2"));
-    CHECK(inserted.formulas.at("shape/3/x/3") == "gap");
+    CHECK_FALSE(inserted.formulas.contains("shape/3/x/2"_number));
+    CHECK(inserted.formulas.at("shape/3/x/3"_number) == "gap");
     Selection corner;
     corner.nodes = {{3, 0}};
     Document deleted = deleteSelection(before, corner);
     carryFormulas(before, deleted);
-    CHECK(deleted.formulas.at("shape/3/x/1") == "gap");
+    CHECK(deleted.formulas.at("shape/3/x/1"_number) == "gap");
     Document fewer = *removeSource(before, 0);
     carryFormulas(before, fewer);
-    CHECK(fewer.formulas.at("source/0/size") == "r/4");
-    CHECK_FALSE(fewer.formulas.contains("source/0/radius"));
-    CHECK_FALSE(fewer.formulas.contains("source/1/size"));
+    CHECK(fewer.formulas.at("source/0/size"_number) == "r/4");
+    CHECK_FALSE(fewer.formulas.contains("source/0/radius"_number));
+    CHECK_FALSE(fewer.formulas.contains("source/1/size"_number));
 }
 
 TEST_CASE("carryFormulas: only formulas of changed things are evaluated again") {
     Document before = plate();
     // These no longer hold, so evaluating them would remove them.
-    before.formulas["shape/1/height"] = "r";
-    before.formulas["source/0/growth"] = "r";
-    before.formulas["shape/2/x/0"] = "r";
+    before.formulas["shape/1/height"_number] = "r";
+    before.formulas["source/0/growth"_number] = "r";
+    before.formulas["shape/2/x/0"_number] = "r";
     Document next = *setRadius(before, 2, 0.75);
     carryFormulas(before, next);
-    CHECK(next.formulas.contains("shape/1/height"));
-    CHECK(next.formulas.contains("source/0/growth"));
-    CHECK_FALSE(next.formulas.contains("shape/2/radius"));
-    CHECK_FALSE(next.formulas.contains("shape/2/x/0"));
+    CHECK(next.formulas.contains("shape/1/height"_number));
+    CHECK(next.formulas.contains("source/0/growth"_number));
+    CHECK_FALSE(next.formulas.contains("shape/2/radius"_number));
+    CHECK_FALSE(next.formulas.contains("shape/2/x/0"_number));
     Document renewed = *setParameters(next, {{"gap", "2*r"}, {"r", "0.5"}, {"new", "1"}});
     carryFormulas(next, renewed);
     CHECK(renewed.spacing.sources[0].growth == 0.5); // set with the parameters
-    CHECK(renewed.formulas.contains("source/0/size"));
+    CHECK(renewed.formulas.contains("source/0/size"_number));
 }
 
 TEST_CASE("findShape: finds shapes in any order of their ids") {
@@ -266,7 +269,7 @@ TEST_CASE("renameParameter: expressions, formulas and the spacing expression fol
     REQUIRE(renamed.ok());
     CHECK(renamed->parameters ==
           std::vector<Parameter>{{"gap", "2*radius"}, {"radius", "0.5"}, {"r2", "radius + 1.e2*radius"}});
-    CHECK(renamed->formulas.at("shape/2/radius") == "radius");
+    CHECK(renamed->formulas.at("shape/2/radius"_number) == "radius");
     CHECK(*renamed->spacing.expression == "radius*(1 + x) + r2");
     for (const char *name : {"gap", "x", "sin", "", "2r", "r s"}) {
         CAPTURE(name);
@@ -425,7 +428,7 @@ namespace {
 
 /// Returns a document with parameters and formulas whose numbers already have the values.
 Document withFormulas(Document document, std::vector<Parameter> parameters,
-                      const std::map<std::string, std::string> &formulas) {
+                      const std::map<NumberAddress, std::string> &formulas) {
     document.formulas = formulas;
     const Result<Document> next = setParameters(document, std::move(parameters));
     REQUIRE_MESSAGE(next.ok(), codeOf(next));
@@ -436,8 +439,8 @@ Document withFormulas(Document document, std::vector<Parameter> parameters,
 
 TEST_CASE("Formulas: width and length of a slot follow, through moves, turns and a project file") {
     const Shape slot = slotAround({1, 1}, {5, 1}, 0.5);
-    const Document document =
-        withFormulas(documentOf({slot}), {{"w", "1"}, {"L", "4"}}, {{"shape/1/length", "L"}, {"shape/1/width", "w"}});
+    const Document document = withFormulas(documentOf({slot}), {{"w", "1"}, {"L", "4"}},
+                                           {{"shape/1/length"_number, "L"}, {"shape/1/width"_number, "w"}});
     Document turned = *transformSelection(document, selected({1}), PlaneMap::rotation(90, {1, 1}));
     carryFormulas(document, turned);
     CHECK(turned.formulas == document.formulas);
@@ -446,8 +449,8 @@ TEST_CASE("Formulas: width and length of a slot follow, through moves, turns and
     CHECK(sameContent(*read, turned));
     const Result<Document> next = overrideParameters(*read, {{"w", "3"}, {"L", "6"}});
     REQUIRE(next.ok());
-    CHECK(next->shapes[0]->kind == ShapeKind::Slot);
-    CHECK(next->shapes[0]->radius == 1.5);
+    CHECK(next->shapes[0]->kind() == ShapeKind::Slot);
+    CHECK(next->shapes[0]->as<SlotForm>().radius == 1.5);
     CHECK(distance(next->shapes[0]->nodes[1], {1, 7}) < 1e-12);
     CHECK(codeOf(overrideParameters(*read, {{"w", "-1"}})) == "bad-number");
 }
@@ -455,21 +458,21 @@ TEST_CASE("Formulas: width and length of a slot follow, through moves, turns and
 TEST_CASE("Formulas: an arc keeps its radius while its ends move, also where these meet on the way") {
     // Half a circle about (0, 0), whose ends follow its centre and radius.
     Shape arc = makeShape(ShapeKind::Polyline, {{1, 0}, {-1, 0}}, ShapeUse::Constraint);
-    arc.curves = {Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, std::numbers::pi)};
-    const Document document =
-        withFormulas(documentOf({arc}), {{"c", "0"}, {"r", "1"}},
-                     {{"shape/1/x/0", "c + r"}, {"shape/1/x/1", "c - r"}, {"shape/1/arcRadius/0", "r"}});
+    arc.path().curves = {Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, std::numbers::pi)};
+    const Document document = withFormulas(
+        documentOf({arc}), {{"c", "0"}, {"r", "1"}},
+        {{"shape/1/x/0"_number, "c + r"}, {"shape/1/x/1"_number, "c - r"}, {"shape/1/arcRadius/0"_number, "r"}});
     const Result<Document> next = overrideParameters(document, {{"c", "-2"}, {"r", "3"}});
     REQUIRE(next.ok());
     const Shape &moved = *next->shapes[0];
     CHECK(moved.nodes == std::vector<Vec2>{{1, 0}, {-5, 0}});
-    CHECK(distance(moved.curves[0].point(0.5), {-2, 3}) < 1e-9);
+    CHECK(distance(moved.path().curves[0].point(0.5), {-2, 3}) < 1e-9);
     Document apart = document;
-    apart.formulas.erase("shape/1/x/0");
-    apart.formulas.erase("shape/1/x/1");
+    apart.formulas.erase("shape/1/x/0"_number);
+    apart.formulas.erase("shape/1/x/1"_number);
     const Result<Document> wider = overrideParameters(apart, {{"r", "2"}});
     REQUIRE(wider.ok());
-    CHECK(radiusOf(wider->shapes[0]->curves[0]) == doctest::Approx(2.0));
+    CHECK(radiusOf(wider->shapes[0]->path().curves[0]) == doctest::Approx(2.0));
     const Result<Document> small = overrideParameters(apart, {{"r", "0.5"}});
     REQUIRE_FALSE(small.ok());
     CHECK(small.faults().front().message == "the ends of an arc are too far apart for its radius 'r'");
@@ -477,15 +480,15 @@ TEST_CASE("Formulas: an arc keeps its radius while its ends move, also where the
 
 TEST_CASE("followLength: the second end follows the length, and the first end where that has formulas") {
     const Document plain = documentOf({makeShape(ShapeKind::Polyline, {{1, 1}, {4, 1}, {4, 4}, {7, 8}})});
-    Document document = withFormulas(plain, {{"L", "3"}, {"a", "1"}}, {{"shape/1/x/0", "a"}});
+    Document document = withFormulas(plain, {{"L", "3"}, {"a", "1"}}, {{"shape/1/x/0"_number, "a"}});
     document = followLength(document, {1, 0}, "L");
     document = followLength(document, {1, 1}, "L");
     document = followLength(document, {1, 2}, "L + 2");
-    CHECK(document.formulas.at("shape/1/x/1") == "a + L");
-    CHECK_FALSE(document.formulas.contains("shape/1/y/1")); // stays
-    CHECK(document.formulas.at("shape/1/x/2") == "a + L");
-    CHECK(document.formulas.at("shape/1/y/2") == "1 + L");
-    CHECK(document.formulas.at("shape/1/x/3") == "a + L + (L + 2)*0.6");
+    CHECK(document.formulas.at("shape/1/x/1"_number) == "a + L");
+    CHECK_FALSE(document.formulas.contains("shape/1/y/1"_number)); // stays
+    CHECK(document.formulas.at("shape/1/x/2"_number) == "a + L");
+    CHECK(document.formulas.at("shape/1/y/2"_number) == "1 + L");
+    CHECK(document.formulas.at("shape/1/x/3"_number) == "a + L + (L + 2)*0.6");
     pruneFormulas(document);
     CHECK(document.formulas.size() == 6);
     const Result<Document> next = overrideParameters(document, {{"L", "8"}, {"a", "0"}});
@@ -521,9 +524,27 @@ TEST_CASE("numberName: what a number is, in words") {
     document.boundaryNames[1] = "inlet";
     document.spacing.partSizes[1] = {0.1, 0.2};
     document.spacing.size = 1.0;
-    CHECK(numberName(document, "shape/1/width") == "width of slot 1");
-    CHECK(numberName(document, "shape/2/x/1") == "x of node 2 of polygon 2");
-    CHECK(numberName(document, "part/1/size") == "size of inlet");
-    CHECK(numberName(document, "spacing/size") == "size of the spacing");
-    CHECK(numberName(document, "shape/9/width") == "shape/9/width");
+    CHECK(numberName(document, "shape/1/width"_number) == "width of slot 1");
+    CHECK(numberName(document, "shape/2/x/1"_number) == "x of node 2 of polygon 2");
+    CHECK(numberName(document, "part/1/size"_number) == "size of inlet");
+    CHECK(numberName(document, "spacing/size"_number) == "size of the spacing");
+    CHECK(numberName(document, "shape/9/width"_number) == "shape/9/width");
+}
+
+TEST_CASE("parseAddress: only texts that toString() writes; addresses are ordered by owner, quantity and handle") {
+    for (const char *text : {"", "shape", "shape/1", "shape/1/x", "shape/1/x/", "shape/1/x/0/", "shape/-1/x/0",
+                             "shape/1/radius/0", "shape/1/foo", "source/0/x/0", "spacing", "spacing/foo",
+                             "spacing/size/0", "foo/1/size", "shape/4294967296/radius"}) {
+        CAPTURE(text);
+        CHECK_FALSE(parseAddress(text).has_value());
+    }
+    CHECK((parseAddress("shape/7/x/12") == NumberAddress{NumberOwner::ofShape(7), Quantity::X, 12}));
+    CHECK(("shape/2/x/0"_number < "shape/10/height"_number)); // ids by number
+    CHECK(("shape/2/x/2"_number < "shape/2/x/10"_number));
+    CHECK(("shape/2/width"_number < "shape/2/x/2"_number));
+    CHECK(("part/9/size"_number < "region/0/area"_number));
+    const auto &words = wordsOf<Quantity>();
+    CHECK(std::is_sorted(words.begin(), words.end()));
+    const auto &owners = wordsOf<NumberOwner::Kind>();
+    CHECK(std::is_sorted(owners.begin(), owners.end()));
 }

@@ -51,10 +51,10 @@ TEST_CASE("Measure: the semi-axes of an ellipse, whichever conjugate ones it is 
 
 TEST_CASE("Measure: a face has the area between its curves, and the perimeter of its outline and holes") {
     Shape square;
-    square.kind = ShapeKind::Rectangle;
+    square.form = RectangleForm{};
     square.nodes = {{0, 0}, {10, 6}};
     Shape hole;
-    hole.kind = ShapeKind::Circle;
+    hole.form = CircleForm{};
     hole.nodes = {{3, 3}, {4, 3}};
     const Document document = *addShapes(Document(), {square, hole});
     const Domain domain = toDomain(document);
@@ -71,7 +71,7 @@ TEST_CASE("Measure: a face has the area between its curves, and the perimeter of
 
 TEST_CASE("Tag runs: a run goes on over the first node of a closed shape; a circle has one") {
     Shape square;
-    square.kind = ShapeKind::Rectangle;
+    square.form = RectangleForm{};
     square.nodes = {{0, 0}, {10, 6}};
     square.segmentTags = {1, 3, 3, 1};
     const auto runs = tagRuns(square, outlineOf(square));
@@ -84,7 +84,7 @@ TEST_CASE("Tag runs: a run goes on over the first node of a closed shape; a circ
     square.segmentTags.clear();
     CHECK(tagRuns(square, outlineOf(square)).size() == 1);
     Shape circle;
-    circle.kind = ShapeKind::Circle;
+    circle.form = CircleForm{};
     circle.nodes = {{3, 3}, {4, 3}};
     CHECK(tagRuns(circle, outlineOf(circle)).size() == 1);
 }

@@ -91,7 +91,7 @@ Shape ellipse(double a, double b) {
 
 Shape openCubic(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     Shape path = makeShape(ShapeKind::Polyline, {a, d});
-    path.curves = {Curve::cubic(a, b, c, d)};
+    path.path().curves = {Curve::cubic(a, b, c, d)};
     return path;
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("offsetShapes: the band around a cubic is round at a cusp or near-cusp
         const std::vector<Shape> made = offsetsOf(path, 0.1);
         REQUIRE(made.size() == 1);
         CHECK(worstMiss(made, path, 0.1) < 1e-6);
-        const Vec2 top = path.curves[0].point(0.5); // here it turns back
+        const Vec2 top = path.path().curves[0].point(0.5); // here it turns back
         CHECK(contains(made[0], top + Vec2{0, 0.099}));
         CHECK_FALSE(contains(made[0], top + Vec2{0, 0.101}));
     }
@@ -144,7 +144,7 @@ TEST_CASE("offsetShapes: coinciding nodes make no notches") {
 
 TEST_CASE("offsetShapes: an outline may have either direction and may cross itself") {
     Shape lens = makeShape(ShapeKind::Polygon, {{0, 0}, {1, 0}}); // flat, and clockwise
-    lens.curves = {arcThrough({0, 0}, {0.5, 5e-4}, {1, 0}), arcThrough({1, 0}, {0.5, -5e-4}, {0, 0})};
+    lens.path().curves = {arcThrough({0, 0}, {0.5, 5e-4}, {1, 0}), arcThrough({1, 0}, {0.5, -5e-4}, {0, 0})};
     const std::vector<Shape> wide = offsetsOf(lens, 0.1);
     REQUIRE(wide.size() == 1);
     CHECK(areaOf(wide[0]) == doctest::Approx(areaOf(lens) + 0.1 * lengthOf(lens) + 0.01 * pi));

@@ -36,10 +36,10 @@ TEST_CASE("setNodeKind: smooth and symmetric nodes bend the segments beside them
     const Shape &shape = *smooth->shapes[0];
     CHECK(nodeKind(shape, 1) != NodeKind::Corner);
     CHECK(nodeKind(shape, 0) == NodeKind::Corner);
-    REQUIRE(shape.curves.size() == 4);
-    CHECK(shape.curves[0].tangent(1.0) == shape.curves[1].tangent(0.0));
-    CHECK(cross(shape.curves[0].tangent(1.0), Vec2{1, 1}) == doctest::Approx(0.0)); // parallel to (0, 0)-(6, 6)
-    CHECK(shape.curves[2].kind() == CurveKind::Line);
+    REQUIRE(shape.path().curves.size() == 4);
+    CHECK(shape.path().curves[0].tangent(1.0) == shape.path().curves[1].tangent(0.0));
+    CHECK(cross(shape.path().curves[0].tangent(1.0), Vec2{1, 1}) == doctest::Approx(0.0)); // parallel to (0, 0)-(6, 6)
+    CHECK(shape.path().curves[2].kind() == CurveKind::Line);
     CHECK(validate(toDomain(*smooth)).empty());
     const Result<Document> far = setHandle(document, {1, 1}, {9, 0});
     const Result<Document> symmetric = setNodeKind(*far, {{1, 1}}, NodeKind::Symmetric);
@@ -58,7 +58,7 @@ TEST_CASE("moveControl: at a smooth node the opposite control point turns with i
     Document document = *setHandle(documentOf({square({0, 0}, 6)}), {1, 1}, {9, 0});
     for (const NodeKind kind : {NodeKind::Smooth, NodeKind::Symmetric}) {
         const Document bent = *setNodeKind(document, {{1, 1}}, kind);
-        const double before = distance(bent.shapes[0]->curves[1].point(0.0), controlsAt(bent, 1)[2].at);
+        const double before = distance(bent.shapes[0]->path().curves[1].point(0.0), controlsAt(bent, 1)[2].at);
         const Result<Document> moved = moveControl(bent, {1, 0, true}, {9, -2});
         REQUIRE(moved.ok());
         CHECK(nodeKind(*moved->shapes[0], 1) == kind);
@@ -74,7 +74,7 @@ TEST_CASE("moveControl: at a smooth node the opposite control point turns with i
         const Result<Document> alone = moveControl(bent, {1, 0, true}, {8, -2}, true);
         REQUIRE(alone.ok());
         CHECK(nodeKind(*alone->shapes[0], 1) == NodeKind::Corner);
-        CHECK(alone->shapes[0]->curves[1] == bent.shapes[0]->curves[1]);
+        CHECK(alone->shapes[0]->path().curves[1] == bent.shapes[0]->path().curves[1]);
     }
     CHECK(codeOf(moveControl(document, {1, 0, true}, {8, -2})) == "no-such-control point");
     CHECK(codeOf(moveControl(document, {7, 0, true}, {8, -2})) == "no-such-shape");
@@ -85,13 +85,13 @@ TEST_CASE(
     const Document document = documentOf({square({0, 0}, 6)});
     const Result<Document> curved = setCurved(document, {{1, 0}, {1, 2}}, true);
     REQUIRE(curved.ok());
-    CHECK(curved->shapes[0]->curves[0] == Curve::cubic({0, 0}, {2, 0}, {4, 0}, {6, 0}));
+    CHECK(curved->shapes[0]->path().curves[0] == Curve::cubic({0, 0}, {2, 0}, {4, 0}, {6, 0}));
     CHECK(areaOf(*curved->shapes[0]) == doctest::Approx(36.0));
     CHECK(sameContent(*setCurved(*curved, {{1, 0}, {1, 2}}, false), document));
     const Document circle = *convertToPath(documentOf({makeShape(ShapeKind::Circle, {{1, 1}, {3, 1}})}), 1);
     const Result<Document> cubics = setCurved(circle, {{1, 0}, {1, 1}, {1, 2}, {1, 3}}, true);
     REQUIRE(cubics.ok());
-    const Curve &quarter = cubics->shapes[0]->curves[0];
+    const Curve &quarter = cubics->shapes[0]->path().curves[0];
     REQUIRE(quarter.kind() == CurveKind::Cubic);
     for (double t = 0.0; t <= 1.0; t += 0.1) {
         CHECK(distance(quarter.point(t), {1, 1}) == doctest::Approx(2.0).epsilon(3e-4));
@@ -103,7 +103,7 @@ TEST_CASE("setCurved: an arc of more than a quarter turn is divided, and the cub
     constexpr double kSweep = 1.75 * pi; // a single cubic would be far off
     const Curve arc = Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.0, kSweep);
     Shape path = makeShape(ShapeKind::Polygon, {arc.point(0.0), arc.point(1.0), {0, 0}});
-    path.curves = {arc, Curve(), Curve()};
+    path.path().curves = {arc, Curve(), Curve()};
     path.segmentTags = {5, 6, 7};
     const Document document = documentOf({path});
     const Result<Document> cubics = setCurved(document, {{1, 0}, {1, 2}}, true);
@@ -112,23 +112,23 @@ TEST_CASE("setCurved: an arc of more than a quarter turn is divided, and the cub
     REQUIRE(shape.nodes.size() == 6);
     CHECK(shape.segmentTags == std::vector<std::int32_t>{5, 5, 5, 5, 6, 7});
     for (std::size_t k = 0; k < 4; ++k) {
-        REQUIRE(shape.curves[k].kind() == CurveKind::Cubic);
+        REQUIRE(shape.path().curves[k].kind() == CurveKind::Cubic);
         for (double t = 0.0; t <= 1.0; t += 0.125) {
-            CHECK(distance(shape.curves[k].point(t), {0, 0}) == doctest::Approx(2.0).epsilon(3e-4));
+            CHECK(distance(shape.path().curves[k].point(t), {0, 0}) == doctest::Approx(2.0).epsilon(3e-4));
         }
     }
-    CHECK(shape.curves[4].kind() == CurveKind::Line);
-    CHECK(shape.curves[5].kind() == CurveKind::Cubic);
+    CHECK(shape.path().curves[4].kind() == CurveKind::Line);
+    CHECK(shape.path().curves[5].kind() == CurveKind::Cubic);
     CHECK(areaOf(shape) == doctest::Approx(areaOf(path)).epsilon(1e-3));
 }
 
 TEST_CASE("setNodeKind: a smooth node beside a long arc has control points near the arc") {
     const Curve arc = Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.0, 1.9 * pi);
     Shape path = makeShape(ShapeKind::Polygon, {arc.point(0.0), arc.point(1.0), {1, -0.2}});
-    path.curves = {arc, Curve(), Curve()};
+    path.path().curves = {arc, Curve(), Curve()};
     const Result<Document> smooth = setNodeKind(documentOf({path}), {{1, 0}}, NodeKind::Smooth);
     REQUIRE(smooth.ok());
-    const Box2 box = smooth->shapes[0]->curves[0].bounds();
+    const Box2 box = smooth->shapes[0]->path().curves[0].bounds();
     CHECK(box.diagonal() < 20.0);
 }
 
@@ -145,18 +145,18 @@ TEST_CASE("convertToPaths: converts what it can, and fails if there is nothing t
 TEST_CASE("splitPath and joinEnds: joining the parts restores the path") {
     Shape tagged = square({0, 0}, 6);
     tagged.segmentTags = {1, 2, 3, 4};
-    tagged.curves = {{}, Curve::arc({6, 3}, {0, -3}, {3, 0}, 0.0, pi), {}, {}};
+    tagged.path().curves = {{}, Curve::arc({6, 3}, {0, -3}, {3, 0}, 0.0, pi), {}, {}};
     const Document document = documentOf({tagged});
     const Result<Document> open = splitPath(document, {1, 2});
     REQUIRE(open.ok());
-    CHECK(open->shapes[0]->kind == ShapeKind::Polyline);
+    CHECK(open->shapes[0]->kind() == ShapeKind::Polyline);
     CHECK(open->shapes[0]->nodes == std::vector<Vec2>{{6, 6}, {0, 6}, {0, 0}, {6, 0}, {6, 6}});
     CHECK(open->shapes[0]->segmentTags == std::vector<std::int32_t>{3, 4, 1, 2});
     CHECK(sortedSegments(toDomain(*open)) == sortedSegments(toDomain(document)));
     const Result<Document> parts = splitPath(*open, {1, 3});
     REQUIRE(parts.ok());
     REQUIRE(parts->shapes.size() == 2);
-    CHECK(parts->shapes[1]->curves.size() == 1);
+    CHECK(parts->shapes[1]->path().curves.size() == 1);
     CHECK(parts->shapes[1]->tag == 1);
     CHECK(sortedSegments(toDomain(*parts)) == sortedSegments(toDomain(document)));
     CHECK(codeOf(splitPath(*parts, {1, 0})) == "not-possible");
@@ -169,7 +169,7 @@ TEST_CASE("splitPath and joinEnds: joining the parts restores the path") {
     CHECK(sortedSegments(toDomain(*turned)) == sortedSegments(toDomain(document)));
     const Result<Document> closed = joinEnds(*joined, {1, 0}, {1, 4});
     REQUIRE(closed.ok());
-    CHECK(closed->shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(closed->shapes[0]->kind() == ShapeKind::Polygon);
     CHECK(sortedSegments(toDomain(*closed)) == sortedSegments(toDomain(document)));
     CHECK(codeOf(joinEnds(document, {1, 0}, {1, 2})) == "not-possible");
     CHECK(codeOf(joinEnds(*joined, {1, 0}, {1, 0})) == "not-possible");

@@ -96,7 +96,7 @@ TEST_CASE("PickIndex: finds the same nodes and segments as an exhaustive search"
                 for (const Vec2 handle : handlesOf(*shape)) {
                     node = std::min(node, distance(p, handle));
                 }
-                if (shape->kind == ShapeKind::Circle) {
+                if (shape->kind() == ShapeKind::Circle) {
                     segment = std::min(segment, std::abs(distance(p, shape->nodes[0]) - circleRadius(*shape)));
                     continue;
                 }
@@ -213,7 +213,7 @@ TEST_CASE("snap: nodes take precedence over segments, and segments over the grid
 
 TEST_CASE("snap: midpoints, centres and crossings of all kinds of segments") {
     Shape arc = makeShape(ShapeKind::Polyline, {{10, 0}, {12, 0}});
-    arc.curves = {arcThrough({10, 0}, {11, 1}, {12, 0})};
+    arc.path().curves = {arcThrough({10, 0}, {11, 1}, {12, 0})};
     const PickIndex index(sharedDocumentOf(
         {makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 2}}), arc, makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}}),
          makeShape(ShapeKind::Polyline, {{10, -1}, {14, 3}}), makeShape(ShapeKind::Polyline, {{19, 0.6}, {22, 0.6}})}));
@@ -245,7 +245,7 @@ TEST_CASE("snap: midpoints, centres and crossings of all kinds of segments") {
 
 TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is drawn") {
     Shape wave = makeShape(ShapeKind::Polyline, {{0, 10}, {4, 10}});
-    wave.curves = {Curve::cubic({0, 10}, {1, 12}, {3, 8}, {4, 10})};
+    wave.path().curves = {Curve::cubic({0, 10}, {1, 12}, {3, 8}, {4, 10})};
     const PickIndex index(sharedDocumentOf(
         {makeShape(ShapeKind::Polyline, {{0, 0}, {8, 4}}), makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}}), wave}));
     SnapQuery query;
@@ -267,11 +267,12 @@ TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is dr
     CHECK(snap(index, query).kind == SnapKind::Perpendicular); // on the far side
     CHECK(distance(snap(index, query).at, {20, -1}) < 1e-12);
     query.lines = {Vec2{1, 14}};
-    query.at = wave.curves[0].point(0.2);
+    query.at = wave.path().curves[0].point(0.2);
     const Snapped onWave = snap(index, query);
     CHECK(onWave.kind == SnapKind::Perpendicular);
-    CHECK(std::abs(dot(onWave.at - *onWave.from, wave.curves[0].tangent(wave.curves[0].nearest(onWave.at)))) < 1e-6);
-    query.at = wave.curves[0].point(0.4);
+    CHECK(std::abs(dot(onWave.at - *onWave.from,
+                       wave.path().curves[0].tangent(wave.path().curves[0].nearest(onWave.at)))) < 1e-6);
+    query.at = wave.path().curves[0].point(0.4);
     CHECK(snap(index, query).kind == SnapKind::Segment);
 }
 
@@ -335,8 +336,8 @@ TEST_CASE("targetsOfDrag: other nodes and segments of the own path, not those th
 
 TEST_CASE("targetsOfDrag: the centre of an arc that does not change") {
     Shape path = makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {8, 0}, {12, 0}});
-    path.curves = {Curve::line({0, 0}, {4, 0}), Curve::arc({6, 0}, {-2, 0}, {0, 2}, 0, -std::numbers::pi),
-                   Curve::line({8, 0}, {12, 0})};
+    path.path().curves = {Curve::line({0, 0}, {4, 0}), Curve::arc({6, 0}, {-2, 0}, {0, 2}, 0, -std::numbers::pi),
+                          Curve::line({8, 0}, {12, 0})};
     const std::shared_ptr<const Document> document = sharedDocumentOf({path});
     const PickIndex index(document);
     const std::uint32_t id = document->shapes[0]->id;

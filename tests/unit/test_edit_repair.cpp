@@ -38,7 +38,7 @@ TEST_CASE("repairDrawing: shapes that it does not change stay the same objects")
     CHECK(result.document.shapes[1] == document.shapes[2]);
     for (std::size_t k = 2; k < 4; ++k) {
         const Shape &half = *result.document.shapes[k];
-        CHECK(half.kind == ShapeKind::Polygon);
+        CHECK(half.kind() == ShapeKind::Polygon);
         CHECK(half.name == "bow");
         CHECK(half.tag == 3);
         CHECK(half.id > 3);
@@ -71,5 +71,5 @@ TEST_CASE("repairDrawing: a valid drawing has no changes; an open one keeps its 
         repaired(documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {2, 0}, {2, 2}, {0, 0.1}})}), 0.2);
     CHECK(closed.left.empty());
     REQUIRE(closed.document.shapes.size() == 1);
-    CHECK(closed.document.shapes.front()->kind == ShapeKind::Polygon);
+    CHECK(closed.document.shapes.front()->kind() == ShapeKind::Polygon);
 }

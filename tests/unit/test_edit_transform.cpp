@@ -26,7 +26,7 @@ Document mapped(const Document &document, const Selection &selection, const Plan
 /// A path with a line, an arc and a cubic.
 Shape curvedPath() {
     Shape path = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 2}});
-    path.curves = {Curve(), arcThrough({4, 0}, {5, 1}, {4, 2}), Curve::cubic({4, 2}, {3, 4}, {0, 3}, {0, 0})};
+    path.path().curves = {Curve(), arcThrough({4, 0}, {5, 1}, {4, 2}), Curve::cubic({4, 2}, {3, 4}, {0, 3}, {0, 0})};
     return path;
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("PlaneMap: quarter turns and mirrors are exact, and maps compose") {
 
 TEST_CASE("transformSelection: every kind of shape keeps its area under rotation, and scales it as the map says") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{1, 1}, {5, 3}});
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     const Document document = documentOf({curvedPath(), makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 1}}), rounded,
                                           makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}}),
                                           makeShape(ShapeKind::Ellipse, {{1, 1}, {3, 1}, {1, 2}}), square({0, 0}, 2)});
@@ -74,15 +74,15 @@ TEST_CASE("transformSelection: shapes keep their kind where the image is of that
     const Document document = documentOf({box, makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}})});
     const Selection all = selectAll(document);
     const Document turned = mapped(document, all, PlaneMap::rotation(90.0, {}));
-    CHECK(turned.shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(turned.shapes[0]->kind() == ShapeKind::Rectangle);
     CHECK(turned.shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {-1, 4}});
     CHECK(turned.shapes[0]->segmentTags == std::vector<std::int32_t>{4, 3, 2, 1}); // its lower side was the left one
-    CHECK(turned.shapes[1]->kind == ShapeKind::Circle);
+    CHECK(turned.shapes[1]->kind() == ShapeKind::Circle);
     const Document stretched = mapped(document, all, PlaneMap::scaling({2, 1}, {}));
-    CHECK(stretched.shapes[0]->kind == ShapeKind::Rectangle);
-    CHECK(stretched.shapes[1]->kind == ShapeKind::Ellipse);
+    CHECK(stretched.shapes[0]->kind() == ShapeKind::Rectangle);
+    CHECK(stretched.shapes[1]->kind() == ShapeKind::Ellipse);
     CHECK(stretched.shapes[1]->nodes == std::vector<Vec2>{{4, 2}, {6, 2}, {4, 3}});
-    CHECK(mapped(document, all, PlaneMap::rotation(20.0, {})).shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(mapped(document, all, PlaneMap::rotation(20.0, {})).shapes[0]->kind() == ShapeKind::Polygon);
 }
 
 TEST_CASE("transformSelection: single nodes, sources and markers are mapped; a map to a line is refused") {
@@ -106,7 +106,8 @@ TEST_CASE("transformSelection: single nodes, sources and markers are mapped; a m
 
 TEST_CASE("transformSelection: a curve with both ends selected is mapped as in a whole shape") {
     Shape dome = makeShape(ShapeKind::Polyline, {{-1, -2}, {1, 0}, {-1, 0}, {-3, 0}});
-    dome.curves = {Curve::cubic({-1, -2}, {0, -3}, {2, -1}, {1, 0}), arcThrough({1, 0}, {0, 1}, {-1, 0}), Curve()};
+    dome.path().curves = {Curve::cubic({-1, -2}, {0, -3}, {2, -1}, {1, 0}), arcThrough({1, 0}, {0, 1}, {-1, 0}),
+                          Curve()};
     dome.cuts = {{0.5, 1.0}, {0.5, 1.0}, {}};
     const Document document = documentOf({dome});
     Selection top, nodes;
@@ -116,23 +117,23 @@ TEST_CASE("transformSelection: a curve with both ends selected is mapped as in a
         const Shape mirrored = *mapped(document, selection, PlaneMap::reflection(90.0, {})).shapes[0];
         CHECK(mirrored.nodes[1] == Vec2{-1, 0});
         CHECK(mirrored.nodes[2] == Vec2{1, 0});
-        CHECK(distance(mirrored.curves[1].point(0.5), {0, 1}) < 1e-12); // still a dome, not a bowl
+        CHECK(distance(mirrored.path().curves[1].point(0.5), {0, 1}) < 1e-12); // still a dome, not a bowl
         CHECK(checkShape(mirrored).empty());
         const Shape stretched = *mapped(document, selection, PlaneMap::scaling({1, 3}, {})).shapes[0];
-        CHECK(distance(stretched.curves[1].point(0.5), {0, 3}) < 1e-12);
+        CHECK(distance(stretched.path().curves[1].point(0.5), {0, 3}) < 1e-12);
         CHECK(stretched.cuts == std::vector<std::vector<double>>{{0.5, 1.0}, {}, {}}); // those of another curve
     }
 }
 
 TEST_CASE("transformSelection: all handles of a shape are mapped like the shape itself") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{1, 1}, {5, 3}});
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     Shape lens = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}});
-    lens.curves = {Curve::cubic({0, 0}, {1, -1}, {3, -2}, {4, 0}), arcThrough({4, 0}, {2, 1}, {0, 0})};
+    lens.path().curves = {Curve::cubic({0, 0}, {1, -1}, {3, -2}, {4, 0}), arcThrough({4, 0}, {2, 1}, {0, 0})};
     for (const Shape &shape :
          {curvedPath(), lens, rounded, makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 1}}),
           makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}}), makeShape(ShapeKind::Ellipse, {{1, 1}, {3, 1}, {1, 2}})}) {
-        CAPTURE(shape.kind);
+        CAPTURE(shape.kind());
         const Document document = documentOf({shape});
         Selection nodes, segments;
         for (std::uint32_t k = 0; k < handleCount(shape); ++k) {

@@ -74,9 +74,9 @@ TEST_CASE("trimAt: closed outlines open; circles stay arcs, tags stay with their
     const Result<Document> cap = trimAt(document, 1, {2, 0.1});
     REQUIRE(cap.ok());
     const Shape &rest = *findShape(*cap, 1);
-    CHECK(rest.kind == ShapeKind::Polyline);
+    CHECK(rest.kind() == ShapeKind::Polyline);
     CHECK(lengthOf(rest) == doctest::Approx(2.0 * (2.0 * std::numbers::pi - 2.0 * std::acos(0.5))));
-    for (const Curve &curve : rest.curves) {
+    for (const Curve &curve : rest.path().curves) {
         CHECK(curve.kind() == CurveKind::Arc);
     }
     CHECK(distance(rest.nodes.front(), {1, std::sqrt(3.0)}) < 1e-9);
@@ -103,20 +103,20 @@ TEST_CASE("trimAt: a path that crosses itself loses its loop; cubics are cut exa
     CHECK(cut->shapes.size() == 2);
     CHECK(findShape(*cut, 1)->nodes == std::vector<Vec2>{{0, 0}, {3, 0}});
     Shape wave = line({{0, 10}, {4, 10}});
-    wave.curves = {Curve::cubic({0, 10}, {1, 14}, {3, 6}, {4, 10})};
+    wave.path().curves = {Curve::cubic({0, 10}, {1, 14}, {3, 6}, {4, 10})};
     const Document waves = *addShapes({}, {wave, line({{1, 5}, {1, 15}}), line({{3, 5}, {3, 15}})});
     const Result<Document> pieces = trimAt(waves, 1, {2, 10});
     REQUIRE(pieces.ok());
     CHECK(findShape(*pieces, 1)->nodes.back().x == doctest::Approx(1));
-    CHECK(findShape(*pieces, 4)->curves[0].kind() == CurveKind::Cubic);
+    CHECK(findShape(*pieces, 4)->path().curves[0].kind() == CurveKind::Cubic);
     CHECK(checkShape(*findShape(*pieces, 4)).empty());
 }
 
 TEST_CASE("extendEnd: lines go straight on, arcs along their circle, cubics along their tangent, to the next line") {
     Shape arc = line({{0, -2}, {2, 0}});
-    arc.curves = {Curve::arc({0, 0}, {2, 0}, {0, 2}, -std::numbers::pi / 2, std::numbers::pi / 2)};
+    arc.path().curves = {Curve::arc({0, 0}, {2, 0}, {0, 2}, -std::numbers::pi / 2, std::numbers::pi / 2)};
     Shape cubic = line({{20, 0}, {22, 1}});
-    cubic.curves = {Curve::cubic({20, 0}, {20.5, 1}, {21, 1}, {22, 1})};
+    cubic.path().curves = {Curve::cubic({20, 0}, {20.5, 1}, {21, 1}, {22, 1})};
     const Document document =
         *addShapes({}, {arc, line({{-3, 1}, {3, 1}}), line({{10, 0}, {11, 0}}), line({{13, -1}, {13, 1}}),
                         line({{15, -1}, {15, 1}}), cubic, line({{25, 0}, {25, 2}})});
@@ -154,7 +154,8 @@ TEST_CASE("extendEnd and trimAt: an end that meets its own path becomes a node t
     CHECK(findShape(*tail, 1)->nodes == std::vector<Vec2>{{0, 0}, {3, 0}, {4, 0}, {4, 2}, {3, 0}});
 
     Shape curved = line({{0, 0}, {6, 0}, {6, 4}, {3, 4}, {3, 2}});
-    curved.curves = {Curve::arc({3, 0}, {3, 0}, {0, 1}, std::numbers::pi, std::numbers::pi), Curve(), Curve(), Curve()};
+    curved.path().curves = {Curve::arc({3, 0}, {3, 0}, {0, 1}, std::numbers::pi, std::numbers::pi), Curve(), Curve(),
+                            Curve()};
     curved.segmentTags = {5, 6, 7, 8};
     const Result<Document> onArc = extendEnd(*addShape({}, curved), {1, 4});
     REQUIRE(onArc.ok());
@@ -162,6 +163,6 @@ TEST_CASE("extendEnd and trimAt: an end that meets its own path becomes a node t
     REQUIRE(joined.nodes.size() == 6);
     CHECK(joined.segmentTags == std::vector<std::int32_t>{5, 5, 6, 7, 8});
     CHECK(distance(joined.nodes[1], {3, -1}) < 1e-9);
-    CHECK(joined.curves[0].kind() == CurveKind::Arc);
+    CHECK(joined.path().curves[0].kind() == CurveKind::Arc);
     CHECK(checkShape(joined).empty());
 }

@@ -16,6 +16,7 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -63,7 +64,7 @@ TEST_CASE("setElementCount: a straight segment, a circle and an arc get exactly 
         CHECK(edges(next, 2) == count);
     }
     Shape arc = makeShape(ShapeKind::Polyline, {{2, 0}, {2.5, 1}}, ShapeUse::Constraint);
-    arc.curves = {arcThrough({2, 0}, {2.6, 0.4}, {2.5, 1})};
+    arc.path().curves = {arcThrough({2, 0}, {2.6, 0.4}, {2.5, 1})};
     const Shape ellipse = makeShape(ShapeKind::Ellipse, {{-2, 2}, {-1, 2}, {-2, 2.5}});
     document = *addShapes(document, {arc, ellipse});
     for (const std::uint32_t id : {3U, 4U}) {
@@ -182,7 +183,7 @@ TEST_CASE("setElementCount: meshes with few elements along curves fit their doma
 
 TEST_CASE("setElementCount: refuses what cannot be counted, and replaces sizes, which replace it") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     Document document = *addShapes({}, {rounded, square({6, 0}, 2)});
     CHECK(codeOf(setElementCount(document, {{1, 0}}, 4)) == "not-possible");
     CHECK(codeOf(setElementCount(document, {{2, 9}}, 4)) == "no-such-segment");
@@ -262,7 +263,7 @@ TEST_CASE("Element counts: a side whose corners are rounded keeps about its numb
     document.spacing.size = 50.0;
     document = *setElementCount(document, {{1, 0}}, 60);
     Shape rounded = *document.shapes[0];
-    rounded.radius = 1.0;
+    rounded.as<RectangleForm>().radius = 1.0;
     const std::ptrdiff_t count = edges(*replaceShape(document, rounded), segmentTag(rounded, 0));
     CHECK(count >= 60);
     CHECK(count <= 62);
@@ -271,8 +272,8 @@ TEST_CASE("Element counts: a side whose corners are rounded keeps about its numb
 TEST_CASE("Element counts: follow expressions, which must give whole numbers") {
     Document document = *addShapes({}, {makeShape(ShapeKind::Circle, {{0, 0}, {8, 0}})});
     document = *setParameters(*setElementCount(document, {{1, 0}}, 24), {{"d", "16"}, {"n", "24"}});
-    document = setFormula(std::move(document), "shape/1/radius", "d/2");
-    document = setFormula(std::move(document), "part/1/elements", "n");
+    document = setFormula(std::move(document), "shape/1/radius"_number, "d/2");
+    document = setFormula(std::move(document), "part/1/elements"_number, "n");
     CHECK(edges(document, 1) == 24);
     const Document larger = *overrideParameters(document, {{"d", "20"}, {"n", "60"}});
     CHECK(circleRadius(*larger.shapes[0]) == 10.0);

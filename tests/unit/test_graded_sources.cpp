@@ -1,11 +1,12 @@
 #include "core/drawing/commands/transform.hpp"
-#include "core/drawing/formulas/number_address.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 #include "tests/support/domain_builder.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/support/spacing_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -149,8 +150,8 @@ TEST_CASE("Graded sources: an invalid end size is refused with the name of the s
 TEST_CASE("Graded sources: the end size is a number of the document, and survives transformations") {
     Document document = *addSource({}, gradedLine({0, 0}, {1, 0}, 0.1, 0.5, 0.2));
     document = *addSource(document, {SourceShape::Line, {0, 0}, {1, 0}, 0.0, 0.1, 0.2, ""});
-    CHECK(numberAt(document, "source/0/endSize") == 0.5);
-    CHECK_FALSE(numberAt(document, "source/1/endSize").has_value());
+    CHECK(readNumber(document, "source/0/endSize"_number) == 0.5);
+    CHECK_FALSE(readNumber(document, "source/1/endSize"_number).has_value());
     Selection first;
     first.sources = {0};
     const Document turned = *transformSelection(document, first, PlaneMap::rotation(90.0, {0, 0}));

@@ -237,9 +237,9 @@ TEST_CASE("Project: version 1 is read as before, and written as version 2") {
     const auto document = parseProject(old, "old.json");
     REQUIRE_MESSAGE(document.ok(), messages(document.faults()));
     REQUIRE(document->shapes.size() == 3);
-    CHECK(document->shapes[0]->curves.empty());
+    CHECK(document->shapes[0]->path().curves.empty());
     CHECK(document->shapes[0]->segmentTags == std::vector<std::int32_t>{1, 2, 1});
-    CHECK(document->shapes[1]->kind == ShapeKind::Circle);
+    CHECK(document->shapes[1]->kind() == ShapeKind::Circle);
     const std::string text = projectText(*document);
     CHECK(text.find("\"version\": 2") != std::string::npos);
     const auto back = parseProject(text, "new.json");
@@ -295,20 +295,20 @@ TEST_CASE("Project: cubics that have shrunk to points are read and written as st
         Shape shape;
         shape.id = document.nextId++;
         shape.nodes = {{1, 1}, {1, 1}, {4, 1}};
-        shape.curves = curves;
+        shape.path().curves = curves;
         document.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
     }
     const std::string text = projectText(document);
     const auto again = parseProject(text, "again");
     REQUIRE(again.ok());
-    CHECK(again->shapes[0]->curves == std::vector{Curve(), bend, Curve()});
-    CHECK(again->shapes[1]->curves.empty());
+    CHECK(again->shapes[0]->path().curves == std::vector{Curve(), bend, Curve()});
+    CHECK(again->shapes[1]->path().curves.empty());
     CHECK(projectText(*again) == text);
     for (const std::size_t nodes : {1U, 2U, 3U}) { // with cuts, which straight segments do not need
         Shape shape;
         shape.id = 1;
         shape.nodes.assign(nodes, {1, 1});
-        shape.curves.assign(nodes, point);
+        shape.path().curves.assign(nodes, point);
         shape.cuts.assign(nodes, {0.5, 1.0});
         Document one;
         one.nextId = 2;

@@ -83,7 +83,7 @@ TEST_CASE("Loose ends: a circle whose node was moved stays a circle") {
     const Document document = fromDomain(given);
     REQUIRE(document.shapes.size() == 2);
     CHECK(std::any_of(document.shapes.begin(), document.shapes.end(),
-                      [](const auto &shape) { return shape->kind == ShapeKind::Circle; }));
+                      [](const auto &shape) { return shape->kind() == ShapeKind::Circle; }));
     checkPlaces(toDomain(document), given, 1.001 * kOff);
     CHECK(inChainOrder(given).nodes == toDomain(document).nodes);
 }
@@ -141,14 +141,14 @@ TEST_CASE("Loose ends: repairing a drawing does not move a curve across its neig
     const auto add = [&](ShapeKind kind, std::vector<Vec2> nodes, std::vector<Curve> curves = {}) {
         Shape shape;
         shape.id = document.nextId++;
-        shape.kind = kind;
+        shape.form = formOf(kind);
         shape.use = kind == ShapeKind::Polygon ? ShapeUse::Boundary : ShapeUse::Constraint;
         shape.nodes = std::move(nodes);
-        shape.curves = std::move(curves);
-        shape.cuts.resize(shape.curves.size());
-        for (std::size_t k = 0; k < shape.curves.size(); ++k) {
-            shape.cuts[k] =
-                shape.curves[k].kind() == CurveKind::Cubic ? std::vector{0.25, 0.5, 0.75} : std::vector<double>{};
+        shape.path().curves = std::move(curves);
+        shape.cuts.resize(shape.path().curves.size());
+        for (std::size_t k = 0; k < shape.path().curves.size(); ++k) {
+            shape.cuts[k] = shape.path().curves[k].kind() == CurveKind::Cubic ? std::vector{0.25, 0.5, 0.75}
+                                                                              : std::vector<double>{};
         }
         document.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
     };

@@ -6,13 +6,14 @@
 #include "core/drawing/commands/transform.hpp"
 #include "core/drawing/commands/trim_commands.hpp"
 #include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
+#include "tests/support/number_literal.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,7 +25,7 @@ namespace {
 
 Shape made(ShapeKind kind, std::vector<Vec2> nodes) {
     Shape shape;
-    shape.kind = kind;
+    shape.form = formOf(kind);
     shape.nodes = std::move(nodes);
     return shape;
 }
@@ -122,7 +123,7 @@ TEST_CASE("Node sizes: that of a corner that is cut goes to both ends of the cut
 
 TEST_CASE("Node sizes: that of a rounded corner goes to both ends of its arc when the rectangle becomes a path") {
     Shape rounded = made(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     const Document document = *setNodeSize(*addShape({}, rounded), {{1, 2}}, kFine); // at (4, 3)
     CHECK(sizedPlaces(*convertToPath(document, 1)) == std::vector<Vec2>{{4, 2.5}, {3.5, 3}});
     const PlaneMap turn = PlaneMap::rotation(30.0, {0, 0});
@@ -147,7 +148,7 @@ TEST_CASE("Node sizes: a repair moves them with their nodes, and reports those w
         CHECK(std::find(domain.nodes.begin(), domain.nodes.end(), places[0]) != domain.nodes.end());
     }
     Shape rounded = made(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
-    rounded.radius = 0.5;
+    rounded.as<RectangleForm>().radius = 0.5;
     const Document crossed = *addShape(*addShape({}, rounded), made(ShapeKind::Rectangle, {{-1, 1}, {1, 2}}));
     const auto joined = repairDrawing(*setNodeSize(crossed, {{1, 2}}, kFine), 0.0);
     REQUIRE(joined.ok());
@@ -244,7 +245,7 @@ TEST_CASE("Node sizes: corners of a rectangle keep theirs when its numbers chang
         for (std::uint32_t corner = 0; corner < 4; ++corner) {
             Document wider = *setNodeSize(drawn, {{1, corner}}, kFine);
             const Vec2 before = handlesOf(*drawn.shapes[0])[corner];
-            REQUIRE(setNumber(wider, *parseAddress("shape/1/width"), 8.0).empty());
+            REQUIRE(setNumber(wider, "shape/1/width"_number, 8.0).empty());
             CHECK(sizedPlaces(wider) == std::vector<Vec2>{{2.0 * before.x, before.y}});
         }
     }
@@ -278,14 +279,14 @@ TEST_CASE("Node sizes: changing size or growth of several nodes keeps what each 
 
 TEST_CASE("Node sizes: can follow formulas, which move with their nodes") {
     Document document = *setParameters(plainSquare(), {{"h", "0.05"}});
-    CHECK(numberAt(document, "shape/1/size/2") == 0.05);
-    CHECK(numberAt(document, "shape/1/growth/2") == 0.3);
-    CHECK_FALSE(numberAt(document, "shape/1/size/0").has_value());
-    document.formulas["shape/1/size/2"] = "h";
+    CHECK(readNumber(document, "shape/1/size/2"_number) == 0.05);
+    CHECK(readNumber(document, "shape/1/growth/2"_number) == 0.3);
+    CHECK_FALSE(readNumber(document, "shape/1/size/0"_number).has_value());
+    document.formulas["shape/1/size/2"_number] = "h";
     CHECK(setParameters(document, {{"h", "0.2"}})->shapes[0]->nodeSizes.at(2).size == doctest::Approx(0.2));
     Document longer = *insertNode(document, {1, 0}, {2, 0});
     carryFormulas(document, longer);
-    CHECK(longer.formulas.at("shape/1/size/3") == "h");
+    CHECK(longer.formulas.at("shape/1/size/3"_number) == "h");
     CHECK(longer.formulas.size() == 1);
 }
 

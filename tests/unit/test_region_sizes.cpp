@@ -1,7 +1,7 @@
 #include "core/drawing/commands/insert_document.hpp"
 #include "core/drawing/commands/region_fill.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
@@ -11,6 +11,7 @@
 #include "core/engine/spacing/spacing_field.hpp"
 #include "core/files/files.hpp"
 #include "tests/support/domain_builder.hpp"
+#include "tests/support/number_literal.hpp"
 #include "tests/support/spacing_samples.hpp"
 #include "tests/unit/edit_support.hpp"
 
@@ -246,7 +247,7 @@ TEST_CASE("Region size: project files keep it, and older ones have none") {
 TEST_CASE("Region size: formulas set it; they must not set it to 0") {
     Document document = *setParameters({}, {{"h", "0.5"}});
     document = *addRegionMarker(document, {{5, 5}, 2, 0.0, 0.5, 0.25});
-    document.formulas = {{"region/0/growth", "h/2"}, {"region/0/size", "h"}};
+    document.formulas = {{"region/0/growth"_number, "h/2"}, {"region/0/size"_number, "h"}};
     pruneFormulas(document);
     REQUIRE(document.formulas.size() == 2);
     const auto finer = overrideParameters(document, {{"h", "0.1"}});
@@ -257,7 +258,7 @@ TEST_CASE("Region size: formulas set it; they must not set it to 0") {
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.faults().front().code == "bad-number");
     Document none = *setRegionSize(document, 0, std::nullopt);
-    CHECK_FALSE(numberAt(none, "region/0/size").has_value());
+    CHECK_FALSE(readNumber(none, "region/0/size"_number).has_value());
     pruneFormulas(none);
     CHECK(none.formulas.empty());
 }

@@ -1,10 +1,11 @@
 #include "core/drawing/commands/scale_document.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/lost_formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "tests/support/number_literal.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +17,7 @@ using namespace forefront;
 
 TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; growth and numbers of elements do not") {
     Shape circle;
-    circle.kind = ShapeKind::Circle;
+    circle.form = CircleForm{};
     circle.nodes = {{10, 10}, {14, 10}};
     circle.nodeSizes[1] = {2.0, 0.3};
     Document document = *addShape({}, circle);
@@ -65,22 +66,24 @@ TEST_CASE("scaleDocument: shapes, sizes, paint and the picture scale together; g
 
 TEST_CASE("scaleDocument: removes the formulas that no longer fit") {
     Shape circle;
-    circle.kind = ShapeKind::Circle;
+    circle.form = CircleForm{};
     circle.nodes = {{10, 10}, {14, 10}};
     Document document = *addShape({}, circle);
     document = *addRegionMarker(document, {{10, 10}, 1, 4.0});
-    document.formulas = {{"shape/1/radius", "r"}, {"shape/1/x/0", "2*r + 2"}, {"region/0/area", "r"}};
+    document.formulas = {
+        {"shape/1/radius"_number, "r"}, {"shape/1/x/0"_number, "2*r + 2"}, {"region/0/area"_number, "r"}};
     document = *setParameters(document, {{"r", "4"}});
     const Result<Document> scaled = scaleDocument(document, {10, 10}, 0.5);
     REQUIRE(scaled.ok());
-    CHECK(scaled->formulas == std::map<std::string, std::string>{{"shape/1/x/0", "2*r + 2"}}); // the fixed point
-    const std::vector<std::string> lost = lostFormulas(document, *scaled);
-    REQUIRE(lost == std::vector<std::string>{"region/0/area", "shape/1/radius"});
+    CHECK(scaled->formulas ==
+          std::map<NumberAddress, std::string>{{"shape/1/x/0"_number, "2*r + 2"}}); // the fixed point
+    const std::vector<NumberAddress> lost = lostFormulas(document, *scaled);
+    REQUIRE(lost == std::vector{"region/0/area"_number, "shape/1/radius"_number});
     CHECK(numberName(document, lost[0]) == "maximum area of region marker 1");
     CHECK(numberName(document, lost[1]) == "radius of circle 1");
     Document others = *scaled; // as many as before
     others.spacing.size = 4.0;
-    others.formulas["spacing/size"] = "r";
-    others.formulas["shape/1/y/0"] = "r + 6";
+    others.formulas["spacing/size"_number] = "r";
+    others.formulas["shape/1/y/0"_number] = "r + 6";
     CHECK(lostFormulas(document, others) == lost);
 }

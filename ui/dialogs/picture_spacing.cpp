@@ -160,7 +160,7 @@ void PictureSpacingDialog::drawPlace(Shell &context) {
     Vec2 corner = sizes_.box.min;
     Vec2 size = sizes_.box.size();
     ui::rowLabel(context, "Lower left", kLabelColumn);
-    if (ui::inputPoint(context, "dialog/picturespacing/corner", corner, kFieldWidth, "", "")) {
+    if (ui::inputPoint(context, "dialog/picturespacing/corner", corner, kFieldWidth, {}, {})) {
         sizes_.box = {corner, corner + size};
     }
     ui::rowLabel(context, "Width", kLabelColumn);

@@ -127,10 +127,10 @@ bool followCornerRadius(Document &document, const Selection &selection, const st
     }
     bool all = true;
     for (const std::uint32_t id : rounded) {
-        const bool rectangle = findShape(document, id)->kind == ShapeKind::Rectangle;
+        const bool rectangle = findShape(document, id)->is<RectangleForm>();
         all = all && rectangle;
         if (rectangle) {
-            document = setFormula(std::move(document), "shape/" + std::to_string(id) + "/radius", formulas.front());
+            document = setFormula(std::move(document), {NumberOwner::ofShape(id), Quantity::Radius}, formulas.front());
         }
     }
     return all;

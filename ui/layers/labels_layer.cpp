@@ -63,7 +63,7 @@ class LabelsLayer final : public Layer {
     }
 
     static std::vector<Run> runsOf(const Shape &shape) {
-        if (shape.kind == ShapeKind::Circle && shape.nodes.size() >= 2) {
+        if (shape.is<CircleForm>() && shape.nodes.size() >= 2) {
             const double radius = distance(shape.nodes[0], shape.nodes[1]);
             return {{shape.tag, shape.nodes[0] + Vec2{0.0, radius}, {1.0, 0.0}, 2.0 * radius}};
         }

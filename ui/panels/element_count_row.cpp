@@ -123,8 +123,8 @@ std::string explanation(std::size_t segments) {
            "shorter ones have elements of the same size. Leave empty to use the size from the Spacing panel.";
 }
 
-std::string addressOfCount(std::int32_t tag) {
-    return "part/" + std::to_string(tag) + "/elements";
+NumberAddress addressOfCount(std::int32_t tag) {
+    return {NumberOwner::ofPart(tag), Quantity::Elements};
 }
 
 /// Gives the segments a number of elements that was entered, with its expression if there is one.

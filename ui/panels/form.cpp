@@ -12,7 +12,8 @@ void label(Workspace &context, const char *text) {
     ui::rowLabel(context, text, kLabel);
 }
 
-bool number(Workspace &context, const std::string &name, const char *text, double &value, const std::string &address) {
+bool number(Workspace &context, const std::string &name, const char *text, double &value,
+            const ui::FieldAddress &address) {
     label(context, text);
     return ui::inputNumber(context, name, value, -1.0F, address);
 }
@@ -22,7 +23,7 @@ float halfWidth(const Workspace &context) {
 }
 
 bool optionalField(Workspace &context, const std::string &name, std::optional<double> &value, const char *hint,
-                   float width, const std::string &address) {
+                   float width, const ui::FieldAddress &address) {
     return ui::inputOptional(context, name, value, hint, width, address);
 }
 

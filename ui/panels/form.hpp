@@ -1,15 +1,12 @@
 #pragma once
 
 #include "core/engine/base/vec2.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
-
-namespace forefront {
-struct Workspace;
-}
 
 /// Rows of the editing panels: a muted label in a fixed column, then a field. `name` is the widget name.
 namespace forefront::form {
@@ -20,15 +17,15 @@ inline constexpr double kLabel = 84.0;
 void label(Workspace &context, const char *text);
 /// Draws a number field; returns true when a new number was entered. For `address` see ui::inputNumber().
 bool number(Workspace &context, const std::string &name, const char *text, double &value,
-            const std::string &address = {});
+            const ui::FieldAddress &address = {});
 /// Draws an optional number; an empty field shows the hint. Width in design pixels; negative: the rest of the row.
 bool optionalField(Workspace &context, const std::string &name, std::optional<double> &value, const char *hint,
-                   float width = -1.0F, const std::string &address = {});
+                   float width = -1.0F, const ui::FieldAddress &address = {});
 /// Returns half of the width left in the row, in design pixels.
 float halfWidth(const Workspace &context);
 /// The addresses of two numbers.
 struct PairAddress {
-    std::string x, y;
+    ui::FieldAddress x, y;
 };
 /// Draws two numbers side by side, "NAME/x" and "NAME/y".
 bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value, const PairAddress &address = {});

@@ -19,12 +19,55 @@ namespace forefront {
 namespace {
 
 /// Returns the address of a number of a shape.
-std::string addressOf(const Shape &shape, const std::string &quantity) {
-    return "shape/" + std::to_string(shape.id) + '/' + quantity;
+NumberAddress addressOf(const Shape &shape, Quantity what, std::uint32_t handle = 0) {
+    return {NumberOwner::ofShape(shape.id), what, handle};
 }
 
-form::PairAddress pairAddress(const Shape &shape, const char *first, const char *second) {
+form::PairAddress pairAddress(const Shape &shape, Quantity first, Quantity second) {
     return {addressOf(shape, first), addressOf(shape, second)};
+}
+
+void drawRectangle(Shell &context, const Shape &shape) {
+    const auto put = [&](const Shape &next, const char *label) {
+        context.applyCommand(replaceShape(*context.document.current(), next), label);
+    };
+    Shape next = shape;
+    const Box2 box = boundsOf(shape);
+    Vec2 corner = box.min, size = box.size();
+    if (form::pair(context, "inspector/corner", "Corner", corner,
+                   pairAddress(shape, Quantity::Left, Quantity::Bottom))) {
+        placeBox(next, corner, corner + size);
+        put(next, "Move rectangle");
+    }
+    if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, Quantity::Width, Quantity::Height))) {
+        placeBox(next, corner, corner + size);
+        put(next, "Resize rectangle");
+    }
+    double radius = shape.as<RectangleForm>().radius;
+    if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, Quantity::Radius))) {
+        next.as<RectangleForm>().radius = radius;
+        put(next, "Round corners");
+    }
+}
+
+void drawCircle(Shell &context, const Shape &shape) {
+    const Document &document = *context.document.current();
+    Vec2 centre = shape.nodes[0];
+    double radius = circleRadius(shape);
+    if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
+        context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move circle");
+    }
+    if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, Quantity::Radius))) {
+        context.applyCommand(setRadius(document, shape.id, radius), "Resize circle");
+    }
+}
+
+void drawPoint(Shell &context, const Shape &shape) {
+    Vec2 at = shape.nodes[0];
+    if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
+        context.applyCommand(setHandle(*context.document.current(), {shape.id, 0}, at), "Move point");
+        context.view.reveal(boxOf(at, at));
+    }
 }
 
 void drawEllipse(Shell &context, const Shape &shape) {
@@ -35,7 +78,7 @@ void drawEllipse(Shell &context, const Shape &shape) {
         context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move ellipse");
     }
     Vec2 radii{length(u), length(v)};
-    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, "rx", "ry")) &&
+    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, Quantity::Rx, Quantity::Ry)) &&
         ui::checkPositive(context, "inspector/radii/x", radii.x) &&
         ui::checkPositive(context, "inspector/radii/y", radii.y)) {
         Shape next = shape;
@@ -55,7 +98,7 @@ void drawSlot(Shell &context, const Shape &shape) {
         }
     }
     double size = distance(shape.nodes[0], shape.nodes[1]);
-    if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, "length")) &&
+    if (form::number(context, "inspector/slotlength", "Distance", size, addressOf(shape, Quantity::Length)) &&
         ui::checkPositive(context, "inspector/slotlength", size)) {
         context.applyCommand(setSegmentLength(document, {shape.id, 0}, size), "Change length of slot");
     }
@@ -69,7 +112,7 @@ void drawFollowing(Shell &context, const Shape &shape, std::uint32_t node) {
     std::string text;
     for (const auto &[name, place] : {std::pair("x", address.x), std::pair("y", address.y)}) {
         const auto &formulas = context.document.current()->formulas;
-        if (const auto found = formulas.find(place); found != formulas.end()) {
+        if (const auto found = formulas.find(*place); found != formulas.end()) {
             text += (text.empty() ? "" : ", ") + std::string(name) + " = " + found->second;
         }
     }
@@ -82,65 +125,28 @@ void drawFollowing(Shell &context, const Shape &shape, std::uint32_t node) {
 } // namespace
 
 form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle) {
-    const std::string number = '/' + std::to_string(handle);
-    return {addressOf(shape, "x") + number, addressOf(shape, "y") + number};
+    return {addressOf(shape, Quantity::X, handle), addressOf(shape, Quantity::Y, handle)};
 }
 
 void slotWidthRow(Shell &context, const Shape &slot) {
-    double width = 2.0 * slot.radius;
-    if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(slot, "width")) &&
+    double width = 2.0 * slot.as<SlotForm>().radius;
+    if (form::number(context, "inspector/slotwidth", "Width", width, addressOf(slot, Quantity::Width)) &&
         ui::checkPositive(context, "inspector/slotwidth", width)) {
         Shape next = slot;
-        next.radius = 0.5 * width;
+        next.as<SlotForm>().radius = 0.5 * width;
         next.cuts.clear();
         context.applyCommand(replaceShape(*context.document.current(), std::move(next)), "Change width of slot");
     }
 }
 
 void geometryRows(Shell &context, const Shape &shape) {
-    const Document &document = *context.document.current();
-    const auto put = [&](const Shape &next, const char *label) {
-        context.applyCommand(replaceShape(document, next), label);
-    };
-    Shape next = shape;
-    if (shape.kind == ShapeKind::Rectangle) {
-        const Box2 box = boundsOf(shape);
-        Vec2 corner = box.min, size = box.size();
-        if (form::pair(context, "inspector/corner", "Corner", corner, pairAddress(shape, "left", "bottom"))) {
-            placeBox(next, corner, corner + size);
-            put(next, "Move rectangle");
-        }
-        if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, "width", "height"))) {
-            placeBox(next, corner, corner + size);
-            put(next, "Resize rectangle");
-        }
-        double radius = shape.radius;
-        if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, "radius"))) {
-            next.radius = radius;
-            put(next, "Round corners");
-        }
-    } else if (shape.kind == ShapeKind::Circle) {
-        Vec2 centre = shape.nodes[0];
-        double radius = circleRadius(shape);
-        if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
-            context.applyCommand(setHandle(document, {shape.id, 0}, centre), "Move circle");
-        }
-        if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, "radius"))) {
-            context.applyCommand(setRadius(document, shape.id, radius), "Resize circle");
-        }
-    } else if (shape.kind == ShapeKind::Ellipse) {
-        drawEllipse(context, shape);
-    } else if (shape.kind == ShapeKind::Slot) {
-        drawSlot(context, shape);
-    } else if (shape.kind == ShapeKind::Point) {
-        Vec2 at = shape.nodes[0];
-        if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
-            context.applyCommand(setHandle(document, {shape.id, 0}, at), "Move point");
-            context.view.reveal(boxOf(at, at));
-        }
+    shape.visit(
+        [&](const PathForm &) { ui::field(context, "Nodes", ui::count(shape.nodes.size()), form::kLabel); },
+        [&](const RectangleForm &) { drawRectangle(context, shape); },
+        [&](const CircleForm &) { drawCircle(context, shape); }, [&](const PointForm &) { drawPoint(context, shape); },
+        [&](const EllipseForm &) { drawEllipse(context, shape); }, [&](const SlotForm &) { drawSlot(context, shape); });
+    if (shape.is<PointForm>()) {
         return;
-    } else {
-        ui::field(context, "Nodes", ui::count(shape.nodes.size()), form::kLabel);
     }
     ui::field(context, "Length", ui::number(lengthOf(shape), 5), form::kLabel);
     if (isClosed(shape)) {
@@ -151,13 +157,13 @@ void geometryRows(Shell &context, const Shape &shape) {
 void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     const Document &document = *context.document.current();
     const Outline outline = outlineOf(shape);
-    const bool rectangle = shape.kind == ShapeKind::Rectangle;
+    const bool rectangle = shape.is<RectangleForm>();
     if (!rectangle && outline.isCurved(ref.segment)) {
         const Curve curve = outline.curve(ref.segment);
         const std::optional<double> bend = isPath(shape) ? radiusOf(curve) : std::nullopt;
         double radius = bend.value_or(0.0);
         if (bend && form::number(context, "inspector/arcradius", "Radius", radius,
-                                 addressOf(shape, "arcRadius/" + std::to_string(ref.segment)))) {
+                                 addressOf(shape, Quantity::ArcRadius, ref.segment))) {
             context.applyCommand(setArcRadius(document, ref, radius), "Change radius");
         }
         ui::field(context, "Length", ui::number(curve.length(), 5), form::kLabel);
@@ -167,7 +173,9 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     double size = rectangle ? distance(handles[ref.segment], handles[(ref.segment + 1) % handles.size()])
                             : outline.curve(ref.segment).length();
     if (!isPath(shape)) {
-        const char *const number = !rectangle ? "length" : ref.segment % 2 == 0 ? "width" : "height";
+        const Quantity number = !rectangle             ? Quantity::Length
+                                : ref.segment % 2 == 0 ? Quantity::Width
+                                                       : Quantity::Height;
         if (form::number(context, "inspector/length", "Length", size, addressOf(shape, number))) {
             context.applyCommand(setSegmentLength(document, ref, size), "Change length");
         }

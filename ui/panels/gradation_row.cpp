@@ -38,7 +38,8 @@ void GradationRow::draw(Shell &context) {
     std::optional<double> gradation = context.document.current()->spacing.gradation;
     form::label(context, "Gradation");
     constexpr float kField = 58.0F;
-    if (form::optionalField(context, "spacing/gradation", gradation, "auto", kField, "spacing/gradation")) {
+    if (form::optionalField(context, "spacing/gradation", gradation, "auto", kField,
+                            NumberAddress{NumberOwner::ofSpacing(), Quantity::Gradation})) {
         context.applyCommand(setGradation(*context.document.current(), gradation), "Change gradation");
     }
     ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep. auto: 0.25 "

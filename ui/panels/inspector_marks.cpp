@@ -30,42 +30,50 @@ void inspectSource(Shell &context, std::uint32_t index) {
     const Document &document = *context.document.current();
     SizeSource source = document.spacing.sources[index];
     inspectorHeading(context, displayName(source, index));
-    const auto address = [&](const char *quantity) { return "source/" + std::to_string(index) + '/' + quantity; };
+    const auto address = [&](Quantity what) { return NumberAddress{NumberOwner::ofSource(index), what}; };
     bool changed = form::text(context, "inspector/name", "Source name", source.name, "pier head");
     if (source.shape == SourceShape::Box) {
-        changed = form::pair(context, "inspector/a", "Corner", source.a, {address("x"), address("y")}) || changed;
-        changed = form::pair(context, "inspector/b", "Opposite", source.b, {address("x2"), address("y2")}) || changed;
+        changed =
+            form::pair(context, "inspector/a", "Corner", source.a, {address(Quantity::X), address(Quantity::Y)}) ||
+            changed;
+        changed =
+            form::pair(context, "inspector/b", "Opposite", source.b, {address(Quantity::X2), address(Quantity::Y2)}) ||
+            changed;
         Vec2 extent = boxExtent(source);
-        if (form::pair(context, "inspector/extent", "Width, height", extent, {address("width"), address("height")})) {
+        if (form::pair(context, "inspector/extent", "Width, height", extent,
+                       {address(Quantity::Width), address(Quantity::Height)})) {
             resizeBox(source, extent);
             changed = true;
         }
         double angle = source.angle;
-        if (form::number(context, "inspector/angle", "Angle", angle, address("angle"))) {
+        if (form::number(context, "inspector/angle", "Angle", angle, address(Quantity::Angle))) {
             turnBox(source, angle);
             changed = true;
         }
     } else if (source.shape == SourceShape::Line) {
-        changed = form::pair(context, "inspector/a", "From", source.a, {address("x"), address("y")}) || changed;
-        changed = form::pair(context, "inspector/b", "To", source.b, {address("x2"), address("y2")}) || changed;
+        changed = form::pair(context, "inspector/a", "From", source.a, {address(Quantity::X), address(Quantity::Y)}) ||
+                  changed;
+        changed = form::pair(context, "inspector/b", "To", source.b, {address(Quantity::X2), address(Quantity::Y2)}) ||
+                  changed;
     } else {
         changed = form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Position",
-                             source.a, {address("x"), address("y")}) ||
+                             source.a, {address(Quantity::X), address(Quantity::Y)}) ||
                   changed;
     }
     if (source.shape != SourceShape::Box || source.radius != 0.0) {
-        changed = form::number(context, "inspector/radius", "Radius", source.radius, address("radius")) || changed;
+        changed =
+            form::number(context, "inspector/radius", "Radius", source.radius, address(Quantity::Radius)) || changed;
     }
-    changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size, address("size")) || changed;
+    changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size, address(Quantity::Size)) || changed;
     if (source.shape == SourceShape::Line) {
         form::label(context, "End size");
-        changed =
-            form::optionalField(context, "inspector/endsize", source.endSize, "same", -1.0F, address("endSize")) ||
-            changed;
+        changed = form::optionalField(context, "inspector/endsize", source.endSize, "same", -1.0F,
+                                      address(Quantity::EndSize)) ||
+                  changed;
         ui::rowTooltip(context, "Element size at the second end (To). The size changes linearly along the line. Leave "
                                 "empty for the same size everywhere.");
     }
-    changed = drawSourceGrowth(context, source, address("growth")) || changed;
+    changed = drawSourceGrowth(context, source, address(Quantity::Growth)) || changed;
     if (changed) {
         context.applyCommand(replaceSource(document, index, source), "Change source");
     }
@@ -102,9 +110,9 @@ void inspectRegion(Shell &context, std::uint32_t index) {
     const MarkedRegion marker = document.regionMarkers[index];
     inspectorHeading(context, regionName(document.regionNames, marker.tag));
     areaRow(context, marker);
-    const auto address = [&](const char *quantity) { return "region/" + std::to_string(index) + '/' + quantity; };
+    const auto address = [&](Quantity what) { return NumberAddress{NumberOwner::ofRegion(index), what}; };
     Vec2 at = marker.at;
-    if (form::pair(context, "inspector/at", "Position", at, {address("x"), address("y")})) {
+    if (form::pair(context, "inspector/at", "Position", at, {address(Quantity::X), address(Quantity::Y)})) {
         context.applyCommand(moveRegionMarker(document, index, at), "Move region marker");
         return;
     }
@@ -117,7 +125,7 @@ void inspectRegion(Shell &context, std::uint32_t index) {
     }
     std::optional<double> area = marker.maxArea > 0.0 ? std::optional(marker.maxArea) : std::nullopt;
     form::label(context, "Max. area");
-    if (form::optionalField(context, "inspector/maxarea", area, "no limit", -1.0F, address("area"))) {
+    if (form::optionalField(context, "inspector/maxarea", area, "no limit", -1.0F, address(Quantity::Area))) {
         context.applyCommand(setRegionArea(document, index, area.value_or(0.0)), "Limit area of region");
     }
     ui::rowTooltip(context, "Maximum area of an element in this region");

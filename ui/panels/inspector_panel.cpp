@@ -172,13 +172,13 @@ void InspectorPanel::drawHere(Shell &context) const {
 
 void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
-    if (!isPath(shape) && shape.kind != ShapeKind::Point) {
+    if (!isPath(shape) && !shape.is<PointForm>()) {
         if (ui::button(context, "inspector/topath", "To path")) {
             context.applyCommand(convertToPath(document, shape.id), "Convert to path");
         }
         ui::tooltip(context, "Turn the shape into a path whose nodes and segments can be edited");
         ImGui::SameLine();
-    } else if (shape.kind != ShapeKind::Point) {
+    } else if (!shape.is<PointForm>()) {
         const bool closed = isClosed(shape);
         if (ui::button(context, "inspector/close", closed ? "Open" : "Close", ui::ButtonKind::Plain,
                        shape.nodes.size() > 2)) {
@@ -234,7 +234,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     const std::vector<Vec2> handles = handlesOf(*shape);
     Vec2 at = handles[ref.node];
     inspectorHeading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
-    if (shape->kind == ShapeKind::Slot && !isCentre(*shape, ref.node)) {
+    if (shape->is<SlotForm>() && !isCentre(*shape, ref.node)) {
         slotWidthRow(context, *shape); // the place of its side follows
     } else if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
         context.applyCommand(setHandle(document, ref, at), "Move node");
@@ -271,7 +271,7 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     const Outline outline = outlineOf(*shape);
     const bool curved = isPath(*shape) && outline.isCurved(ref.segment);
     const std::vector<Vec2> handles = handlesOf(*shape);
-    const Vec2 middle = shape->kind == ShapeKind::Rectangle
+    const Vec2 middle = shape->is<RectangleForm>()
                             ? midpoint(handles[ref.segment], handles[(ref.segment + 1) % handles.size()])
                             : outline.curve(ref.segment).point(0.5);
     if (ui::button(context, "inspector/split", "Insert node")) {

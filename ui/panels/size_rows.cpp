@@ -38,17 +38,18 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
     double growth = given ? found->second.growth : follows ? counted->second.growth : PartSize{}.growth;
     const std::string hint = follows ? followingSize(document, tag) : "auto";
-    const std::string address = "part/" + std::to_string(tag) + '/';
+    const NumberOwner part = NumberOwner::ofPart(tag);
     form::label(context, "Size, growth");
     bool changed = form::optionalField(context, "inspector/partsize", size, hint.c_str(), form::halfWidth(context),
-                                       address + "size");
+                                       NumberAddress{part, Quantity::Size});
     ui::rowTooltip(context, follows ? "Element size along this boundary part, which follows from its number of "
                                       "elements, and its growth per unit of distance. A size replaces the number."
                                     : "Maximum element size along this boundary part, and its growth per unit of "
                                       "distance. Leave empty to use the size from the Spacing panel.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size && !follows); // growth has no meaning without a size
-    changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
+    changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, NumberAddress{part, Quantity::Growth}) ||
+              changed;
     ImGui::EndDisabled();
     if (changed && follows && !size) {
         context.applyCommand(setPartElements(document, tag, PartElements{counted->second.count, growth}),
@@ -64,15 +65,17 @@ void regionSizeRow(Shell &context, std::uint32_t marker) {
     const MarkedRegion &region = document.regionMarkers[marker];
     std::optional<double> size = region.size > 0.0 ? std::optional(region.size) : std::nullopt;
     double growth = region.growth;
-    const std::string address = "region/" + std::to_string(marker) + '/';
+    const NumberOwner owner = NumberOwner::ofRegion(marker);
     form::label(context, "Size, growth");
-    bool changed =
-        form::optionalField(context, "inspector/regionsize", size, "auto", form::halfWidth(context), address + "size");
+    bool changed = form::optionalField(context, "inspector/regionsize", size, "auto", form::halfWidth(context),
+                                       NumberAddress{owner, Quantity::Size});
     ui::rowTooltip(context, "Maximum element size in this region, and its growth per unit of distance outside the "
                             "region. Leave empty to use the size from the Spacing panel.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size); // growth has no meaning without a size
-    changed = ui::inputNumber(context, "inspector/regiongrowth", growth, -1.0F, address + "growth") || changed;
+    changed =
+        ui::inputNumber(context, "inspector/regiongrowth", growth, -1.0F, NumberAddress{owner, Quantity::Growth}) ||
+        changed;
     ImGui::EndDisabled();
     if (changed) {
         context.applyCommand(
@@ -128,14 +131,13 @@ void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
     }
     auto [size, growth] = sharedSize(document, nodes);
     const NodeRef first = *nodes.begin();
-    const auto address = [&](const char *quantity) {
-        return nodes.size() > 1
-                   ? std::string()
-                   : "shape/" + std::to_string(first.shape) + '/' + quantity + '/' + std::to_string(first.node);
+    const auto address = [&](Quantity what) {
+        return nodes.size() > 1 ? ui::FieldAddress()
+                                : NumberAddress{NumberOwner::ofShape(first.shape), what, first.node};
     };
     form::label(context, "Size, growth");
     const bool sized = form::optionalField(context, "inspector/nodesize", size.value, size.hint(),
-                                           form::halfWidth(context), address("size"));
+                                           form::halfWidth(context), address(Quantity::Size));
     ui::rowTooltip(context,
                    "Maximum element size at the node, and its growth per unit of distance. Leave empty to set none.");
     ImGui::SameLine(0, context.px(6));
@@ -143,8 +145,8 @@ void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
     if (!size.given) {
         growth.value = PartSize{}.growth;
     }
-    const bool grown =
-        form::optionalField(context, "inspector/nodegrowth", growth.value, growth.hint(), -1.0F, address("growth"));
+    const bool grown = form::optionalField(context, "inspector/nodegrowth", growth.value, growth.hint(), -1.0F,
+                                           address(Quantity::Growth));
     ImGui::EndDisabled();
     constexpr const char *kLabel = "Change size at node";
     if (sized && size.value) {

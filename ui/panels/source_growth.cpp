@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-bool drawSourceGrowth(Shell &context, SizeSource &source, const std::string &address) {
+bool drawSourceGrowth(Shell &context, SizeSource &source, const NumberAddress &address) {
     bool changed = false;
     if (source.shape == SourceShape::Line) {
         form::label(context, "");

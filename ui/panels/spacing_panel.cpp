@@ -149,14 +149,16 @@ void SpacingPanel::drawElementCounts(Shell &context) {
     std::optional<double> perTurn = document->spacing.segmentsPerTurn, across = document->spacing.elementsAcross;
     form::label(context, "Elements per");
     const float half = form::halfWidth(context);
-    if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half, "spacing/segmentsPerTurn")) {
+    if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half,
+                            NumberAddress{NumberOwner::ofSpacing(), Quantity::SegmentsPerTurn})) {
         context.applyCommand(setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
     }
     ui::rowTooltip(context,
                    "Elements along a full turn of a curved boundary; 0: ignore bends. Empty: 40 with automatic "
                    "spacing, fewer on small bends, else 0. Curves always get as many as their shape needs.");
     ImGui::SameLine(0, context.px(6));
-    if (form::optionalField(context, "spacing/across", across, "gap", half, "spacing/elementsAcross")) {
+    if (form::optionalField(context, "spacing/across", across, "gap", half,
+                            NumberAddress{NumberOwner::ofSpacing(), Quantity::ElementsAcross})) {
         context.applyCommand(setElementsAcross(*context.document.current(), across), "Change elements per gap");
     }
     ui::tooltip(context, "Elements across narrow places, such as channels; 0: ignore narrow places. Empty: 2 with "
@@ -167,7 +169,8 @@ void SpacingPanel::drawCurveTolerance(Shell &context) {
     const double given = context.document.current()->curveTolerance;
     std::optional<double> tolerance = given > 0.0 ? std::optional(given) : std::nullopt;
     form::label(context, "Curve error");
-    if (form::optionalField(context, "spacing/curvetolerance", tolerance, "auto", -1.0F, "spacing/curveTolerance")) {
+    if (form::optionalField(context, "spacing/curvetolerance", tolerance, "auto", -1.0F,
+                            NumberAddress{NumberOwner::ofSpacing(), Quantity::CurveTolerance})) {
         context.applyCommand(setCurveTolerance(*context.document.current(), tolerance), "Change curve tolerance");
     }
     ui::rowTooltip(context,
@@ -180,10 +183,12 @@ void SpacingPanel::drawLimits(Shell &context) {
     std::optional<double> minimum = document->spacing.minimum, maximum = document->spacing.maximum;
     form::label(context, "Limits");
     const float half = form::halfWidth(context);
-    const bool low = form::optionalField(context, "spacing/minimum", minimum, "min", half, "spacing/minimum");
+    const bool low = form::optionalField(context, "spacing/minimum", minimum, "min", half,
+                                         NumberAddress{NumberOwner::ofSpacing(), Quantity::Minimum});
     ui::rowTooltip(context, "Minimum node spacing");
     ImGui::SameLine(0, context.px(6));
-    const bool high = form::optionalField(context, "spacing/maximum", maximum, "max", half, "spacing/maximum");
+    const bool high = form::optionalField(context, "spacing/maximum", maximum, "max", half,
+                                          NumberAddress{NumberOwner::ofSpacing(), Quantity::Maximum});
     ui::tooltip(context, "Maximum node spacing");
     if (low || high) {
         context.applyCommand(setLimits(*document, minimum, maximum), "Limit spacing");
@@ -205,7 +210,7 @@ void SpacingPanel::draw(Shell &context) {
     std::optional<double> size = spacing.size;
     form::label(context, "Size");
     if (form::optionalField(context, "spacing/size", size, spacing.usesAutomatic() ? "auto" : "none", -1.0F,
-                            "spacing/size")) {
+                            NumberAddress{NumberOwner::ofSpacing(), Quantity::Size})) {
         context.applyCommand(setSize(*document, size), "Change size");
     }
     ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");

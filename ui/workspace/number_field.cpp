@@ -54,9 +54,9 @@ std::optional<double> typedNumber(Workspace &context, std::string_view name, con
 }
 
 /// Returns the formula of a number of the document; empty if it has none.
-std::string formulaAt(const Workspace &context, const std::string &address) {
+std::string formulaAt(const Workspace &context, const FieldAddress &address) {
     const auto &formulas = context.document.current()->formulas;
-    const auto found = formulas.find(address);
+    const auto found = address ? formulas.find(*address) : formulas.end();
     return found == formulas.end() ? std::string() : found->second;
 }
 
@@ -71,10 +71,10 @@ void remarkOnce(Workspace &context, std::string_view name, const std::string &te
 
 /// Stores a typed formula at once if the number already has its value; else leaves it to the command that changes the
 /// number.
-void keepFormula(Workspace &context, std::string_view name, const std::string &address, const std::string &typed,
+void keepFormula(Workspace &context, std::string_view name, const FieldAddress &address, const std::string &typed,
                  bool changesNumber) {
     const std::string text(trimmed(typed));
-    if (address.empty()) {
+    if (!address) {
         remarkOnce(context, name, text);
         return;
     }
@@ -82,9 +82,9 @@ void keepFormula(Workspace &context, std::string_view name, const std::string &a
         if (context.entered.frame != ImGui::GetFrameCount()) {
             context.entered = {{}, ImGui::GetFrameCount()};
         }
-        context.entered.texts[address] = text;
+        context.entered.texts[*address] = text;
     } else {
-        context.document.apply(setFormula(*context.document.current(), address, text), "Change formula");
+        context.document.apply(setFormula(*context.document.current(), *address, text), "Change formula");
     }
 }
 
@@ -120,7 +120,7 @@ void offerValue(Workspace &context, std::string_view name, const std::string &fo
 
 /// Draws the field. Returns the new text when one was committed.
 std::optional<std::string> drawEntry(Workspace &context, std::string_view name, const std::string &plain,
-                                     const char *hint, float width, const std::string &address) {
+                                     const char *hint, float width, const FieldAddress &address) {
     const std::string formula = formulaAt(context, address);
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, hint, width, true);
@@ -131,7 +131,7 @@ std::optional<std::string> drawEntry(Workspace &context, std::string_view name, 
 
 /// Replaces `value` by a typed number. Returns true if that changed it.
 bool take(Workspace &context, std::string_view name, const std::string &typed, double &value,
-          const std::string &address) {
+          const FieldAddress &address) {
     const std::optional<double> entered = typedNumber(context, name, typed);
     if (!entered) {
         return false;
@@ -172,8 +172,8 @@ bool showsFault(const Workspace &context, std::string_view prefix) {
     return !context.fieldFault.note && context.fieldFault.field.starts_with(prefix);
 }
 
-bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
-                const std::string &addressY) {
+bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
+                const FieldAddress &addressY) {
     std::optional<std::string> x = drawEntry(context, name + "/x", number(value.x, 6), "", width, addressX);
     ImGui::SameLine(0, context.px(6));
     std::optional<std::string> y = drawEntry(context, name + "/y", number(value.y, 6), "", width, addressY);
@@ -234,13 +234,13 @@ bool checkWhole(Workspace &context, std::string_view name, double value, double 
     return good;
 }
 
-bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const std::string &address) {
+bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const FieldAddress &address) {
     const std::optional<std::string> typed = drawEntry(context, name, number(value, 6), "", width, address);
     return typed && take(context, name, *typed, value, address);
 }
 
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
-                   float width, const std::string &address) {
+                   float width, const FieldAddress &address) {
     const std::optional<std::string> typed =
         drawEntry(context, name, value ? number(*value, 6) : std::string(), hint, width, address);
     if (!typed) {

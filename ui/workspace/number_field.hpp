@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/document/number_address.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/base/vec2.hpp"
 
@@ -13,13 +14,15 @@ struct Workspace;
 
 namespace ui {
 
+/// The address of the number of the document that a field shows, if it shows one.
+using FieldAddress = std::optional<NumberAddress>;
+
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
-/// the field and in the log, and the old value is kept. A field with an address (see
-/// core/drawing/formulas/number_address.hpp) shows the formula that its number follows; a formula typed there is stored
-/// by the next Workspace::applyCommand() in this frame. A field without one says that the parameters in a typed
-/// expression are used only once.
+/// the field and in the log, and the old value is kept. A field with an address shows the formula that its number
+/// follows; a formula typed there is stored by the next Workspace::applyCommand() in this frame. A field without one
+/// says that the parameters in a typed expression are used only once.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
-                 const std::string &address = {});
+                 const FieldAddress &address = {});
 /// Reports an entry that cannot be used beside its field, as `reason`, and in the log.
 void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason);
 /// Reports faults in the log, and the first one beside the field that was last committed in this frame, if any.
@@ -33,7 +36,7 @@ bool checkRange(Workspace &context, std::string_view name, double value, double 
 bool checkWhole(Workspace &context, std::string_view name, double value, double minimum, double maximum);
 /// The same as inputNumber() for an optional number; without one, the field is empty and shows the hint.
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
-                   float width = -1.0F, const std::string &address = {});
+                   float width = -1.0F, const FieldAddress &address = {});
 
 constexpr double kMaxTag = 1e9;
 /// Returns true for a number that can be a tag, a whole number from 1 to kMaxTag; reports any other like a text without
@@ -57,8 +60,8 @@ bool showsFault(const Workspace &context, std::string_view prefix);
 
 /// Draws the fields "NAME/x" and "NAME/y" of a point side by side, each `width` design pixels wide. "x, y" typed into
 /// one of them sets both.
-bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
-                const std::string &addressY);
+bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
+                const FieldAddress &addressY);
 
 /// Draws an entry() beside which refuseEntry() and refuseCommand() can report.
 bool inputName(Workspace &context, std::string_view name, std::string &value, std::string_view hint = {},

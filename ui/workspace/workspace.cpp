@@ -1,8 +1,8 @@
 #include "ui/workspace/workspace.hpp"
 
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/lost_formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
@@ -20,9 +20,9 @@ namespace {
 /// just typed over are left out.
 void announceLost(Workspace &context, const Document &before) {
     constexpr std::size_t kNamed = 6;
-    std::vector<std::string> lost = lostFormulas(before, *context.document.current());
+    std::vector<NumberAddress> lost = lostFormulas(before, *context.document.current());
     if (context.entered.frame == ImGui::GetFrameCount()) {
-        std::erase_if(lost, [&](const std::string &address) { return context.entered.texts.contains(address); });
+        std::erase_if(lost, [&](const NumberAddress &address) { return context.entered.texts.contains(address); });
     }
     if (lost.empty()) {
         return;

@@ -23,8 +23,8 @@ namespace forefront {
 
 /// Formulas typed into fields, kept until a command sets their numbers.
 struct EnteredFormulas {
-    std::map<std::string, std::string> texts; ///< by address: see core/drawing/formulas/number_address.hpp
-    int frame = -1;                           ///< in which they were entered
+    std::map<NumberAddress, std::string> texts;
+    int frame = -1; ///< in which they were entered
 };
 
 /// The fault of the text last typed into a field, or a remark on it.

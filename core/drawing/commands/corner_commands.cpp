@@ -140,10 +140,11 @@ std::optional<PartSize> smaller(const std::optional<PartSize> &a, const std::opt
 /// Cuts corners of a path in one pass, from its last node to its first. With `all`, smooth nodes and ends are skipped.
 class CornerPass {
   public:
-    CornerPass(const Shape &shape, bool all) : closed_(shape.kind == ShapeKind::Polygon), all_(all) {
+    CornerPass(const Shape &shape, bool all) : closed_(shape.isPolygon()), all_(all) {
+        const std::vector<Curve> &curves = shape.path().curves;
         for (std::uint32_t k = 0; k < shape.nodes.size(); ++k) {
             const auto size = shape.nodeSizes.find(k);
-            ahead_.push_back({shape.nodes[k], k < shape.curves.size() ? shape.curves[k] : Curve(), segmentTag(shape, k),
+            ahead_.push_back({shape.nodes[k], k < curves.size() ? curves[k] : Curve(), segmentTag(shape, k),
                               size != shape.nodeSizes.end() ? std::optional(size->second) : std::nullopt});
         }
     }
@@ -169,9 +170,10 @@ class CornerPass {
 
     /// Writes the result to the path.
     void finish(Shape &shape) {
+        std::vector<Curve> &curves = shape.path().curves;
         std::reverse(done_.begin(), done_.end());
         shape.nodes.clear();
-        shape.curves.clear();
+        curves.clear();
         shape.segmentTags.clear();
         shape.nodeSizes.clear();
         for (const Element &element : done_) {
@@ -179,11 +181,11 @@ class CornerPass {
                 shape.nodeSizes[static_cast<std::uint32_t>(shape.nodes.size())] = *element.size;
             }
             shape.nodes.push_back(element.node);
-            shape.curves.push_back(element.curve);
+            curves.push_back(element.curve);
             shape.segmentTags.push_back(element.tag);
         }
         if (!closed_) {
-            shape.curves.pop_back();
+            curves.pop_back();
             shape.segmentTags.pop_back();
         }
         shape.cuts.clear();
@@ -249,12 +251,16 @@ class CornerPass {
     std::vector<Element> done_;  ///< the result so far, from its last node to its first
 };
 
+bool isSharpRectangle(const Shape &shape) {
+    return shape.is<RectangleForm>() && shape.as<RectangleForm>().radius == 0.0;
+}
+
 /// Makes a rectangle a path, if its corners are sharp.
 Status openShape(Shape &shape) {
-    if (shape.kind == ShapeKind::Rectangle && shape.radius == 0.0) {
+    if (isSharpRectangle(shape)) {
         becomePath(shape);
     }
-    if (shape.kind == ShapeKind::Rectangle) {
+    if (shape.is<RectangleForm>()) {
         return error("not-possible", displayName(shape) + " already has rounded corners",
                      "set its radius to 0, or convert it to a path");
     }
@@ -266,7 +272,8 @@ Status openShape(Shape &shape) {
 
 /// Rounds the corners of a rectangle, which keeps its kind and its formulas.
 Status roundRectangle(Shape &shape, double radius) {
-    if (shape.radius != 0.0) {
+    double &cornerRadius = shape.as<RectangleForm>().radius;
+    if (cornerRadius != 0.0) {
         return openShape(shape); // says why not
     }
     const Vec2 size = boundsOf(shape).size();
@@ -274,7 +281,7 @@ Status roundRectangle(Shape &shape, double radius) {
     if (radius > (1.0 + kCornerRounding) * limit) {
         return noRoom("a corner of " + displayName(shape));
     }
-    shape.radius = std::min(radius, limit);
+    cornerRadius = std::min(radius, limit);
     shape.cuts.clear();
     return {};
 }
@@ -336,7 +343,7 @@ Result<Document> filletCorners(const Document &document, const Selection &select
         return fillet(before, after, radius);
     };
     return changeCorners(document, selection, radius, [&](Shape &shape, const Corners &chosen) {
-        const bool all = shape.kind == ShapeKind::Rectangle && (chosen.empty() || chosen == Corners{0, 1, 2, 3});
+        const bool all = shape.is<RectangleForm>() && (chosen.empty() || chosen == Corners{0, 1, 2, 3});
         return all ? roundRectangle(shape, radius) : changeShape(shape, chosen, cutCorner);
     });
 }
@@ -355,7 +362,7 @@ bool hasCorners(const Document &document, const Selection &selection) {
         const auto node = selection.nodes.lower_bound({shape->id, 0});
         const bool chosen =
             selection.shapes.contains(shape->id) || (node != selection.nodes.end() && node->shape == shape->id);
-        return chosen && (isPath(*shape) || (shape->kind == ShapeKind::Rectangle && shape->radius == 0.0));
+        return chosen && (isPath(*shape) || isSharpRectangle(*shape));
     });
 }
 

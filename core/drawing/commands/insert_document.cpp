@@ -24,7 +24,7 @@ class ItemPlaces {
   public:
     explicit ItemPlaces(const Document &document) {
         for (const auto &shape : document.shapes) {
-            places_.push_back({static_cast<int>(shape->kind), shape->nodes});
+            places_.push_back({static_cast<int>(shape->kind()), shape->nodes});
         }
         for (const SizeSource &source : document.spacing.sources) {
             places_.push_back({kFirstSource + static_cast<int>(source.shape), {source.a, source.b}});

@@ -30,7 +30,7 @@ std::vector<Meeting> meetingsOf(const Document &document, const Shape &shape, do
         if (!hit) {
             continue;
         }
-        const bool circle = findShape(document, hit->ref.shape)->kind == ShapeKind::Circle; // has no ends
+        const bool circle = findShape(document, hit->ref.shape)->is<CircleForm>(); // has no ends
         if (circle || (distance(node, hit->a) > reach && distance(node, hit->b) > reach)) {
             meetings.push_back({hit->ref, hit->t, node});
         }

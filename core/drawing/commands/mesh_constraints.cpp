@@ -21,7 +21,7 @@ Result<Document> pinNode(const Document &document, Vec2 at, std::int32_t tag) {
         return insertNode(document, hit->ref, at);
     }
     Shape point;
-    point.kind = ShapeKind::Point;
+    point.form = PointForm{};
     point.use = ShapeUse::Constraint;
     point.nodes = {at};
     point.tag = tag;
@@ -30,7 +30,7 @@ Result<Document> pinNode(const Document &document, Vec2 at, std::int32_t tag) {
 
 Result<Document> keepEdge(const Document &document, Vec2 a, Vec2 b, std::int32_t tag) {
     Shape edge;
-    edge.kind = ShapeKind::Polyline;
+    edge.form = PathForm{.closed = false};
     edge.use = ShapeUse::Constraint;
     edge.nodes = {a, b};
     edge.tag = tag;

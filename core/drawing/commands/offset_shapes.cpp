@@ -30,10 +30,9 @@ std::vector<Shape> bandsOf(const Shape &shape, double offset) {
     std::vector<Shape> bands;
     for (BandPart &part : bandsBeside(path, outline.closed, std::array{offset})) {
         Shape band;
-        band.kind = ShapeKind::Polygon;
         band.tag = segmentTag(shape, outline.part(part.segment));
         band.nodes = std::move(part.nodes);
-        band.curves = std::move(part.curves);
+        band.form = PathForm{.closed = true, .curves = std::move(part.curves)};
         bands.push_back(std::move(band));
     }
     return bands;
@@ -42,7 +41,7 @@ std::vector<Shape> bandsOf(const Shape &shape, double offset) {
 /// The disc around the end of an open path, or a point.
 Shape disc(Vec2 centre, double radius, std::int32_t tag) {
     Shape shape;
-    shape.kind = ShapeKind::Circle;
+    shape.form = CircleForm{};
     shape.tag = tag;
     shape.nodes = {centre, centre + Vec2{radius, 0.0}};
     return shape;
@@ -96,18 +95,18 @@ std::vector<Shape> parts(const Shape &shape, double distance) {
 }
 
 Result<std::vector<Shape>> offsetOf(const Shape &shape, double distance, double tolerance) {
-    if (shape.kind == ShapeKind::Point) {
+    if (shape.is<PointForm>()) {
         return error("not-possible", "a point has no outline", "select paths, rectangles, circles, ellipses or slots");
     }
-    if (shape.kind == ShapeKind::Circle && circleRadius(shape) + distance > 0.0) {
+    if (shape.is<CircleForm>() && circleRadius(shape) + distance > 0.0) {
         Shape circle = shape;
         circle.nodes[1] = circle.nodes[0] +
                           ((circleRadius(shape) + distance) / circleRadius(shape)) * (shape.nodes[1] - shape.nodes[0]);
         return std::vector{circle};
     }
-    if (shape.kind == ShapeKind::Slot && shape.radius + distance > 0.0) {
+    if (shape.is<SlotForm>() && shape.as<SlotForm>().radius + distance > 0.0) {
         Shape slot = shape;
-        slot.radius += distance;
+        slot.as<SlotForm>().radius += distance;
         slot.cuts.clear();
         return std::vector{slot};
     }

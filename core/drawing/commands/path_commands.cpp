@@ -95,9 +95,10 @@ Result<Document> divided(const Document &document, SegmentRef segment, std::uint
 
 /// Prepares the list of curves of a path for a change.
 void openCurves(Shape &shape) {
-    if (shape.curves.empty()) {
+    PathForm &path = shape.path();
+    if (path.curves.empty()) {
         // A closed path of two straight segments would have only one without the list.
-        shape.curves.resize(shape.kind == ShapeKind::Polygon ? shape.nodes.size() : shape.nodes.size() - 1);
+        path.curves.resize(path.closed ? shape.nodes.size() : shape.nodes.size() - 1);
     }
     shape.cuts.clear();
 }
@@ -131,10 +132,10 @@ NodeKind kindOf(const Outline &outline, std::uint32_t node) {
 void makeCorner(Shape &shape, const Outline &outline, std::uint32_t node) {
     const Beside beside = segmentsAt(outline, node);
     if (isCubic(outline, beside.before)) {
-        shape.curves[beside.before] = withControl(shape.curves[beside.before], true, outline.nodes[node]);
+        shape.path().curves[beside.before] = withControl(shape.path().curves[beside.before], true, outline.nodes[node]);
     }
     if (isCubic(outline, beside.after)) {
-        shape.curves[beside.after] = withControl(shape.curves[beside.after], false, outline.nodes[node]);
+        shape.path().curves[beside.after] = withControl(shape.path().curves[beside.after], false, outline.nodes[node]);
     }
 }
 
@@ -154,8 +155,8 @@ void makeSmooth(Shape &shape, const Outline &outline, std::uint32_t node, NodeKi
         back = ahead = 0.5 * (back + ahead);
     }
     const auto bend = [&](std::uint32_t segment, bool atEnd, Vec2 to) {
-        const Outline now{shape.nodes, outline.closed, shape.curves, {}};
-        shape.curves[segment] = withControl(asCubic(now, segment), atEnd, to);
+        const Outline now = outlineOf(shape);
+        shape.path().curves[segment] = withControl(asCubic(now, segment), atEnd, to);
     };
     bend(beside.before, true, at - back * along);
     bend(beside.after, false, at + ahead * along);
@@ -210,7 +211,7 @@ Result<Document> moveControl(const Document &document, const ControlRef &control
     }
     Shape shape = *given;
     openCurves(shape);
-    shape.curves[control.segment] = withControl(shape.curves[control.segment], control.atEnd, to);
+    shape.path().curves[control.segment] = withControl(shape.path().curves[control.segment], control.atEnd, to);
     const auto count = static_cast<std::uint32_t>(outline.nodes.size());
     const std::uint32_t node = control.atEnd ? (control.segment + 1) % count : control.segment;
     const NodeKind kind = kindOf(outline, node);
@@ -220,7 +221,8 @@ Result<Document> moveControl(const Document &document, const ControlRef &control
         const std::uint32_t other = control.atEnd ? beside.after : beside.before;
         const double reach = distance(controlOf(outline.curves[other], !control.atEnd), outline.nodes[node]);
         const double scale = kind == NodeKind::Symmetric ? 1.0 : reach / length(arm);
-        shape.curves[other] = withControl(shape.curves[other], !control.atEnd, outline.nodes[node] + scale * arm);
+        shape.path().curves[other] =
+            withControl(shape.path().curves[other], !control.atEnd, outline.nodes[node] + scale * arm);
     }
     return replacePath(document, std::move(shape));
 }
@@ -237,7 +239,7 @@ Result<Document> setNodeKind(const Document &document, const std::set<NodeRef> &
         }
         Shape shape = *given;
         openCurves(shape);
-        const Outline outline{shape.nodes, shape.kind == ShapeKind::Polygon, shape.curves, {}};
+        const Outline outline = outlineOf(shape);
         kind == NodeKind::Corner ? makeCorner(shape, outline, node.node) : makeSmooth(shape, outline, node.node, kind);
         Result<Document> changed = replacePath(next, std::move(shape));
         if (!changed) {
@@ -265,9 +267,9 @@ Result<Document> setCurved(const Document &document, const std::set<SegmentRef> 
         if (changed) {
             Shape shape = *findShape(*changed, segment.shape);
             openCurves(shape);
-            const Outline outline{shape.nodes, shape.kind == ShapeKind::Polygon, shape.curves, {}};
+            const Outline outline = outlineOf(shape);
             for (std::uint32_t k = segment.segment; k < segment.segment + pieces; ++k) {
-                shape.curves[k] = curved ? asCubic(outline, k) : Curve();
+                shape.path().curves[k] = curved ? asCubic(outline, k) : Curve();
             }
             changed = replacePath(*changed, std::move(shape));
         }
@@ -290,17 +292,17 @@ Result<Document> splitPath(const Document &document, NodeRef node) {
     Shape shape = *given;
     shape.cuts.clear();
     const auto at = static_cast<std::ptrdiff_t>(node.node);
-    if (shape.kind == ShapeKind::Polygon) {
+    if (shape.isPolygon()) {
         std::rotate(shape.nodes.begin(), shape.nodes.begin() + at, shape.nodes.end());
         const auto turn = [&](auto &list) {
             if (!list.empty()) {
                 std::rotate(list.begin(), list.begin() + at, list.end());
             }
         };
-        turn(shape.curves);
+        turn(shape.path().curves);
         turn(shape.segmentTags);
         shape.nodes.push_back(shape.nodes.front());
-        shape.kind = ShapeKind::Polyline;
+        shape.path().closed = false;
         return replacePath(document, std::move(shape));
     }
     if (node.node == 0 || node.node + 1 == shape.nodes.size()) {
@@ -309,9 +311,9 @@ Result<Document> splitPath(const Document &document, NodeRef node) {
     Shape rest = shape;
     shape.nodes.resize(node.node + 1);
     rest.nodes.erase(rest.nodes.begin(), rest.nodes.begin() + at);
-    if (!shape.curves.empty()) {
-        shape.curves.resize(node.node);
-        rest.curves.erase(rest.curves.begin(), rest.curves.begin() + at);
+    if (!shape.path().curves.empty()) {
+        shape.path().curves.resize(node.node);
+        rest.path().curves.erase(rest.path().curves.begin(), rest.path().curves.begin() + at);
     }
     if (!shape.segmentTags.empty()) {
         shape.segmentTags.resize(node.node);
@@ -328,8 +330,9 @@ namespace {
 void reverse(Shape &path) {
     std::reverse(path.nodes.begin(), path.nodes.end());
     std::reverse(path.segmentTags.begin(), path.segmentTags.end());
-    std::reverse(path.curves.begin(), path.curves.end());
-    for (Curve &curve : path.curves) {
+    std::vector<Curve> &curves = path.path().curves;
+    std::reverse(curves.begin(), curves.end());
+    for (Curve &curve : curves) {
         curve = curve.kind() == CurveKind::Line ? Curve() : curve.part(1.0, 0.0);
     }
 }
@@ -341,7 +344,7 @@ Result<Shape> endingAt(const Document &document, NodeRef node, bool last) {
         return notFound("node");
     }
     const bool atStart = node.node == 0, atEnd = node.node + 1 == given->nodes.size();
-    if (given->kind != ShapeKind::Polyline || (!atStart && !atEnd)) {
+    if (!given->isPolyline() || (!atStart && !atEnd)) {
         return error("not-possible", "only the ends of open paths can be joined", "select two ends");
     }
     Shape path = *given;
@@ -370,11 +373,12 @@ Result<Document> joinEnds(const Document &document, NodeRef first, NodeRef secon
     const bool touch = path.nodes.back() == rest->nodes.front();
     if (!touch) {
         path.segmentTags.push_back(path.tag);
-        path.curves.emplace_back();
+        path.path().curves.emplace_back();
     }
     path.nodes.insert(path.nodes.end(), rest->nodes.begin() + (touch ? 1 : 0), rest->nodes.end());
     path.segmentTags.insert(path.segmentTags.end(), rest->segmentTags.begin(), rest->segmentTags.end());
-    path.curves.insert(path.curves.end(), rest->curves.begin(), rest->curves.end());
+    std::vector<Curve> &curves = path.path().curves;
+    curves.insert(curves.end(), rest->path().curves.begin(), rest->path().curves.end());
     path.nodeSizes.clear();
     takeNodeSizes(path, *findShape(document, first.shape));
     takeNodeSizes(path, *findShape(document, second.shape));

@@ -103,7 +103,7 @@ class DrawingRepair {
         }
         for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
             const Shape &shape = *document_.shapes[k];
-            if (shape.kind == ShapeKind::Point) {
+            if (shape.is<PointForm>()) {
                 const bool stays = (shape.use == ShapeUse::Constraint ? points : nodes).has(shape.nodes.front());
                 changed_[k] = stays ? 0 : 1;
                 if (stays && shape.use == ShapeUse::Constraint) {
@@ -171,7 +171,7 @@ class DrawingRepair {
                 continue;
             }
             Shape shape = *document_.shapes[k];
-            if (shape.kind == ShapeKind::Rectangle && shape.radius > 0.0) {
+            if (shape.is<RectangleForm>() && shape.as<RectangleForm>().radius > 0.0) {
                 becomePath(shape); // a rounded corner is no node of the domain, the ends of its arc are
             }
             const std::vector<Vec2> handles = handlesOf(shape);

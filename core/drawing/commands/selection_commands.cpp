@@ -28,7 +28,7 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
                 continue;
             }
             const auto count = std::max(1U, static_cast<std::uint32_t>(handleCount(*shape)));
-            const bool whole = isRound(*shape) || shape->kind == ShapeKind::Slot;
+            const bool whole = isRound(*shape) || shape->is<SlotForm>();
             for (std::uint32_t k = 0; k < (whole ? count : 2); ++k) {
                 handles[segment.shape].insert((segment.segment + k) % count);
             }
@@ -39,9 +39,10 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
 
 /// Joins the curves before and after a node that is removed next; the first of them takes the place of both.
 void joinCurves(Shape &shape, std::uint32_t node) {
-    if (shape.curves.empty()) {
+    if (!isPath(shape) || shape.path().curves.empty()) {
         return;
     }
+    std::vector<Curve> &curves = shape.path().curves;
     shape.cuts.clear();
     const Outline outline = outlineOf(shape);
     const auto count = static_cast<std::uint32_t>(outline.segmentCount());
@@ -51,20 +52,20 @@ void joinCurves(Shape &shape, std::uint32_t node) {
     const bool atEnd = !outline.closed && (node == 0 || node == count);
     const std::uint32_t before = node == 0 ? count - 1 : node - 1, after = node % count;
     if (!atEnd && count > 1 && (outline.isCurved(before) || outline.isCurved(after))) {
-        shape.curves[before] = merged(outline.curve(before), outline.curve(after));
+        curves[before] = merged(outline.curve(before), outline.curve(after));
     }
-    shape.curves.erase(shape.curves.begin() + (atEnd && node == count ? before : after));
+    curves.erase(curves.begin() + (atEnd && node == count ? before : after));
 }
 
 /// Removes nodes and joins their neighbours along a curve as near as possible to the old ones; the segment that starts
 /// at a removed node goes with it.
 void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
-    if (isRound(shape) || shape.kind == ShapeKind::Slot) {
+    if (isRound(shape) || shape.is<SlotForm>()) {
         shape.nodes.clear();
         return;
     }
-    if (shape.kind == ShapeKind::Rectangle) {
-        shape.radius = 0.0; // the corners are the nodes that can be selected
+    if (shape.is<RectangleForm>()) {
+        shape.as<RectangleForm>().radius = 0.0; // the corners are the nodes that can be selected
         becomePath(shape);
     }
     const Shape before = shape;
@@ -93,7 +94,7 @@ void mapNodes(Shape &path, const std::set<std::uint32_t> &nodes, const PlaneMap 
     for (const std::uint32_t node : nodes) {
         if (before.isCurved(node) && nodes.contains((node + 1) % static_cast<std::uint32_t>(path.nodes.size()))) {
             const Curve &curve = before.curves[node];
-            path.curves[node] = map.isTranslation() ? moved(curve, map.shift) : curve.mapped(map);
+            path.path().curves[node] = map.isTranslation() ? moved(curve, map.shift) : curve.mapped(map);
             if (node < path.cuts.size()) {
                 path.cuts[node].clear(); // even if neither end moves
             }
@@ -122,7 +123,7 @@ std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef
         if (!open) {
             Shape piece;
             piece.id = shape.id;
-            piece.kind = ShapeKind::Polyline;
+            piece.form = PathForm{.closed = false};
             piece.use = shape.use;
             piece.tag = shape.tag;
             piece.name = shape.name;
@@ -133,7 +134,7 @@ std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef
         pieces.back().nodes.push_back(outline.to(k));
         pieces.back().segmentTags.push_back(segmentTag(shape, outline.part(k)));
         if (!outline.curves.empty()) {
-            pieces.back().curves.push_back(outline.curves[k]);
+            pieces.back().path().curves.push_back(outline.curves[k]);
         }
     }
     for (Shape &piece : pieces) {

@@ -21,18 +21,13 @@
 namespace forefront {
 namespace {
 
-/// Returns the address prefix of the numbers of a shape or source.
-std::string addressPrefix(const char *kind, std::uint32_t id) {
-    return std::string(kind) + '/' + std::to_string(id) + '/';
-}
-
 constexpr double kMaxCopies = 10000.0;
 constexpr std::size_t kMaxNewNodes = 1000000; ///< in all copies together
 
 /// Maps a rectangle whose image is one. A quarter turn exchanges its sides: the first one runs along x.
 void mapRectangle(Shape &shape, const PlaneMap &map) {
     shape.nodes = {map(shape.nodes[0]), map(shape.nodes[1])};
-    shape.radius *= std::sqrt(std::fabs(map.determinant()));
+    shape.as<RectangleForm>().radius *= std::sqrt(std::fabs(map.determinant()));
     shape.cuts.clear();
     if (map.u.x == 0.0) {
         std::reverse(shape.segmentTags.begin(), shape.segmentTags.end());
@@ -49,7 +44,7 @@ void mapRectangle(Shape &shape, const PlaneMap &map) {
 void mapCircle(Shape &shape, const PlaneMap &map) {
     const Vec2 centre = shape.nodes[0], arm = shape.nodes[1] - centre;
     if (!map.isSimilarity()) {
-        shape.kind = ShapeKind::Ellipse;
+        shape.form = EllipseForm{};
         shape.nodes.push_back(centre + leftNormal(arm));
     } else if (map.determinant() < 0.0) {
         shape.cuts.clear(); // it still runs counter-clockwise
@@ -117,7 +112,7 @@ Result<Document> moveEach(const Document &document, std::vector<Item> items) {
             }
             pointer = std::make_shared<const Shape>(std::move(shape));
             if (first->what.node == kWhole) {
-                shiftFormulas(next, addressPrefix("shape", pointer->id), first->by);
+                shiftFormulas(next, NumberOwner::ofShape(pointer->id), first->by);
             }
         }
     }
@@ -193,19 +188,19 @@ void moveFormulas(Document &document, const Selection &selection, Vec2 by) {
     if (document.formulas.empty()) {
         return;
     }
-    const auto shift = [&](const char *kind, const std::set<std::uint32_t> &items) {
+    const auto shift = [&](NumberOwner::Kind kind, const std::set<std::uint32_t> &items) {
         for (const std::uint32_t item : items) {
-            shiftFormulas(document, addressPrefix(kind, item), by);
+            shiftFormulas(document, {kind, item}, by);
         }
     };
-    shift("shape", selection.shapes);
-    shift("source", selection.sources);
-    shift("region", selection.markers);
+    shift(NumberOwner::Kind::Shape, selection.shapes);
+    shift(NumberOwner::Kind::Source, selection.sources);
+    shift(NumberOwner::Kind::Region, selection.markers);
 }
 
-/// An item and its copy, by the prefixes of their addresses.
+/// An item and its copy.
 struct CopiedItem {
-    std::string from, to;
+    NumberOwner from, to;
     Vec2 by; ///< movement of the copy; zero if it was mapped otherwise
 };
 
@@ -240,29 +235,30 @@ void mapShape(Shape &shape, const PlaneMap &map) {
         moveShape(shape, map.shift); // without rounding axes of arcs
         return;
     }
-    if (shape.kind == ShapeKind::Rectangle) {
-        const bool sameCorners = shape.radius == 0.0 || map.isSimilarity();
-        if (map.keepsAxes() && sameCorners) {
-            mapRectangle(shape, map);
-            return;
-        }
+    // A rectangle or slot whose image is none becomes a path first.
+    const bool keepsForm = shape.visit(
+        [](const PathForm &) { return true; },
+        [&](const RectangleForm &form) { return map.keepsAxes() && (form.radius == 0.0 || map.isSimilarity()); },
+        [](const CircleForm &) { return true; }, [](const PointForm &) { return true; },
+        [](const EllipseForm &) { return true; }, [&](const SlotForm &) { return map.isSimilarity(); });
+    if (!keepsForm) {
         becomePath(shape);
     }
-    if (shape.kind == ShapeKind::Slot) {
-        if (map.isSimilarity()) {
-            mapSlot(shape, map);
-            return;
-        }
-        becomePath(shape);
-    }
-    if (shape.kind == ShapeKind::Circle) {
-        mapCircle(shape, map);
+    if (shape.is<CircleForm>()) {
+        mapCircle(shape, map); // may change its form
         return;
     }
-    std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map);
-    for (Curve &curve : shape.curves) {
-        curve = curve.kind() == CurveKind::Line ? Curve() : curve.mapped(map);
-    }
+    const auto mapNodes = [&] { std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map); };
+    shape.visit(
+        [&](PathForm &path) {
+            mapNodes();
+            for (Curve &curve : path.curves) {
+                curve = curve.kind() == CurveKind::Line ? Curve() : curve.mapped(map);
+            }
+        },
+        [&](const RectangleForm &) { mapRectangle(shape, map); }, [](const CircleForm &) {},
+        [&](const PointForm &) { mapNodes(); }, [&](const EllipseForm &) { mapNodes(); },
+        [&](const SlotForm &) { mapSlot(shape, map); });
 }
 
 Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map) {
@@ -320,7 +316,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (selection.shapes.contains(shape->id)) {
                 const std::uint32_t id = document.nextId + static_cast<std::uint32_t>(shapes.size());
                 fresh.shapes.insert(id);
-                copied.push_back({addressPrefix("shape", shape->id), addressPrefix("shape", id), shiftOf(map)});
+                copied.push_back({NumberOwner::ofShape(shape->id), NumberOwner::ofShape(id), shiftOf(map)});
                 shapes.push_back(*shape);
                 mapShape(shapes.back(), map);
             }
@@ -335,7 +331,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (k < document.spacing.sources.size()) {
                 const auto index = static_cast<std::uint32_t>(next->spacing.sources.size());
                 fresh.sources.insert(index);
-                copied.push_back({addressPrefix("source", k), addressPrefix("source", index), shiftOf(map)});
+                copied.push_back({NumberOwner::ofSource(k), NumberOwner::ofSource(index), shiftOf(map)});
                 next->spacing.sources.push_back(mapped(document.spacing.sources[k], map));
             }
         }
@@ -343,7 +339,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (k < document.regionMarkers.size()) {
                 const auto index = static_cast<std::uint32_t>(next->regionMarkers.size());
                 fresh.markers.insert(index);
-                copied.push_back({addressPrefix("region", k), addressPrefix("region", index), shiftOf(map)});
+                copied.push_back({NumberOwner::ofRegion(k), NumberOwner::ofRegion(index), shiftOf(map)});
                 next->regionMarkers.push_back(document.regionMarkers[k]);
                 next->regionMarkers.back().at = map(document.regionMarkers[k].at);
             }

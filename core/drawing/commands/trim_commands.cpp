@@ -31,8 +31,7 @@ double touchOf(const Document &document) {
 template <class Visit>
 void visitCurves(const Document &document, const Box2 &box, std::uint32_t except, const Visit &visit) {
     for (const auto &shape : document.shapes) {
-        if (shape->id == except || shape->hidden || shape->kind == ShapeKind::Point ||
-            !boundsOf(*shape).overlaps(box)) {
+        if (shape->id == except || shape->hidden || shape->is<PointForm>() || !boundsOf(*shape).overlaps(box)) {
             continue;
         }
         const Outline outline = outlineOf(*shape);
@@ -68,7 +67,7 @@ Result<Path> pathOf(const Document &document, std::uint32_t id) {
     if (given == nullptr) {
         return error("no-such-shape", "shape " + std::to_string(id) + " not found");
     }
-    if (given->kind == ShapeKind::Point) {
+    if (given->is<PointForm>()) {
         return error("not-possible", "a point has no outline to trim", "click a path, a rectangle or a circle");
     }
     Path path{*given, {}};
@@ -190,9 +189,8 @@ void visitStretch(const Path &path, PathStretch stretch, const Visit &visit) {
 /// Returns a stretch of a path as an open path with the same properties.
 Shape openPart(const Path &path, const PathStretch &stretch) {
     Shape part = path.shape;
-    part.kind = ShapeKind::Polyline;
+    PathForm &form = part.form.emplace<PathForm>(PathForm{.closed = false});
     part.nodes.clear();
-    part.curves.clear();
     part.segmentTags.clear();
     visitStretch(path, stretch, [&](std::size_t k, double t0, double t1) {
         const bool whole = t0 == 0.0 && t1 == 1.0;
@@ -201,11 +199,11 @@ Shape openPart(const Path &path, const PathStretch &stretch) {
             part.nodes.push_back(t0 == 0.0 ? path.outline.from(k) : piece.point(0.0));
         }
         part.nodes.push_back(t1 == 1.0 ? path.outline.to(k) : piece.point(1.0));
-        part.curves.push_back(path.outline.isCurved(k) ? piece : Curve());
+        form.curves.push_back(path.outline.isCurved(k) ? piece : Curve());
         part.segmentTags.push_back(segmentTag(path.shape, path.outline.part(k)));
     });
     if (path.outline.curves.empty()) {
-        part.curves.clear();
+        form.curves.clear();
     }
     if (path.shape.segmentTags.empty()) {
         part.segmentTags.clear();
@@ -221,7 +219,7 @@ Result<Curve> segmentTowards(const Document &document, NodeRef end) {
         return error("no-such-node", "node not found");
     }
     const bool first = end.node == 0, last = end.node + 1 == path->nodes.size();
-    if (path->kind != ShapeKind::Polyline || (!first && !last)) {
+    if (!path->isPolyline() || (!first && !last)) {
         return error("not-possible", "only the ends of open paths can be extended", "select the end of an open path");
     }
     const Outline outline = outlineOf(*path);
@@ -334,7 +332,7 @@ Result<Document> extendEnd(const Document &document, NodeRef end) {
     };
     if (old.kind() == CurveKind::Cubic) {
         insertAt(path.nodes, to);
-        insertAt(path.curves, Curve());
+        insertAt(path.path().curves, Curve());
         if (!path.segmentTags.empty()) {
             path.segmentTags.resize(path.nodes.size() - 2, path.tag);
             insertAt(path.segmentTags, std::int32_t{path.segmentTags[last]});
@@ -345,7 +343,7 @@ Result<Document> extendEnd(const Document &document, NodeRef end) {
             const Curve towards = atStart ? old.part(1.0, 0.0) : old;
             const std::array<double, 8> n = towards.numbers();
             const Curve longer = Curve::arc({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}, n[6], n[7] + added->numbers()[7]);
-            path.curves[last] = atStart ? longer.part(1.0, 0.0) : longer;
+            path.path().curves[last] = atStart ? longer.part(1.0, 0.0) : longer;
         }
     }
     const Result<Document> next = replaceShape(document, std::move(path));

@@ -15,7 +15,7 @@ namespace {
 std::shared_ptr<const Shape> pointShape(Vec2 at, ShapeUse use, std::int32_t tag, std::uint32_t id) {
     auto shape = std::make_shared<Shape>();
     shape->id = id;
-    shape->kind = ShapeKind::Point;
+    shape->form = PointForm{};
     shape->use = use;
     shape->nodes = {at};
     shape->tag = tag;

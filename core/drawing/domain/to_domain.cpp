@@ -19,7 +19,7 @@ class DocumentDomain {
     Domain build() {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
             const Shape &shape = *document_.shapes[number];
-            shape.kind == ShapeKind::Point ? addPoint(shape, number) : addOutline(shape, number);
+            shape.is<PointForm>() ? addPoint(shape, number) : addOutline(shape, number);
         }
         for (const MarkedRegion &region : document_.regionMarkers) {
             domain_.regionMarkers.push_back({region.at, region.tag});

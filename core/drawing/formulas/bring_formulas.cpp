@@ -1,7 +1,7 @@
 #include "core/drawing/formulas/bring_formulas.hpp"
 
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/parts/expression/expression_parser.hpp"
 
@@ -52,20 +52,21 @@ std::set<std::string> sharedNames(const NamedValues &first, const NamedValues &s
 }
 
 /// Returns the new address of a number that came with an item; none if its item did not come.
-std::optional<NumberAddress> newAddress(const std::string &text, const ReceivedItems &items) {
-    using Owner = NumberAddress::Owner;
-    std::optional<NumberAddress> address = parseAddress(text);
-    const auto *const places = !address                          ? nullptr
-                               : address->owner == Owner::Shape  ? &items.shapes
-                               : address->owner == Owner::Source ? &items.sources
-                               : address->owner == Owner::Region ? &items.markers
-                                                                 : nullptr;
-    const auto place = places != nullptr ? places->find(address->id) : items.shapes.end();
-    if (places == nullptr || place == places->end()) {
+std::optional<NumberAddress> newAddress(const NumberAddress &old, const ReceivedItems &items) {
+    const auto &[kind, id] = old.owner;
+    const auto *const places = kind == NumberOwner::Kind::Shape    ? &items.shapes
+                               : kind == NumberOwner::Kind::Source ? &items.sources
+                               : kind == NumberOwner::Kind::Region ? &items.markers
+                                                                   : nullptr;
+    if (places == nullptr || !places->contains(id)) {
         return std::nullopt;
     }
-    address->id = place->second;
-    return address;
+    return NumberAddress{{kind, places->at(id)}, old.quantity, old.handle};
+}
+
+/// Returns the factor of a number when the drawing is scaled.
+double factorOf(Quantity what, double scale) {
+    return what == Quantity::Area ? scale * scale : what == Quantity::Growth || what == Quantity::Angle ? 1.0 : scale;
 }
 
 std::string timesFactor(const std::string &text, double factor) {
@@ -122,17 +123,14 @@ bool bringParameters(Document &document, const std::vector<Parameter> &from, con
 }
 
 std::size_t bringFormulas(Document &document, const Document &from, const ReceivedItems &items, double scale) {
-    std::map<std::string, std::string> brought;
+    std::map<NumberAddress, std::string> brought;
     std::set<std::string> wanted;
     for (const auto &[old, text] : from.formulas) {
         const std::optional<NumberAddress> address = newAddress(old, items);
-        const double factor = address && address->quantity == "area" ? scale * scale
-                              : address && (address->quantity == "growth" || address->quantity == "angle") ? 1.0
-                                                                                                           : scale;
-        const std::string scaled = timesFactor(text, factor);
+        const std::string scaled = timesFactor(text, factorOf(old.quantity, scale));
         const Result<double> value = evaluateFormula(from, scaled);
         if (address && value && hasValue(document, *address, *value)) {
-            brought[toString(*address)] = scaled;
+            brought[*address] = scaled;
             addNames(text, wanted);
         }
     }

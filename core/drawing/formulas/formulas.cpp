@@ -1,7 +1,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 
 #include "core/drawing/formulas/bring_formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "core/drawing/formulas/unchanged_numbers.hpp"
 #include "core/drawing/shapes/references.hpp"
@@ -24,18 +24,17 @@ std::string parameterList(const std::vector<Parameter> &parameters) {
     return names;
 }
 
-/// A formula with the number that it sets.
+/// A number with the value of its formula.
 struct Follower {
-    std::string address;
     NumberAddress number;
     double value = 0.0;   ///< of the formula
     bool changed = false; ///< the number had a different value
 };
 
-Result<Follower> followerOf(const Document &document, const std::string &address, const std::string &text) {
-    const std::optional<NumberAddress> number = parseAddress(address);
-    if (!number || !readNumber(document, *number)) {
-        return error("bad-formula", "no number has the address '" + address + "'", "remove the formula '" + text + "'");
+Result<Follower> followerOf(const Document &document, const NumberAddress &number, const std::string &text) {
+    if (!readNumber(document, number)) {
+        return error("bad-formula", "no number has the address '" + toString(number) + "'",
+                     "remove the formula '" + text + "'");
     }
     const Result<double> value = evaluateFormula(document, text);
     if (!value) {
@@ -43,10 +42,10 @@ Result<Follower> followerOf(const Document &document, const std::string &address
         faults.front().message = "formula '" + text + "': " + faults.front().message;
         return faults;
     }
-    return Follower{address, *number, *value};
+    return Follower{number, *value};
 }
 
-Result<std::vector<Follower>> followersOf(const Document &document, std::string &failed) {
+Result<std::vector<Follower>> followersOf(const Document &document, NumberAddress &failed) {
     std::vector<Follower> followers;
     for (const auto &[address, text] : document.formulas) {
         failed = address;
@@ -65,11 +64,12 @@ bool placeNodes(Document &document, std::vector<Follower> &followers) {
     std::map<std::uint32_t, std::vector<Vec2>> places;
     for (Follower &follower : followers) {
         const NumberAddress &number = follower.number;
-        const bool across = number.quantity == "x";
-        const bool coordinate = number.owner == NumberAddress::Owner::Shape && (across || number.quantity == "y");
-        const Shape *const shape = coordinate ? findShape(document, number.id) : nullptr;
+        const bool across = number.quantity == Quantity::X;
+        const bool coordinate = number.hasHandle() && (across || number.quantity == Quantity::Y);
+        const std::uint32_t id = number.owner.id;
+        const Shape *const shape = coordinate ? findShape(document, id) : nullptr;
         if (shape != nullptr && isPath(*shape) && !hasValue(document, number, follower.value)) {
-            Vec2 &node = places.try_emplace(number.id, shape->nodes).first->second[number.handle];
+            Vec2 &node = places.try_emplace(id, shape->nodes).first->second[number.handle];
             (across ? node.x : node.y) = follower.value;
             follower.changed = true;
         }
@@ -84,11 +84,11 @@ bool placeNodes(Document &document, std::vector<Follower> &followers) {
 }
 
 /// Sets the numbers that differ from their formulas. Returns true if there were any.
-Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, std::string &failed) {
+Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, NumberAddress &failed) {
     bool any = placeNodes(document, followers);
     for (Follower &follower : followers) {
         if (!hasValue(document, follower.number, follower.value)) {
-            failed = follower.address;
+            failed = follower.number;
             if (Status status = setNumber(document, follower.number, follower.value); !status.empty()) {
                 return status;
             }
@@ -99,11 +99,11 @@ Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, std
 }
 
 /// Checks each item that has a changed number, once for all of its numbers.
-Result<Document> checkedOwners(Document document, const std::vector<Follower> &followers, std::string &failed) {
-    std::set<std::pair<NumberAddress::Owner, std::uint32_t>> checked;
+Result<Document> checkedOwners(Document document, const std::vector<Follower> &followers, NumberAddress &failed) {
+    std::set<NumberOwner> checked;
     for (const Follower &follower : followers) {
-        if (follower.changed && checked.emplace(follower.number.owner, follower.number.id).second) {
-            failed = follower.address;
+        if (follower.changed && checked.insert(follower.number.owner).second) {
+            failed = follower.number;
             Result<Document> next = checkedOwner(document, follower.number);
             if (!next) {
                 return next;
@@ -116,7 +116,7 @@ Result<Document> checkedOwners(Document document, const std::vector<Follower> &f
 
 /// Sets every number to its formula's value. All are set before any is checked, since a new value may be invalid beside
 /// an old one, such as that of the opposite corner of a rectangle.
-Result<Document> follow(Document document, std::string &failed) {
+Result<Document> follow(Document document, NumberAddress &failed) {
     Result<std::vector<Follower>> followers = followersOf(document, failed);
     if (!followers) {
         return followers.faults();
@@ -132,7 +132,7 @@ Result<Document> follow(Document document, std::string &failed) {
             return checkedOwners(std::move(document), *followers, failed);
         }
     }
-    if (failed.find("/arcRadius/") != std::string::npos) {
+    if (failed.quantity == Quantity::ArcRadius) {
         return error("bad-formula",
                      "the ends of an arc are too far apart for its radius '" + document.formulas.at(failed) + "'",
                      "change a parameter, or remove the formula");
@@ -146,8 +146,8 @@ Result<double> evaluateFormula(const Document &document, const std::string &text
     return evaluateExpression(text, document.spacing.names);
 }
 
-Result<Document> applyFormulas(const Document &document, std::string *failed) {
-    std::string address;
+Result<Document> applyFormulas(const Document &document, NumberAddress *failed) {
+    NumberAddress address;
     Result<Document> next = follow(document, address);
     if (!next && failed != nullptr) {
         *failed = address;
@@ -252,7 +252,7 @@ Result<Document> renameParameter(const Document &document, std::size_t index, co
     return setParameters(next, next.parameters);
 }
 
-Document setFormula(Document document, const std::string &address, const std::string &text) {
+Document setFormula(Document document, const NumberAddress &address, const std::string &text) {
     if (text.empty() || plainNumber(text)) {
         document.formulas.erase(address);
     } else {
@@ -264,13 +264,9 @@ Document setFormula(Document document, const std::string &address, const std::st
 namespace {
 
 /// Returns true if a number exists and has the value of a formula.
-bool holds(const Document &document, const std::string &address, const std::string &text) {
-    const std::optional<NumberAddress> place = parseAddress(address);
-    if (!place) {
-        return false;
-    }
+bool holds(const Document &document, const NumberAddress &address, const std::string &text) {
     const Result<double> value = evaluateFormula(document, text);
-    return value && hasValue(document, *place, *value);
+    return value && hasValue(document, address, *value);
 }
 
 } // namespace
@@ -286,7 +282,7 @@ void carryFormulas(const Document &before, Document &next) {
     }
     const UnchangedNumbers unchanged(before, next);
     const bool sameValues = before.spacing.names == next.spacing.names;
-    std::map<std::string, std::string> carried;
+    std::map<NumberAddress, std::string> carried;
     for (const auto &[address, text] : next.formulas) {
         const auto old = before.formulas.find(address);
         const bool sameFormula = old != before.formulas.end() && old->second == text;
@@ -295,7 +291,8 @@ void carryFormulas(const Document &before, Document &next) {
             carried.emplace(address, text);
             continue;
         }
-        const std::optional<std::string> now = sameFormula ? movedAddress(before, next, address) : address;
+        const std::optional<NumberAddress> now =
+            sameFormula ? movedAddress(before, next, address) : std::optional(address);
         if (now && holds(next, *now, text)) {
             carried.emplace(*now, text);
         }
@@ -303,11 +300,18 @@ void carryFormulas(const Document &before, Document &next) {
     next.formulas = std::move(carried);
 }
 
-void copyFormulas(Document &document, std::string_view fromPrefix, std::string_view toPrefix) {
-    std::map<std::string, std::string> copies;
-    for (auto formula = document.formulas.lower_bound(std::string(fromPrefix));
-         formula != document.formulas.end() && formula->first.starts_with(fromPrefix); ++formula) {
-        copies.emplace(std::string(toPrefix) + formula->first.substr(fromPrefix.size()), formula->second);
+std::ranges::subrange<std::map<NumberAddress, std::string>::iterator> formulasOf(Document &document,
+                                                                                 NumberOwner owner) {
+    const auto begin = document.formulas.lower_bound({owner, Quantity{}, 0});
+    const auto end = std::find_if(begin, document.formulas.end(),
+                                  [owner](const auto &formula) { return formula.first.owner != owner; });
+    return {begin, end};
+}
+
+void copyFormulas(Document &document, NumberOwner from, NumberOwner to) {
+    std::map<NumberAddress, std::string> copies;
+    for (const auto &[address, text] : formulasOf(document, from)) {
+        copies.emplace(NumberAddress{to, address.quantity, address.handle}, text);
     }
     document.formulas.merge(copies);
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace forefront {
 
 // Parameters, and the numbers of a document that depend on them.
 //
-// Document::formulas holds expressions by the address of their number; see number_address.hpp. A formula holds as long
+// Document::formulas holds expressions by the address of their number; see NumberAddress. A formula holds as long
 // as the number equals its value; a number that is edited directly loses its formula. Shapes, sources and markers that
 // are moved as a whole take the formulas of their coordinates along: see shift_formulas.hpp.
 
@@ -58,7 +59,7 @@ Result<double> evaluateFormula(const Document &document, const std::string &text
 /// Sets every number that has a formula to the formula's value. Errors: those of evaluateFormula() and of the commands
 /// that set the numbers; bad-formula if there is no such number or formulas contradict each other. On an error
 /// `failed`, if not null, is set to the address.
-Result<Document> applyFormulas(const Document &document, std::string *failed = nullptr);
+Result<Document> applyFormulas(const Document &document, NumberAddress *failed = nullptr);
 
 /// Replaces the parameters and updates every number with a formula. Errors: bad-parameter (a fault of
 /// parameterStates()), and those of applyFormulas().
@@ -74,7 +75,7 @@ Result<Document> removeParameter(const Document &document, std::size_t index);
 Result<Document> renameParameter(const Document &document, std::size_t index, const std::string &name);
 
 /// Sets the formula of a number; an empty text or a plain number removes it. The number itself is unchanged.
-Document setFormula(Document document, const std::string &address, const std::string &text);
+Document setFormula(Document document, const NumberAddress &address, const std::string &text);
 
 /// Removes the formulas whose numbers no longer exist or have a different value.
 void pruneFormulas(Document &document);
@@ -83,7 +84,10 @@ void pruneFormulas(Document &document);
 /// indices have changed, and those that no longer hold are removed.
 void carryFormulas(const Document &before, Document &next);
 
-/// Copies the formulas of a shape, source or marker to its copy, such as from "shape/3/" to "shape/7/".
-void copyFormulas(Document &document, std::string_view fromPrefix, std::string_view toPrefix);
+/// Returns the formulas of the numbers of an item, in order.
+std::ranges::subrange<std::map<NumberAddress, std::string>::iterator> formulasOf(Document &document, NumberOwner owner);
+
+/// Copies the formulas of a shape, source or marker to its copy.
+void copyFormulas(Document &document, NumberOwner from, NumberOwner to);
 
 } // namespace forefront

@@ -33,10 +33,8 @@ std::string factor(const std::string &text) {
     return hasAny(text, "+-?:<>=!&|") ? '(' + text + ')' : text;
 }
 
-std::string formulaOr(const Document &document, NodeRef handle, char axis, double value) {
-    const std::string address =
-        "shape/" + std::to_string(handle.shape) + '/' + axis + '/' + std::to_string(handle.node);
-    const auto found = document.formulas.find(address);
+std::string formulaOr(const Document &document, NodeRef handle, Quantity axis, double value) {
+    const auto found = document.formulas.find({NumberOwner::ofShape(handle.shape), axis, handle.node});
     return found != document.formulas.end() ? found->second : exactText(value);
 }
 
@@ -75,7 +73,7 @@ PlaceFormula placeFormula(Vec2 at) {
 
 PlaceFormula placeFormula(const Document &document, NodeRef handle) {
     const Vec2 at = handlesOf(*findShape(document, handle.shape))[handle.node];
-    return {formulaOr(document, handle, 'x', at.x), formulaOr(document, handle, 'y', at.y)};
+    return {formulaOr(document, handle, Quantity::X, at.x), formulaOr(document, handle, Quantity::Y, at.y)};
 }
 
 std::string sumFormula(const std::string &a, const std::string &b) {
@@ -122,10 +120,9 @@ Document followLength(Document document, SegmentRef segment, const std::string &
     const NodeRef first{segment.shape, segment.segment};
     const PlaceFormula place =
         polarFormula(placeFormula(document, first), length, degreesText(handles[end] - handles[segment.segment]));
-    const std::string prefix = "shape/" + std::to_string(segment.shape) + '/';
-    for (const auto &[axis, text] : {std::pair('x', place.x), std::pair('y', place.y)}) {
+    for (const auto &[axis, text] : {std::pair(Quantity::X, place.x), std::pair(Quantity::Y, place.y)}) {
         if (usesNames(text)) {
-            document = setFormula(std::move(document), prefix + axis + '/' + std::to_string(end), text);
+            document = setFormula(std::move(document), {NumberOwner::ofShape(segment.shape), axis, end}, text);
         }
     }
     return document;

@@ -1,22 +1,31 @@
 #include "core/drawing/formulas/shift_formulas.hpp"
 
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace forefront {
 namespace {
 
-bool isAcross(const NumberAddress &number) {
-    return number.quantity == "x" || number.quantity == "x2" || number.quantity == "left";
-}
-
-bool isUp(const NumberAddress &number) {
-    return number.quantity == "y" || number.quantity == "y2" || number.quantity == "bottom";
+/// Returns the change of a number of an item that is moved; 0 for numbers that are not coordinates.
+double shiftAlong(Quantity what, Vec2 by) {
+    switch (what) {
+    case Quantity::X:
+    case Quantity::X2:
+    case Quantity::Left:
+        return by.x;
+    case Quantity::Y:
+    case Quantity::Y2:
+    case Quantity::Bottom:
+        return by.y;
+    default:
+        return 0.0;
+    }
 }
 
 /// An expression as a sum of another one and a number.
@@ -62,13 +71,10 @@ std::string shiftedFormula(const Document &document, const NumberAddress &number
 
 } // namespace
 
-void shiftFormulas(Document &document, const std::string &prefix, Vec2 by) {
-    const auto begin = document.formulas.lower_bound(prefix);
-    for (auto formula = begin; formula != document.formulas.end() && formula->first.starts_with(prefix); ++formula) {
-        const std::optional<NumberAddress> number = parseAddress(formula->first);
-        const double shift = !number ? 0.0 : isAcross(*number) ? by.x : isUp(*number) ? by.y : 0.0;
-        if (shift != 0.0) {
-            formula->second = shiftedFormula(document, *number, formula->second, shift);
+void shiftFormulas(Document &document, NumberOwner owner, Vec2 by) {
+    for (auto &[address, text] : formulasOf(document, owner)) {
+        if (const double shift = shiftAlong(address.quantity, by); shift != 0.0) {
+            text = shiftedFormula(document, address, text, shift);
         }
     }
 }

@@ -3,62 +3,67 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-#include <utility>
+#include <string>
 
 namespace forefront {
 namespace {
 
 /// Returns a pointer to a number that a source stores, or null.
 template <class Source>
-auto storedNumber(Source &source, const std::string &name) -> decltype(&source.size) {
-    if (name == "endSize") {
+auto storedNumber(Source &source, Quantity what) -> decltype(&source.size) {
+    switch (what) {
+    case Quantity::X:
+        return &source.a.x;
+    case Quantity::Y:
+        return &source.a.y;
+    case Quantity::X2:
+        return &source.b.x;
+    case Quantity::Y2:
+        return &source.b.y;
+    case Quantity::Angle:
+        return &source.angle;
+    case Quantity::Radius:
+        return &source.radius;
+    case Quantity::Size:
+        return &source.size;
+    case Quantity::EndSize:
         return source.endSize ? &*source.endSize : nullptr;
+    case Quantity::Growth:
+        return &source.growth;
+    default:
+        return nullptr;
     }
-    const std::array<std::pair<std::string_view, decltype(&source.size)>, 8> numbers{{{"x", &source.a.x},
-                                                                                      {"y", &source.a.y},
-                                                                                      {"x2", &source.b.x},
-                                                                                      {"y2", &source.b.y},
-                                                                                      {"angle", &source.angle},
-                                                                                      {"radius", &source.radius},
-                                                                                      {"size", &source.size},
-                                                                                      {"growth", &source.growth}}};
-    const auto found =
-        std::find_if(numbers.begin(), numbers.end(), [&](const auto &entry) { return entry.first == name; });
-    return found != numbers.end() ? found->second : nullptr;
 }
 
-bool isExtent(const SizeSource &source, const std::string &name) {
-    return source.shape == SourceShape::Box && (name == "width" || name == "height");
+bool isExtent(const SizeSource &source, Quantity what) {
+    return source.shape == SourceShape::Box && (what == Quantity::Width || what == Quantity::Height);
 }
 
 } // namespace
 
-std::optional<double> sourceNumber(const SizeSource &source, const std::string &name) {
-    if (isExtent(source, name)) {
-        return name == "width" ? boxExtent(source).x : boxExtent(source).y;
+std::optional<double> sourceNumber(const SizeSource &source, Quantity what) {
+    if (isExtent(source, what)) {
+        return what == Quantity::Width ? boxExtent(source).x : boxExtent(source).y;
     }
-    const double *const place = storedNumber(source, name);
+    const double *const place = storedNumber(source, what);
     return place != nullptr ? std::optional(*place) : std::nullopt;
 }
 
-Status setSourceNumber(SizeSource &source, const std::string &name, double value) {
-    if (name == "angle" && source.shape == SourceShape::Box) {
+Status setSourceNumber(SizeSource &source, Quantity what, double value) {
+    if (what == Quantity::Angle && source.shape == SourceShape::Box) {
         turnBox(source, value);
         return {};
     }
-    if (!isExtent(source, name)) {
-        *storedNumber(source, name) = value;
+    if (!isExtent(source, what)) {
+        *storedNumber(source, what) = value;
         return {};
     }
     if (!(value > 0.0)) {
-        return error("bad-number",
-                     "invalid " + name + ' ' + numberText(value, 6) + " of a size source; expected a number above 0");
+        return error("bad-number", "invalid " + std::string(wordOf(what)) + ' ' + numberText(value, 6) +
+                                       " of a size source; expected a number above 0");
     }
     const Vec2 extent = boxExtent(source);
-    resizeBox(source, name == "width" ? Vec2{value, extent.y} : Vec2{extent.x, value});
+    resizeBox(source, what == Quantity::Width ? Vec2{value, extent.y} : Vec2{extent.x, value});
     return {};
 }
 

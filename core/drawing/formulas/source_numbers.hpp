@@ -1,19 +1,17 @@
 #pragma once
 
+#include "core/drawing/document/number_address.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <optional>
-#include <string>
 
 namespace forefront {
 
-// The numbers of a size source by the names that their addresses use; see NumberAddress.
-
 /// Returns a number of a source; none if the source has no such number.
-std::optional<double> sourceNumber(const SizeSource &source, const std::string &name);
+std::optional<double> sourceNumber(const SizeSource &source, Quantity what);
 
 /// Sets a number that the source has; the source may become invalid. Error: bad-number.
-Status setSourceNumber(SizeSource &source, const std::string &name, double value);
+Status setSourceNumber(SizeSource &source, Quantity what, double value);
 
 } // namespace forefront

@@ -1,6 +1,6 @@
 #include "core/drawing/formulas/unchanged_numbers.hpp"
 
-#include "core/drawing/formulas/number_address.hpp"
+#include "core/drawing/formulas/document_numbers.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -30,24 +30,20 @@ UnchangedNumbers::UnchangedNumbers(const Document &before, const Document &next)
     addChanged(next.shapes, before.shapes, changedShapes_);
 }
 
-bool UnchangedNumbers::contains(std::string_view address) const {
-    const std::optional<NumberAddress> place = parseAddress(address);
-    if (!place) {
-        return false;
-    }
-    switch (place->owner) {
-    case NumberAddress::Owner::Shape:
-        return !changedShapes_.contains(place->id);
-    case NumberAddress::Owner::Source:
+bool UnchangedNumbers::contains(const NumberAddress &address) const {
+    switch (address.owner.kind) {
+    case NumberOwner::Kind::Shape:
+        return !changedShapes_.contains(address.owner.id);
+    case NumberOwner::Kind::Source:
         return sameSources_;
-    case NumberAddress::Owner::Region:
+    case NumberOwner::Kind::Region:
         return sameMarkers_;
-    case NumberAddress::Owner::Part:
-    case NumberAddress::Owner::Spacing:
+    case NumberOwner::Kind::Part:
+    case NumberOwner::Kind::Spacing:
         break;
     }
-    const std::optional<double> now = readNumber(next_, *place);
-    return now && now == readNumber(before_, *place);
+    const std::optional<double> now = readNumber(next_, address);
+    return now && now == readNumber(before_, address);
 }
 
 } // namespace forefront

@@ -3,7 +3,6 @@
 #include "core/drawing/document/document.hpp"
 
 #include <cstdint>
-#include <string_view>
 #include <unordered_set>
 
 namespace forefront {
@@ -15,7 +14,7 @@ class UnchangedNumbers {
     UnchangedNumbers(const Document &before, const Document &next);
 
     /// Returns true if the number at an address exists and has not changed. It may be unchanged if this is false.
-    bool contains(std::string_view address) const;
+    bool contains(const NumberAddress &address) const;
 
   private:
     const Document &before_, &next_;

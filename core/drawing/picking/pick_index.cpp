@@ -43,7 +43,7 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
             handles_.push_back({k, part, handles[part], handles[part]});
             handleBoxes.push_back(boxOf(handles[part], handles[part]));
         }
-        if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Point) {
+        if (shape.is<CircleForm>() || shape.is<PointForm>()) {
             lines_.push_back({k, 0, shape.nodes.front(), shape.nodes.back()});
             lineBoxes.push_back(shapeBoxes.back());
             continue;
@@ -73,12 +73,12 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
 /// Adds the centres of a rectangle and of the arcs of a path; those of circles, ellipses and slots are handles.
 void PickIndex::addCentres(std::uint32_t shape, const Outline &outline) {
     const auto add = [&](std::uint32_t part, Vec2 centre) { centres_.push_back({shape, part, centre, centre}); };
-    if (document_->shapes[shape]->kind == ShapeKind::Rectangle) {
+    if (document_->shapes[shape]->is<RectangleForm>()) {
         add(0, boundsOf(*document_->shapes[shape]).centre());
     }
     for (std::uint32_t s = 0; s < outline.segmentCount(); ++s) {
         if (outline.isCurved(s) && outline.curves[s].kind() == CurveKind::Arc &&
-            document_->shapes[shape]->kind != ShapeKind::Ellipse && document_->shapes[shape]->kind != ShapeKind::Slot) {
+            !document_->shapes[shape]->is<EllipseForm>() && !document_->shapes[shape]->is<SlotForm>()) {
             const std::array<double, 8> numbers = outline.curves[s].numbers();
             add(outline.part(s), {numbers[0], numbers[1]});
         }
@@ -86,7 +86,7 @@ void PickIndex::addCentres(std::uint32_t shape, const Outline &outline) {
 }
 
 Curve PickIndex::curveOf(const Entry &entry) const {
-    if (document_->shapes[entry.shape]->kind == ShapeKind::Circle) {
+    if (document_->shapes[entry.shape]->is<CircleForm>()) {
         return Curve::circle(entry.a, entry.b);
     }
     return entry.curve != kNoCurve ? curves_[entry.curve] : Curve::line(entry.a, entry.b);
@@ -97,7 +97,7 @@ std::vector<Curve> PickIndex::curvesNear(Vec2 p, double tolerance, std::size_t m
     lineTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
         const Shape &shape = *document_->shapes[lines_[item].shape];
         const double d = lineDistance(lines_[item], p);
-        if (d <= tolerance && shape.kind != ShapeKind::Point && filter.admitsSegment(shape, lines_[item].part)) {
+        if (d <= tolerance && !shape.is<PointForm>() && filter.admitsSegment(shape, lines_[item].part)) {
             near.emplace_back(d, item);
         }
     });
@@ -125,7 +125,7 @@ std::optional<Vec2> PickIndex::centre(Vec2 p, double tolerance, const Filter &fi
 }
 
 double PickIndex::lineDistance(const Entry &entry, Vec2 p) const {
-    if (document_->shapes[entry.shape]->kind == ShapeKind::Circle) {
+    if (document_->shapes[entry.shape]->is<CircleForm>()) {
         return std::abs(distance(entry.a, p) - distance(entry.a, entry.b));
     }
     if (entry.curve != kNoCurve) {
@@ -160,7 +160,7 @@ std::optional<SegmentHit> PickIndex::segment(Vec2 p, double tolerance, const Fil
         const Shape &shape = *document_->shapes[lines_[item].shape];
         const double d = lineDistance(lines_[item], p);
         const bool nearer = d < limit || (d == limit && (best == kNoIndex || item > best));
-        if (nearer && shape.kind != ShapeKind::Point && filter.admitsSegment(shape, lines_[item].part)) {
+        if (nearer && !shape.is<PointForm>() && filter.admitsSegment(shape, lines_[item].part)) {
             best = item;
             limit = d;
         }
@@ -171,7 +171,7 @@ std::optional<SegmentHit> PickIndex::segment(Vec2 p, double tolerance, const Fil
     const Entry &entry = lines_[best];
     const Shape &shape = *document_->shapes[entry.shape];
     SegmentHit hit{{shape.id, entry.part}, entry.a, entry.b, {}, 0.0, limit, {}};
-    if (shape.kind == ShapeKind::Circle) {
+    if (shape.is<CircleForm>()) {
         hit.at = hit.a = hit.b = nearestOnCircle(entry.a, entry.b, p);
     } else if (entry.curve != kNoCurve) {
         hit.curve = curves_[entry.curve];

@@ -151,7 +151,7 @@ Snapped snap(const PickIndex &index, const SnapQuery &query) {
     if (const auto node = index.node(query.at, query.tolerance, query.filter)) {
         const Shape *const shape = findShape(index.document(), node->ref.shape);
         const bool centre = isCentre(*shape, node->ref.node);
-        const bool side = shape->kind == ShapeKind::Slot && !centre;
+        const bool side = shape->is<SlotForm>() && !centre;
         return {node->at, centre ? SnapKind::Centre : side ? SnapKind::Midpoint : SnapKind::Node};
     }
     if (const auto special = specialPoint(index, query)) {

@@ -24,30 +24,48 @@ bool isSound(const Curve &curve, Vec2 from, Vec2 to) {
     return curve.finite() && bends && joins(curve, from, to);
 }
 
-bool hasSoundCurves(const Shape &shape) {
-    if (!std::isfinite(shape.radius) || shape.radius < 0.0) {
-        return false;
-    }
-    if (shape.curves.empty()) {
-        return true;
-    }
+/// Returns true if each segment of a path has a sound curve, or none has one.
+bool hasSoundCurves(const Shape &shape, const PathForm &path) {
     const Outline outline = outlineOf(shape);
-    if (!isPath(shape) || shape.curves.size() != outline.segmentCount()) {
-        return false;
+    if (path.curves.empty() || path.curves.size() != outline.segmentCount()) {
+        return path.curves.empty();
     }
-    for (std::size_t k = 0; k < shape.curves.size(); ++k) {
-        if (!isSound(shape.curves[k], outline.from(k), outline.to(k))) {
+    for (std::size_t k = 0; k < path.curves.size(); ++k) {
+        if (!isSound(path.curves[k], outline.from(k), outline.to(k))) {
             return false;
         }
     }
     return true;
 }
 
-/// Returns true if a closed path encloses an area: one or two nodes need curves.
-bool isLoopSound(const Shape &shape) {
+/// Returns true if a path has enough nodes; one or two enclose an area only with curves.
+bool hasSoundNodes(const Shape &shape, const PathForm &path) {
     const std::size_t n = shape.nodes.size();
     const auto curved = [](const Curve &curve) { return curve.kind() != CurveKind::Line; };
-    return n >= 3 || (n >= 1 && std::any_of(shape.curves.begin(), shape.curves.end(), curved));
+    return path.closed ? n >= 3 || (n >= 1 && std::any_of(path.curves.begin(), path.curves.end(), curved)) : n >= 2;
+}
+
+/// Returns true if a shape has the nodes of its form, and none of its measures is 0.
+bool hasSoundNodes(const Shape &shape) {
+    const std::vector<Vec2> &nodes = shape.nodes;
+    const std::size_t n = nodes.size();
+    return shape.visit(
+        [&](const PathForm &path) { return hasSoundNodes(shape, path); },
+        [&](const RectangleForm &) { return n == 2 && nodes[0].x != nodes[1].x && nodes[0].y != nodes[1].y; },
+        [&](const CircleForm &) { return n == 2 && nodes[0] != nodes[1] && std::isfinite(circleRadius(shape)); },
+        [&](const PointForm &) { return n == 1; },
+        [&](const EllipseForm &) { return n == 3 && cross(nodes[1] - nodes[0], nodes[2] - nodes[0]) != 0.0; },
+        [&](const SlotForm &) { return isSoundSlot(shape); });
+}
+
+/// Returns true if what a shape has beside nodes is sound: curves, or a radius.
+bool hasSoundCurves(const Shape &shape) {
+    const auto sound = [](double radius) { return std::isfinite(radius) && radius >= 0.0; };
+    return shape.visit([&](const PathForm &path) { return hasSoundCurves(shape, path); },
+                       [&](const RectangleForm &rectangle) { return sound(rectangle.radius); },
+                       [](const CircleForm &) { return true; }, [](const PointForm &) { return true; },
+                       [](const EllipseForm &) { return true; },
+                       [&](const SlotForm &slot) { return sound(slot.radius); });
 }
 
 } // namespace
@@ -63,33 +81,8 @@ Diagnostics checkShape(const Shape &shape) {
     if (smallest < 1) {
         return error("bad-tag", "invalid tag " + std::to_string(smallest) + "; expected 1 or more");
     }
-    const std::size_t n = shape.nodes.size();
-    bool sound = true;
-    switch (shape.kind) {
-    case ShapeKind::Polygon:
-        sound = isLoopSound(shape);
-        break;
-    case ShapeKind::Polyline:
-        sound = n >= 2;
-        break;
-    case ShapeKind::Rectangle:
-        sound = n == 2 && shape.nodes[0].x != shape.nodes[1].x && shape.nodes[0].y != shape.nodes[1].y;
-        break;
-    case ShapeKind::Circle:
-        sound = n == 2 && shape.nodes[0] != shape.nodes[1] && std::isfinite(circleRadius(shape));
-        break;
-    case ShapeKind::Point:
-        sound = n == 1;
-        break;
-    case ShapeKind::Ellipse:
-        sound = n == 3 && cross(shape.nodes[1] - shape.nodes[0], shape.nodes[2] - shape.nodes[0]) != 0.0;
-        break;
-    case ShapeKind::Slot:
-        sound = isSoundSlot(shape);
-        break;
-    }
-    if (!sound) {
-        return error("bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
+    if (!hasSoundNodes(shape)) {
+        return error("bad-shape", std::string(wordOf(shape.kind())) + " is degenerate",
                      "a polygon needs three nodes, a polyline two; the sides of a rectangle, the radius of a circle, "
                      "the semi-axes of an ellipse and the length and width of a slot must not be 0");
     }

@@ -26,7 +26,7 @@ double turnOf(const Outline &outline) {
 
 void addRoundShape(const Shape &shape, std::vector<Dimension> &found) {
     const Vec2 centre = shape.nodes[0];
-    if (shape.kind == ShapeKind::Circle) {
+    if (shape.is<CircleForm>()) {
         const double radius = circleRadius(shape);
         const Vec2 rim = centre + radius * std::numbers::sqrt2 / 2.0 * Vec2{1.0, 1.0};
         found.push_back({DimensionKind::Radius, shape.id, centre, rim, radius, 2.0 * radius});
@@ -105,14 +105,14 @@ void addCorners(const Shape &shape, const Outline &outline, double turn, std::ve
 std::vector<Dimension> dimensionsOf(const Document &document) {
     std::vector<Dimension> found;
     for (const auto &shape : document.shapes) {
-        if (shape->hidden || shape->kind == ShapeKind::Point) {
+        if (shape->hidden || shape->is<PointForm>()) {
             continue;
         }
         if (isRound(*shape)) {
             addRoundShape(*shape, found);
             continue;
         }
-        if (shape->kind == ShapeKind::Slot) {
+        if (shape->is<SlotForm>()) {
             addSlot(*shape, found);
             continue;
         }

@@ -21,7 +21,7 @@ Vec2 semiAxes(Vec2 u, Vec2 v) {
     return {0.5 * (sum + difference), 0.5 * std::fabs(sum - difference)};
 }
 
-void measureArc(const Curve &curve, std::vector<Quantity> &found) {
+void measureArc(const Curve &curve, std::vector<SegmentMeasure> &found) {
     const auto n = curve.numbers();
     const Vec2 u{n[2], n[3]}, v{n[4], n[5]};
     const double sweep = std::fabs(n[7]);
@@ -50,8 +50,8 @@ double angleBetween(Vec2 u, Vec2 v) {
     return std::fabs(std::atan2(cross(u, v), dot(u, v))) * kDegrees;
 }
 
-std::vector<Quantity> measureCurve(const Curve &curve) {
-    std::vector<Quantity> found;
+std::vector<SegmentMeasure> measureCurve(const Curve &curve) {
+    std::vector<SegmentMeasure> found;
     if (curve.kind() == CurveKind::Arc) {
         measureArc(curve, found);
         return found;

@@ -9,8 +9,8 @@
 
 namespace forefront {
 
-/// A measured quantity, such as a radius.
-struct Quantity {
+/// A measure of a segment, such as its radius.
+struct SegmentMeasure {
     std::string_view name;
     double value = 0.0;
     bool isAngle = false; ///< in degrees; otherwise in domain units
@@ -18,7 +18,7 @@ struct Quantity {
 
 /// Measures a segment: length and direction of a line; radius, diameter, arc length and angle of an arc of a circle;
 /// circumference and area of a circle; semi-axes of an arc of an ellipse; length of any other curve.
-std::vector<Quantity> measureCurve(const Curve &curve);
+std::vector<SegmentMeasure> measureCurve(const Curve &curve);
 
 /// Returns the angle between two directions in degrees, from 0 to 180; 0 if one of them is zero.
 double angleBetween(Vec2 u, Vec2 v);

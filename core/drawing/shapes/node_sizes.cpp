@@ -14,7 +14,7 @@
 namespace forefront {
 
 bool canHaveSize(const Shape &shape, std::uint32_t handle) {
-    return handle < handleCount(shape) && !isCentre(shape, handle) && shape.kind != ShapeKind::Slot;
+    return handle < handleCount(shape) && !isCentre(shape, handle) && !shape.is<SlotForm>();
 }
 
 namespace {
@@ -33,7 +33,7 @@ Result<Document> changeEach(const Document &document, const std::set<NodeRef> &n
         }
         Shape &shape = shapes.back();
         if (!canHaveSize(shape, node.node)) {
-            return shape.kind == ShapeKind::Slot
+            return shape.is<SlotForm>()
                        ? error("no-such-node", "the handles of " + displayName(shape) + " cannot have an element size",
                                "convert it to a path, or give its boundary part a size")
                    : isCentre(shape, node.node)

@@ -18,6 +18,18 @@ Diagnostics noSuch(const char *what) {
     return error(std::string("no-such-") + what, std::string(what) + " not found");
 }
 
+/// Lets the curves of a path join its nodes; removes them if all segments are straight.
+void tidyCurves(std::vector<Curve> &curves, const Outline &outline) {
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        curves[k] = curves[k].kind() == CurveKind::Cubic  ? joining(curves[k], outline.from(k), outline.to(k))
+                    : curves[k].kind() == CurveKind::Line ? Curve()
+                                                          : curves[k];
+    }
+    if (std::all_of(curves.begin(), curves.end(), [](const Curve &curve) { return curve == Curve(); })) {
+        curves.clear();
+    }
+}
+
 /// Normalises the lists of a shape: one tag per segment, or none if all segments have the tag of the shape; one curve
 /// per segment, from node to node, or none if all are straight.
 void tidy(Shape &shape) {
@@ -30,15 +42,11 @@ void tidy(Shape &shape) {
     }
     std::erase_if(shape.nodeSizes, [&](const auto &entry) { return !canHaveSize(shape, entry.first); });
     const Outline outline = outlineOf(shape);
-    for (std::size_t k = 0; k < shape.curves.size(); ++k) {
-        Curve &curve = shape.curves[k];
-        curve = curve.kind() == CurveKind::Cubic  ? joining(curve, outline.from(k), outline.to(k))
-                : curve.kind() == CurveKind::Line ? Curve()
-                                                  : curve;
-    }
-    if (std::all_of(shape.curves.begin(), shape.curves.end(), [](const Curve &curve) { return curve == Curve(); })) {
-        shape.curves.clear();
-        shape.cuts = isPath(shape) ? std::vector<std::vector<double>>() : std::move(shape.cuts);
+    if (isPath(shape)) {
+        tidyCurves(shape.path().curves, outline);
+        if (shape.path().curves.empty()) {
+            shape.cuts.clear();
+        }
     }
     if (!shape.cuts.empty()) {
         shape.cuts.resize(outline.segmentCount());
@@ -122,17 +130,18 @@ std::uint32_t nearestSegment(const Outline &outline, std::uint32_t part, Vec2 at
 
 /// Divides the curve of a segment for a new node; a straight segment stays straight on both sides.
 void splitCurve(Shape &shape, std::uint32_t segment, Vec2 at) {
-    if (shape.curves.empty()) {
+    std::vector<Curve> &curves = shape.path().curves;
+    if (curves.empty()) {
         return;
     }
     shape.cuts.clear();
     const Outline outline = outlineOf(shape);
-    shape.curves.insert(shape.curves.begin() + segment, Curve());
+    curves.insert(curves.begin() + segment, Curve());
     if (outline.isCurved(segment)) {
         const Curve &curve = outline.curves[segment];
         const double t = curve.nearest(at);
-        shape.curves[segment] = joining(curve.part(0.0, t), outline.from(segment), at);
-        shape.curves[segment + 1] = joining(curve.part(t, 1.0), at, outline.to(segment));
+        curves[segment] = joining(curve.part(0.0, t), outline.from(segment), at);
+        curves[segment + 1] = joining(curve.part(t, 1.0), at, outline.to(segment));
     }
 }
 
@@ -194,31 +203,30 @@ Result<Document> setHandle(const Document &document, NodeRef node, Vec2 to) {
 
 void placeHandle(Shape &shape, std::uint32_t handle, Vec2 to) {
     std::vector<Vec2> &nodes = shape.nodes;
-    if (shape.kind == ShapeKind::Rectangle) {
-        // Corners 0 and 2 are the nodes; corner 1 shares y with 0 and x with 2, corner 3 the reverse.
-        nodes[handle == 1 || handle == 2 ? 1 : 0].x = to.x;
-        nodes[handle == 2 || handle == 3 ? 1 : 0].y = to.y;
-    } else if (isRound(shape) && handle == 0) {
-        moveShape(shape, to - nodes[0]);
-        nodes[0] = to;
-    } else if (shape.kind == ShapeKind::Ellipse) {
-        placeAxis(shape, handle, to);
-    } else if (shape.kind == ShapeKind::Slot) {
-        placeSlotHandle(shape, handle, to);
-    } else if (isPath(shape)) {
+    if (isPath(shape)) {
         std::vector<Vec2> places = nodes;
         places[handle] = to;
-        moveNodes(shape, std::move(places));
-        return; // dropping the cuts of the segments that change
-    } else {
-        nodes[handle] = to;
+        moveNodes(shape, std::move(places)); // dropping the cuts of the segments that change
+        return;
     }
+    if (isRound(shape) && handle == 0) {
+        moveShape(shape, to - nodes[0]);
+    }
+    shape.visit([](const PathForm &) {},
+                [&](const RectangleForm &) {
+                    // Corners 0 and 2 are the nodes; corner 1 shares y with 0 and x with 2, corner 3 the reverse.
+                    nodes[handle == 1 || handle == 2 ? 1 : 0].x = to.x;
+                    nodes[handle == 2 || handle == 3 ? 1 : 0].y = to.y;
+                },
+                [&](const CircleForm &) { nodes[handle] = to; }, [&](const PointForm &) { nodes[handle] = to; },
+                [&](const EllipseForm &) { handle == 0 ? void(nodes[0] = to) : placeAxis(shape, handle, to); },
+                [&](const SlotForm &) { placeSlotHandle(shape, handle, to); });
     shape.cuts.clear();
 }
 
 Result<Document> setRadius(const Document &document, std::uint32_t circle, double radius) {
     return changeShape(document, circle, [&](Shape &shape) -> Status {
-        if (shape.kind != ShapeKind::Circle) {
+        if (!shape.is<CircleForm>()) {
             return error("not-possible", displayName(shape) + " is not a circle");
         }
         if (!(radius > 0.0) || !std::isfinite(radius)) {
@@ -237,13 +245,13 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
         if (isRound(shape) || segment.segment >= taggedSegments(shape)) {
             return noSuch("segment");
         }
-        if (shape.kind != ShapeKind::Rectangle && outlineOf(shape).isCurved(segment.segment)) {
+        if (!shape.is<RectangleForm>() && outlineOf(shape).isCurved(segment.segment)) {
             return isPath(shape)
                        ? error("not-possible", "the length of a curved segment follows from its handles",
                                "move them, or make the segment straight")
                        : error("not-possible", "the length of a slot's end follows from its width", "change the width");
         }
-        const bool slot = shape.kind == ShapeKind::Slot; // each side is as long as the way between the centres
+        const bool slot = shape.is<SlotForm>(); // each side is as long as the way between the centres
         const std::uint32_t begin = slot ? 0 : segment.segment;
         const auto end = static_cast<std::uint32_t>((begin + 1) % handles.size());
         const Vec2 from = handles[begin], arm = handles[end] - from;
@@ -257,10 +265,11 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
 
 Result<Document> setArcRadius(const Document &document, SegmentRef segment, double radius) {
     return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
-        if (segment.segment >= shape.curves.size() || !radiusOf(shape.curves[segment.segment])) {
+        PathForm *const path = std::get_if<PathForm>(&shape.form);
+        if (path == nullptr || segment.segment >= path->curves.size() || !radiusOf(path->curves[segment.segment])) {
             return error("not-possible", "the segment is not an arc of a circle", "select an arc");
         }
-        Curve &arc = shape.curves[segment.segment];
+        Curve &arc = path->curves[segment.segment];
         const double half = 0.5 * distance(arc.point(0.0), arc.point(1.0));
         constexpr double kRounding = 1e-9;
         if (!(radius >= (1.0 - kRounding) * half) || !(radius > 0.0) || !std::isfinite(radius)) {
@@ -278,7 +287,7 @@ Result<Document> setArcRadius(const Document &document, SegmentRef segment, doub
 Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 at) {
     return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
         if (isRound(shape)) {
-            return error("not-possible", "a " + std::string(wordOf(shape.kind)) + " has no corners",
+            return error("not-possible", "a " + std::string(wordOf(shape.kind())) + " has no corners",
                          "convert it to a path first");
         }
         if (segment.segment >= taggedSegments(shape)) {
@@ -302,7 +311,7 @@ Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 a
 
 Result<Document> convertToPath(const Document &document, std::uint32_t id) {
     return changeShape(document, id, [&](Shape &shape) -> Status {
-        if (isPath(shape) || shape.kind == ShapeKind::Point) {
+        if (isPath(shape) || shape.is<PointForm>()) {
             return error("not-possible", displayName(shape) + " is not a rectangle, circle, ellipse or slot");
         }
         becomePath(shape);
@@ -328,24 +337,25 @@ Result<Document> convertToPaths(const Document &document, const std::set<std::ui
 
 Result<Document> toggleClosed(const Document &document, std::uint32_t id) {
     return changeShape(document, id, [&](Shape &shape) -> Status {
-        if (shape.kind == ShapeKind::Polygon) {
+        if (shape.isPolygon()) {
             shape.nodes.push_back(shape.nodes.front());
-            shape.kind = ShapeKind::Polyline;
+            shape.path().closed = false;
             return {};
         }
-        if (shape.kind != ShapeKind::Polyline) {
+        if (!shape.isPolyline()) {
             return error("not-possible",
                          displayName(shape) + " can be neither opened nor closed; expected a polygon or polyline");
         }
         // A polyline that ends at its start closes there; another one gets one more segment.
-        const bool curved = !shape.curves.empty();
+        PathForm &path = shape.path();
+        const bool curved = !path.curves.empty();
         if (shape.nodes.size() > (curved ? 1U : 3U) && shape.nodes.front() == shape.nodes.back()) {
             shape.nodes.pop_back();
         } else if (curved) {
-            shape.curves.emplace_back();
+            path.curves.emplace_back();
             shape.cuts.clear();
         }
-        shape.kind = ShapeKind::Polygon;
+        path.closed = true;
         return {};
     });
 }

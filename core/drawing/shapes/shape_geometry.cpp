@@ -17,22 +17,15 @@ constexpr double kFineChords = 1e-4;
 } // namespace
 
 std::size_t taggedSegments(const Shape &shape) {
-    switch (shape.kind) {
-    case ShapeKind::Rectangle:
-    case ShapeKind::Slot:
-        return 4;
-    case ShapeKind::Circle:
-    case ShapeKind::Ellipse:
-        return 1;
-    case ShapeKind::Point:
-        return 0;
-    case ShapeKind::Polygon:
-    case ShapeKind::Polyline:
-        break;
-    }
     const std::size_t n = shape.nodes.size();
-    const bool loop = shape.kind == ShapeKind::Polygon && (n > 2 || !shape.curves.empty());
-    return loop ? n : n - std::min<std::size_t>(n, 1);
+    return shape.visit(
+        [n](const PathForm &path) {
+            const bool loop = path.closed && (n > 2 || !path.curves.empty());
+            return loop ? n : n - std::min<std::size_t>(n, 1);
+        },
+        [](const RectangleForm &) { return std::size_t{4}; }, [](const CircleForm &) { return std::size_t{1}; },
+        [](const PointForm &) { return std::size_t{0}; }, [](const EllipseForm &) { return std::size_t{1}; },
+        [](const SlotForm &) { return std::size_t{4}; });
 }
 
 std::int32_t segmentTag(const Shape &shape, std::size_t part) {
@@ -40,62 +33,92 @@ std::int32_t segmentTag(const Shape &shape, std::size_t part) {
 }
 
 std::vector<Vec2> handlesOf(const Shape &shape) {
-    if (shape.kind == ShapeKind::Slot && shape.nodes.size() == 2) {
-        return {shape.nodes[0], shape.nodes[1], slotSide(shape)};
-    }
-    if (shape.kind != ShapeKind::Rectangle || shape.nodes.size() != 2) {
-        return shape.nodes;
-    }
-    const Vec2 a = shape.nodes[0], c = shape.nodes[1];
-    return {a, {c.x, a.y}, c, {a.x, c.y}};
+    const std::vector<Vec2> &nodes = shape.nodes;
+    const auto plain = [&](const auto &) { return nodes; };
+    return shape.visit(
+        [&](const PathForm &path) { return plain(path); },
+        [&](const RectangleForm &form) {
+            if (nodes.size() != 2) {
+                return plain(form);
+            }
+            const Vec2 a = nodes[0], c = nodes[1];
+            return std::vector<Vec2>{a, {c.x, a.y}, c, {a.x, c.y}};
+        },
+        [&](const CircleForm &form) { return plain(form); }, [&](const PointForm &form) { return plain(form); },
+        [&](const EllipseForm &form) { return plain(form); },
+        [&](const SlotForm &form) {
+            return nodes.size() == 2 ? std::vector<Vec2>{nodes[0], nodes[1], slotSide(shape)} : plain(form);
+        });
 }
 
 std::size_t handleCount(const Shape &shape) {
-    const bool pair = shape.nodes.size() == 2;
-    return pair && shape.kind == ShapeKind::Rectangle ? 4
-           : pair && shape.kind == ShapeKind::Slot    ? 3
-                                                      : shape.nodes.size();
+    const std::size_t n = shape.nodes.size();
+    return shape.visit([n](const PathForm &) { return n; }, [n](const RectangleForm &) { return n == 2 ? 4 : n; },
+                       [n](const CircleForm &) { return n; }, [n](const PointForm &) { return n; },
+                       [n](const EllipseForm &) { return n; }, [n](const SlotForm &) { return n == 2 ? 3 : n; });
 }
 
 bool isCentre(const Shape &shape, std::uint32_t handle) {
-    return (isRound(shape) && handle == 0) || (shape.kind == ShapeKind::Slot && handle < 2);
+    return shape.visit([](const PathForm &) { return false; }, [](const RectangleForm &) { return false; },
+                       [=](const CircleForm &) { return handle == 0; }, [](const PointForm &) { return false; },
+                       [=](const EllipseForm &) { return handle == 0; }, [=](const SlotForm &) { return handle < 2; });
 }
 
 bool isPath(const Shape &shape) {
-    return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Polyline;
+    return shape.is<PathForm>();
 }
 
 bool isRound(const Shape &shape) {
-    return shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
+    return shape.is<CircleForm>() || shape.is<EllipseForm>();
 }
 
 bool isClosed(const Shape &shape) {
-    return shape.kind != ShapeKind::Polyline && shape.kind != ShapeKind::Point;
+    return !shape.isPolyline() && !shape.is<PointForm>();
 }
 
 double circleRadius(const Shape &shape) {
-    return shape.kind == ShapeKind::Circle && shape.nodes.size() == 2 ? distance(shape.nodes[0], shape.nodes[1]) : 0.0;
+    return shape.is<CircleForm>() && shape.nodes.size() == 2 ? distance(shape.nodes[0], shape.nodes[1]) : 0.0;
 }
 
-Box2 boundsOf(const Shape &shape) {
-    if (shape.kind == ShapeKind::Circle && shape.nodes.size() == 2) {
-        return boxAround(shape.nodes[0], circleRadius(shape));
-    }
-    if (shape.kind == ShapeKind::Ellipse && shape.nodes.size() == 3) {
-        const Vec2 u = shape.nodes[1] - shape.nodes[0], v = shape.nodes[2] - shape.nodes[0];
-        const Vec2 reach{std::hypot(u.x, v.x), std::hypot(u.y, v.y)};
-        return {shape.nodes[0] - reach, shape.nodes[0] + reach};
-    }
+namespace {
+
+/// Returns the box of the nodes of a shape, with a margin.
+Box2 boxOfNodes(const Shape &shape, double margin = 0.0) {
     Box2 box;
     for (const Vec2 node : shape.nodes) {
-        box.add(shape.kind == ShapeKind::Slot ? boxAround(node, shape.radius) : Box2{node, node});
-    }
-    for (const Curve &curve : shape.curves) {
-        if (curve.kind() != CurveKind::Line) {
-            box.add(curve.bounds());
-        }
+        box.add(boxAround(node, margin));
     }
     return box;
+}
+
+} // namespace
+
+Box2 boundsOf(const Shape &shape) {
+    const std::vector<Vec2> &nodes = shape.nodes;
+    return shape.visit(
+        [&](const PathForm &path) {
+            Box2 box = boxOfNodes(shape);
+            for (const Curve &curve : path.curves) {
+                if (curve.kind() != CurveKind::Line) {
+                    box.add(curve.bounds());
+                }
+            }
+            return box;
+        },
+        [&](const RectangleForm &) { return boxOfNodes(shape); },
+        [&](const CircleForm &) {
+            return nodes.size() == 2 ? boxAround(nodes[0], circleRadius(shape)) : boxOfNodes(shape);
+        },
+        [&](const PointForm &) { return boxOfNodes(shape); },
+        [&](const EllipseForm &) {
+            if (nodes.size() != 3) {
+                return boxOfNodes(shape);
+            }
+            const Vec2 u = nodes[1] - nodes[0], v = nodes[2] - nodes[0];
+            const Vec2 reach{std::hypot(u.x, v.x), std::hypot(u.y, v.y)};
+            return Box2{nodes[0] - reach, nodes[0] + reach};
+        },
+        [&](const SlotForm &slot) { return boxOfNodes(shape, slot.radius); });
 }
 
 Box2 boundsOf(const Document &document) {
@@ -110,7 +133,7 @@ bool contains(const Shape &shape, Vec2 p) {
     if (!isClosed(shape)) {
         return false;
     }
-    if (shape.kind == ShapeKind::Circle && shape.nodes.size() == 2) {
+    if (shape.is<CircleForm>() && shape.nodes.size() == 2) {
         return distanceSquared(shape.nodes[0], p) <= distanceSquared(shape.nodes[0], shape.nodes[1]);
     }
     const Chords chords = chordsOf(shape, outlineOf(shape), kFineChords);
@@ -128,7 +151,7 @@ double areaOf(const Shape &shape) {
     if (!isClosed(shape)) {
         return 0.0;
     }
-    if (shape.kind == ShapeKind::Circle) {
+    if (shape.is<CircleForm>()) {
         const double radius = circleRadius(shape);
         return std::numbers::pi * radius * radius;
     }
@@ -141,7 +164,7 @@ double areaOf(const Shape &shape) {
 }
 
 double lengthOf(const Shape &shape) {
-    if (shape.kind == ShapeKind::Circle) {
+    if (shape.is<CircleForm>()) {
         return 2.0 * std::numbers::pi * circleRadius(shape);
     }
     const Outline outline = outlineOf(shape);
@@ -156,8 +179,10 @@ void moveShape(Shape &shape, Vec2 by) {
     for (Vec2 &node : shape.nodes) {
         node += by;
     }
-    for (Curve &curve : shape.curves) {
-        curve = curve.kind() == CurveKind::Line ? Curve() : moved(curve, by);
+    if (PathForm *const path = std::get_if<PathForm>(&shape.form)) {
+        for (Curve &curve : path->curves) {
+            curve = curve.kind() == CurveKind::Line ? Curve() : moved(curve, by);
+        }
     }
 }
 
@@ -166,17 +191,21 @@ void scaleShape(Shape &shape, double factor) {
     for (Vec2 &node : shape.nodes) {
         node = scaled(node);
     }
-    for (Curve &curve : shape.curves) {
-        curve = curve.mapped(scaled);
-    }
-    shape.radius *= std::fabs(factor);
+    shape.visit(
+        [&](PathForm &path) {
+            for (Curve &curve : path.curves) {
+                curve = curve.mapped(scaled);
+            }
+        },
+        [&](RectangleForm &rectangle) { rectangle.radius *= std::fabs(factor); }, [](CircleForm &) {},
+        [](PointForm &) {}, [](EllipseForm &) {}, [&](SlotForm &slot) { slot.radius *= std::fabs(factor); });
     for (auto &[node, part] : shape.nodeSizes) {
         part.size *= std::fabs(factor);
     }
 }
 
 void becomePath(Shape &shape) {
-    if (isPath(shape) || shape.kind == ShapeKind::Point) {
+    if (isPath(shape) || shape.is<PointForm>()) {
         return;
     }
     const Shape before = shape;
@@ -201,11 +230,9 @@ void becomePath(Shape &shape) {
         }
         shape.segmentTags = std::move(tags);
     }
-    shape.kind = ShapeKind::Polygon;
+    shape.form = PathForm{.closed = true, .curves = std::move(outline.curves)};
     shape.nodes = std::move(outline.nodes);
-    shape.curves = std::move(outline.curves);
     shape.cuts.clear();
-    shape.radius = 0.0;
     moveNodeSizes(shape, before); // that of a rounded corner goes to the ends of its arc
 }
 
@@ -214,7 +241,7 @@ void moveNodes(Shape &shape, std::vector<Vec2> places) {
     const Outline after{std::move(places), before.closed, before.curves, {}};
     for (std::size_t k = 0; k < before.segmentCount(); ++k) {
         if (before.isCurved(k) && (before.from(k) != after.from(k) || before.to(k) != after.to(k))) {
-            shape.curves[k] = joining(before.curves[k], after.from(k), after.to(k));
+            shape.path().curves[k] = joining(before.curves[k], after.from(k), after.to(k));
             if (k < shape.cuts.size()) {
                 shape.cuts[k].clear();
             }
@@ -224,7 +251,7 @@ void moveNodes(Shape &shape, std::vector<Vec2> places) {
 }
 
 std::string kindName(const Shape &shape) {
-    return isSlot(shape) ? "slot" : std::string(wordOf(shape.kind));
+    return isSlot(shape) ? "slot" : std::string(wordOf(shape.kind()));
 }
 
 std::string displayName(const Shape &shape) {

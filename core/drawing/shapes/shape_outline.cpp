@@ -18,8 +18,10 @@ Outline pointOutline(Vec2 at) {
     return {{at, at}, true, {}, {}};
 }
 
-Outline loopOutline(Vec2 centre, Vec2 u, Vec2 v) {
-    return {{centre + u}, true, {Curve::arc(centre, u, v)}, {}};
+/// Returns the outline of a circle or an ellipse, from its second node towards the end of the semi-axis `v`.
+Outline roundOutline(const std::vector<Vec2> &nodes, Vec2 v) {
+    const Vec2 u = nodes[1] - nodes[0];
+    return cross(u, v) != 0.0 ? Outline{{nodes[1]}, true, {Curve::arc(nodes[0], u, v)}, {}} : pointOutline(nodes[0]);
 }
 
 Outline rectangleOutline(const Shape &shape) {
@@ -28,7 +30,7 @@ Outline rectangleOutline(const Shape &shape) {
     Outline outline;
     outline.closed = true;
     const double shorter = std::min(std::fabs(c.x - a.x), std::fabs(c.y - a.y));
-    const double radius = std::min(shape.radius, 0.5 * shorter);
+    const double radius = std::min(shape.as<RectangleForm>().radius, 0.5 * shorter);
     if (!(radius > 0.0)) {
         outline.nodes.assign(corners.begin(), corners.end());
         return outline;
@@ -98,47 +100,25 @@ std::size_t circleCorners(double tolerance) {
 
 Outline outlineOf(const Shape &shape) {
     const std::vector<Vec2> &nodes = shape.nodes;
-    switch (shape.kind) {
-    case ShapeKind::Rectangle:
-        if (nodes.size() == 2) {
-            return rectangleOutline(shape);
-        }
-        break;
-    case ShapeKind::Circle:
-        if (nodes.size() == 2) {
+    // Of points, and of a wrong number of nodes.
+    const auto plain = [&nodes] { return Outline{nodes, false, {}, {}}; };
+    return shape.visit(
+        [&](const PathForm &path) {
+            return Outline{nodes, path.closed, path.curves, {}};
+        },
+        [&](const RectangleForm &) { return nodes.size() == 2 ? rectangleOutline(shape) : plain(); },
+        [&](const CircleForm &) {
+            if (nodes.size() != 2) {
+                return plain();
+            }
             const Vec2 arm = nodes[1] - nodes[0];
-            if (!(lengthSquared(arm) > 0.0)) {
-                return pointOutline(nodes[0]);
-            }
-            Outline outline = loopOutline(nodes[0], arm, leftNormal(arm));
-            outline.nodes[0] = nodes[1];
-            return outline;
-        }
-        break;
-    case ShapeKind::Ellipse:
-        if (nodes.size() == 3) {
-            const Vec2 u = nodes[1] - nodes[0], v = nodes[2] - nodes[0];
-            if (cross(u, v) == 0.0) {
-                return pointOutline(nodes[0]);
-            }
-            Outline outline = loopOutline(nodes[0], u, v);
-            outline.nodes[0] = nodes[1];
-            return outline;
-        }
-        break;
-    case ShapeKind::Slot:
-        if (nodes.size() == 2) {
-            return isSoundSlot(shape) ? slotOutline(shape) : pointOutline(nodes[0]);
-        }
-        break;
-    case ShapeKind::Polygon:
-        return {nodes, true, shape.curves, {}};
-    case ShapeKind::Polyline:
-        return {nodes, false, shape.curves, {}};
-    case ShapeKind::Point:
-        break;
-    }
-    return {nodes, false, {}, {}};
+            return lengthSquared(arm) > 0.0 ? roundOutline(nodes, leftNormal(arm)) : pointOutline(nodes[0]);
+        },
+        [&](const PointForm &) { return plain(); },
+        [&](const EllipseForm &) { return nodes.size() == 3 ? roundOutline(nodes, nodes[2] - nodes[0]) : plain(); },
+        [&](const SlotForm &) {
+            return nodes.size() != 2 ? plain() : isSoundSlot(shape) ? slotOutline(shape) : pointOutline(nodes[0]);
+        });
 }
 
 Chords chordsOf(const Shape &shape, const Outline &outline, double circleTolerance) {

@@ -22,24 +22,23 @@ Vec2 directionOf(const Shape &slot) {
 Shape slotAround(Vec2 a, Vec2 b, double radius) {
     Shape shape;
     if (a == b) {
-        shape.kind = ShapeKind::Circle;
+        shape.form = CircleForm{};
         shape.nodes = {a, a + Vec2{radius, 0.0}};
         return shape;
     }
-    shape.kind = ShapeKind::Slot;
+    shape.form = SlotForm{radius};
     shape.nodes = {a, b};
-    shape.radius = radius;
     return shape;
 }
 
 bool isSoundSlot(const Shape &slot) {
-    return slot.nodes.size() == 2 && slot.radius > 0.0 &&
-           std::isfinite(slot.radius / distance(slot.nodes[0], slot.nodes[1]));
+    const double radius = slot.as<SlotForm>().radius;
+    return slot.nodes.size() == 2 && radius > 0.0 && std::isfinite(radius / distance(slot.nodes[0], slot.nodes[1]));
 }
 
 Outline slotOutline(const Shape &slot) {
     const Vec2 a = slot.nodes[0], b = slot.nodes[1];
-    const Vec2 along = (slot.radius / distance(a, b)) * (b - a), left = leftNormal(along);
+    const Vec2 along = (slot.as<SlotForm>().radius / distance(a, b)) * (b - a), left = leftNormal(along);
     return {{a - left, b - left, b + left, a + left},
             true,
             {Curve(), Curve::arc(b, -1.0 * left, along, 0.0, std::numbers::pi), Curve(),
@@ -48,14 +47,14 @@ Outline slotOutline(const Shape &slot) {
 }
 
 Vec2 slotSide(const Shape &slot) {
-    return midpoint(slot.nodes[0], slot.nodes[1]) + slot.radius * leftNormal(directionOf(slot));
+    return midpoint(slot.nodes[0], slot.nodes[1]) + slot.as<SlotForm>().radius * leftNormal(directionOf(slot));
 }
 
 void placeSlotHandle(Shape &slot, std::uint32_t handle, Vec2 to) {
     if (handle < 2) {
         slot.nodes[handle] = to;
     } else {
-        slot.radius = std::fabs(dot(to - slot.nodes[0], leftNormal(directionOf(slot))));
+        slot.as<SlotForm>().radius = std::fabs(dot(to - slot.nodes[0], leftNormal(directionOf(slot))));
     }
 }
 
@@ -65,7 +64,7 @@ void setSlotLength(Shape &slot, double length) {
 
 void mapSlot(Shape &slot, const PlaneMap &map) {
     slot.nodes = {map(slot.nodes[0]), map(slot.nodes[1])};
-    slot.radius *= std::sqrt(std::fabs(map.determinant()));
+    slot.as<SlotForm>().radius *= std::sqrt(std::fabs(map.determinant()));
     if (map.determinant() < 0.0 && slot.segmentTags.size() == 4) {
         std::swap(slot.segmentTags[0], slot.segmentTags[2]); // left and right have changed places
     }
@@ -73,14 +72,15 @@ void mapSlot(Shape &slot, const PlaneMap &map) {
 }
 
 bool isSlot(const Shape &shape) {
-    if (shape.kind == ShapeKind::Slot) {
+    if (shape.is<SlotForm>()) {
         return true;
     }
-    if (shape.kind != ShapeKind::Polygon || shape.nodes.size() != 4 || shape.curves.size() != 4) {
+    if (!shape.isPolygon() || shape.nodes.size() != 4 || shape.path().curves.size() != 4) {
         return false;
     }
+    const std::vector<Curve> &curves = shape.path().curves;
     constexpr double kSame = 1e-6; // relative: transformed slots keep their form only nearly
-    const auto isArc = [&](std::size_t k) { return shape.curves[k].kind() == CurveKind::Arc; };
+    const auto isArc = [&](std::size_t k) { return curves[k].kind() == CurveKind::Arc; };
     const std::size_t first = isArc(0) ? 0 : 1;
     for (const std::size_t k : {first, first + 2}) {
         const Vec2 from = shape.nodes[k], to = shape.nodes[(k + 1) % 4];
@@ -88,10 +88,9 @@ bool isSlot(const Shape &shape) {
         const Vec2 opposite = midpoint(shape.nodes[(k + 2) % 4], shape.nodes[(k + 3) % 4]);
         const double radius = 0.5 * length(across), limit = kSame * radius;
         const Vec2 along = (1.0 / distance(centre, opposite)) * (centre - opposite);
-        if (!isArc(k) || shape.curves[(k + 1) % 4].kind() != CurveKind::Line ||
-            !(std::fabs(dot(along, across)) <= limit) ||
-            !(distance(shape.curves[k].point(0.5), centre + radius * along) <= limit) ||
-            !(std::fabs(distance(shape.curves[k].point(0.25), centre) - radius) <= limit)) {
+        if (!isArc(k) || curves[(k + 1) % 4].kind() != CurveKind::Line || !(std::fabs(dot(along, across)) <= limit) ||
+            !(distance(curves[k].point(0.5), centre + radius * along) <= limit) ||
+            !(std::fabs(distance(curves[k].point(0.25), centre) - radius) <= limit)) {
             return false;
         }
     }
@@ -101,15 +100,13 @@ bool isSlot(const Shape &shape) {
 
 Shape slotLike(const Shape &path) {
     const auto centreOf = [&](std::size_t k) {
-        const auto numbers = path.curves[k].numbers();
+        const auto numbers = path.path().curves[k].numbers();
         return Vec2{numbers[0], numbers[1]};
     };
-    const std::size_t first = path.curves[0].kind() == CurveKind::Arc ? 0 : 1;
+    const std::size_t first = path.path().curves[0].kind() == CurveKind::Arc ? 0 : 1;
     Shape slot = path;
-    slot.kind = ShapeKind::Slot;
+    slot.form = SlotForm{0.5 * distance(path.nodes[first], path.nodes[(first + 1) % 4])};
     slot.nodes = {centreOf(first + 2), centreOf(first)};
-    slot.radius = 0.5 * distance(path.nodes[first], path.nodes[(first + 1) % 4]);
-    slot.curves.clear();
     slot.cuts.clear();
     slot.nodeSizes.clear();
     const Outline outline = slotOutline(slot), before = outlineOf(path);

@@ -96,7 +96,7 @@ Document selectedPart(const Document &document, const Selection &selection) {
             for (std::uint32_t k = 0; k < taggedSegments(*shape); ++k) {
                 copySizes(document, segmentTag(*shape, k), part);
             }
-            if (shape->kind == ShapeKind::Point) {
+            if (shape->is<PointForm>()) {
                 copySizes(document, shape->tag, part);
             }
         }
@@ -148,7 +148,7 @@ std::string clipboardText(const Document &document, const Selection &selection) 
     svg.text += "\">\n";
     svg.text += std::string(kBegin) + toBase64(projectText(part)) + std::string(kEnd) + "\n<g stroke=\"black\">\n";
     for (const auto &shape : part.shapes) {
-        if (shape->kind != ShapeKind::Point) {
+        if (!shape->is<PointForm>()) {
             svg.outline(outlineOf(*shape));
         }
     }

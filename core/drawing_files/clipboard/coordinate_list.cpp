@@ -155,7 +155,7 @@ Shape pathOf(std::vector<Vec2> points) {
         points.pop_back();
     }
     const bool single = points.size() == 1;
-    shape.kind = closed ? ShapeKind::Polygon : single ? ShapeKind::Point : ShapeKind::Polyline;
+    shape.form = formOf(closed ? ShapeKind::Polygon : single ? ShapeKind::Point : ShapeKind::Polyline);
     shape.use = closed ? ShapeUse::Boundary : ShapeUse::Constraint;
     shape.tag = closed ? 1 : 2;
     shape.nodes = std::move(points);

@@ -28,7 +28,7 @@ bool isNull(const Curve &curve) {
 
 /// Returns true for paths without curves, which need no cuts either.
 bool isStraightPath(const Shape &shape) {
-    return isPath(shape) && std::all_of(shape.curves.begin(), shape.curves.end(), isNull);
+    return isPath(shape) && std::all_of(shape.path().curves.begin(), shape.path().curves.end(), isNull);
 }
 
 void writeCurve(const Curve &curve, JsonText &out) {
@@ -171,12 +171,13 @@ void readPath(const JsonValue &list, Shape &shape, JsonCheck &check) {
         return;
     }
     const std::size_t nodes = shape.nodes.size();
-    const std::size_t expected = shape.kind == ShapeKind::Polygon ? nodes : nodes - std::min<std::size_t>(nodes, 1);
+    const std::size_t expected = shape.isPolygon() ? nodes : nodes - std::min<std::size_t>(nodes, 1);
     if (list.count() != expected) {
         wrongCount(list, "a curve or null", expected, list.count(), check);
         return;
     }
-    shape.curves.resize(expected);
+    std::vector<Curve> &curves = shape.path().curves;
+    curves.resize(expected);
     const Outline outline = outlineOf(shape);
     CurveReader reader(outline, check);
     std::size_t k = 0;
@@ -184,7 +185,7 @@ void readPath(const JsonValue &list, Shape &shape, JsonCheck &check) {
         if (check.full()) {
             return;
         }
-        shape.curves[k] = reader.read(item, k);
+        curves[k] = reader.read(item, k);
         ++k;
     }
 }
@@ -228,9 +229,9 @@ void writeCurves(const Shape &shape, JsonText &out) {
     if (isStraightPath(shape)) {
         return;
     }
-    if (!shape.curves.empty()) {
+    if (isPath(shape)) {
         out << ", \"curves\": [";
-        out.list(shape.curves, ", ", [&](const Curve &curve) { writeCurve(curve, out); });
+        out.list(shape.path().curves, ", ", [&](const Curve &curve) { writeCurve(curve, out); });
         out << ']';
     }
     if (!shape.cuts.empty()) {
@@ -252,7 +253,7 @@ void readCurves(const JsonValue &item, Shape &shape, JsonCheck &check) {
         readCuts(*cuts, shape, check);
     }
     if (isStraightPath(shape)) {
-        shape.curves.clear();
+        shape.path().curves.clear();
         shape.cuts.clear();
     }
 }

@@ -45,7 +45,7 @@ void readNodeSize(const JsonValue &item, Shape &shape, JsonCheck &check) {
     if (!canHaveSize(shape, node)) {
         check.fault(*index, "bad-index",
                     "invalid node " + std::to_string(node) + "; expected " +
-                        (shape.kind == ShapeKind::Slot
+                        (shape.is<SlotForm>()
                              ? std::string("none, since a slot has no sizes at nodes")
                              : (isRound(shape) ? "1 to " : "0 to ") + std::to_string(handleCount(shape) - 1)));
     } else if (!shape.nodeSizes.emplace(node, part).second) {

@@ -1,7 +1,7 @@
 #include "core/drawing_files/project/project_parameters.hpp"
 
+#include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/formulas/number_address.hpp"
 #include "core/engine/base/number_text.hpp"
 
 #include <utility>
@@ -54,20 +54,21 @@ void readFormulas(const JsonValue &object, Document &document, JsonCheck &check)
         if (!value) {
             check.fault(*entry, "bad-formula", value.faults().front().message, value.faults().front().advice);
         }
-        document.formulas[toString(*address)] = text;
+        document.formulas[*address] = text;
     }
     if (!check.faults().empty()) {
         return;
     }
-    std::string failed;
+    NumberAddress failed;
     Result<Document> next = applyFormulas(document, &failed);
     if (next) {
         document = *std::move(next);
         return;
     }
     const Diagnostic &fault = next.faults().front();
-    check.fault(object.find(failed).value_or(object), fault.code,
-                "formula for " + inQuotes(failed) + ": " + fault.message, fault.advice);
+    const std::string text = toString(failed);
+    check.fault(object.find(text).value_or(object), fault.code, "formula for " + inQuotes(text) + ": " + fault.message,
+                fault.advice);
 }
 
 } // namespace

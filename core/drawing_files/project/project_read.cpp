@@ -87,9 +87,8 @@ class ProjectReader {
         const auto record = [&](DomainPartKind kind, const std::vector<ShapeNode> &parts) {
             for (const ShapeNode &part : parts) {
                 const std::vector<std::size_t> &offsets = offsets_[part.shape];
-                const ShapeKind shape = document_.shapes[part.shape]->kind;
-                const bool listed =
-                    shape == ShapeKind::Polygon || shape == ShapeKind::Polyline || shape == ShapeKind::Point;
+                const Shape &shape = *document_.shapes[part.shape];
+                const bool listed = isPath(shape) || shape.is<PointForm>();
                 const std::size_t k = listed ? part.node + std::size_t{1} : 0;
                 source_.origin->of(kind).push_back({k < offsets.size() ? offsets[k] : PartOrigin::kNowhere, {}});
             }
@@ -151,7 +150,8 @@ class ProjectReader {
             }
         }
         if (const auto kind = check_.member(item, "kind", "the shape")) {
-            shape.kind = static_cast<ShapeKind>(check_.choice(*kind, wordsOf<ShapeKind>(), "the kind of a shape"));
+            shape.form =
+                formOf(static_cast<ShapeKind>(check_.choice(*kind, wordsOf<ShapeKind>(), "the kind of a shape")));
         }
         if (const auto use = item.find("use")) {
             shape.use = static_cast<ShapeUse>(check_.choice(*use, wordsOf<ShapeUse>(), "the use of a shape"));
@@ -173,14 +173,7 @@ class ProjectReader {
             }
             nodeCount(shape, *nodes);
         }
-        if (const auto radius = item.find("radius")) {
-            shape.radius = shape.kind == ShapeKind::Slot
-                               ? check_.positive(*radius, "the radius of a slot")
-                               : check_.notNegative(*radius, "the radius of a shape's corners");
-        } else if (shape.kind == ShapeKind::Slot) {
-            check_.fault(item, "bad-number", "a slot has no radius; expected a number above 0",
-                         "add \"radius\", half the width of the slot");
-        }
+        readRadius(item, shape);
         readCurves(item, shape, check_);
         readNodeSizes(item, shape, check_);
         if (const auto hidden = item.find("hidden")) {
@@ -201,31 +194,36 @@ class ProjectReader {
         return shape;
     }
 
+    void readRadius(const JsonValue &item, Shape &shape) {
+        const auto radius = item.find("radius");
+        if (SlotForm *const slot = std::get_if<SlotForm>(&shape.form)) {
+            if (radius) {
+                slot->radius = check_.positive(*radius, "the radius of a slot");
+            } else {
+                check_.fault(item, "bad-number", "a slot has no radius; expected a number above 0",
+                             "add \"radius\", half the width of the slot");
+            }
+        } else if (radius) { // other shapes have none; older versions wrote one that was left from a rectangle
+            const double value = check_.notNegative(*radius, "the radius of a shape's corners");
+            if (RectangleForm *const rectangle = std::get_if<RectangleForm>(&shape.form)) {
+                rectangle->radius = value;
+            }
+        }
+    }
+
     void nodeCount(const Shape &shape, const JsonValue &place) {
         const std::size_t count = shape.nodes.size();
-        std::size_t expected = 0; // any
-        switch (shape.kind) {
-        case ShapeKind::Rectangle:
-        case ShapeKind::Circle:
-        case ShapeKind::Slot:
-            expected = 2;
-            break;
-        case ShapeKind::Ellipse:
-            expected = 3;
-            break;
-        case ShapeKind::Point:
-            expected = 1;
-            break;
-        case ShapeKind::Polygon:
-        case ShapeKind::Polyline:
-            break;
-        }
+        const std::size_t expected =
+            shape.visit([](const PathForm &) { return 0; }, // any
+                        [](const RectangleForm &) { return 2; }, [](const CircleForm &) { return 2; },
+                        [](const PointForm &) { return 1; }, [](const EllipseForm &) { return 3; },
+                        [](const SlotForm &) { return 2; });
         if (count == 0 || (expected != 0 && count != expected)) {
             const std::string nodes = expected == 0   ? "at least 1 node"
                                       : expected == 1 ? "1 node"
                                                       : std::to_string(expected) + " nodes";
             check_.fault(place, "bad-count",
-                         (shape.kind == ShapeKind::Ellipse ? "an " : "a ") + std::string(wordOf(shape.kind)) + " has " +
+                         (shape.is<EllipseForm>() ? "an " : "a ") + std::string(wordOf(shape.kind())) + " has " +
                              nodes + ", found " + std::to_string(count));
         }
     }
@@ -233,8 +231,7 @@ class ProjectReader {
     void segmentTagCount(const Shape &shape, const JsonValue &place) {
         const std::size_t nodes = shape.nodes.size();
         const std::size_t count = shape.segmentTags.size();
-        const std::size_t expected =
-            shape.kind == ShapeKind::Polygon ? nodes : taggedSegments(shape); // of two nodes, too
+        const std::size_t expected = shape.isPolygon() ? nodes : taggedSegments(shape); // of two nodes, too
         if (count != 0 && count != expected) {
             check_.fault(place, "bad-count",
                          "expected a tag for each of the " + std::to_string(expected) + " segments, found " +

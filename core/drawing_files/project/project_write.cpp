@@ -48,10 +48,18 @@ class ProjectWriter {
     }
 
   private:
+    /// Returns the radius of a form that has one; 0 for others.
+    static double radiusOf(const Shape &shape) {
+        return shape.visit([](const PathForm &) { return 0.0; },
+                           [](const RectangleForm &rectangle) { return rectangle.radius; },
+                           [](const CircleForm &) { return 0.0; }, [](const PointForm &) { return 0.0; },
+                           [](const EllipseForm &) { return 0.0; }, [](const SlotForm &slot) { return slot.radius; });
+    }
+
     void shapes(const Document &document) {
         out_ << ",\n  \"shapes\": [\n    ";
         out_.list(document.shapes, ",\n    ", [&](const std::shared_ptr<const Shape> &shape) {
-            out_ << "{\"id\": " << shape->id << ", \"kind\": \"" << wordOf(shape->kind) << "\", \"use\": \""
+            out_ << "{\"id\": " << shape->id << ", \"kind\": \"" << wordOf(shape->kind()) << "\", \"use\": \""
                  << wordOf(shape->use) << "\", \"tag\": " << shape->tag << ", \"name\": " << jsonString(shape->name)
                  << ", \"nodes\": [";
             out_.list(shape->nodes, ", ", [&](Vec2 p) { out_.point(p); });
@@ -61,9 +69,9 @@ class ProjectWriter {
                 out_.list(shape->segmentTags, ", ", [&](std::int32_t tag) { out_ << tag; });
                 out_ << ']';
             }
-            if (shape->radius != 0.0) {
+            if (const double radius = radiusOf(*shape); radius != 0.0) {
                 out_ << ", \"radius\": ";
-                out_.number(shape->radius);
+                out_.number(radius);
             }
             writeCurves(*shape, out_);
             writeNodeSizes(*shape, out_);
@@ -123,7 +131,11 @@ class ProjectWriter {
         }
         if (!document.formulas.empty()) {
             out_ << ",\n  \"formulas\": {";
-            out_.list(document.formulas, ", ", [&](const auto &formula) {
+            std::map<std::string, std::string> formulas; // in the order of their texts, which files have always had
+            for (const auto &[address, text] : document.formulas) {
+                formulas.emplace(toString(address), text);
+            }
+            out_.list(formulas, ", ", [&](const auto &formula) {
                 out_ << jsonString(formula.first) << ": " << jsonString(formula.second);
             });
             out_ << '}';

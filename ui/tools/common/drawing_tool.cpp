@@ -182,10 +182,10 @@ void DrawingTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
     const std::vector<Vec2> handles = handlesOf(drawn);
     for (const TypedNode &node : typedNodes_) {
         // Where an end meets its own path, that has a node too: both move together.
-        for (std::size_t k = 0; k < handles.size(); ++k) {
+        for (std::uint32_t k = 0; k < handles.size(); ++k) {
             if (handles[k] == node.at) {
-                keep("x/" + std::to_string(k), node.x);
-                keep("y/" + std::to_string(k), node.y);
+                keep(Quantity::X, k, node.x);
+                keep(Quantity::Y, k, node.y);
             }
         }
     }
@@ -284,11 +284,10 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
         next = joinToSegments(*next, before->nextId);
     }
     if (next) {
-        const std::string prefix = "shape/" + std::to_string(before->nextId) + '/';
         const Shape drawn = *findShape(*next, before->nextId);
-        keepFormulas(drawn, [&](const std::string &quantity, const std::string &formula) {
+        keepFormulas(drawn, [&](Quantity what, std::uint32_t handle, const std::string &formula) {
             if (!formula.empty()) {
-                next = setFormula(*std::move(next), prefix + quantity, formula);
+                next = setFormula(*std::move(next), {NumberOwner::ofShape(before->nextId), what, handle}, formula);
             }
         });
     }

@@ -81,8 +81,8 @@ class DrawingTool : public Tool {
     /// Adds a shape, selects it and clears the typed numbers. Numbers of the shape that were typed as expressions
     /// follow them: see keepFormulas().
     bool commitShape(Shell &context, Shape shape, const std::string &label);
-    /// A formula of a number of a new shape or source: "x/2" and "gap + 1".
-    using Keep = std::function<void(const std::string &quantity, const std::string &formula)>;
+    /// Takes a formula of a number of a new shape; the handle is 0 for numbers without one.
+    using Keep = std::function<void(Quantity what, std::uint32_t handle, const std::string &formula)>;
     /// Lets numbers of a new shape follow the expressions that were typed while it was drawn. An empty formula is
     /// ignored. What does not fit, such as a width that the pointer has changed, is removed when the document changes.
     virtual void keepFormulas(const Shape &drawn, const Keep &keep) const;

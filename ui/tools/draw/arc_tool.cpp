@@ -96,14 +96,14 @@ void ArcTool::place(Vec2 at, Shell &context) {
     }
     const Curve curve = completed(at);
     Shape shape;
-    shape.kind = ShapeKind::Polyline;
+    shape.form = PathForm{.closed = false};
     shape.use = ShapeUse::Constraint;
     shape.nodes = byCentre() ? std::vector{places_[1], curve.point(1.0)} : places_;
     if (shape.nodes[0] == shape.nodes[1]) {
         return;
     }
     if (curve.kind() != CurveKind::Line) {
-        shape.curves = {curve};
+        shape.path().curves = {curve};
     }
     if (commitShape(context, std::move(shape), "Draw arc")) {
         places_.clear();
@@ -120,17 +120,17 @@ void ArcTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
     const auto named = [](const std::string &text) { return usesNames(text) ? text : std::string(); };
     if (!byCentre()) {
         DrawingTool::keepFormulas(drawn, keep);
-        keep("arcRadius/0", named(entry_.expression(EntryField::Radius)));
+        keep(Quantity::ArcRadius, 0, named(entry_.expression(EntryField::Radius)));
         return;
     }
     const double radius = distance(places_[0], places_[1]);
     const std::string size = radius_.x.empty() ? exactText(radius) : radius_.x;
-    for (const std::size_t k : {0U, 1U}) {
+    for (const std::uint32_t k : {0U, 1U}) {
         const PlaceFormula end = polarFormula(centre_, size, degreesText(drawn.nodes[k] - places_[0]));
-        keep("x/" + std::to_string(k), named(end.x));
-        keep("y/" + std::to_string(k), named(end.y));
+        keep(Quantity::X, k, named(end.x));
+        keep(Quantity::Y, k, named(end.y));
     }
-    keep("arcRadius/0", named(size));
+    keep(Quantity::ArcRadius, 0, named(size));
 }
 
 std::string ArcTool::measure() const {

@@ -131,7 +131,7 @@ BoxTool::Side BoxTool::sideOf(bool across, Vec2 second) const {
 void BoxTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
     if (!isBox()) {
         DrawingTool::keepFormulas(drawn, keep);
-        keep("radius", entry_.expression(EntryField::Radius));
+        keep(Quantity::Radius, 0, entry_.expression(EntryField::Radius));
         return;
     }
     const Vec2 second = kind_ == ShapeKind::Ellipse ? 2.0 * drawn.nodes[0] - *first_ : drawn.nodes[1];
@@ -142,28 +142,28 @@ void BoxTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
         const std::string &low = back ? side.toText : side.fromText, &high = back ? side.fromText : side.toText;
         const std::string size = side.placed ? named(differenceFormula(high, low)) : side.size;
         if (kind_ == ShapeKind::Rectangle) {
-            keep(across ? "left" : "bottom", named(low));
-            keep(across ? "width" : "height", size);
+            keep(across ? Quantity::Left : Quantity::Bottom, 0, named(low));
+            keep(across ? Quantity::Width : Quantity::Height, 0, size);
             continue;
         }
-        keep(across ? "rx" : "ry", size.empty() ? size : "(" + size + ")/2");
+        keep(across ? Quantity::Rx : Quantity::Ry, 0, size.empty() ? size : "(" + size + ")/2");
         // Without expressions for its corners, an ellipse grows about its centre.
         if (side.placed || usesNames(side.fromText)) {
-            keep(across ? "x/0" : "y/0", "(" + sumFormula(low, high) + ")/2");
+            keep(across ? Quantity::X : Quantity::Y, 0, "(" + sumFormula(low, high) + ")/2");
         }
     }
-    keep("radius", kind_ == ShapeKind::Rectangle ? radiusFormula_ : std::string());
+    keep(Quantity::Radius, 0, kind_ == ShapeKind::Rectangle ? radiusFormula_ : std::string());
 }
 
 Shape BoxTool::shapeTo(Vec2 second) const {
     Shape shape;
-    shape.kind = kind_;
+    shape.form = formOf(kind_);
     shape.nodes = {*first_, second};
     if (kind_ == ShapeKind::Ellipse) {
         const Vec2 centre = midpoint(*first_, second), half = boxOf(*first_, second).max - centre;
         shape.nodes = {centre, centre + Vec2{half.x, 0.0}, centre + Vec2{0.0, half.y}};
     } else if (kind_ == ShapeKind::Rectangle) {
-        shape.radius = radius_;
+        shape.as<RectangleForm>().radius = radius_;
     }
     return shape;
 }

@@ -96,10 +96,10 @@ void PenTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
     if (drawn.nodes.size() != path_.size()) {
         return; // nodes were inserted where the path meets itself
     }
-    for (std::size_t k = 0; k < path_.size(); ++k) {
+    for (std::uint32_t k = 0; k < path_.size(); ++k) {
         const Node &end = path_[(k + 1) % path_.size()];
-        if (k < drawn.curves.size() && usesNames(end.radius)) {
-            keep("arcRadius/" + std::to_string(k), end.radius);
+        if (k < drawn.path().curves.size() && usesNames(end.radius)) {
+            keep(Quantity::ArcRadius, k, end.radius);
         }
     }
 }

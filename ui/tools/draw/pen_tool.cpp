@@ -101,18 +101,20 @@ void PenTool::smoothStroke(Shell &context, bool loop) {
         stroke.push_back(last);
     }
     Shape shape;
-    shape.curves = fitStroke(stroke, freehandTolerance(context), loop);
-    for (Curve &curve : shape.curves) {
+    PathForm &path = shape.path();
+    path.closed = kind_ == ShapeKind::Polygon;
+    path.curves = fitStroke(stroke, freehandTolerance(context), loop);
+    for (Curve &curve : path.curves) {
         shape.nodes.push_back(curve.point(0.0));
         curve = curve.kind() == CurveKind::Line ? Curve() : curve;
     }
     if (!loop) {
         shape.nodes.push_back(last);
         if (kind_ == ShapeKind::Polygon) {
-            shape.curves.emplace_back(); // straight back to the beginning
+            path.curves.emplace_back(); // straight back to the beginning
         }
     }
-    const bool curved = std::any_of(shape.curves.begin(), shape.curves.end(),
+    const bool curved = std::any_of(path.curves.begin(), path.curves.end(),
                                     [](const Curve &curve) { return curve.kind() != CurveKind::Line; });
     const std::size_t needed = kind_ == ShapeKind::Polygon && !curved ? 3 : 2;
     if (shape.nodes.size() < needed) {
@@ -120,9 +122,8 @@ void PenTool::smoothStroke(Shell &context, bool loop) {
         return;
     }
     if (!curved) {
-        shape.curves.clear();
+        path.curves.clear();
     }
-    shape.kind = kind_;
     commit(context, std::move(shape));
 }
 
@@ -209,16 +210,17 @@ void PenTool::announceTooFew(Shell &context) const {
 
 void PenTool::commit(Shell &context, bool closed) {
     Shape shape;
-    shape.kind = closed ? ShapeKind::Polygon : ShapeKind::Polyline;
+    PathForm &path = shape.path();
+    path.closed = closed;
     if (state_->penMode == PenMode::Spline && path_.size() > 2) {
-        shape.curves = splineOf(closed);
+        path.curves = splineOf(closed);
     }
-    const std::size_t segments = shape.curves.empty() ? path_.size() - (closed ? 0 : 1) : 0;
+    const std::size_t segments = path.curves.empty() ? path_.size() - (closed ? 0 : 1) : 0;
     for (std::size_t k = 0; k < path_.size(); ++k) {
         shape.nodes.push_back(path_[k].at);
         if (k < segments) {
             const Node &next = path_[(k + 1) % path_.size()];
-            shape.curves.push_back(curved(path_[k], next) ? segment(path_[k], next) : Curve());
+            path.curves.push_back(curved(path_[k], next) ? segment(path_[k], next) : Curve());
         }
     }
     commit(context, std::move(shape));

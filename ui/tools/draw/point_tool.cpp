@@ -13,7 +13,7 @@ const char *PointTool::icon() const {
 
 void PointTool::place(Vec2 at, Shell &context) {
     Shape shape;
-    shape.kind = ShapeKind::Point;
+    shape.form = PointForm{};
     shape.use = ShapeUse::Constraint;
     shape.nodes = {at};
     commitShape(context, std::move(shape), "Place point");

@@ -59,10 +59,11 @@ void RegionTool::place(Vec2 at, Shell &context) {
     const std::int32_t tag = tagOfNext(context);
     Result<Document> next = fillRegion(*document, at, tag);
     if (next && !next->regionMarkers.empty()) {
-        const std::string prefix = "region/" + std::to_string(next->regionMarkers.size() - 1) + '/';
+        const auto index = static_cast<std::uint32_t>(next->regionMarkers.size() - 1);
         const PlaceFormula formula = formulaOf(at);
-        for (const auto &[axis, text] : {std::pair('x', formula.x), std::pair('y', formula.y)}) {
-            next = usesNames(text) ? setFormula(*std::move(next), prefix + axis, text) : std::move(next);
+        for (const auto &[axis, text] : {std::pair(Quantity::X, formula.x), std::pair(Quantity::Y, formula.y)}) {
+            next = usesNames(text) ? setFormula(*std::move(next), {NumberOwner::ofRegion(index), axis}, text)
+                                   : std::move(next);
         }
     }
     if (context.applyCommand(std::move(next), "Fill " + regionName(document->regionNames, tag))) {

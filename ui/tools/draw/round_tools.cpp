@@ -46,7 +46,7 @@ void RegularPolygonTool::place(Vec2 at, Shell &context) {
         return; // second click of a double-click
     }
     Shape shape;
-    shape.kind = ShapeKind::Polygon;
+    shape.form = PathForm{};
     shape.nodes = corners(firstCorner(at));
     commitShape(context, std::move(shape), "Draw regular polygon");
     centre_.reset();
@@ -60,8 +60,8 @@ void RegularPolygonTool::keepFormulas(const Shape &drawn, const Keep &keep) cons
     angle = angle.empty() ? degreesText(arm) : angle;
     for (int k = 0; k < sides_; ++k) {
         const PlaceFormula corner = polarFormula(centre, radius, sumFormula(angle, exactText(360.0 * k / sides_)));
-        keep("x/" + std::to_string(k), usesNames(corner.x) ? corner.x : std::string());
-        keep("y/" + std::to_string(k), usesNames(corner.y) ? corner.y : std::string());
+        keep(Quantity::X, k, usesNames(corner.x) ? corner.x : std::string());
+        keep(Quantity::Y, k, usesNames(corner.y) ? corner.y : std::string());
     }
 }
 

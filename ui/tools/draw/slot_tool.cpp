@@ -54,16 +54,16 @@ std::string SlotTool::typedLength() const {
 
 void SlotTool::keepFormulas(const Shape &drawn, const Keep &keep) const {
     // The length alone keeps its direction, also when the slot is moved; otherwise both centres follow.
-    DrawingTool::keepFormulas(drawn, [&](const std::string &quantity, const std::string &formula) {
-        if (length_.empty() || quantity.ends_with("/0")) {
-            keep(quantity, formula);
+    DrawingTool::keepFormulas(drawn, [&](Quantity what, std::uint32_t handle, const std::string &formula) {
+        if (length_.empty() || handle == 0) {
+            keep(what, handle, formula);
         }
     });
-    keep("length", length_);
+    keep(Quantity::Length, 0, length_);
     const std::string diameter = entry_.expression(EntryField::Diameter);
     const std::string radius = entry_.expression(EntryField::Radius);
     const std::string width = !diameter.empty() ? diameter : doubled(radius);
-    keep("width", usesNames(width) ? width : std::string());
+    keep(Quantity::Width, 0, usesNames(width) ? width : std::string());
 }
 
 bool SlotTool::removeLast() {

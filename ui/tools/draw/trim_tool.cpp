@@ -8,7 +8,7 @@ namespace forefront {
 namespace {
 
 bool isEnd(const Shape &shape, std::uint32_t node) {
-    return shape.kind == ShapeKind::Polyline && (node == 0 || node + 1 == shape.nodes.size());
+    return shape.isPolyline() && (node == 0 || node + 1 == shape.nodes.size());
 }
 
 } // namespace
@@ -44,7 +44,7 @@ std::optional<TrimTool::Change> TrimTool::changeAt(Vec2 place, Shell &context) {
     const Document &document = index.document();
     const auto isFree = [](const Shape &shape) { return !shape.locked; };
     const auto node = index.node(place, EditState::reach(context, 8.0),
-                                 [](const Shape &shape) { return !shape.locked && shape.kind == ShapeKind::Polyline; });
+                                 [](const Shape &shape) { return !shape.locked && shape.isPolyline(); });
     std::string fault;
     if (node && isEnd(*findShape(document, node->ref.shape), node->ref.node)) {
         if (const Result<Curve> &added = extensionOf(shared, node->ref)) {

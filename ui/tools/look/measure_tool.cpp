@@ -145,7 +145,7 @@ MeasureTool::Values MeasureTool::values(const Shell &context) const {
     }
     const std::optional<Picked> hovered = picked_.empty() && over_ ? segmentUnder(context) : std::nullopt;
     if (mode_ == MeasureMode::Object && (hovered || !picked_.empty())) {
-        for (const Quantity &quantity : measureCurve(hovered ? hovered->curve : picked_.front().curve)) {
+        for (const SegmentMeasure &quantity : measureCurve(hovered ? hovered->curve : picked_.front().curve)) {
             found.emplace_back(quantity.name,
                                quantity.isAngle ? degrees(quantity.value) : ui::number(quantity.value, 6));
         }

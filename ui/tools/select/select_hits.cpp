@@ -24,7 +24,7 @@ std::optional<Control> SelectTool::controlAt(Vec2 place, Shell &context) const {
 std::optional<NodeHit> SelectTool::nodeAt(Vec2 place, const PickIndex::Filter &pickable, Shell &context) const {
     const PickIndex &index = *state_->index(context);
     const auto isShown = [&](const Shape &shape) {
-        return pickable.shapes(shape) && (shape.kind == ShapeKind::Point || context.selection.touches(shape.id));
+        return pickable.shapes(shape) && (shape.is<PointForm>() || context.selection.touches(shape.id));
     };
     const auto shown = index.node(place, EditState::reach(context, 8.0), isShown);
     return shown ? shown : index.node(place, EditState::reach(context, 4.0), pickable);

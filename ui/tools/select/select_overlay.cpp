@@ -56,7 +56,7 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
         const std::vector<Vec2> handles = handlesOf(*shape);
         for (std::uint32_t k = 0; k < handles.size() && drawn < kMaxHandles; ++k) {
             if (visible.contains(handles[k])) {
-                const bool chosen = whole ? shape->kind == ShapeKind::Point : selection.nodes.contains({shape->id, k});
+                const bool chosen = whole ? shape->is<PointForm>() : selection.nodes.contains({shape->id, k});
                 painter.handle(handles[k], chosen ? 4.5 : 3.5, chosen ? theme.selection : theme.canvas,
                                theme.selection);
                 ++drawn;

@@ -62,7 +62,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         // Beside whole shapes, another shape is meant.
         const bool beside = adds && selection.nodes.empty() && !selection.shapes.empty() &&
                             (selection.shapes.size() > 1 || !selection.touches(hit.shape));
-        if (beside || (shape != nullptr && shape->kind == ShapeKind::Point)) {
+        if (beside || (shape != nullptr && shape->is<PointForm>())) {
             choose(selection.shapes, hit.shape, adds);
         } else {
             choose(selection.nodes, hit.node, adds);

@@ -72,31 +72,31 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
 }
 
 void SourceTool::keepSourceFormulas(Document &document, const SizeSource &source) const {
-    const std::string prefix = "source/" + std::to_string(document.spacing.sources.size() - 1) + '/';
-    const auto keep = [&](const char *quantity, const std::string &formula) {
+    const auto index = static_cast<std::uint32_t>(document.spacing.sources.size() - 1);
+    const auto keep = [&](Quantity what, const std::string &formula) {
         if (usesNames(formula)) {
-            document = setFormula(std::move(document), prefix + quantity, formula);
+            document = setFormula(std::move(document), {NumberOwner::ofSource(index), what}, formula);
         }
     };
     const PlaceFormula a = formulaOf(source.a), b = formulaOf(source.b);
-    keep("x", a.x);
-    keep("y", a.y);
+    keep(Quantity::X, a.x);
+    keep(Quantity::Y, a.y);
     if (source.shape == SourceShape::Box) {
         const auto far = [&](const std::string &near, double from, EntryField field) {
             const std::string extent = entry_.expression(field);
             return extent.empty() ? extent : (near.empty() ? exactText(from) : near) + "+(" + extent + ')';
         };
-        keep("x2", far(a.x, source.a.x, EntryField::Width));
-        keep("y2", far(a.y, source.a.y, EntryField::Height));
+        keep(Quantity::X2, far(a.x, source.a.x, EntryField::Width));
+        keep(Quantity::Y2, far(a.y, source.a.y, EntryField::Height));
     }
     if (source.shape == SourceShape::Line || source.shape == SourceShape::Box) {
-        keep("x2", b.x);
-        keep("y2", b.y);
+        keep(Quantity::X2, b.x);
+        keep(Quantity::Y2, b.y);
     } else if (source.shape == SourceShape::Circle) {
-        keep("radius", entry_.expression(EntryField::Radius));
+        keep(Quantity::Radius, entry_.expression(EntryField::Radius));
     }
-    keep("size", state_->sourceSizeFormula);
-    keep("growth", state_->sourceGrowthFormula);
+    keep(Quantity::Size, state_->sourceSizeFormula);
+    keep(Quantity::Growth, state_->sourceGrowthFormula);
 }
 
 std::span<const EntryField> SourceTool::entryFields() const {
