@@ -157,7 +157,7 @@ TEST_CASE("Side by side: the compared mesh shows its own values of the field on 
     other.elementFields.clear();
     Draughtsman driver;
     driver.context().run.showFile(made);
-    driver.context().sides.compareWith("other.vtu", comparedFile(other), [] {});
+    driver.context().sides.compareWith("other.vtu", comparedFile(other));
     showLayer(driver.context().layers, "quality", true);
     chooseField(driver.context(), MeshPart::Nodes, "heat");
     driver.settle();
@@ -196,7 +196,7 @@ TEST_CASE("Side by side: the other mesh is laid over that of the canvas, in its 
     for (std::uint32_t k = 0; k < 4; ++k) {
         other.mesh.block(CellKind::Triangle3).add(std::array{NodeId{k}, NodeId{(k + 1) % 4}, NodeId{4}});
     }
-    driver.context().sides.compareWith("other.msh", comparedFile(other), [] {});
+    driver.context().sides.compareWith("other.msh", comparedFile(other));
     driver.settle();
     const double narrow = driver.canvas().width;
     /// Counts the places along the inner edges of the other mesh where its colour is seen.
