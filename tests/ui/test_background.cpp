@@ -323,7 +323,7 @@ TEST_CASE("Background: results about a document that was replaced are dropped by
     BackgroundList list([] {});
     DocumentExaminer examiner(list);
     Shape plate;
-    plate.kind = ShapeKind::Circle;
+    plate.form = CircleForm();
     plate.nodes = {{0, 0}, {4, 0}};
     const Result<Document> document = addShape(Document(), plate);
     REQUIRE(document);
