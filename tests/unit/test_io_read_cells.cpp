@@ -17,6 +17,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <tuple>
@@ -87,6 +88,14 @@ void checkRefusedCell(Result<Mesh> (*read)(const SourceText &), const std::strin
     CHECK(allLocated(mesh.faults()));
 }
 
+/// Returns a mesh with its nodes at multiples of 1e-12.
+Mesh roughly(Mesh mesh) {
+    for (Vec2 &node : mesh.nodes) {
+        node = {std::round(node.x * 1e12) / 1e12, std::round(node.y * 1e12) / 1e12};
+    }
+    return mesh;
+}
+
 std::string msh2Of(const std::string &elements, std::size_t count) {
     return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n" + placeLines(" 0", 1) + "$EndNodes\n$Elements\n" +
            std::to_string(count) + '\n' + elements + "$EndElements\n";
@@ -132,7 +141,9 @@ TEST_CASE("Read cells: each format reads back each kind that it writes, with mid
             ImportNotes notes;
             const Result<Mesh> back = allFormats().readMesh(path, {}, &notes);
             REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
-            CHECK(keptCells(*back) == keptCells(mesh));
+            const bool rounded = hasCode(exportNotes(path, mesh, format.id), "rounded-coordinates"); // Abaqus
+            CHECK((rounded ? keptCells(roughly(*back)) == keptCells(roughly(mesh))
+                           : keptCells(*back) == keptCells(mesh)));
             CHECK_MESSAGE(notes.empty(), messages(notes.diagnostics()));
             CHECK_MESSAGE(verify(*back).empty(), messages(verify(*back)));
             ++written;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace FOREFRONT_API forefront {
@@ -53,6 +54,10 @@ struct DiscreteDomain {
     /// Result of estimateElements() for the spacing it was discretised with; 0: not computed yet.
     double estimatedElements = 0.0;
 
+    /// Returns the points that the mesh must contain, without those that only lead to the size asked for.
+    std::span<const ConstraintPoint> taggedPoints() const {
+        return std::span(points).first(points.size() - gradedNodes);
+    }
     /// Returns the sum of the regions' areas.
     double area() const;
     Box2 bounds() const;

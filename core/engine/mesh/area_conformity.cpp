@@ -43,9 +43,9 @@ class AreaIntegral {
         int divisions;
     };
     static constexpr std::size_t kBlock = 170, kPlaces = 3;
-    // Sizes that follow a graded spacing differ by less than this within an element, so that three places are enough;
-    // an element that is much larger than the sizes in it is divided into up to 64 parts.
-    static constexpr double kSimilar = 0.25;
+    // In elements that follow a graded spacing, the conformity differs by less than this, so that three places are
+    // enough; an element that is much larger than the sizes in it is divided into up to 64 parts.
+    static constexpr double kSimilar = 0.1;
     static constexpr int kMaxDivisions = 3;
 
     /// Takes the last parts that wait, and adds them up or divides them.

@@ -140,7 +140,7 @@ void checkPoints(const MeshView &mesh, bool tagged, const DiscreteDomain &domain
                  const MeshNumbers &numbers, FaultList &faults) {
     std::vector<TaggedNode> points(mesh.points.begin(), mesh.points.end());
     std::sort(points.begin(), points.end(), [](const TaggedNode &a, const TaggedNode &b) { return a.node < b.node; });
-    for (const ConstraintPoint &point : domain.points) {
+    for (const ConstraintPoint &point : domain.taggedPoints()) {
         const Vec2 place = domain.nodes[point.node];
         const NodeId node = nodes.find(place);
         const auto it = std::lower_bound(points.begin(), points.end(), node,

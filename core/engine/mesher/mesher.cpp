@@ -7,7 +7,6 @@
 #include "core/engine/mesher/strip_runner.hpp"
 
 #include <algorithm>
-#include <span>
 #include <type_traits>
 
 namespace forefront {
@@ -136,8 +135,7 @@ void addTags(TriMesh &mesh, const DiscreteDomain &boundary, const std::vector<st
             mesh.edgeStretches[i] = mesh.edgeStretches[i].reversed();
         }
     }
-    for (const ConstraintPoint &point :
-         std::span(boundary.points).first(boundary.points.size() - boundary.gradedNodes)) {
+    for (const ConstraintPoint &point : boundary.taggedPoints()) {
         mesh.points.push_back({NodeId{point.node}, point.tag});
     }
     mesh.boundaryNames = boundary.boundaryNames;
