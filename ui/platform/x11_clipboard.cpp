@@ -311,7 +311,7 @@ class X11Clipboard::Owner {
     }
 
     Connection x_;
-    int wake_; ///< read end of the pipe that wakes the thread
+    int wake_; ///< eventfd that wakes the thread
     std::mutex mutex_;
     std::shared_ptr<const std::string> offered_;
     std::vector<Sending> sending_;

@@ -35,7 +35,7 @@ class CrowdedNodes {
         Vec2 direction_; ///< of the line
         std::array<End, 2> ends_;
     };
-    /// Returns the nodes hidden from the part from a to b of the line at a position.
+    /// Returns the lines hidden from the part from a to b of the line at a position.
     Hidden hiddenFrom(std::uint32_t position, Vec2 a, Vec2 b) const;
 
   private:
