@@ -203,8 +203,8 @@ int runAdapt(const AdaptArguments &arguments) {
     printNotes(notes, arguments.quiet);
     if (arguments.domain && domainFile->isProject() && !arguments.quiet) {
         printFaults(noteOf("project-domain",
-                           "only the drawing of the project is used; the sizes follow the error, and the options of "
-                           "meshing are those of this command"));
+                           "only the drawing of the project is used; the sizes follow the error, and this command "
+                           "sets the meshing options"));
     }
     interrupt.deferToStop();
     TriMesh triangles = takeTriangulated(std::move(input->mesh)).mesh; // the error is estimated on triangles

@@ -193,7 +193,7 @@ void addCurveToleranceOption(CLI::App &app, std::optional<CurveToleranceArgument
                tolerance = given;
            },
            "maximum distance of a curve from its edges, which also limits the size beside it: a length, or a "
-           "percentage of the domain's diagonal; default: that of the project, or 0.05%")
+           "percentage of the domain's diagonal; default: from the project, or 0.05%")
         ->type_name("LENGTH|PERCENT%");
 }
 
@@ -251,7 +251,7 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
 
 void addMaxElementsOption(CLI::App &app, std::optional<double> &maxElements) {
     app.add_option("--max-elements", maxElements,
-                   "refuse to make more elements than this; default: that of the project, or " +
+                   "refuse to make more elements than this; default: from the project, or " +
                        shown(static_cast<double>(kDefaultMaxElements)))
         ->check(numberWithin(1.0, static_cast<double>(kMaxElements)))
         ->type_name("N");

@@ -38,14 +38,14 @@ CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value,
 /// Adds the options --size and --spacing, which several commands share.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
 
-/// Replaces the rules of a spacing by those of --size and --spacing, if one of them is given. Returns true if so.
+/// Replaces the rules of a spacing by --size or --spacing, if given. Returns true if it did.
 bool applySpacingOptions(std::optional<double> size, const std::optional<std::string> &expression,
                          SpacingSpec &spacing);
 
 /// Adds the options --picture-sizes and --picture-box of a picture that is read as spacing.
 void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box);
 
-/// Adds the option --input-format; `input` is what the help text calls the input.
+/// Adds the option --input-format; `input` is the word for the input in the help text.
 void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId);
 
 /// Adds the options of the commands that write meshes: --output, which is returned, --format and --inner-edges.

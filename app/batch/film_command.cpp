@@ -117,9 +117,9 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
                    "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
         ->required();
-    addWordOption<Method>(app, "--method", arguments.method, "method; default: that of the project, or fast");
+    addWordOption<Method>(app, "--method", arguments.method, "method; default: from the project, or fast");
     addWordOption<GridKind>(app, "--grid", arguments.grid, "background grid");
-    auto *spacing = app.add_option_group("Spacing", "at most one; default: that of the project, or automatic");
+    auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
     addMaxElementsOption(app, arguments.maxElements);

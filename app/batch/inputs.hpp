@@ -40,16 +40,16 @@ struct Input {
 /// unknown-format.
 Result<Input> openInput(const std::filesystem::path &path, const std::optional<std::string> &formatId = {});
 
-/// Returns what is wrong with --input-format or with the inputs of a command, at most one of which can be standard
-/// input; empty if all are valid.
+/// Returns the error in --input-format or in the inputs of a command, at most one of which can be standard input; empty
+/// if all are valid.
 std::string checkInputs(std::initializer_list<std::optional<std::filesystem::path>> inputs,
                         const std::string &formatId = {});
 
-/// Sets the values of --set. Returns what is wrong if the input has no parameters; empty if it is a project.
+/// Sets the values of --set. Returns an error if the input has no parameters; empty if it is a project.
 std::string setParameters(Input &input, const std::map<std::string, std::string> &parameters);
 
-/// Returns what is wrong with options that have no effect on the format of an input, such as a weld tolerance where
-/// parts are not joined; empty if they are valid. `repairs` is true if --repair is given.
+/// Returns the error for options that have no effect on the format of an input, such as a weld tolerance where parts
+/// are not joined; empty if they are valid. `repairs` is true if --repair is given.
 std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &input, bool repairs);
 
 /// Returns the ids of the formats that can be read, as --input-format accepts them, separated by commas.

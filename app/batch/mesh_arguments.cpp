@@ -110,7 +110,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         ->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges);
-    auto *spacing = app.add_option_group("Spacing", "at most one; default: that of the project, or automatic");
+    auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
         ->add_option("--spacing-file", arguments.spacingFile,

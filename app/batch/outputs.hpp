@@ -18,9 +18,9 @@ namespace forefront {
 /// Returns the ids of the mesh formats that can be written, as --format accepts them, separated by commas.
 std::string formatIds();
 
-/// Returns what is wrong with the format of an output; empty if it is valid. `id` is the value of --format; if it is
-/// empty, the extension decides. The extension of one format is refused for the content of another, since it would
-/// mislead readers; unknown extensions are fine for any format.
+/// Returns the error in the format of an output; empty if it is valid. `id` is the value of --format; if it is empty,
+/// the extension decides. The extension of one format is refused for the content of another, since it would mislead
+/// readers; unknown extensions are fine for any format.
 std::string checkFormat(const std::filesystem::path &output, const std::string &id);
 
 /// A file to be written.

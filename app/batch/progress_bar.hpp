@@ -19,8 +19,8 @@ class ProgressBar {
     ProgressBar(const ProgressBar &) = delete;
     ProgressBar &operator=(const ProgressBar &) = delete;
 
-    /// Runs an operation that reports to progress(), and clears the line at its end, however it ends. `stage`: shown at
-    /// its start; empty: the operation names its stages. Returns what it returns.
+    /// Runs an operation that reports to progress(), returns its result, and clears the line afterwards, even after an
+    /// exception. `stage`: shown at the start; empty: the operation names its stages.
     template <class Operation>
     auto during(std::string_view stage, Operation operation) {
         const Clearing atEnd{*this};

@@ -33,7 +33,7 @@ std::string sharpCornerLines(const SharpCorners &sharp) {
         lines += text;
     }
     if (sharp.corners.size() > kShown) {
-        lines += "  and " + std::to_string(sharp.corners.size() - kShown) + " more, all in --stats\n";
+        lines += "  " + std::to_string(sharp.corners.size() - kShown) + " more; --stats lists all\n";
     }
     return lines;
 }
@@ -83,8 +83,8 @@ Diagnostics flatElements(const MeshQuality &quality) {
     }
     Diagnostics found = error("flat-element",
                               std::to_string(quality.flat) + (quality.flat == 1 ? " element is" : " elements are") +
-                                  " flat: the area is not larger than what rounding the nodes changes",
-                              "divide the boundary more finely, or remove what is nearly straight or nearly touches");
+                                  " flat: the area is within the rounding error of the nodes",
+                              "divide the boundary more finely, or remove nearly straight corners and near contacts");
     found.front().severity = Severity::Warning;
     return found;
 }

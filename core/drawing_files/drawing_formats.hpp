@@ -4,7 +4,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Returns all formats: projects, maps, drawings, and those of the engine.
+/// Returns all formats: projects, maps, drawings, and the engine's own.
 const FormatList &allFormats();
 
 } // namespace forefront

@@ -36,7 +36,7 @@ constexpr const char *kGroups = "Keeps regions, boundary parts and points as phy
 constexpr const char *kCellData =
     "Keeps the numbers of regions and boundary parts as cell data; boundary edges are separate cells.";
 
-/// Returns what all formats of Gmsh have in common.
+/// Returns the common description of all Gmsh formats.
 constexpr Format gmsh(const char *id, const char *name, const char *program,
                       void (*write)(const MeshView &, TextWriter &)) {
     return {.about = {.id = id,

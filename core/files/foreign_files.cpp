@@ -97,7 +97,7 @@ bool isDxf(std::string_view head) {
 
 constexpr char kToGeoJson[] = "convert it to GeoJSON, for example with ogr2ogr NEW.geojson FILE";
 
-/// What a file is and what to do with it.
+/// The kind of an unsupported file, and advice on it.
 struct ForeignKind {
     std::string_view name, advice;
 };

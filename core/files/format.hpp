@@ -25,7 +25,7 @@ struct Format {
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
-    /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
+    /// Returns notes on changes that the format makes to the mesh, such as to names; null: it makes none.
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
     void (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const Progress &) = nullptr;
@@ -38,7 +38,7 @@ struct Format {
 
 inline constexpr std::size_t kHeadBytes = 4096;
 
-/// Returns the domain in a file of this format: what the format says of it, else the outline of its mesh.
+/// Returns the domain in a file of this format: the domain itself, or else the outline of its mesh.
 Result<DomainFile> domainFrom(const Format &format, const SourceText &source);
 
 } // namespace forefront

@@ -22,10 +22,10 @@ namespace FOREFRONT_API forefront {
 
 struct Format;
 
-/// What the files of a format hold.
+/// The content of the files of a format.
 enum class FileKind : std::uint8_t {
     Mesh,
-    Domain,  ///< nodes and segments, valid as they are
+    Domain,  ///< nodes and segments that form a valid domain
     Project, ///< a document of the editor, with parameters
     Drawing, ///< shapes on a page, with strokes
     Map,     ///< features with properties, perhaps in degrees
@@ -59,7 +59,7 @@ struct FileFormat {
     std::span<const char *const> files = {};
     /// A program that usually reads it, such as "FreeFem++"; empty: it is not the preferred format of any.
     const char *program = "";
-    const char *keeps = ""; ///< what a file keeps of a mesh, as a sentence; empty: unless meshes are written
+    const char *keeps = ""; ///< the parts of a mesh that a file stores, as a sentence; empty: unless meshes are written
 };
 
 /// A file in memory.
@@ -75,18 +75,18 @@ struct MemoryFile {
 /// refused, they also follow its faults.
 class FormatList {
   public:
-    /// Formats in the order of menus and, among those of one extension, of preference; must outlive the list.
+    /// Formats in the order of menus and, where they share an extension, of preference; must outlive the list.
     constexpr explicit FormatList(std::span<const Format> formats) : formats_(formats) {}
 
     std::span<const Format> formats() const { return formats_; }
-    /// Returns what is known of all formats, in the order of menus.
+    /// Returns the descriptions of all formats, in the order of menus.
     std::vector<FileFormat> list() const;
     /// Returns the format of that id; null if there is none.
     const FileFormat *withId(std::string_view id) const;
     /// Returns the formats with the extension of a path, in the order of preference.
     std::vector<const FileFormat *> withExtensionOf(const std::filesystem::path &path) const;
     /// Returns the format of a file by its first bytes, else by its extension; null if neither identifies it. Reads all
-    /// of a JSON file if its first bytes do not show what it is, and nothing of a pipe or device.
+    /// of a JSON file if its first bytes do not identify it, and nothing of a pipe or device.
     const FileFormat *detect(const std::filesystem::path &path) const;
     /// Returns the format of a file with this content, or else by its extension; null if neither identifies it.
     const FileFormat *detect(const std::filesystem::path &path, std::string_view content) const;
@@ -146,8 +146,8 @@ class FormatList {
     std::span<const Format> formats_;
 };
 
-/// Returns the formats of meshes, of their outlines, and of domains that are valid as they are. Those of drawings, maps
-/// and projects come with the drawing library.
+/// Returns the formats of meshes, of their outlines, and of valid domains. The formats of drawings, maps and projects
+/// come with the drawing library.
 const FormatList &engineFormats();
 
 } // namespace forefront

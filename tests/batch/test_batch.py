@@ -965,7 +965,7 @@ class Refusing(Case):
         self.write("gap.poly", "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n")
         self.call("mesh", "gap.poly", "-o", "gap.msh", "--repair", code=1)
         done = self.call("mesh", "gap.poly", "-o", "gap.msh", "--repair", "--weld", "0.02")
-        self.assertIn("note: moved 1 node onto another one, at most 0.01 away at (0, 0.01)", done.stderr)
+        self.assertIn("note: moved 1 node onto another, at most 0.01 away at (0, 0.01)", done.stderr)
         self.call("check", "gap.msh")
         self.assertIn("--weld: Triangle domain files are read unchanged; add --repair",
                       self.call("mesh", "gap.poly", "-o", "gap.msh", "--weld", "0.02", code=2).stderr)

@@ -60,7 +60,7 @@ class SeekBench {
     void untilShown(std::uint64_t target, double begin, std::vector<double> *arrivals, std::vector<double> &shown) {
         double arrived = 0.0;
         while (driver_.run().advance != target || driver_.run().stateHash == 0 ||
-               driver_.editor().canvas().drawsNews()) {
+               driver_.editor().canvas().pictureIncomplete()) {
             arrived = arrived == 0.0 && !driver_.context().run.busy() ? millisecondsNow() : arrived;
             if (!driver_.editor().needsFrame()) {
                 std::this_thread::sleep_for(std::chrono::microseconds(300));

@@ -274,11 +274,11 @@ TEST_CASE("Canvas: a half-drawn picture is given up when the mesh is hidden, whe
         HeavySquare driver;
         driver.showPart(34'000);
         driver.frames(1);
-        REQUIRE(driver.editor().canvas().drawsNews());
+        REQUIRE(driver.editor().canvas().pictureIncomplete());
         driver.platform().show(shown);
         driver.showPart(100);
         driver.frames(1);
-        CHECK_FALSE(driver.editor().canvas().drawsNews());
+        CHECK_FALSE(driver.editor().canvas().pictureIncomplete());
         driver.settle();
     }
 }

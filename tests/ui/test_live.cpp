@@ -63,7 +63,7 @@ TEST_CASE("Live: the mesh and the preview follow a node that is dragged without 
     driver.release(driver.pixel({7, 7}));
     driver.settle();
     CHECK(driver.run().boundary->nodes[2] == Vec2{7, 7});
-    CHECK_FALSE(driver.context().run.hasToFollow());
+    CHECK_FALSE(driver.context().run.liveMeshPending());
 }
 
 TEST_CASE("Live: the still parts are drawn once for a mesh and its preview, not for each move of the pointer") {

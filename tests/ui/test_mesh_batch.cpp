@@ -143,7 +143,7 @@ TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
     const auto show = [&](const std::shared_ptr<MeshSnapshot> &view) {
         batch.update(view, false);
         draw(stage, batch);
-        return batch.sent();
+        return batch.uploadedElements();
     };
     const auto whole = lattice(20, 800, 1);
     CHECK(show(whole) == 800);
@@ -160,19 +160,19 @@ TEST_CASE("MeshBatch: a slice uploads no more than it draws, and chunks out of v
         CAPTURE(atRest);
         MeshBatch batch(stage.background);
         batch.update(view, atRest);
-        CHECK(batch.sent() == 0);
+        CHECK(batch.uploadedElements() == 0);
         DrawSlice slice{.elements = 9000};
         draw(stage, batch, 0.0, &slice);
-        CHECK(batch.sent() == 8192);
+        CHECK(batch.uploadedElements() == 8192);
         CHECK(slice.done == 8192);
         draw(stage, batch);
-        CHECK(batch.sent() == 28'800);
+        CHECK(batch.uploadedElements() == 28'800);
     }
     MeshBatch near(stage.background);
     near.update(view, true);
     stage.camera.zoomAt({147, 131}, 30.0);
     draw(stage, near);
-    CHECK(near.sent() < 28'800 / 2);
+    CHECK(near.uploadedElements() < 28'800 / 2);
 }
 
 TEST_CASE("MeshBatch: a large mesh is sorted in the background, while slices draw nothing") {

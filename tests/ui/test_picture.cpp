@@ -215,7 +215,7 @@ TEST_CASE("Picture: a calibration names the numbers whose expressions it removes
     driver.fill("options/picture/distance", "50");
     CHECK(driver.document().formulas.empty());
     const std::string news = driver.context().log.entries().back().diagnostic.message;
-    CHECK(news == "Removed 1 expression that no longer fits: width of rectangle 1");
+    CHECK(news == "Removed 1 expression that no longer matches its value: width of rectangle 1");
     driver.key('Z', {Modifiers::kControl});
     CHECK(driver.document().formulas.size() == 1);
 }

@@ -21,7 +21,7 @@ class BackgroundTask {
 
     explicit BackgroundTask(BackgroundList &list);
 
-    /// Starts a task; `purpose` says what it is for, such as "reading plate.msh".
+    /// Starts a task; `purpose`: such as "reading plate.msh".
     void start(std::string purpose, Work work);
     /// Drops the task and its result. Its thread ends by itself, when it next checks its stop token.
     void cancel();
@@ -33,9 +33,9 @@ class BackgroundTask {
     bool ready() const { return worker_.now().result.has_value(); }
     /// Uses the result. Call it only while it is ready, and no gesture or dialog depends on the state of the window.
     void finish();
-    /// Returns what the task does at the moment, such as "finding the outline".
+    /// Returns the current stage of the task, such as "finding the outline".
     const std::string &name() const { return worker_.now().name; }
-    /// Returns what the task is for, as given to start().
+    /// Returns the purpose of the task, as given to start().
     const std::string &purpose() const { return purpose_; }
     /// Returns the fraction done in [0, 1]; 0 while it is unknown.
     double fraction() const { return worker_.now().fraction; }
@@ -48,7 +48,7 @@ class BackgroundTask {
         std::optional<Finish> result{}; ///< none until it is there
     };
 
-    /// What a task is for, and its work.
+    /// The purpose of a task, and its work.
     struct Request {
         std::string purpose;
         Work work;

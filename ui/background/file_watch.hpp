@@ -32,13 +32,13 @@ class FileWatch final : public BackgroundActivity {
     /// Returns false: the window does not wait for a change.
     bool working() const override { return false; }
     bool hasNews() const override;
-    /// Returns what the file holds now if another program has changed or deleted it since the last call.
+    /// Returns the new state of the file if another program has changed or deleted it since the last call.
     std::optional<FileStamp> takeNews();
 
     static constexpr std::chrono::milliseconds kPeriod{2000};
 
   private:
-    /// What the thread and its owner share.
+    /// The state shared by the thread and its owner.
     struct Shared {
         std::mutex mutex;
         std::condition_variable_any changed;

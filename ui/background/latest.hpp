@@ -18,7 +18,7 @@
 
 namespace forefront {
 
-/// What a worker and its thread share, since a thread may outlive its worker.
+/// The state shared by a worker and its thread, since a thread may outlive its worker.
 template <class Request, class Answer>
 class LatestMailbox {
   public:
@@ -42,7 +42,7 @@ class LatestMailbox {
         pending_.reset();
         stop_.request_stop();
     }
-    /// Also drops later answers and never calls `wake` again; what it uses may be gone.
+    /// Also drops later answers and never calls `wake` again, so that the objects it uses may be destroyed.
     void close() {
         requestStop();
         {

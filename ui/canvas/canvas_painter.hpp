@@ -37,13 +37,13 @@ class CanvasPainter {
     void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
     void rectangle(const Box2 &box, Colour colour, double width = 1.0);
     void fillRectangle(const Box2 &box, Colour fill);
-    /// Draws a filled dot; the radius is in design pixels, as is that of ring() and cross().
+    /// Draws a filled dot; the radius is in design pixels, as for ring() and cross().
     void dot(Vec2 centre, double radius, Colour fill);
     void ring(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Draws a square node handle; `radius` is half its side in design pixels.
     void handle(Vec2 centre, double radius, Colour fill, Colour border);
     void cross(Vec2 centre, double radius, Colour colour, double width = 1.5);
-    /// Draws a circle; the radius is in domain units, as is that of disc() and dashedCircle().
+    /// Draws a circle; the radius is in domain units, as for disc() and dashedCircle().
     void circle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     void disc(Vec2 centre, double radius, Colour fill);
     void dashedCircle(Vec2 centre, double radius, Colour colour, double width = 1.5);

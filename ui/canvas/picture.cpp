@@ -33,7 +33,7 @@ Diagnostics fault(const std::filesystem::path &file, std::string code, const std
 
 Diagnostics missing(const std::filesystem::path &file, const std::string &why) {
     return fault(file, "missing-picture", "cannot read picture " + nameOf(file) + ": " + why,
-                 "put the file there, or choose another one with File > Add background picture");
+                 "put the file there, or choose another with File > Add background picture");
 }
 
 /// Opens a picture. Refuses all but regular files: a pipe would wait for ever for its other end.

@@ -24,7 +24,7 @@ struct Picture {
 /// Maximum number of pixels in the file of a picture.
 inline constexpr double kMaxPicturePixels = 100e6;
 
-/// Returns true if the name of a file is that of a picture that can be read.
+/// Returns true if the file name has the extension of a readable picture format.
 bool isPictureName(const std::filesystem::path &file);
 /// Returns the size of a PNG or JPEG file, from its header. Faults: "missing-picture", also for pipes and devices;
 /// "bad-picture", "large-picture".

@@ -45,7 +45,7 @@ BackgroundPicture placed(const Shell &context, const Picture &picture) {
     return result;
 }
 
-/// Returns what the log says about a picture that was added or replaces `old`.
+/// Returns the log entry for a picture that was added or replaces `old`.
 std::string noteFor(const Picture &picture, const std::optional<BackgroundPicture> &old) {
     const std::string name = picture.file.filename().string();
     if (!old) {

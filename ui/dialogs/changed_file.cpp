@@ -49,7 +49,7 @@ void reloadDocument(Shell &context) {
     context.document.replace(std::move(read->document), "Reload");
     context.document.markSaved(file, read->stamp);
     context.log.add(notes.diagnostics());
-    context.log.announce("Reloaded " + context.document.title() + "; undo brings back what was here before");
+    context.log.announce("Reloaded " + context.document.title() + "; undo restores the previous drawing");
     context.animate();
 }
 

@@ -151,7 +151,7 @@ Tool *undoingTool(const Shell &context) {
     return found != tools.end() ? found->get() : nullptr;
 }
 
-/// Returns what undo would undo: in the unfinished input of a tool first, then in the document.
+/// Returns the step that undo would undo: in the unfinished input of a tool first, then in the document.
 std::string undoLabel(const Shell &context) {
     const Tool *const tool = undoingTool(context);
     return tool == nullptr ? context.document.undoLabel() : tool->undoLabel(context);

@@ -36,7 +36,7 @@ void openDocument(Shell &context, const std::filesystem::path &file);
 /// `then` once it is saved.
 void saveDocument(Shell &context, std::function<void(Shell &)> then = {});
 void saveDocumentAs(Shell &context, std::function<void(Shell &)> then = {});
-/// Saves the document to its file, whatever that holds by now. Runs `then`, if not empty, once it is saved.
+/// Saves the document to its file, even if another program has changed it. Runs `then`, if not empty, once it is saved.
 void overwriteDocument(Shell &context, const std::function<void(Shell &)> &then);
 /// Adds the drawing of a file to the current one.
 void importDrawing(Shell &context);
@@ -54,7 +54,7 @@ void openDropped(Shell &context, const std::filesystem::path &file);
 void exportMesh(Shell &context, std::string_view proposed = {});
 /// Writes the run of the document as a film: an animation, numbered frames or one moment.
 void exportFilm(Shell &context);
-/// Returns the folder that a file dialog starts in: that of the document or of the last file.
+/// Returns the folder that a file dialog starts in: the folder of the document or of the last file.
 std::filesystem::path startFolder(const Shell &context);
 /// Makes a document read from `file` the open one, without asking. Only projects are saved back to their file.
 void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file);

@@ -84,7 +84,7 @@ class FileDialog : public Dialog {
     void drawNote(Shell &context);
     /// Switches to another filter, and a suggested name to its extension.
     void useFilter(std::size_t filter);
-    /// Returns what is wrong with the choice, or that it will replace a file; empty if neither.
+    /// Returns the error in the choice, or a warning that it will replace a file; empty if neither.
     std::string warning() const;
     /// Returns the number of lines of the longest note on a filter at a width in pixels.
     std::ptrdiff_t noteLines(const Shell &context, float width) const;

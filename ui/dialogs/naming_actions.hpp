@@ -4,7 +4,7 @@ namespace forefront {
 
 class ActionRegistry;
 
-/// Registers the commands that name what is selected, enter its element size, and zoom to it.
+/// Registers the commands that name the selection, enter its element size, and zoom to it.
 void addNamingActions(ActionRegistry &actions);
 
 } // namespace forefront

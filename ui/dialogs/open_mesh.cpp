@@ -63,7 +63,7 @@ void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path 
     context.run.showFile(opened.mesh);
     showMeshColours(context);
     context.log.announce(file.filename().string() + ": " + elements +
-                         ", shown as they are in the file; press 2 to remesh the outline");
+                         ", shown unchanged; press 2 to remesh the outline");
     context.log.add(opened.notes);
     context.animate();
 }

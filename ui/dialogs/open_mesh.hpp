@@ -9,7 +9,7 @@ struct Shell;
 /// Asks for the file of a mesh and opens it. The dialog stays open while it is read, and shows why it cannot be.
 void openMesh(Shell &context);
 
-/// Opens a mesh of any format to inspect its quality: the mesh is shown as it is, and its outline becomes the drawing.
+/// Opens a mesh of any format to inspect its quality: the mesh is shown unchanged, and its outline becomes the drawing.
 /// It is read as the background task of the shell, which then asks about unsaved changes. Faults are logged.
 void openMesh(Shell &context, const std::filesystem::path &file);
 

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-/// Returns what to do with a file that cannot be read.
+/// Returns the function that reports an unreadable file.
 BackgroundTask::Finish refusal(Shell &context, const std::shared_ptr<FileOutcome> &outcome, Diagnostics faults) {
     return [&context, outcome, refused = std::move(faults)] {
         if (outcome) {

@@ -21,7 +21,7 @@ class CanvasInput {
     void endFrame(Shell &context);
 
   private:
-    /// What decides on the item under a pointer that rests.
+    /// The state that determines the item under a resting pointer.
     struct Scene {
         std::uint64_t revision = 0;
         Vec2 corner; ///< place at the first pixel of the canvas

@@ -83,7 +83,7 @@ bool Editor::Parts::newsDue() const {
     if (context.run.cancelling() && !showedCancelling) {
         return false; // show the cancelling first: drawing the new snapshot may take long
     }
-    if (canvas.drawsNews()) {
+    if (canvas.pictureIncomplete()) {
         return false; // complete the picture of the last snapshot first
     }
     const RunState state = context.run.now().state;
@@ -208,9 +208,9 @@ double Editor::sleepSeconds() const {
         return std::max(0.0, untilTurn);
     }
     constexpr double kUntilWorkerRests = 0.002; // the worker reports its result just before it becomes idle
-    const double untilNews = c.run.hasNews()       ? parts_->pace.next() - steadySeconds()
-                             : c.run.hasToFollow() ? kUntilWorkerRests
-                                                   : 0.5;
+    const double untilNews = c.run.hasNews()           ? parts_->pace.next() - steadySeconds()
+                             : c.run.liveMeshPending() ? kUntilWorkerRests
+                                                       : 0.5;
     return std::clamp(std::min(c.nextFrameAt - c.platform.now(), untilNews), 0.001, 0.5);
 }
 
@@ -435,7 +435,7 @@ void Editor::Parts::recordFrame(double begin, bool cancelling, bool busy) {
     }
     if (drewNews) {
         newsSeconds += lastEnd - begin;
-        if (!canvas.drawsNews()) {
+        if (!canvas.pictureIncomplete()) {
             pace.recordFrame(lastEnd, std::exchange(newsSeconds, 0.0));
         }
     }

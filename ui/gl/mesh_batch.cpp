@@ -206,7 +206,7 @@ void MeshBatch::extend(const MeshSnapshot &view) {
         }
         Chunk &chunk = chunks_.back();
         chunk.count = std::min(kMeshChunk, elements_ - first);
-        chunk.measured = false;
+        chunk.hasBox = false;
     }
     makeRoom();
 }
@@ -222,7 +222,7 @@ void MeshBatch::useOrder(MeshOrder order) {
     for (std::size_t k = 0; k < chunks_.size() && !order_.empty(); ++k) {
         chunks_[k].origin = centroid(shown_->mesh, shown_->mesh.elements[order_[chunks_[k].first]]);
         chunks_[k].box = order.boxes[k];
-        chunks_[k].measured = true;
+        chunks_[k].hasBox = true;
     }
 }
 
@@ -286,9 +286,9 @@ void MeshBatch::uploadCorners(Chunk &chunk) {
     glBufferSubData(GL_ARRAY_BUFFER, bytesOf(3 * (chunk.first % kPageElements + chunk.corners), sizeof(glm::vec2)),
                     bytesOf(end, sizeof(glm::vec2)), corners.data());
     uploadEdges(chunk);
-    sent_ += chunk.count - chunk.corners;
+    uploadedElements_ += chunk.count - chunk.corners;
     chunk.corners = chunk.count;
-    chunk.measured = true;
+    chunk.hasBox = true;
 }
 
 void MeshBatch::uploadValues(Chunk &chunk) {
@@ -305,7 +305,7 @@ void MeshBatch::uploadValues(Chunk &chunk) {
     chunk.values = chunk.count;
 }
 
-/// Uploads what is missing of a chunk.
+/// Uploads the missing parts of a chunk.
 void MeshBatch::upload(Chunk &chunk) {
     if (chunk.corners < chunk.count) {
         uploadCorners(chunk);
@@ -387,7 +387,7 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
         sorter_.reset();
     }
     const Box2 visible = camera.visible();
-    const auto inView = [&visible](const Chunk &chunk) { return !chunk.measured || chunk.box.overlaps(visible); };
+    const auto inView = [&visible](const Chunk &chunk) { return !chunk.hasBox || chunk.box.overlaps(visible); };
     // All uploads come before all draws: some drivers wait for a draw before they change its buffer.
     const std::size_t first = slice != nullptr ? slice->first : 0;
     std::size_t end = first, done = 0;

@@ -71,7 +71,7 @@ class MeshBatch {
     void update(const std::shared_ptr<const MeshSnapshot> &view, bool atRest, const MeshValues *values = nullptr);
     std::size_t elements() const { return elements_; }
     /// Returns the number of elements uploaded by all draws together; for tests.
-    std::size_t sent() const { return sent_; }
+    std::size_t uploadedElements() const { return uploadedElements_; }
     /// Returns the number of chunks drawn by the last draw(); for tests.
     std::size_t chunksDrawn() const { return chunksDrawn_; }
     /// Returns the bytes that the batch takes up here and in buffers of OpenGL, without the mesh.
@@ -82,8 +82,8 @@ class MeshBatch {
   private:
     struct Chunk {
         Vec2 origin;
-        Box2 box; ///< of the elements; of those uploaded while `measured` is false
-        bool measured = false;
+        Box2 box; ///< of the elements; of those uploaded while `hasBox` is false
+        bool hasBox = false;
         std::size_t first = 0, count = 0; ///< elements
         std::size_t corners = 0;          ///< elements whose corners are uploaded
         std::size_t values = 0;           ///< elements whose values are uploaded
@@ -114,7 +114,7 @@ class MeshBatch {
     std::optional<MeshValues> values_;         ///< of the last update; not set: α
     std::uint64_t valuesVersion_ = 0;
     std::size_t elements_ = 0;
-    std::size_t sent_ = 0;
+    std::size_t uploadedElements_ = 0;
     std::size_t chunksDrawn_ = 0;
     bool byPlace_ = false;
 };

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// What a picture shows, as numbers that change whenever it changes for any reason but a move of the camera.
+/// The content of a picture, as numbers that change with it, but not with the camera.
 struct PictureContent {
     std::uint64_t all = 0;     ///< everything
     std::uint64_t heavy = 0;   ///< the parts that take long to draw, without their style
@@ -38,7 +38,7 @@ class StillPicture {
     /// Gives up a heavy picture that is incomplete.
     void abandon() { refining_ = false; }
     /// Returns true while a heavy picture of new content is incomplete.
-    bool drawsNews() const { return refining_ && !(drawn_ && next().content.all == shown().content.all); }
+    bool pictureIncomplete() const { return refining_ && !(drawn_ && next().content.all == shown().content.all); }
     /// Copies the last complete picture to the current framebuffer, as seen by this camera. If it shows something else,
     /// copies the finished part of the next picture instead. `corner`: lower left corner of the canvas in that
     /// framebuffer.

@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// What drawing a texture over the view needs: a program that makes its own vertices, a texture, and an array without
-/// attributes. The OpenGL context must be current.
+/// The OpenGL objects for drawing a texture over the view: a program that makes its own vertices, a texture, and an
+/// array without attributes. The OpenGL context must be current.
 struct TexturedView {
     /// Compiles the program of a name: see ShaderProgram.
     explicit TexturedView(std::string_view name);

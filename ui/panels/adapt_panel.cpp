@@ -134,7 +134,7 @@ class AdaptPanel final : public Panel {
         if (ui::button(context, "adapt/keep", "Keep spacing", ui::ButtonKind::Plain, keeps)) {
             keepSpacing(context, context.adaptation.selected);
         }
-        ui::tooltip(context, "Make the spacing of the selected mesh that of the drawing");
+        ui::tooltip(context, "Use the spacing of the selected mesh for the drawing");
         if (why != nullptr) {
             ui::small(context, why, true);
         }

@@ -50,7 +50,7 @@ void logEnd(Shell &context) {
 bool showsRounds(const Shell &context) {
     const std::shared_ptr<const MeshSnapshot> &mesh = context.run.now().mesh;
     const bool follows =
-        !context.run.showsFile() && (context.run.busy() || context.run.hasNews() || context.run.hasToFollow());
+        !context.run.showsFile() && (context.run.busy() || context.run.hasNews() || context.run.liveMeshPending());
     return mesh && mesh->version == context.adaptation.shown && !follows;
 }
 

@@ -121,7 +121,7 @@ class CandidatesPanel final : public Panel {
         if (chosen) {
             drawWorked(context, moment, *chosen);
         } else {
-            ui::small(context, "Click a row to see its numbers, its tests and what rejected it.", true);
+            ui::small(context, "Click a row to see its numbers, its tests and why it was rejected.", true);
         }
     }
 

@@ -8,7 +8,7 @@ namespace forefront {
 struct Shell;
 struct WidgetContext;
 
-/// Draws the heading of the inspector: what is selected.
+/// Draws the heading of the inspector, which describes the selection.
 void inspectorHeading(WidgetContext &context, const std::string &text);
 
 /// Draws the fields of a size source.

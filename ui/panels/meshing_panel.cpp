@@ -29,7 +29,7 @@ class MeshingPanel final : public Panel {
         ImGui::EndGroup();
         ui::rowTooltip(context,
                        "Improve the finished mesh. Default: swap edges and move interior nodes. Best: slower, also "
-                       "adds and removes interior nodes. None: fastest; the mesh is left as it is.");
+                       "adds and removes interior nodes. None: fastest; the mesh does not change.");
         form::label(context, "Boundary");
         changed = ui::checkbox(context, "meshing/keepboundary", "Keep segments", options.keepBoundary) || changed;
         ui::rowTooltip(context, "Keep the drawn segments as mesh edges; do not subdivide them.");

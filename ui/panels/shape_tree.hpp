@@ -60,9 +60,9 @@ class ShapeTree {
     void unfold(std::uint32_t shape, bool unfolds);
     void foldAll(const Document &document, bool folds);
 
-    /// Returns the first row of what is selected, after unfolding what it is in.
+    /// Unfolds the groups and shapes around the selection and returns its first row.
     std::optional<std::size_t> reveal(const Document &document, const Selection &selection);
-    /// Returns the place of a row, of which the number of items may be missing, after unfolding what it is in.
+    /// Unfolds the groups and shapes around a row and returns its index; the number of items of `wanted` is ignored.
     std::optional<std::size_t> reveal(const Document &document, const TreeRow &wanted);
     /// Returns the boundary tags of which every segment and point is selected.
     std::set<std::int32_t> selectedTags(const Document &document, const Selection &selection) const;

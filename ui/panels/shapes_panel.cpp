@@ -26,7 +26,7 @@ using RowKind = TreeRow::Kind;
 constexpr double kRow = 22.0, kIndent = 14.0, kSwitch = 20.0;
 constexpr const char *kRenameField = "shapes/rename";
 
-/// Returns what a row names; nothing for a group.
+/// Returns the item of a row; nothing for a group.
 std::optional<NamedThing> thingOf(const Document &document, const TreeRow &row) {
     using Named = NamedThing::Kind;
     switch (row.kind) {
@@ -46,7 +46,7 @@ std::optional<NamedThing> thingOf(const Document &document, const TreeRow &row) 
     }
 }
 
-/// Returns the row of what is named, without its number of items.
+/// Returns the row of an item, without its number of items.
 TreeRow rowOf(const Document &document, const NamedThing &thing) {
     using Named = NamedThing::Kind;
     if (thing.kind == Named::Tag) {
@@ -60,7 +60,7 @@ TreeRow rowOf(const Document &document, const NamedThing &thing) {
             .tag = thing.tag};
 }
 
-/// Returns what a click on a row selects.
+/// Returns the selection that a click on a row makes.
 Selection itemsOf(const Document &document, const TreeRow &row) {
     Selection items;
     if (row.kind == RowKind::Shape) {
@@ -112,7 +112,7 @@ class ShapesPanel final : public Panel {
     std::string anchor_;                   ///< name of the row clicked last, where Shift+click begins
 };
 
-/// Reveals what was selected elsewhere, such as on the canvas.
+/// Reveals items that were selected elsewhere, such as on the canvas.
 void ShapesPanel::followSelection(const Shell &context, const Document &document) {
     const bool changed = !(seen_ == context.selection);
     if (changed) {
@@ -413,7 +413,7 @@ void ShapesPanel::chooseRange(Shell &context, const Document &document, std::siz
                   [&](const SegmentRef &segment) { return selection.shapes.contains(segment.shape); });
 }
 
-/// Opens the menu of what a row stands for, selected as far as it can be.
+/// Selects the item of a row, if possible, and opens its menu.
 void ShapesPanel::openMenu(Shell &context, const Document &document, std::size_t index) {
     const TreeRow row = tree_.rows()[index];
     if (row.isGroup()) {

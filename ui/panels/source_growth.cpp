@@ -22,7 +22,7 @@ bool drawSourceGrowth(Shell &context, SizeSource &source, const NumberAddress &a
     }
     form::label(context, "");
     changed = ui::checkbox(context, "inspector/geometric", "By equal factors", source.geometric) || changed;
-    ui::rowTooltip(context, "The size doubles over equal distances. Otherwise it changes in equal steps.");
+    ui::rowTooltip(context, "The size grows by equal factors over equal distances; otherwise by equal amounts.");
     return changed;
 }
 

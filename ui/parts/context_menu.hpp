@@ -55,7 +55,7 @@ inline ContextItem commandOf(std::string id, std::string title, std::function<vo
     return {.own = {std::move(id), std::move(title), std::move(detail), std::move(run)}};
 }
 
-/// Returns a line that says what the commands below it are for; it cannot be chosen.
+/// Returns a heading for the commands below it; it cannot be chosen.
 inline ContextItem headingOf(std::string title) {
     return {.own = {{}, std::move(title), {}, {}}};
 }

@@ -29,7 +29,7 @@ struct NamedThing {
     std::uint32_t source = 0; ///< index in SpacingSpec::sources
     BoundaryPart part{};
 
-    /// Returns true for the same thing, whatever it is called now.
+    /// Returns true for the same item, even if it has been renamed.
     bool same(const NamedThing &other) const {
         return kind == other.kind && shape == other.shape && tag == other.tag && marker == other.marker &&
                source == other.source;
@@ -38,7 +38,7 @@ struct NamedThing {
     bool existsIn(const Document &document) const;
     /// Returns the name that is edited; for a shape without a name, an empty text.
     std::string name(const Document &document) const;
-    /// Returns what is named, such as "Boundary tag of 3 segments".
+    /// Describes the named item, such as "Boundary tag of 3 segments".
     std::string title(const Document &document) const;
     /// Returns the names that others of its kind have, without repetitions.
     std::vector<std::string> choices(const Document &document) const;
@@ -70,12 +70,12 @@ struct Naming {
 
 /// Gives the thing a name, as one step of the history.
 void applyName(Shell &context, const NamedThing &thing, const std::string &name);
-/// Returns what F2 renames in a selection: a shape, the boundary part of several shapes or segments, a region or a size
-/// source.
+/// Returns the item of a selection that F2 renames: a shape, the boundary part of several shapes or segments, a region
+/// or a size source.
 std::optional<NamedThing> namedThing(const Document &document, const Selection &selection);
-/// Returns what the label of a boundary part or region at a pixel of the canvas names.
+/// Returns the boundary part or region whose label is at a pixel of the canvas.
 std::optional<NamedThing> labelAt(const Shell &context, Pixel pixel);
-/// Returns the selection of what is named, as far as it can be selected.
+/// Returns a selection of the named item, as far as it can be selected.
 Selection selectionOf(const Document &document, const NamedThing &thing);
 /// Returns the boundary part of a selection; nothing if no segments are selected.
 std::optional<NamedThing> boundaryPartOf(const Document &document, const Selection &selection);

@@ -4,8 +4,7 @@
 
 namespace forefront {
 
-/// A dialog that shows on the canvas what it is about to do. It is placed in the upper left corner and does not dim the
-/// window.
+/// A dialog that previews its result on the canvas. It is placed in the upper left corner and does not dim the window.
 class PreviewDialog : public Dialog {
   public:
     /// Restores the document from before the preview. Called when Esc or the close button closes the dialog, and before

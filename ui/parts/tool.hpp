@@ -74,9 +74,9 @@ class Tool {
     /// Handles a command of the tool that has a shortcut, such as "larger" for the brush. Returns true if it was used.
     virtual bool command(std::string_view, Shell &) { return false; }
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
-    /// Returns a line for the status bar that says what a click does now.
+    /// Returns a line for the status bar that describes the effect of a click.
     virtual std::string statusText(const Shell &) const { return {}; }
-    /// Returns what follows statusText() if there is room: how numbers are typed now.
+    /// Returns a hint on typing numbers, shown after statusText() if there is room.
     virtual std::string typingHint(const Shell &) const { return {}; }
     /// Returns the tool's own commands for a right click at a place; those on the selection and the view follow.
     virtual std::vector<ContextGroup> menu(Shell &, Vec2 place) {
@@ -89,7 +89,7 @@ class Tool {
     /// redo.
     virtual bool undo(Shell &) { return false; }
     virtual bool redo(Shell &) { return false; }
-    /// Returns what undo() or redo() would undo or redo, for the menu; empty: nothing.
+    /// Returns the step that undo() or redo() would undo or redo, for the menu; empty: none.
     virtual std::string undoLabel(const Shell &) const { return {}; }
     virtual std::string redoLabel(const Shell &) const { return {}; }
 };

@@ -98,7 +98,7 @@ std::uint8_t kindOf(const Event &event) {
     return event->response_type & 0x7FU;
 }
 
-/// What a program left in a property of the window.
+/// The data that a program left in a property of the window.
 struct Left {
     bool inPieces = false;
     std::string bytes;
@@ -250,7 +250,7 @@ class X11Clipboard::Owner {
         xcb_flush(x_.get());
     }
 
-    /// Puts what is offered, in a form, into a property of another window. Returns false for an unknown form.
+    /// Puts the offered text, in a given form, into a property of another window. Returns false for an unknown form.
     bool put(xcb_window_t to, xcb_atom_t property, xcb_atom_t form) {
         const std::shared_ptr<const std::string> text = offered();
         if (form == x_.atom(Targets)) {
@@ -311,7 +311,7 @@ class X11Clipboard::Owner {
     }
 
     Connection x_;
-    int wake_; ///< readable when the thread is to look again
+    int wake_; ///< eventfd that wakes the thread
     std::mutex mutex_;
     std::shared_ptr<const std::string> offered_;
     std::vector<Sending> sending_;

@@ -46,7 +46,7 @@ bool isHeavy(const LayerFrame &frame, const OverlaidMesh &overlaid) {
                        [&](const LayerSlot &slot) { return isHeavy(frame, slot); });
 }
 
-/// Returns what identifies the picture of the still parts.
+/// Returns the key of the picture of the still parts.
 PictureContent contentOf(const LayerFrame &frame, std::uint64_t loads, const OverlaidMesh &overlaid) {
     Hash64 heavy;
     heavy.add(overlaid ? overlaid->version : 0);
@@ -115,8 +115,8 @@ const std::vector<CanvasPainter::Placed> &Canvas::labels() const {
     return parts_->labels;
 }
 
-bool Canvas::drawsNews() const {
-    return parts_->still.drawsNews();
+bool Canvas::pictureIncomplete() const {
+    return parts_->still.pictureIncomplete();
 }
 
 /// Requests a raster of ρ over the part in view and a margin around it. Makes a new request only when the last raster

@@ -30,8 +30,8 @@ class Canvas {
     std::size_t meshBytes() const;
     /// Returns the labels of the last frame; for tests.
     const std::vector<CanvasPainter::Placed> &labels() const;
-    /// Returns true while the picture of a new large mesh is incomplete; another mesh would begin it again.
-    bool drawsNews() const;
+    /// Returns true while the picture of a new large mesh is incomplete; a further mesh would restart it.
+    bool pictureIncomplete() const;
 
   private:
     struct Parts;

@@ -79,7 +79,7 @@ class ShortcutSheet final : public Dialog {
         {"0\xe2\x80\xa6"
          "9",
          "Enter a number"},
-        {"Shift / Ctrl", "Directions in steps / no snapping"},
+        {"Shift / Ctrl", "Constrain the angle / do not snap"},
         {"[ ]", "Brush radius"},
         {"Shift + [ ]", "Brush spacing"},
     }};

@@ -64,7 +64,7 @@ class FieldFocus {
 
     /// Gives a field another text when it is drawn within the next frames, as if it had been typed.
     void replace(std::string_view name, std::string text);
-    /// Returns the text that replaces that of a field, once.
+    /// Returns the text that replaces the text of a field, once.
     std::optional<std::string> replacement(std::string_view name);
 
   private:

@@ -43,7 +43,7 @@ bool combo(WidgetContext &context, std::string_view name, std::span<const char *
 /// Draws a combo of any texts, such as names from a file, which may be empty or repeated.
 bool combo(WidgetContext &context, std::string_view name, const std::vector<std::string> &labels, int &choice,
            float width = -1.0F);
-/// Draws a linear or logarithmic slider and its number; `width` is that of both. `format` is a printf format for a
+/// Draws a linear or logarithmic slider and its number; `width` is the total width. `format` is a printf format for a
 /// double.
 bool slider(WidgetContext &context, std::string_view name, double &value, double minimum, double maximum,
             const char *format, bool logarithmic = false, float width = -1.0F);

@@ -39,7 +39,7 @@ struct EnumWords<ArcMode> {
     static constexpr std::array<std::string_view, 2> kList = {"three points", "centre"};
 };
 
-/// What a stroke drawn freehand becomes.
+/// The result of a freehand stroke.
 enum class FreehandPath : std::uint8_t {
     Smooth, ///< curves, with corners where the hand turned sharply
     Corners ///< straight segments

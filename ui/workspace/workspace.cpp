@@ -32,9 +32,10 @@ void announceLost(Workspace &context, const Document &before) {
         names += (k == 0 ? "" : ", ") + numberName(before, lost[k]);
     }
     const std::string more = lost.size() > kNamed ? " and " + std::to_string(lost.size() - kNamed) + " more" : "";
-    context.log.announce(
-        "Removed " + std::to_string(lost.size()) +
-        (lost.size() == 1 ? " expression that no longer fits: " : " expressions that no longer fit: ") + names + more);
+    context.log.announce("Removed " + std::to_string(lost.size()) +
+                         (lost.size() == 1 ? " expression that no longer matches its value: "
+                                           : " expressions that no longer match their values: ") +
+                         names + more);
 }
 
 } // namespace

@@ -34,7 +34,7 @@ enum class PieceRole : std::uint8_t {
 /// Marks a shape or line that no clip limits.
 inline constexpr std::uint32_t kNoClip = 0xffffffffU;
 
-/// Marks a piece that stands for no shape but that of its contour.
+/// Marks a piece that represents only the shape of its contour.
 inline constexpr std::uint32_t kNoShape = 0xffffffffU;
 
 /// A straight piece of a drawing with its labels.
@@ -49,8 +49,8 @@ struct ArrangementPiece {
     /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
     std::uint32_t limit = kNoClip; ///< of a Constraint: the clip outside of which it is dropped
-    /// For a piece of a made contour: a shape that counts as present while this piece is kept, beside that of its
-    /// contour.
+    /// For a piece of a synthetic contour: a second shape, besides the contour's, that counts as present while this
+    /// piece exists.
     std::uint32_t shows = kNoShape;
     /// The distance from outlines, in domain units, up to which parts of a Constraint that repeat them are dropped; 0:
     /// never. See findRepeatedOutlines().
@@ -64,8 +64,8 @@ enum class FillRule : std::uint8_t { NonZero, EvenOdd };
 struct ArrangementContour {
     std::uint32_t shape = 0;
     FillRule rule = FillRule::NonZero;
-    bool hole = false; ///< the area it encloses is removed from its shape
-    bool made = false; ///< made from what the file says, so what happens to its pieces is not reported
+    bool hole = false;      ///< the area it encloses is removed from its shape
+    bool synthetic = false; ///< not in the file itself; changes to its pieces are not reported
 };
 
 /// The area of one path or polygon: everything inside at least one of its outer contours and inside none of its holes,
@@ -75,14 +75,14 @@ struct ArrangementShape {
     std::string name = {};          ///< for messages; may be empty
     std::uint32_t limit = kNoClip;  ///< the clip that limits it
     std::uint32_t partOf = kNoClip; ///< the clip that it is a part of
-    bool removes = false;           ///< as a part of a clip: hides what it covers
+    bool removes = false;           ///< as a part of a clip: hides the area that it covers
 };
 
 /// An area that shapes are limited to. Its parts are painted in the order of their indices: a place belongs to the clip
 /// if the last part that covers it does not remove it. A clip without parts is empty. No clip may depend on itself by
 /// `within` or by the limits of its parts.
 struct ArrangementClip {
-    std::uint32_t within = kNoClip; ///< another clip that limits it, such as that of the group around
+    std::uint32_t within = kNoClip; ///< another clip that limits it, such as the clip of the enclosing group
 };
 
 /// Shapes that belong together; a face belongs to one feature.
@@ -92,7 +92,7 @@ struct ArrangementFeature {
 };
 
 struct ArrangementInput {
-    // The next five return the index of what they add.
+    // The next five return the index of the new entry.
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature, std::string name = {}, std::uint32_t limit = kNoClip);
     std::uint32_t addClip(std::uint32_t within = kNoClip);
@@ -113,9 +113,9 @@ struct ArrangementInput {
         return piece.role == PieceRole::Outline && shapes[contours[piece.contour].shape].partOf != kNoClip;
     }
 
-    /// Returns true for a piece of a contour that was made.
-    bool isMade(const ArrangementPiece &piece) const {
-        return piece.role == PieceRole::Outline && contours[piece.contour].made;
+    /// Returns true for a piece of a synthetic contour.
+    bool isSynthetic(const ArrangementPiece &piece) const {
+        return piece.role == PieceRole::Outline && contours[piece.contour].synthetic;
     }
 
     std::vector<Curve> curves; ///< that pieces are chords of
@@ -128,8 +128,8 @@ struct ArrangementInput {
     /// doubles at these coordinates, and a few times as much where pieces follow curves.
     double tolerance = 0.0;
     OverlapRule overlap = OverlapRule::Later;
-    /// A later feature hides what it covers of earlier ones, as in a painting: overlaps are no conflict, and a feature
-    /// inside a later one keeps nothing.
+    /// A later feature hides the parts of earlier ones that it covers, as in a painting: overlaps are not reported as
+    /// conflicts, and a feature inside a later one disappears.
     bool layered = false;
     bool markRegions = false; ///< put a region marker into every face
     bool keepOutside = false; ///< keep lines and points that no shape covers
@@ -161,9 +161,9 @@ struct Arrangement {
 /// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
 /// - In a drawing with a single feature, shapes that another one hides are dropped first, see findHiddenShapes().
 /// - Parts of lines that repeat an outline within their reach disappear, and the rest is then arranged again. Its ends
-///   move to the outline, within that reach. Changes are those of the drawing as it was given.
-/// - Outlines of clips appear only where they bound what a shape covers. Where they and made contours cross or touch
-///   other pieces, and where joining moves them, is not reported.
+///   move to the outline, within that reach. Changes refer to the drawing as given.
+/// - Outlines of clips appear only where they bound what a shape covers. Where they and synthetic contours cross or
+///   touch other pieces, and where joining moves them, is not reported.
 /// - Where pieces follow curves, the curves count, not their chords. Nodes at crossings lie on both curves to rounding.
 ///   Every crossing is found, unless the curves stay within the tolerance of each other beyond it. Curves that touch,
 ///   or come within the tolerance of each other, are joined where they are closest. Chords are divided as far as

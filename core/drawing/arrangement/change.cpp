@@ -18,9 +18,9 @@ struct Words {
 };
 
 constexpr Words kWords[] = {
-    {ChangeKind::WeldedNodes, "welded-nodes", "moved 1 node onto another one", "moved %zu nodes onto others", true},
-    {ChangeKind::RepeatedNodes, "duplicate-node", "merged 1 node with another one at the same place",
-     "merged %zu nodes with others at the same place", true},
+    {ChangeKind::WeldedNodes, "welded-nodes", "moved 1 node onto another", "moved %zu nodes onto others", true},
+    {ChangeKind::RepeatedNodes, "duplicate-node", "merged 1 node with another at the same position",
+     "merged %zu nodes with others at the same position", true},
     {ChangeKind::ShortPieces, "short-segments", "dropped 1 segment shorter than the tolerance",
      "dropped %zu segments shorter than the tolerance", true},
     {ChangeKind::EmptySegments, "zero-length", "dropped 1 segment of zero length",

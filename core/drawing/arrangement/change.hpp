@@ -14,8 +14,8 @@ namespace FOREFRONT_API forefront {
 
 /// Kinds of changes that an arrangement or a repair makes to its input.
 enum class ChangeKind : std::uint8_t {
-    WeldedNodes,      ///< a node moved onto another one
-    RepeatedNodes,    ///< a node of a domain was merged with another one at the same place
+    WeldedNodes,      ///< a node moved onto another node
+    RepeatedNodes,    ///< nodes of a domain with equal coordinates were merged
     ShortPieces,      ///< a piece vanished because its ends were welded
     EmptySegments,    ///< a segment of a domain vanished because it has no length
     CrossingSegments, ///< a node was added where pieces cross
@@ -69,8 +69,8 @@ class ChangeList {
     std::vector<ArrangementChange> changes_;
 };
 
-/// Returns true if the change makes the domain differ from what its file says; false for outlines that vanish because
-/// the fill rule or the union of shapes makes them meaningless.
+/// Returns true if the change makes the domain differ from its file; false for outlines that vanish because the fill
+/// rule or the union of shapes makes them meaningless.
 bool altersInput(ChangeKind kind);
 
 /// Returns one note per kind, with count and maximum displacement, at its first place.

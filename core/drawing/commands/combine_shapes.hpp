@@ -10,11 +10,11 @@ namespace forefront {
 
 /// Operations that combine closed shapes. The first shape is the one that comes first in the document.
 enum class ShapeOperation : std::uint8_t {
-    Union,        ///< what any of them covers
-    Difference,   ///< what the first covers and no other does
-    Intersection, ///< what all of them cover
-    Exclusion,    ///< what an odd number of them covers
-    Divide        ///< what the first covers, with the outlines of the others inside it as constraints
+    Union,        ///< the area that any of them covers
+    Difference,   ///< the area of the first without the others
+    Intersection, ///< the area that all of them cover
+    Exclusion,    ///< the area that an odd number of them covers
+    Divide        ///< the area of the first, with the outlines of the others inside it as constraints
 };
 
 /// Replaces closed shapes by the result of an operation on their areas: closed paths around its faces and, for Divide,

@@ -23,7 +23,7 @@ namespace {
 constexpr double kSmooth = 1e-3; ///< maximum turn, in radians, of a path at a node that is not a corner
 constexpr double kCornerRounding = 1e-9;
 
-/// A corner cut off: the side before it up to a parameter, what joins them, the side after it from a parameter on.
+/// A corner cut off: the side before it up to a parameter, the joining curve, the side after it from a parameter on.
 struct Cut {
     double s = 1.0, t = 0.0;
     Curve joint;

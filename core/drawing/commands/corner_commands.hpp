@@ -5,7 +5,7 @@
 
 namespace forefront {
 
-// Commands on the corners of paths and rectangles: those of the selected nodes, or all corners of the selected shapes.
+// Commands on the corners of paths and rectangles: the corners at selected nodes, or all corners of selected shapes.
 // Errors: bad-number, no-such-node, not-possible (a smooth node, the end of an open path, or a corner that is too
 // narrow for the number).
 

@@ -7,22 +7,22 @@
 
 namespace forefront {
 
-/// What an insertion adds.
+/// The items that an insertion added.
 struct Insertion {
     Selection added{};
     /// A warning (dropped-formulas) if formulas became plain numbers because there would be too many parameters.
     Diagnostics notes{};
 };
 
-/// Returns `document` with the shapes, region markers and names of another one, scaled about the origin. Where both
-/// name a tag, the name in `document` wins. Formulas come along with the parameters that they use: see
+/// Returns `document` with the shapes, region markers and names of another document, scaled about the origin. Where
+/// both name a tag, the name in `document` wins. Formulas come along with the parameters that they use: see
 /// bringFormulas(). `insertion`, if not null, is set to what was added.
 Document insertDrawing(const Document &document, const Document &other, double scale, Insertion *insertion);
 
 /// Like insertDrawing() without scaling, and with the size sources, which leave automatic spacing on, and the sizes of
-/// boundary parts whose tags `document` does not use. If an added
-/// shape, source or marker would coincide with an existing one, everything added is moved by the smallest multiple of
-/// `step` that avoids this. Errors: those of moveSelection().
+/// boundary parts whose tags `document` does not use. If an added shape, source or marker would coincide with an
+/// existing one, all added items are moved by the smallest multiple of `step` that avoids this. Errors: as for
+/// moveSelection().
 Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Insertion *insertion);
 
 } // namespace forefront

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kStraight = 1e-9; ///< maximum turn, in radians, of a path at a node that needs no wedge
 
-/// Returns shapes that cover what lies within a distance of an outline, to its left, or to its right if it is negative.
+/// Returns shapes that cover the band within a distance of an outline, to its left, or to its right if it is negative.
 std::vector<Shape> bandsOf(const Shape &shape, double offset) {
     const Outline outline = outlineOf(shape);
     std::vector<Curve> path;

@@ -9,9 +9,9 @@
 namespace forefront {
 
 /// Adds the outlines at a distance from shapes, > 0 outside and < 0 inside; around an open path, the outline of the
-/// band of twice that width. Corners on the outside become round. Lines, arcs of circles and circles have exact
-/// parallels; those of other curves are cubics within 1e-6 of the size of the result. The inside of a closed path that
-/// crosses itself follows the even-odd rule. Role, tags and name are those of the original. `made`, if not null,
+/// band of twice that width. Corners on the outside become round. Parallels of lines, arcs of circles and circles are
+/// exact; parallels of other curves are cubics, within 1e-6 of the size of the result. The inside of a closed path that
+/// crosses itself follows the even-odd rule. Role, tags and name are copied from the original. `made`, if not null,
 /// becomes the selection of the new shapes. Errors: no-such-shape, bad-number, not-possible (a point; nothing is left),
 /// those of combineShapes().
 Result<Document> offsetShapes(const Document &document, const std::set<std::uint32_t> &ids, double distance,

@@ -97,7 +97,7 @@ Result<Document> divided(const Document &document, SegmentRef segment, std::uint
 void openCurves(Shape &shape) {
     PathForm &path = shape.path();
     if (path.curves.empty()) {
-        // A closed path of two straight segments would have only one without the list.
+        // Without the list, a closed path of two straight segments would count as one segment.
         path.curves.resize(path.closed ? shape.nodes.size() : shape.nodes.size() - 1);
     }
     shape.cuts.clear();

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-/// Gives a marker the sizes of another one that it has not.
+/// Fills in the missing sizes of a marker from another marker.
 void keepSizes(MarkedRegion &marker, const MarkedRegion &from) {
     if (marker.maxArea == 0.0) {
         marker.maxArea = from.maxArea;

@@ -50,7 +50,7 @@ struct NamedEdge {
     static bool before(const NamedEdge &a, const NamedEdge &b) { return comesBefore(a.from, b.from); }
 };
 
-/// Finds out which shapes a repair changed, and makes shapes from what they became.
+/// Finds the shapes that a repair changed, and makes new shapes from their parts of the result.
 class DrawingRepair {
   public:
     explicit DrawingRepair(const Document &document) : document_(document), given_(toDomain(document, sources_)) {}

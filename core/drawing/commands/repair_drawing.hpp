@@ -16,9 +16,9 @@ struct RepairedDrawing {
     Diagnostics lostSizes;                  ///< warnings about element sizes of nodes that are gone
 };
 
-/// Repairs the drawing of a document: see repair(). Shapes that it does not change stay as they are; the others are
-/// replaced by paths, circles, ellipses and points with new ids, and the names of the shapes and the element sizes of
-/// the nodes that they come from.
+/// Repairs the drawing of a document: see repair(). Unaffected shapes do not change; the others are replaced by paths,
+/// circles, ellipses and points with new ids, which inherit the names of the original shapes and the element sizes of
+/// their nodes.
 Result<RepairedDrawing> repairDrawing(const Document &document, double tolerance = 0.0);
 
 } // namespace forefront

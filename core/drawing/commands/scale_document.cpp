@@ -28,7 +28,7 @@ void scalePaint(PaintedSpacing &paint, const PlaneMap &map, double factor) {
     }
 }
 
-/// Scales what the spacing holds besides its sources, which are mapped with the drawing.
+/// Scales the spacing except its sources, which are mapped with the drawing.
 void scaleSpacing(SpacingSpec &spacing, const PlaneMap &map, double factor) {
     scaleSizes(spacing.size, factor);
     scaleSizes(spacing.minimum, factor);

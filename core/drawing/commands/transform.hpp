@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-// Commands that map, align, distribute and repeat what is selected. Errors: bad-number (not finite, or a map that makes
+// Commands that map, align, distribute and repeat the selection. Errors: bad-number (not finite, or a map that makes
 // areas vanish), no-such-node, not-possible (too few items, or nothing or too much to copy), bad-shape.
 
 /// Maps a shape. It keeps its kind where its image is of that kind: a circle becomes an ellipse if it is stretched, a

@@ -24,8 +24,8 @@ Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t sh
 /// two, of which the second gets a new id.
 Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at);
 
-/// Returns what extending an open path at one of its ends adds: its last segment continued, an arc along its ellipse
-/// and others straight on, to the first crossing. Error: not-possible if it meets nothing.
+/// Returns the piece that extending an open path at one end adds: its last segment continued to the first crossing, an
+/// arc along its ellipse, any other segment straight on. Error: not-possible if it meets nothing.
 Result<Curve> extensionAt(const Document &document, NodeRef end);
 /// Lengthens an open path by that.
 Result<Document> extendEnd(const Document &document, NodeRef end);

@@ -56,7 +56,7 @@ struct Document {
     std::vector<MarkedRegion> regionMarkers;
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
-    /// The rules, without placed sizes, which are those of nodes, regions and `elementCounts`: see spacingOf().
+    /// The rules, without placed sizes; nodes, regions and `elementCounts` give those: see spacingOf().
     SpacingSpec spacing;
     /// Numbers of elements of boundary parts, by tag, in place of sizes in `spacing`.
     std::map<std::int32_t, PartElements> elementCounts;

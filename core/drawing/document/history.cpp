@@ -17,9 +17,9 @@ bool History::commit(std::string label, Document document, std::string_view stro
     if (sameContent(document, this->document())) {
         return false;
     }
-    const bool goesOn = !stroke.empty() && stroke == stroke_ && !canRedo() && position_ > 0 && dirty();
+    const bool continuesStroke = !stroke.empty() && stroke == stroke_ && !canRedo() && position_ > 0 && dirty();
     Entry entry{std::move(label), std::make_shared<const Document>(std::move(document)), nextRevision_++};
-    if (goesOn) {
+    if (continuesStroke) {
         entries_.back() = std::move(entry);
     } else {
         const auto tail = entries_.begin() + static_cast<std::ptrdiff_t>(++position_);

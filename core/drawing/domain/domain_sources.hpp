@@ -14,7 +14,7 @@ struct ShapeNode {
     std::uint32_t node = 0;  ///< index into the nodes of its outline
 };
 
-/// The shapes that the parts of a domain come from: lists parallel to those of the domain.
+/// The shapes that the parts of a domain come from: one list for each list of the domain, in the same order.
 struct DomainSources {
     std::vector<ShapeNode> nodes, segments, points;
 };

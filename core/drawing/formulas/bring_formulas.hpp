@@ -29,7 +29,7 @@ std::vector<Parameter> constantParameters(const NamedValues &values);
 bool bringParameters(Document &document, const std::vector<Parameter> &from, const std::set<std::string> &wanted,
                      NameChanges &changes);
 
-/// The items that a document has received from another one: new ids and indices by the old ones.
+/// The items that a document has received from another document: maps from old to new ids and indices.
 struct ReceivedItems {
     std::map<std::uint32_t, std::uint32_t> shapes{}, sources{}, markers{};
 };

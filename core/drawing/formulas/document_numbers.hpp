@@ -17,8 +17,8 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
 /// limits of the spacing. Returns the document if the owner is valid. Errors: those of the commands that change it.
 Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
 
-/// Returns what a number is in words, such as "radius of circle 3" or "x of node 2 of polygon 1"; the text of the
-/// address if there is no such number.
+/// Describes a number in words, such as "radius of circle 3" or "x of node 2 of polygon 1"; the text of the address if
+/// there is no such number.
 std::string numberName(const Document &document, const NumberAddress &address);
 
 /// Returns true if a number exists and has a value, up to rounding.

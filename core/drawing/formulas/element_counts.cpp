@@ -54,7 +54,7 @@ Result<std::vector<Alike>> sorted(const Document &document, const std::set<Segme
     return groups;
 }
 
-/// Returns true if anything but these segments has a tag.
+/// Returns true if a point, or a segment other than these, has the tag.
 bool usedElsewhere(const Document &document, std::int32_t tag, const std::set<SegmentRef> &segments) {
     return std::any_of(document.shapes.begin(), document.shapes.end(), [&](const auto &shape) {
         const std::size_t parts = taggedSegments(*shape);

@@ -24,10 +24,10 @@ std::optional<double> countableLength(const Shape &shape, std::uint32_t part);
 /// Returns the number of elements of the boundary part that a segment belongs to; nullopt if it has none.
 std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef segment);
 
-/// Gives segments a number of elements each, whatever other sizes ask for; nullopt removes it, and a size. Numbers
-/// belong to tags, so segments get tags of their own, shared by segments of the same tag and length. A tag keeps its
-/// growth, and its name with a number. Faults: no-such-segment; not-possible for a segment without a countableLength();
-/// bad-number for a count of 0 or above kMaxElementCount.
+/// Gives each segment a number of elements, which overrides other sizes; nullopt removes the number, and a size.
+/// Numbers belong to tags, so segments get tags of their own, shared by segments of the same tag and length. A tag
+/// keeps its growth, and its name with a number. Faults: no-such-segment; not-possible for a segment without a
+/// countableLength(); bad-number for a count of 0 or above kMaxElementCount.
 Result<Document> setElementCount(const Document &document, const std::set<SegmentRef> &segments,
                                  std::optional<std::uint32_t> count);
 

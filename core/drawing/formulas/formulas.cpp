@@ -186,7 +186,7 @@ Result<Document> overrideParameters(const Document &document, const std::map<std
 
 namespace {
 
-/// Returns what uses a parameter, in words.
+/// Names the users of a parameter, in words.
 std::vector<std::string> usersOf(const Document &document, const std::string &name) {
     const auto uses = [&name](const std::string &text) { return renameIn(text, {{name, name + '_'}}) != text; };
     std::vector<std::string> users;

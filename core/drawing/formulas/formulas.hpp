@@ -32,7 +32,7 @@ struct ParameterState {
     std::optional<double> value;
     std::string fault;       ///< empty if there is a value
     bool faultyName = false; ///< the fault lies in the name, not in the expression
-    bool follows = false;    ///< the only fault is that of a parameter that the expression uses
+    bool follows = false;    ///< the only fault is in a parameter that the expression uses
 };
 
 /// Returns the state of each parameter, in order. Faults: an empty, reserved, overlong or duplicate name, an invalid

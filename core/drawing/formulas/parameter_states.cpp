@@ -60,7 +60,7 @@ class Evaluation {
             return "invalid name '" + name + "'; expected a letter or _, then letters, digits and _";
         }
         if (isReservedName(name)) {
-            return "the name '" + name + "' is a coordinate, a function or a constant; choose another one";
+            return "the name '" + name + "' is a coordinate, a function or a constant; choose another name";
         }
         return indices_.emplace(name, index).second ? "" : "another parameter has the name '" + name + "'";
     }

@@ -32,7 +32,7 @@ std::string degreesText(Vec2 direction);
 /// Returns the place at a distance and an angle in degrees from another place. All are expressions.
 PlaceFormula polarFormula(const PlaceFormula &from, const std::string &distance, const std::string &degrees);
 
-/// Returns true if an expression uses a name, such as that of a parameter.
+/// Returns true if an expression uses a name, such as a parameter's.
 bool usesNames(const std::string &text);
 
 /// Lets the second end of a straight segment of a path follow an expression for the length of the segment, measured

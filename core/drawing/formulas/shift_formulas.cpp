@@ -28,7 +28,7 @@ double shiftAlong(Quantity what, Vec2 by) {
     }
 }
 
-/// An expression as a sum of another one and a number.
+/// An expression split into another expression plus a number.
 struct Sum {
     std::string first;
     double number = 0.0;

@@ -46,7 +46,7 @@ Document setPaint(const Document &document, PaintedSpacing paint);
 /// Replaces the whole spacing, and numbers of elements, for example by the spacing of a file. Parameters that its
 /// expression uses come along with their values: see bringParameters(). Error: too-many-parameters.
 Result<Document> setSpacing(const Document &document, SpacingSpec spacing);
-/// Sets the spacing of a file. A mesh, grid or picture replaces only what covers the whole domain: sources, paint,
+/// Sets the spacing of a file. A mesh, grid or picture replaces only the rule for the whole domain: sources, paint,
 /// sizes of parts and limits stay. A project replaces the whole spacing. Error: too-many-parameters.
 Result<Document> setImportedSpacing(const Document &document, SpacingSpec spacing);
 

@@ -6,9 +6,9 @@
 
 namespace forefront {
 
-/// Returns what a selection that is dragged can snap to: other shapes, and of its own paths the segments that do not
-/// change and the nodes that are neither dragged nor next to a dragged one. Shapes dragged as a whole, and shapes whose
-/// handles depend on each other, are left out.
+/// Returns the parts that a dragged selection can snap to: other shapes, and from its own paths the segments that do
+/// not change and the nodes that are neither dragged nor next to a dragged node. Shapes dragged as a whole, and shapes
+/// whose handles depend on each other, are left out.
 PickIndex::Filter targetsOfDrag(const Document &document, const Selection &dragged);
 
 /// Returns the other ends of the straight segments that follow a dragged node.

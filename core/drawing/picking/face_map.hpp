@@ -37,7 +37,7 @@ struct MappedEdge {
 class FaceMap {
   public:
     FaceMap() = default;
-    /// `faces`: those of the domain, which must be valid.
+    /// `faces`: the faces of the domain, which must be valid.
     FaceMap(std::shared_ptr<const Domain> domain, const DomainFaces &faces);
 
     std::span<const MappedFace> faces() const { return faces_; }

@@ -46,7 +46,7 @@ class PickIndex {
         std::set<NodeRef> nodes;
         std::set<SegmentRef> segments;
     };
-    /// What a search may find; by default everything.
+    /// Restricts the items that a search may find; by default it finds all.
     struct Filter {
         Filter() = default;
         template <class Predicate>

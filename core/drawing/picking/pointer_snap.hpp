@@ -45,7 +45,7 @@ struct SnapQuery {
     bool angle = false;            ///< shift: directions from the anchor in steps
     double angleStep = kSnapAngle; ///< of these steps, degrees, > 0
     SnapLocks locks;
-    PickIndex::Filter filter; ///< what to snap to
+    PickIndex::Filter filter; ///< items to snap to
 };
 
 /// The result of snapping.
@@ -63,8 +63,8 @@ struct Snapped {
 /// Returns a point of which both coordinates are typed.
 Snapped lockedAt(Vec2 place);
 
-/// Describes in a few words what a point snapped to, such as "midpoint", "angle 45°" or "x locked, node"; empty if it
-/// did not snap.
+/// Describes the snap target of a point in a few words, such as "midpoint", "angle 45°" or "x locked, node"; empty if
+/// it did not snap.
 std::string wordsOf(const Snapped &snapped);
 
 /// Snaps a point to an angle, node, special point (see specialPoint()), segment or the grid, in this order of

@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// Returns the handles that moving a selection moves, by shape, without those of shapes selected as a whole.
+/// Returns the handles that move with a selection, by shape; shapes selected as a whole are not included.
 std::map<std::uint32_t, std::set<std::uint32_t>> handlesToMove(const Document &document, const Selection &selection);
 
 /// Maps handles of a shape. Fails with no-such-node if one does not exist.

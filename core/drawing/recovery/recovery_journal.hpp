@@ -22,8 +22,8 @@ namespace forefront {
 std::filesystem::path stateFolder();
 
 /// Protects the open document against a crash. Every change passed to record() is written within a second, by a
-/// separate thread, as a difference to the previous text; a crash loses at most that second. The file is locked
-/// while the program runs, so that another one does not take it for an orphan, and removed when the journal is
+/// separate thread, as a difference to the previous text; a crash loses at most that second. The file is locked while
+/// the program runs, so that another instance does not take it for an orphan, and removed when the journal is
 /// destroyed. Nothing is written before the first change.
 class RecoveryJournal {
   public:

@@ -58,7 +58,7 @@ bool hasSoundNodes(const Shape &shape) {
         [&](const SlotForm &) { return isSoundSlot(shape); });
 }
 
-/// Returns true if what a shape has beside nodes is sound: curves, or a radius.
+/// Returns true if the curves or radius of a shape are valid.
 bool hasSoundCurves(const Shape &shape) {
     const auto sound = [](double radius) { return std::isfinite(radius) && radius >= 0.0; };
     return shape.visit([&](const PathForm &path) { return hasSoundCurves(shape, path); },

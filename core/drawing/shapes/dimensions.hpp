@@ -26,7 +26,7 @@ struct Dimension {
     /// upper side; the centre and a point of the curve; for an angle, the corner and a point on its right leg.
     Vec2 from, to;
     double value = 0.0;
-    double extent = 0.0; ///< length that a text beside it can have; of an angle, that of the shorter leg
+    double extent = 0.0; ///< maximum length of a text beside it; for an angle, the length of the shorter leg
 };
 
 /// Returns the dimensions of the shapes that are not hidden. Right and straight angles have none, nor have cubics and

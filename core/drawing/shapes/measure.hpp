@@ -26,7 +26,7 @@ double angleBetween(Vec2 u, Vec2 v);
 /// The size of a face of a drawing.
 struct FaceMeasure {
     double area = 0.0;
-    double perimeter = 0.0;              ///< including that of its holes
+    double perimeter = 0.0;              ///< including its holes
     std::vector<std::uint32_t> segments; ///< of the domain, around the face
 };
 

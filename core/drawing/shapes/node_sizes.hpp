@@ -16,7 +16,7 @@ bool canHaveSize(const Shape &shape, std::uint32_t handle);
 /// Sets the size and growth of nodes; nullopt removes them. Errors: bad-size, no-such-node, no-such-shape.
 Result<Document> setNodeSize(const Document &document, const std::set<NodeRef> &nodes, std::optional<PartSize> size);
 
-/// A change of the sizes of nodes; what it does not hold stays as it is.
+/// A change of the sizes of nodes; unset members leave their values unchanged.
 struct NodeSizeChange {
     std::optional<double> size;
     std::optional<double> growth; ///< for nodes that have a size
@@ -29,7 +29,7 @@ Result<Document> changeNodeSizes(const Document &document, const std::set<NodeRe
 /// false if there is no such node.
 bool giveSize(Shape &shape, Vec2 at, const PartSize &size, double reach);
 
-/// Gives the nodes of a shape the sizes that nodes of another one have at the same places, up to rounding.
+/// Gives the nodes of a shape the sizes of the nodes of another shape at the same coordinates, up to rounding.
 void takeNodeSizes(Shape &shape, const Shape &from);
 
 /// Replaces the sizes of a shape whose list of nodes has changed by those that it had at the same places before.

@@ -54,7 +54,7 @@ struct Chords {
     Vec2 to(std::size_t chord) const { return nodes[chord + 1 == nodes.size() ? 0 : chord + 1]; }
 };
 
-/// Returns the chords that stand for a shape in a domain; `outline` is that of the shape, and the curves of the
+/// Returns the chords that represent a shape in a domain; `outline` is the outline of the shape, and the curves of the
 /// stretches are its segments. See Document::circleTolerance.
 Chords chordsOf(const Shape &shape, const Outline &outline, double circleTolerance);
 
@@ -102,7 +102,7 @@ void becomePath(Shape &shape);
 /// Moves nodes of a path to new places, one for each node; curves move with their ends.
 void moveNodes(Shape &shape, std::vector<Vec2> places);
 
-/// Returns the word for the form of a shape: that of its kind, or "slot" for a path with that form.
+/// Returns the word for the form of a shape: the name of its kind, or "slot" for a path of that form.
 std::string kindName(const Shape &shape);
 /// Returns the name of a shape, or one made of its kind and id such as "polygon 3".
 std::string displayName(const Shape &shape);

@@ -21,7 +21,7 @@ struct TagRun {
 };
 
 /// Returns the runs of a shape in the order of its segments; one for a circle or an ellipse, none for a point.
-/// `outline` is that of the shape.
+/// `outline` is the outline of the shape.
 std::vector<TagRun> tagRuns(const Shape &shape, const Outline &outline);
 
 } // namespace forefront

@@ -18,8 +18,8 @@ std::string clipboardText(const Document &document, const Selection &selection);
 /// coordinates is a point: its first two numbers, with any separators between them. Numbers separated by tabs or
 /// semicolons may have decimal commas and thousands separators. A blank line or a line of text starts a new path. A
 /// path of at least four points is closed if its ends are about as close together as its nodes. Drawings of other
-/// programs keep their shapes apart; `notes`, if not null, receives what was not used. Errors: those of the readers;
-/// no-drawing.
+/// programs keep their shapes apart; `notes`, if not null, receives notes on unused content. Errors: as for the
+/// readers; no-drawing.
 Result<Document> readClipboard(std::string_view text, ImportNotes *notes = nullptr);
 
 } // namespace forefront

@@ -108,7 +108,7 @@ std::optional<ListedPoint> pointIn(std::string_view line) {
     return ListedPoint{{values[0], values[1]}, goesOn(line)};
 }
 
-/// Returns the runs of lines with points. Notes other lines that are not blank, and what follows the points.
+/// Returns the runs of lines with points. Notes other lines that are not blank, and numbers after the points.
 std::vector<std::vector<Vec2>> runsIn(std::string_view text, ImportNotes *notes) {
     std::vector<std::vector<Vec2>> runs(1);
     for (std::size_t begin = 0; begin < text.size();) {
@@ -125,7 +125,7 @@ std::vector<std::vector<Vec2>> runsIn(std::string_view text, ImportNotes *notes)
                 runs.back().push_back(point->at);
             }
             if (point->more) {
-                note("more-columns", "what follows the first two numbers of a line is ignored");
+                note("more-columns", "only the first two numbers of a line are used");
             }
         } else {
             if (goesOn(line)) {

@@ -9,7 +9,7 @@
 namespace forefront {
 
 /// Returns the paths and points in lines of coordinates; see readClipboard(). Errors: no-drawing. `notes`: receives
-/// what is not used; may be null.
+/// notes on unused lines; may be null.
 Result<Document> readCoordinates(std::string_view text, ImportNotes *notes);
 
 } // namespace forefront

@@ -84,7 +84,7 @@ std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, boo
 
 void DrawingBuilder::addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::span<const MadeFrom> parts) {
     const std::size_t first = input_.pieces.size();
-    input_.contours[addArea(input_, shape, area)].made = true;
+    input_.contours[addArea(input_, shape, area)].synthetic = true;
     for (std::size_t k = first; k < input_.pieces.size(); ++k) {
         ArrangementPiece &piece = input_.pieces[k];
         const MadeFrom &part = parts[static_cast<std::size_t>(piece.tag - 1)]; // of its label
@@ -328,7 +328,7 @@ bool DrawingBuilder::joinsAlone(const Arrangement &lines, double tolerance, doub
     return joined && findLineGaps(joined->domain, near).count == 0 && lost(*joined) <= lost(lines);
 }
 
-/// Reports a domain that is only a part of what is drawn with lines.
+/// Reports a domain that contains only a part of the drawn lines.
 void DrawingBuilder::noteSmallDomain(const Domain &domain, const Box2 &lines) const {
     constexpr double kSmall = 0.25; // fraction of the area that everything extends over
     const Box2 box = boundaryBox(domain);

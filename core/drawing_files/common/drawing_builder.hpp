@@ -13,8 +13,7 @@
 
 namespace forefront {
 
-/// Collects outlines, lines and points of a drawing or map and arranges them into a domain, with notes on what was
-/// changed.
+/// Collects outlines, lines and points of a drawing or map and arranges them into a domain, with notes on the changes.
 class DrawingBuilder {
   public:
     explicit DrawingBuilder(const SourceText &source);
@@ -31,14 +30,14 @@ class DrawingBuilder {
         return input_.addClipPart(clip, limit, removes);
     }
     std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
-    /// What a piece of an area was made from.
+    /// The origin of a piece of a synthetic area.
     struct MadeFrom {
         std::int32_t tag = 1;
         std::size_t offset = 0; ///< in the text
         std::uint32_t shape = 0;
     };
-    /// Adds an area that was made from what the file says, such as that of a stroke. The labels of its pieces are
-    /// indices into `parts`.
+    /// Adds a synthetic area, one derived from elements of the file, such as the area of a stroke. The labels of its
+    /// pieces are indices into `parts`.
     void addMadeArea(std::uint32_t shape, const OutlinedArea &area, std::span<const MadeFrom> parts);
     /// Adds curves and renumbers the stretches that refer to them.
     void addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches);
@@ -53,16 +52,16 @@ class DrawingBuilder {
     void addPoint(Vec2 at, std::int32_t tag);
     /// Puts region markers into the domain; without them all elements have the tag 1.
     void markRegions() { input_.markRegions = true; }
-    /// Lets later features hide what they cover of earlier ones.
+    /// Lets later features hide the parts of earlier ones that they cover.
     void layer() { input_.layered = true; }
 
-    /// Sets the tolerance to use by default, as far as it is at most ten times the usual one.
+    /// Sets the default tolerance, limited to ten times the usual one.
     void preferTolerance(double tolerance) { preferred_ = tolerance; }
     /// Lets lines that form closed loops bound the domain beside its outlines, too; for drawings in which nothing is
     /// filled, so that outlines differ from lines only in how they were drawn.
     void letLinesBound() { linesBound_ = true; }
 
-    /// Returns true if there are outlines of shapes, apart from those of clips.
+    /// Returns true if there are outlines of shapes, not counting outlines of clips.
     bool hasOutlines() const;
 
     /// Arranges everything. Lines that form closed loops bound the domain if there are no outlines, or if they may.

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// What became of lines that form closed loops.
+/// The result of making closed loops of lines part of the boundary.
 struct LineLoops {
     std::size_t segments = 0;  ///< number of segments that became boundary
     std::size_t left = 0;      ///< number of loops that stayed lines

@@ -21,7 +21,7 @@ class FeatureNames {
     /// `key`: the property to take names from; absent: by the rule above.
     explicit FeatureNames(std::optional<std::string> key) : key_(std::move(key)) {}
 
-    /// Collects what a feature offers. Call this for all features before naming any.
+    /// Collects the properties of a feature that can name it. Call this for all features before naming any.
     void survey(const JsonValue &feature);
 
     /// Returns the name of a feature; empty if it has none.

@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Returns true if a coordinate reference system has longitudes and latitudes in degrees. `name` is that of an old
+/// Returns true if a coordinate reference system has longitudes and latitudes in degrees. `name` is the one in an old
 /// GeoJSON file, such as "urn:ogc:def:crs:OGC:1.3:CRS84" or "EPSG:4326".
 bool isGeographic(std::string_view name);
 

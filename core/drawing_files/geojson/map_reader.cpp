@@ -295,7 +295,7 @@ Box2 MapReader::bounds() const {
     return box;
 }
 
-/// Does with longitudes and latitudes what the options say.
+/// Projects, accepts or refuses longitudes and latitudes, as the options say.
 void MapReader::settleDegrees(const JsonValue &whole) {
     const Box2 box = bounds();
     const DegreeRule rule = source_.options.degrees;
@@ -400,7 +400,7 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
     const bool mixed = !polygons_.empty() && !lines_.empty();
     const bool drops = source_.options.dropLines && mixed;
     contents_.lines = mixed;
-    source_.found(contents_);
+    source_.reportContents(contents_);
     for (Line &line : lines_) {
         if (drops) {
             source_.note("dropped-lines", "lines are left out", line.path.offsets.front());

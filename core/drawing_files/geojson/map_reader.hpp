@@ -22,14 +22,14 @@ struct MapPath {
     std::size_t offset = 0; ///< of the path itself
 };
 
-/// What the properties of a feature say.
+/// The tag and name from the properties of a feature.
 struct MapLabel {
     std::string name;
     std::optional<std::int32_t> tag;
     std::size_t feature = 0; ///< its number; 0: none
 };
 
-/// Collects the features of a map in JSON and arranges them; what GeoJSON and TopoJSON have in common.
+/// Collects the features of a map in JSON and arranges them; the common part of the GeoJSON and TopoJSON readers.
 class MapReader {
   public:
     explicit MapReader(const SourceText &source);
@@ -62,7 +62,7 @@ class MapReader {
     void addLine(MapPath line, const MapLabel &label);
     void addPoint(Vec2 place, std::size_t offset, const MapLabel &label);
 
-    /// Reports what was not used and arranges the rest. `whole`: for a fault that concerns all.
+    /// Reports unused content and arranges the rest. `whole`: for a fault that concerns all.
     Result<Domain> finish(const JsonValue &whole);
 
   private:

@@ -130,7 +130,7 @@ class CurveReader {
         return sound(Curve::arc(points[0], points[1], points[2], angles[0], angles[1]), value, segment);
     }
 
-    /// Returns the arc, or a line after recording what is wrong with it.
+    /// Returns the arc, or a line after recording its fault.
     Curve sound(const Curve &arc, const JsonValue &value, std::size_t segment) {
         const std::array<double, 8> n = arc.numbers();
         constexpr double kTurn = 2.0 * std::numbers::pi * (1.0 + 1e-12);

@@ -11,9 +11,9 @@ namespace forefront {
 /// Reads the shapes of an SVG drawing. Closed outlines bound the domain by the even-odd rule, open ones are
 /// constraints.
 Result<Domain> readSvg(const SourceText &source);
-/// Like readSvg(), but keeps the shapes as they are drawn: each has segments and nodes of its own, even where it meets
-/// or overlaps another one, and nothing is dropped outside the domain. Shapes drawn twice are read once. A drawing
-/// without closed outlines is read as by readSvg().
+/// Reads the shapes as drawn, unlike readSvg(): each has segments and nodes of its own, even where it meets or overlaps
+/// another shape, and nothing outside the domain is dropped. Shapes drawn twice are read once. A drawing without closed
+/// outlines is read as by readSvg().
 Result<Domain> readSvgShapes(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is SVG.
 bool looksLikeSvg(std::string_view head);

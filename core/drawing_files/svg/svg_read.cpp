@@ -62,7 +62,7 @@ class SvgBuilder {
         dropRepeatedOutlines();
         const std::uint32_t feature = builder_.addFeature(1);
         chooseRules();
-        source_.found(contents());
+        source_.reportContents(contents());
         addClips();
         for (SvgPath &path : paths_) {
             const PathRole part = partOf(path);
@@ -189,7 +189,7 @@ class SvgBuilder {
     }
 
     void noteRepeated(const SvgPath &path) const {
-        source_.note("svg-duplicate", "shapes that lie exactly on another one are left out", path.offset);
+        source_.note("svg-duplicate", "shapes that coincide with another shape are left out", path.offset);
     }
 
     /// Adds a path with nodes of its own.
@@ -328,7 +328,7 @@ class SvgBuilder {
         return source_.options.dropLines ? PathRole::LeftOut : PathRole::Line;
     }
 
-    /// Returns what options change, whether or not they are set.
+    /// Returns the contents that options affect, whether or not they are set.
     DrawingContents contents() const {
         DrawingContents contents;
         std::size_t last = kNone;
@@ -415,7 +415,7 @@ class SvgBuilder {
                          source_.options.strokeAreas
                              ? "strokes that do not scale with the drawing are read as lines"
                              : "strokes are not meshed: shapes end at the middle of their stroke; --stroke-areas "
-                               "meshes what strokes paint",
+                               "meshes their painted area",
                          path.offset);
         }
     }
@@ -426,8 +426,8 @@ class SvgBuilder {
         return isGeneratedName(path.name) ? std::min(path.strokeWidth, kMaxStroke * size_) : 0.0;
     }
 
-    /// Returns the shape of a path's element: what it fills, and what its stroke paints. It belongs to the feature that
-    /// is given, or is one of its own.
+    /// Returns the shape of a path's element: its filled area and the painted area of its stroke. It belongs to the
+    /// given feature, or to a new one.
     std::uint32_t shapeOf(std::uint32_t feature, const SvgPath &path) {
         if (std::exchange(shaped_, path.element) != path.element) {
             const bool apart = source_.options.shapeRegions;

@@ -26,7 +26,7 @@ struct AdaptRound {
     double error = 0.0; ///< ErrorEstimate::relative()
 };
 
-/// What adaptMesh() knows at the end of a round; valid during the call that reports it.
+/// The state of adaptMesh() at the end of a round; valid during the call that reports it.
 struct AdaptState {
     const TriMesh &mesh;
     const std::vector<double> &values; ///< of the field at the nodes
@@ -49,8 +49,8 @@ struct AdaptOutcome {
 /// Adapts a mesh to a target error in rounds: estimates the error, remeshes the domain with the spacing that follows
 /// from it and evaluates the field on the new mesh, until the estimate meets the target or no longer falls. Makes at
 /// least one and at most `maxRounds` new meshes. Of the spacing of `job`, the placed sizes (see PlacedSizes) hold in
-/// all rounds; the rules are replaced by those that follow from the error. Errors: those of the field and of the
-/// mesher, "cancelled".
+/// all rounds; its rules are replaced by sizes that follow from the error. Errors: as for the field and the mesher,
+/// "cancelled".
 Result<AdaptOutcome> adaptMesh(const MeshingJob &job, TriMesh mesh, const NodalField &field, const AdaptTarget &target,
                                int maxRounds, const Progress &progress = {}, const AdaptReport &report = {});
 

@@ -25,7 +25,7 @@ struct AdaptTarget {
 Result<std::vector<double>> elementSpacing(const TriMesh &mesh, const ErrorEstimate &estimate,
                                            const AdaptTarget &target, const Progress &progress = {});
 
-/// Returns the spacing at nodes from that of elements: the mean of the density 1/h² around each node, weighted by area.
+/// Converts element spacings to nodal spacings: the mean of the density 1/h² around each node, weighted by area.
 std::vector<double> nodalSpacing(const TriMesh &mesh, std::span<const double> elementSpacing);
 
 /// Calls the two functions above, limits the gradation, and returns the node spacing with `mesh` as background mesh.

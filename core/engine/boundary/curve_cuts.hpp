@@ -47,8 +47,8 @@ class CurveCuts {
     /// Removes the cuts within a distance of an end, as far as the piece there stays close to the curve; none of a
     /// chain with a number of elements, or of a loop.
     void joinEnd(std::uint32_t chain, bool atStart, double length);
-    /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight
-    /// segments instead, and what is left of the chain must be divided again. Duplicates in the list count once.
+    /// Halves pieces. Where a piece is already much finer than the chords of the domain, these are used as straight
+    /// segments instead, and the rest of the chain must be divided again. Duplicates in the list count once.
     void refine(std::vector<ChainPiece> pieces);
     /// Returns the segments that were taken as straight, in order.
     std::vector<std::uint32_t> straightened() const;

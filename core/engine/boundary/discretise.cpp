@@ -40,7 +40,7 @@ Diagnostics tooMany(double estimate, Vec2 at) {
     return located("too-many-nodes",
                    "the spacing is too fine: it requires about " + numberText(estimate, 3) +
                        " boundary segments; expected at most " + numberText(kMaxPieces, 3),
-                   "make the spacing larger, or keep the boundary segments as they are", at);
+                   "make the spacing larger, or keep the boundary segments undivided", at);
 }
 
 class Discretiser {

@@ -16,7 +16,7 @@ namespace FOREFRONT_API forefront {
 
 struct DomainFaces;
 
-/// Marks the outside of the domain in place of a region.
+/// The region index that stands for the outside of the domain.
 inline constexpr std::uint32_t kOutside = 0xffffffffU;
 
 /// An edge of the discretised boundary or of a constraint.
@@ -41,12 +41,12 @@ struct DiscreteRegion {
 struct DiscreteDomain {
     std::vector<Vec2> nodes;
     std::vector<DiscreteSegment> segments;
-    std::vector<Curve> curves; ///< those of the domain
+    std::vector<Curve> curves; ///< the curves of the domain
     /// Per segment, the part of a curve that it is a chord of; empty if the domain has no curves.
     std::vector<CurveStretch> stretches;
     /// The segments of the domain that follow a curve but were taken as straight, because curves cross there.
     std::vector<std::uint32_t> straightened;
-    std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides those of segments
+    std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides segment ends
     std::size_t gradedNodes = 0;         ///< number of the last of `points` that have no tag, see addGradedNodes()
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;
@@ -63,21 +63,22 @@ struct DiscreteDomain {
     Box2 bounds() const;
 };
 
-/// What becomes of tips of less than 20 degrees, between nothing but the outside, where they are narrower than 1/4 of
-/// the spacing.
+/// The treatment of tips of less than 20 degrees with only the outside beyond their sides, where they are narrower than
+/// 1/4 of the spacing.
 enum class NarrowTips : std::uint8_t {
     Divided, ///< divided like other parts
     Whole,   ///< left undivided: one long element instead of many thin ones
 };
 
 /// Divides the segments of a validated domain so that their lengths follow the spacing, or keeps them exactly as given,
-/// and finds the faces and their regions. The number of pieces is that of `elements`, or follows from ∫ds/ρ, with nodes
-/// at equal fractions of it. Deterministic; the geometry does not depend on the order or orientation of loops.
+/// and finds the faces and their regions. The number of pieces is taken from `elements`, or follows from ∫ds/ρ, with
+/// nodes at equal fractions of the integral. Deterministic; the geometry does not depend on the order or orientation of
+/// loops.
 ///
 /// Segments that follow one curve through nodes where nothing else meets are divided as one, with every node on the
 /// curve and at most Domain::curveTolerance between the curve and its edges. Pieces that meet others, or have others on
 /// the wrong side, are halved until none does; where that does not help, because curves cross although their chords do
-/// not, the chords are taken as they are.
+/// not, the chords are used unchanged.
 ///
 /// `faces` are those that validate() found in this domain; without them, they are found again.
 ///

@@ -24,7 +24,7 @@ struct NarrowEnd {
 /// each other than 1/4 of the spacing and a curve can be followed by one piece: nodes there would add thin elements,
 /// and none of them would be better for it.
 ///
-/// `left` and `right` are the regions beside each segment, or kOutside; `curves` are those of the domain, or null.
+/// `left` and `right` are the regions beside each segment, or kOutside; `curves` are the curves of the domain, or null.
 std::vector<NarrowEnd> findNarrowEnds(const Domain &domain, const SpacingField &spacing,
                                       std::span<const std::uint32_t> left, std::span<const std::uint32_t> right,
                                       const CurveCuts *curves);

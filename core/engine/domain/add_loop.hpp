@@ -19,7 +19,7 @@ struct LoopRange {
 };
 
 /// Adds a closed polygon, nodes and boundary segments, and returns where they are. Its orientation does not matter; a
-/// loop inside another one is a hole.
+/// loop inside another loop is a hole.
 inline LoopRange addLoop(Domain &domain, std::span<const Vec2> nodes, std::int32_t tag = 1) {
     const LoopRange loop{static_cast<std::uint32_t>(domain.nodes.size()),
                          static_cast<std::uint32_t>(domain.segments.size()), static_cast<std::uint32_t>(nodes.size()),

@@ -27,7 +27,7 @@ struct DomainMeetings {
     bool empty() const { return duplicates.empty() && crossings.empty() && overlaps.empty() && touches.empty(); }
 };
 
-/// Finds all meetings, but at most `limit` crossings and overlaps. `sweep` is that of the graph.
+/// Finds all meetings, but at most `limit` crossings and overlaps. `sweep` is the sweep of the graph.
 DomainMeetings findDomainMeetings(const DomainGraph &graph, const PlaneSweepResult &sweep, std::size_t limit);
 
 } // namespace forefront

@@ -20,7 +20,7 @@ class LazyFaces {
 
     /// Returns the faces; null if segments cross, so that there are none, and after a stop request.
     const DomainFaces *get() const;
-    /// Returns a test of what is inside; null where there are no faces, or if all of them are outside.
+    /// Returns a test of whether a point is inside; null if there are no faces, or if all of them are outside.
     const InsideTest *inside() const;
 
   private:

@@ -78,7 +78,7 @@ class Validator {
             rest.code = "more-faults";
             const std::size_t more = count_ - faults_.size();
             rest.message =
-                more == 0 ? "the search for faults was stopped at its limit; there are more"
+                more == 0 ? "the search stopped after " + std::to_string(count_) + " faults; there may be more"
                           : (allMeetings_ ? "" : "at least ") + std::to_string(more) + " more faults are not listed";
             faults_.push_back(std::move(rest));
         }

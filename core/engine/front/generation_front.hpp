@@ -69,12 +69,12 @@ class GenerationFront {
 
     /// Removes slot x from its loop: P→X→N becomes the new segment P→N.
     void cutOut(SlotId x);
-    /// Undoes cutOut(). `node`, `position`, `mark`: those of slot x, which was after p; `markOfP`: that of P→X.
+    /// Undoes cutOut(). `node`, `position`, `mark`: of slot x, which was after p; `markOfP`: of P→X.
     void undoCutOut(SlotId x, SlotId p, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfP);
 
     /// Gives slot x a new node C: P→X→N becomes P→C→N.
     void replace(SlotId x, Vec2 position, NodeId node);
-    /// Undoes replace(). `mark` and `markOfPrev`: those of X→N and P→X.
+    /// Undoes replace(). `mark` and `markOfPrev`: of X→N and P→X.
     void undoReplace(SlotId x, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfPrev);
 
     /// Removes the loop of three slots that starts at a.

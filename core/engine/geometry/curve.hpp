@@ -16,8 +16,8 @@ enum class CurveKind : std::uint8_t {
     Cubic ///< Bézier
 };
 
-/// A curve with the parameter t from 0 to 1. A value: copies are independent. Affine images are exact: that of an
-/// elliptical arc is an elliptical arc.
+/// A curve with the parameter t from 0 to 1. A value: copies are independent. Affine images are exact: an elliptical
+/// arc remains an elliptical arc.
 class Curve {
   public:
     /// A line from the origin to itself.
@@ -80,7 +80,7 @@ class Curve {
     /// (domain units, > 0) from the part between; at most kMaxPieces of them. A curve that is not finite gives t1
     /// alone.
     std::vector<double> flatten(double tolerance, double t0 = 0.0, double t1 = 1.0) const;
-    /// Does the same for a view of a box: what is outside the box becomes a few pieces that do not enter it, however
+    /// Does the same for a view of a box: outside the box, the curve becomes a few pieces that do not enter it, however
     /// small the tolerance is.
     std::vector<double> flattenWithin(const Box2 &box, double tolerance, double t0 = 0.0, double t1 = 1.0) const;
     static constexpr std::size_t kMaxPieces = 10000;

@@ -26,7 +26,7 @@ inline bool isFlat(Vec2 a, Vec2 b, Vec2 c, double margin = 1.0) {
 }
 
 /// The multiple of the bound of isFlat() within which the mesher avoids flat elements and sides that touch a node. More
-/// than 1, since the bound of an element that is left beside a side is not exactly that of the side and the node.
+/// than 1, since the bound of an element beside a side differs slightly from the bound of the side and the node.
 inline constexpr double kAvoidedFlatness = 4.0;
 
 /// Returns the margin of a box that reaches all points whose coordinates may be inside it but for their rounding.

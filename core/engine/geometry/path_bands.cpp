@@ -87,7 +87,7 @@ class BandMaker {
         constexpr double kCusp = 1e-12; // minimum step of the parameter; a piece that still turns within it is a cusp
         constexpr int kMaxPieces = 100000; // limits the work where rounding errors exceed the accuracy
         const Curve piece = curve.part(t0, t1);
-        if (t1 - t0 <= kCusp || ++questions_ > kMaxPieces) {
+        if (t1 - t0 <= kCusp || ++checks_ > kMaxPieces) {
             keep(piece, segment);
             return;
         }
@@ -130,8 +130,8 @@ class BandMaker {
 
     /// Returns the curvature at a parameter of a piece; at a cusp, the curvature just beside it.
     double curvature(const Curve &piece, double t) const {
-        const bool stands = length(piece.derivative(t)) <= 1e-12 * size_;
-        return curvatureOf(piece, stands ? std::lerp(t, 0.5, 1e-3) : t);
+        const bool isCusp = length(piece.derivative(t)) <= 1e-12 * size_;
+        return curvatureOf(piece, isCusp ? std::lerp(t, 0.5, 1e-3) : t);
     }
 
     /// Returns 1 where an offset reaches past the centre of curvature, -1 where it does not, and 0 where it ends there
@@ -215,7 +215,7 @@ class BandMaker {
         }
     }
 
-    /// Adds what the line across a piece sweeps beyond the centres of curvature.
+    /// Adds the area that the line across a piece sweeps beyond the centres of curvature.
     void addBeyondCentres(const Piece &piece, double offset) {
         const Curve &curve = piece.curve;
         const auto full = [&](double t) { return curve.point(t) + offset * leftNormal(curve.tangent(t)); };
@@ -371,7 +371,7 @@ class BandMaker {
     BandStyle style_;
     double reach_ = 0.0; ///< maximum distance from the path
     double size_ = 0.0;  ///< of the result, about
-    int questions_ = 0;  ///< whether a piece is fine
+    int checks_ = 0;     ///< number of pieces tested so far
     std::vector<Piece> pieces_;
     std::vector<BandPart> parts_;
 };

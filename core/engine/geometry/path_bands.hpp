@@ -19,8 +19,8 @@ struct BandStyle {
     BandCorner corner = BandCorner::Round;
     double miterLimit = 4.0; ///< maximum length of a miter, in widths of the band
     double accuracy = 1e-7;  ///< of parallels that are not exact, as a fraction of the size of the result
-    /// True: the band is what a line across the path sweeps. False: on the inside of a bend it ends at the centres of
-    /// curvature, since other points of the path are nearer to what is beyond.
+    /// True: the band is the area swept by a line across the path. False: on the inside of a bend it ends at the
+    /// centres of curvature, since points beyond them are nearer to other parts of the path.
     bool swept = false;
 };
 
@@ -31,9 +31,9 @@ struct BandPart {
     std::uint32_t segment = 0; ///< of the path: index
 };
 
-/// Returns shapes whose union is the band between a path and its parallels at one or two offsets, > 0 to the left and
-/// < 0 to the right; one on either side gives the whole band. Lines and arcs of
-/// circles have exact parallels, those of other curves are cubics. The ends of an open path are cut straight.
+/// Returns shapes whose union is the band between a path and its parallels at one or two offsets, > 0 to the left and <
+/// 0 to the right; one on either side gives the whole band. Parallels of lines and arcs of circles are exact, parallels
+/// of other curves are cubics. The ends of an open path are cut straight.
 std::vector<BandPart> bandsBeside(std::span<const Curve> path, bool closed, std::span<const double> offsets,
                                   const BandStyle &style = {});
 

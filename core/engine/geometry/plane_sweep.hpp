@@ -34,7 +34,7 @@ struct PlaneSweepResult {
 };
 
 /// Sweeps the plane from left to right with exact predicates by the method of M. I. Shamos and D. Hoey, Geometric
-/// intersection problems (1976). O((n + m) log(n + m)) for any input: an edge found to meet another one is dropped and
+/// intersection problems (1976). O((n + m) log(n + m)) for any input: an edge found to meet another edge is dropped and
 /// the sweep continues. All points must be finite. Edges between equal points and repeated edges are dropped. After a
 /// stop request the result is meaningless.
 PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges,

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Evaluates what the filter of `orientation` cannot decide; call that instead.
+/// Decides the cases that the filter of `orientation` leaves open; call `orientation` instead.
 int orientationExact(Vec2 a, Vec2 b, Vec2 c);
 
 /// Returns the exact orientation of the triangle abc: +1 counter-clockwise, 0 collinear, -1 clockwise.

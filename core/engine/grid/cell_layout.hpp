@@ -20,7 +20,7 @@ struct CellLayout {
     double perHeight = 1.0;
 
     CellLayout() = default;
-    /// `size`: that of a cell.
+    /// `size`: width and height of a cell, in domain units.
     CellLayout(Vec2 low, Vec2 size, int columnCount, int rowCount)
         : origin(low), cellWidth(size.x), cellHeight(size.y), columns(columnCount), rows(rowCount),
           perWidth(1.0 / size.x), perHeight(1.0 / size.y) {}
@@ -38,9 +38,9 @@ struct CellLayout {
     }
 };
 
-/// Returns the rounding slack of grid decisions about what lies in a box, in domain units: far above any rounding error
-/// of coordinates of this size and far below any cell. It never falls as the box grows. Each part has a slack of its
-/// own: where one node is 1e20 away, the slack of the whole domain would exceed all that is near the origin.
+/// Returns the rounding slack of grid decisions about points in a box, in domain units: far above any rounding error of
+/// coordinates of this size and far below any cell. It never falls as the box grows. Each part has a slack of its own:
+/// where one node is 1e20 away, the slack of the whole domain would exceed all that is near the origin.
 inline double gridSlack(const Box2 &box) {
     const double magnitude = std::max(std::max(std::abs(box.min.x), std::abs(box.max.x)),
                                       std::max(std::abs(box.min.y), std::abs(box.max.y)));

@@ -81,8 +81,8 @@ class HierarchicalGrid {
     struct Table {
         CellLayout layout;
         std::uint32_t firstCell = 0;
-        /// What lies in it belongs to this table: the layouts above, whose coordinates may be far larger and more
-        /// rounded, all map it to the cells that led here.
+        /// The box of the points that belong to this table: the layouts above, whose coordinates may be far larger and
+        /// more rounded, all map it to the cells that led here.
         Box2 inner;
         double slack = 0.0; ///< gridSlack() of its box
         std::uint32_t above = 0;

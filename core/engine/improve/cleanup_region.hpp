@@ -19,8 +19,8 @@ void forMovableNodes(const ImproveWorkspace &work, std::size_t e, const Visit &v
     }
 }
 
-/// Visits, some of them repeatedly, the nodes whose positions the cleanup of an element may read: those of the elements
-/// around all nodes that it may move.
+/// Visits, some of them repeatedly, the nodes whose positions the cleanup of an element may read: the corners of the
+/// elements around all nodes that it may move.
 template <class Visit>
 void forReadNodes(const ImproveWorkspace &work, std::size_t e, const Visit &visit) {
     forMovableNodes(work, e, [&](NodeId n) {

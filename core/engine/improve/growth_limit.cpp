@@ -119,7 +119,7 @@ class AreaStar {
         return excess;
     }
 
-    /// Returns true if the node may move to p: no shape falls below the goal and below what it was.
+    /// Returns true if the node may move to p: no shape falls below both the goal and its previous value.
     bool allows(Vec2 p) const {
         constexpr double kMaxLoss = 0.01; // of the mean α around the node
         const double maxCosine = unitVector(goal_.angle).x;

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// What the areas of neighbours are to become, and what moves must not spoil meanwhile.
+/// The goal for the area ratios of neighbours, and the shapes that moves must preserve meanwhile.
 struct GrowthGoal {
     double growth = 2.0; ///< maximum ratio of the areas of elements that share an edge
     double alpha = 0.85; ///< no α falls below this, and no lower one falls further

@@ -66,12 +66,12 @@ constexpr Plan kDefaultPlan{kDefaultRounds, kDefaultGoal};
 constexpr Plan kBestPlan{kBestRounds, ShapeGoal{0.85, 39.0, 12}, 0.0, false, true};
 
 /// A mesh whose geometric mean of α stays below this is improved further: it is irregular, or most of it lies at its
-/// boundary, so that adding and removing nodes pays off. Below kHopelessMean, narrow places of the domain are the
+/// boundary, so that adding and removing nodes pays off. Below kUnimprovableMean, narrow places of the domain are the
 /// cause.
-constexpr double kPoorMean = 0.95, kHopelessMean = 0.93;
+constexpr double kPoorMean = 0.95, kUnimprovableMean = 0.93;
 constexpr double kWorthwhileGain = 5e-4; ///< of that mean, each time
 constexpr double kNextGain = 0.25;       ///< maximum ratio of a gain to the one before; measured: rarely above 0.15
-constexpr int kMostTimes = 4;
+constexpr int kMaxRepeats = 4;
 /// The floor keeps the shapes that level Default has reached, so a second cleanup is not needed. On maps, one with the
 /// goal of level Best took half of the time of further improvement and lowered the mean by .002 to .003.
 constexpr Round kFurtherRounds[] = {
@@ -241,12 +241,12 @@ void append(ImproveReport &report, const ImproveReport &further) {
 /// that pays off.
 void improveFurther(TriMesh &mesh, const ImproveOptions &options, const Progress &progress, ImproveReport &report) {
     double mean = geometricMeanAlpha(mesh);
-    double gain = mean < kHopelessMean ? 0.0 : 1.0;
+    double gain = mean < kUnimprovableMean ? 0.0 : 1.0;
     // In a small mesh, another try is cheap.
     const auto isWithinReach = [&] {
         return mesh.elements.size() <= kSmallMesh || kPoorMean - mean < kNextGain * gain;
     };
-    for (int time = 0; time < kMostTimes && mean < kPoorMean && gain >= kWorthwhileGain && isWithinReach(); ++time) {
+    for (int time = 0; time < kMaxRepeats && mean < kPoorMean && gain >= kWorthwhileGain && isWithinReach(); ++time) {
         const double before = mean;
         for (const Plan *plan : {&kFurtherPlan, &kPolishPlan}) {
             if (mean < kPoorMean) {
@@ -280,7 +280,7 @@ ImproveReport improve(TriMesh &mesh, const ImproveOptions &options, const Progre
     if (!progress.cancelled()) {
         improveFurther(mesh, options, partOf(progress, 0.7 * share, share), report);
     }
-    // It starts from what level Default makes, so that it can tell what growth that has.
+    // It starts from the result of level Default, so that it knows the growth there.
     if (best && !progress.cancelled()) {
         append(report, improveBy(kBestPlan, mesh, options, partOf(progress, share, 1.0)));
     }

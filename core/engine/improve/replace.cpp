@@ -58,7 +58,7 @@ void Replacer::compare(const Cutout &before, const Cutout &after) {
     std::set_difference(changed.begin(), changed.end(), given.begin(), given.end(), std::back_inserter(after_));
 }
 
-/// Finds the old elements in the mesh and what lies across their outer sides.
+/// Finds the old elements in the mesh and their neighbours across outer sides.
 void Replacer::removeOld(const Cutout &before) {
     old_.clear();
     rim_.clear();

@@ -38,7 +38,8 @@ class ShapeMeasure {
   private:
     static double square(double s) { return s * s; }
     static double sine(double degrees) { return std::sin(degrees * std::numbers::pi / 180.0); }
-    /// Returns the maximum α of triangles with minimum angle θ: that of the isosceles one with θ at the apex.
+    /// Returns the maximum α of triangles with minimum angle θ, which the isosceles triangle with θ at the apex
+    /// attains.
     static double needleAlpha(double degrees) {
         return std::numbers::sqrt3 * sine(degrees) / (2.0 - sine(90.0 - degrees));
     }

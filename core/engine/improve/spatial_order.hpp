@@ -8,9 +8,9 @@
 
 namespace forefront {
 
-/// Sorts the nodes and elements of a mesh along a Morton curve, so that what is close together in the plane is close
-/// together in memory. The front makes them row by row, and where its rows are short, neighbours of a row are far away
-/// in memory, which costs more time than sorting. The order does not depend on the number of threads.
+/// Sorts the nodes and elements of a mesh along a Morton curve, so that neighbours in the plane are close together in
+/// memory. The front makes them row by row, and where its rows are short, neighbours of a row are far away in memory,
+/// which costs more time than sorting. The order does not depend on the number of threads.
 class SpatialOrder {
   public:
     /// Returns true if the nodes of many elements lie far apart in memory.

@@ -27,8 +27,8 @@ class VainAttempts {
             }
         }
     }
-    /// Returns true if the last cleanup of an element changed nothing and another one would not either. Threads may
-    /// call it at the same time.
+    /// Returns true if the last cleanup of an element changed nothing and a repeat would not either. Threads may call
+    /// it at the same time.
     bool isVain(std::size_t e) const {
         const std::uint32_t failed = failedAt_[e];
         bool vain = failed > 0;

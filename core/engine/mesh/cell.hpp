@@ -35,7 +35,7 @@ struct EnumWords<CellKind> {
 inline constexpr std::size_t kMaxCellNodes = 9;
 inline constexpr std::size_t kMaxCellCorners = 4;
 
-/// What is known of a kind of cell. A cell lists its corners counter-clockwise, then, if it is of second order, the
+/// The properties of a kind of cell. A cell lists its corners counter-clockwise, then, if it is of second order, the
 /// middle nodes of its edges in their order, then a node in its centre if it has one. Edge k joins the corners k and
 /// (k+1) mod `corners`. That is the order of Gmsh and VTK too.
 struct CellTraits {
@@ -46,7 +46,7 @@ struct CellTraits {
     std::uint8_t nodes;
     std::uint8_t corners; ///< and edges, of cells with an area
     int gmsh;             ///< the number of its type in MSH files
-    int vtk;              ///< the number of its type in VTK files; that of SU2 files for cells of first order
+    int vtk;              ///< the number of its type in VTK files; also in SU2 files for cells of first order
     const char *medit;    ///< its keyword in MEDIT files; null: MEDIT has none
     const char *abaqus;   ///< the type in Abaqus files that is written for it; null: none
     /// For each of its nodes in the order of Netgen's .vol files, and of Triangle's .ele files, the node here. Both put
@@ -72,7 +72,7 @@ inline constexpr std::array<CellTraits, wordsOf<CellKind>().size()> kCellTraits 
      kSameOrder},
 }};
 
-/// Returns what is known of a kind of cell.
+/// Returns the properties of a kind of cell.
 constexpr const CellTraits &traitsOf(CellKind kind) {
     return kCellTraits[static_cast<std::size_t>(kind)];
 }

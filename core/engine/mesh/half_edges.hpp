@@ -10,8 +10,8 @@
 
 namespace FOREFRONT_API forefront {
 
-/// A side of an element as one number. Sides are numbered through all elements in turn: those of triangles are 3·e + k.
-/// Side k runs from corner k of its element to the next corner.
+/// A side of an element as one number. Sides are numbered through all elements in turn: in a mesh of triangles, side k
+/// of element e is 3·e + k. Side k runs from corner k of its element to the next corner.
 using HalfEdge = std::uint32_t;
 
 inline constexpr HalfEdge kNoHalfEdge = kNoIndex;

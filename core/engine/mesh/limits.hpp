@@ -62,7 +62,7 @@ struct MeshLimits {
     friend bool operator==(const MeshLimits &, const MeshLimits &) = default;
 };
 
-/// Returns what is wrong with the value of a limit, "expected a number from 0 to 90, got 100"; empty if it is valid.
+/// Returns the error in the value of a limit, "expected a number from 0 to 90, got 100"; empty if it is valid.
 std::string limitFault(MeshLimit limit, double value);
 
 /// A part of a mesh that violates a limit.
@@ -99,7 +99,7 @@ std::string toString(const LimitVerdict &verdict);
 /// Returns an error for each place of a verdict: "element 12: min ∠ 12.3° violates the limit 25°". An edge is named by
 /// its nodes. `numbers`: of the nodes and elements.
 Diagnostics faultsOf(const LimitVerdict &verdict, const MeshNumbers &numbers = {});
-/// Returns a value with the unit of what the limit bounds: "12.3°".
+/// Returns a value with the unit of the limit: "12.3°".
 std::string valueText(MeshLimit limit, double value);
 
 } // namespace forefront

@@ -66,7 +66,7 @@ struct MeasureInfo {
     const char *name;    ///< "Minimum angle"
     const char *symbol;  ///< short, for legends and tables: "min ∠"
     const char *unit;    ///< "°", or empty
-    MeshPart part;       ///< that it has a value for
+    MeshPart part;       ///< the kind of part that is measured
     BadEnd bad;          ///< its bad values
     bool logarithmic;    ///< shown on a logarithmic scale
     double minimum;      ///< of the values it can have
@@ -87,7 +87,7 @@ struct MeshEdge {
 /// All edges of a mesh, ordered by their nodes.
 struct MeshEdges {
     std::vector<MeshEdge> edges;
-    HalfEdgeNumbers halfEdges;             ///< those of the mesh
+    HalfEdgeNumbers halfEdges;             ///< of the mesh
     std::vector<std::uint32_t> ofHalfEdge; ///< per half-edge, the index of its edge
 
     /// Returns the index of edge k of an element, which joins its corner k to the next.
@@ -103,7 +103,7 @@ MeshEdges edgesOf(const MeshView &mesh);
 
 /// Returns the values of a measure, one for each part of its kind, in order; NaN where a part has none: the area ratio
 /// of an element without neighbours, the valence of a node that is no corner of an element. The measures of elements
-/// are those of placed_cell.hpp; a curved edge has the length of its curve. `edges`: those of the mesh. Without a
+/// are defined in placed_cell.hpp; a curved edge has the length of its curve. `edges`: the edges of the mesh. Without a
 /// spacing, the measures that compare with ρ have no values and the result is empty.
 std::vector<double> measureValues(Measure measure, const MeshView &mesh, const MeshEdges &edges,
                                   const SpacingField *spacing);
@@ -111,8 +111,8 @@ std::vector<double> measureValues(Measure measure, const MeshView &mesh, const M
 /// Returns the place of a part: the centre of an element, the middle of an edge, a node.
 Vec2 placeOf(const MeshView &mesh, const MeshEdges &edges, MeshPart part, std::size_t index);
 
-/// Returns the value below which the given fraction of the values lies: that of rank ⌊fraction·(n−1)⌋, counted from 0.
-/// Reorders the values, of which there must be at least one.
+/// Returns a quantile: the value of rank ⌊fraction·(n−1)⌋, counted from 0. Reorders the values, of which there must be
+/// at least one.
 template <class Number>
 double percentile(std::vector<Number> &values, double fraction) {
     const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
@@ -139,7 +139,7 @@ struct MeasureHistogram {
     bool logarithmic = false;
     std::vector<std::uint64_t> bins; ///< of equal width; the first and the last also hold the values outside
 
-    /// Returns the lower end of a bin; that of bins.size() is `to`.
+    /// Returns the lower end of a bin; for bins.size(), returns `to`.
     double edge(std::size_t bin) const;
     /// Returns the bin that counts a value.
     std::size_t binOf(double value) const;

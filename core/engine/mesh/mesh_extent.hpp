@@ -26,7 +26,7 @@ struct BoundaryExtent {
     double length = 0.0;
 };
 
-/// What a mesh covers.
+/// The extent of a mesh: its parts, holes, regions and boundary.
 struct MeshExtent {
     std::size_t parts = 0;                  ///< pieces that share no node with each other
     std::size_t holes = 0;                  ///< faces without elements that elements enclose
@@ -34,8 +34,8 @@ struct MeshExtent {
     std::vector<BoundaryExtent> boundaries; ///< by ascending tag
 };
 
-/// Measures what a valid mesh covers, curved edges as they are. `edges`: the number of different edges of its elements,
-/// as in MeshQuality::segments. Holes are counted by Euler's formula.
+/// Measures the extent of a valid mesh, with exact curved edges. `edges`: the number of different edges of its
+/// elements, as in MeshQuality::segments. Holes are counted by Euler's formula.
 MeshExtent extentOf(const MeshView &mesh, std::size_t edges);
 
 } // namespace forefront

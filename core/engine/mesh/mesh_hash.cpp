@@ -9,8 +9,8 @@ namespace forefront {
 
 namespace {
 
-/// What a hashed part is, so that an edge never counts as a node, for example.
-/// Elements other than triangles of 3 nodes, and edges of 3 nodes, follow with their kind added.
+/// The kind of a hashed part, so that an edge never counts as a node, for example. Elements other than triangles of 3
+/// nodes, and edges of 3 nodes, follow with their kind added.
 enum class HashedPart : std::uint64_t { Node = 1, Point, Edge, Triangle, Cell = 16 };
 
 std::uint64_t hashOf(std::uint64_t part, std::span<const std::uint64_t> words) {

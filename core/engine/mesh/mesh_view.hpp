@@ -84,7 +84,7 @@ class MeshView {
     std::size_t count_ = 0; ///< elements
 };
 
-/// Returns a copy of what a view shows.
+/// Returns a copy of the mesh behind a view.
 Mesh copyOf(const MeshView &view);
 
 /// Returns a hash of coordinates, elements, regions, edges, points and their tags: equal for meshes that are equal bit

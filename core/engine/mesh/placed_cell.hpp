@@ -60,9 +60,9 @@ double edgeLength(std::span<const Vec2> nodes, NodeId a, NodeId middle, NodeId b
 /// Returns twice the area of an element, exact for its curved edges but for rounding: negative if it is clockwise.
 double twiceArea(const PlacedCell &cell);
 
-/// Returns the shape factor α of an element, from its corners. That of a quadrilateral is the minimum of those of the
-/// four triangles that a corner makes with the two beside it, times 2/√3: 1 for a square, 2r/(1 + r²) for a rectangle
-/// of sides 1 and r, 0 if a corner is flat, negative if one is reflex.
+/// Returns the shape factor α of an element, from its corners. For a quadrilateral: the minimum of α over the four
+/// triangles of a corner and its two neighbours, times 2/√3: 1 for a square, 2r/(1 + r²) for a rectangle of sides 1 and
+/// r, 0 if a corner is flat, negative if one is reflex.
 double shapeFactor(const PlacedCell &cell);
 
 /// The smallest and the largest angle at the corners of an element, in degrees, between the chords of its edges.
@@ -75,8 +75,8 @@ AngleRange anglesOf(const PlacedCell &cell);
 /// Returns the scaled Jacobian of an element: the minimum over its corners of the cross product of the two edges there,
 /// divided by their lengths; times 2/√3 for triangles. It is 1 for squares and equilateral triangles, 0 if a corner is
 /// flat, and not positive if the map of the element is not one to one (The Verdict Library Reference Manual, C. J.
-/// Stimpson et al., 2007). For second order, that of the chords times the minimum over the element of the Jacobian
-/// determinant divided by that for straight edges, 1 at most; see leastJacobianRatio().
+/// Stimpson et al., 2007). For second order: the value of the chords times the minimum over the element of the Jacobian
+/// determinant relative to straight edges, 1 at most; see leastJacobianRatio().
 double scaledJacobian(const PlacedCell &cell);
 
 } // namespace forefront

@@ -13,7 +13,7 @@ namespace forefront {
 /// with more than two elements keep the first two; `verify` reports them.
 std::vector<HalfEdge> oppositeHalfEdges(const EdgeTable &table);
 
-/// The elements around each node in compressed rows: those of node n are elements[offsets[n] .. offsets[n+1]).
+/// The elements around each node in compressed rows: for node n, elements[offsets[n] .. offsets[n+1]).
 struct NodeElements {
     std::vector<std::uint32_t> offsets;
     std::vector<ElementId> elements;

@@ -44,7 +44,7 @@ struct Triangulated {
 /// diagonal, which lies inside; a triangle of 6 nodes into four; a quadrilateral of 8 nodes into six and one of 9 into
 /// eight. A tagged edge of 3 nodes becomes two.
 Triangulated triangulated(const MeshView &mesh);
-/// Does the same without copying what stays.
+/// Does the same without copying the arrays that do not change.
 Triangulated takeTriangulated(Mesh mesh);
 
 } // namespace forefront

@@ -18,22 +18,22 @@ struct Domain;
 ///   positive everywhere); as a warning flat-element (its area, or that of a corner of a quadrilateral, is positive,
 ///   but not by more than rounding of its nodes can explain)
 /// - non-conforming (edge with more than two elements, or two on the same side), middle-node (elements do not share the
-///   middle node of their edge, a tagged edge has another one than its element, or the node is used elsewhere, too),
+///   middle node of their edge, a tagged edge and its element have different ones, or the node is used elsewhere, too),
 ///   overlapping, hanging-node, missing-tagged-edge, euler
 /// - out-of-memory
 /// Nodes of no element are a note (unreferenced-node). A mesh whose elements are all clockwise gets a warning
 /// (clockwise) and is checked as if it were turned. Overlaps and hanging nodes are found between the chords of curved
-/// edges: an element that bulges over another one across the outside of the mesh is not. At most `limit` entries,
-/// errors first; a kind of fault that occurs often is one entry with its count. `numbers`: of the nodes and elements in
-/// messages.
+/// edges: an element that bulges over another element across the outside of the mesh is not detected. At most `limit`
+/// entries, errors first; a kind of fault that occurs often is one entry with its count. `numbers`: of the nodes and
+/// elements in messages.
 Diagnostics verify(const MeshView &mesh, std::size_t limit = kMaxListedFaults, const MeshNumbers &numbers = {});
 
-/// Returns what verify(mesh) finds and, if there are no errors, its deviations from its discrete domain: every
+/// Returns the faults of verify(mesh) and, if there are no errors, its deviations from its discrete domain: every
 /// segment must be an edge of the mesh with its tag, every boundary edge of the mesh a segment, every point a node;
 /// region tags must agree, and the areas must be equal within rounding. Curved edges are compared by their chords.
 Diagnostics verifyAgainst(const MeshView &mesh, const DiscreteDomain &domain, std::size_t limit = kMaxListedFaults);
 
-/// Returns what verify(mesh) finds and, if there are no errors, its deviations from a domain: each domain segment
+/// Returns the faults of verify(mesh) and, if there are no errors, its deviations from a domain: each domain segment
 /// must be covered by a chain of tagged mesh edges (through the domain's nodes exactly, and through inserted nodes
 /// within 1e-9 of the domain's size, or what rounding may move them far from the origin); boundary edges must lie on
 /// domain segments, areas must agree, and constraint points must be nodes. Where segments follow a curve, the inserted

@@ -97,9 +97,9 @@ class ShapeCheck {
                 faults_.warn("flat-element",
                              named_.element(e) +
                                  (corners.size() == 3
-                                      ? " is flat: its area is not larger than what rounding its nodes changes"
-                                      : " is flat at a corner: its angle differs from 180 degrees by no more than what "
-                                        "rounding its nodes changes"),
+                                      ? " is flat: its area is within the rounding error of its nodes"
+                                      : " is flat at a corner: its angle is 180 degrees within the rounding error of "
+                                        "its nodes"),
                              cell.centre(), {id});
             }
             return true;

@@ -50,7 +50,7 @@ class FanBuilder {
   private:
     bool anglesAllow(const Fan &fan) const;
     struct Boxes {
-        Box2 reach, fan, firstSide, lastSide; ///< that of the fan with a margin for rounding
+        Box2 reach, fan, firstSide, lastSide; ///< of the fan, with a margin for rounding
     };
     bool blocks(const Fan &fan, const Boxes &boxes, const FrontSlot &n, SearchWork &work);
     bool blocksCorner(const Fan &corner, const Box2 &box, const FrontSlot &n, SearchWork &work);

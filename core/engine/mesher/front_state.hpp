@@ -17,7 +17,7 @@ namespace forefront {
 
 /// The position of the fast method in its walk along the loops of Γ.
 struct Walk {
-    SlotId base = kNoSlot;   ///< the segment to continue with, in no queue; kNoSlot: take one from the order
+    SlotId base = kNoSlot;   ///< next segment of the walk, not in the queue; kNoSlot: take one from the queue
     std::uint32_t level = 0; ///< class of the first segment of the walk (WalkOrder::levelOf); longer ones end it
 };
 
@@ -31,7 +31,7 @@ struct FrontState {
     GenerationFront front;
     BaseOrder order;     ///< classic method
     FrontCare care;      ///< fast method, like the members below
-    WalkRules walkRules; ///< of the whole run; those of `walkOrder` follow when it is cleared
+    WalkRules walkRules; ///< of the whole run; `walkOrder` adopts them when it is cleared
     WalkOrder walkOrder;
     Walk walk;
     std::shared_ptr<const FrontStrips> strips; ///< never null

@@ -47,7 +47,7 @@ class Mesher {
     virtual void restore(const Checkpoint &checkpoint, const MadeSoFar &made) = 0;
     /// Replaces the counters, after an advance that repeats an earlier one with other work.
     void setWork(const WorkCounters &work) { state_.work = work; }
-    /// Returns an explanation of the next advance and leaves the state as it is. Γ must not be empty.
+    /// Returns an explanation of the next advance without changing the state. Γ must not be empty.
     virtual AdvanceExplanation explainNext() = 0;
     /// Calls visit(box, entries) for each cell of the background grid.
     virtual void forEachCell(const std::function<void(const Box2 &, std::uint32_t)> &visit) const = 0;

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Builds the node spacing of a job. Errors: those of SpacingField::build().
+/// Builds the node spacing of a job. Errors: as for SpacingField::build().
 Result<std::shared_ptr<const SpacingField>> buildSpacing(const MeshingJob &job, const Progress &progress);
 
 } // namespace forefront

@@ -11,7 +11,7 @@ namespace forefront {
 std::uint64_t limitOf(const MeshingOptions &options);
 
 /// Returns the error "too-many-elements" for a job that needs too many elements, with a size that would fit. `what`:
-/// what was found, with the number.
+/// the finding, with the number of elements.
 Diagnostics tooManyElements(const std::string &what, double needed, double limit, const PreparedJob &prepared);
 
 } // namespace forefront

@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// What the stages of a run have made so far. Each stage reads what those before it have made and adds its own.
+/// The results of the stages of a run so far. Each stage reads the results of the earlier stages and adds its own.
 struct MeshingState {
     const MeshingJob &job;
     /// The number of elements that the job is coarsened to; infinite: it is not.

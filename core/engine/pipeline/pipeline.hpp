@@ -23,7 +23,7 @@ struct PreparedJob {
     std::shared_ptr<const SpacingField> spacing;
     double estimatedElements = 0.0;
     double requestedElements = 0.0; ///< the estimate for the spacing of the job
-    double coarsening = 1.0;        ///< `spacing` is this many times that of the job; see prepare()
+    double coarsening = 1.0;        ///< ratio of `spacing` to the spacing of the job; see prepare()
 };
 
 /// Validates the domain, builds the spacing and discretises the boundary. If the estimated number of elements exceeds

@@ -39,8 +39,7 @@ std::span<const Stage> stagesBeforeFront();
 std::span<const Stage> stagesOfFront();
 std::span<const Stage> stagesAfterFront();
 
-/// Runs the stages that the options have, in order, until one of them has an error. Returns its faults, or those of
-/// cancelling.
+/// Runs the stages that the options have, in order, until one of them has an error. Returns its faults, or "cancelled".
 Status runStages(std::span<const Stage> stages, MeshingState &state, const Progress &progress);
 
 } // namespace forefront

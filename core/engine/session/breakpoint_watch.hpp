@@ -8,7 +8,7 @@
 namespace forefront {
 
 /// Returns the first enabled condition, in the order of StopKind, that the last advance of the timeline fulfils; none
-/// at its start. For Cell, the advance may be repeated with recording, which leaves the timeline as it was.
+/// at its start. For Cell, the advance may be repeated with recording, which does not change the timeline.
 std::optional<Stop> stopAfterLast(const Breakpoints &breakpoints, Timeline &timeline);
 
 /// Finds the node or edge within `tolerance` of a place, otherwise the element around it, among the elements made so

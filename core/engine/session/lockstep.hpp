@@ -21,7 +21,7 @@ struct RunVariant {
     friend bool operator==(const RunVariant &, const RunVariant &) = default;
 };
 
-/// What the run on the canvas is compared with.
+/// The kind of variants that the run on the canvas is compared with.
 enum class Comparison : std::uint8_t { Grids, Methods };
 
 /// Returns the variants to show beside a run: the other background grids, or the other method.

@@ -66,7 +66,7 @@ class SessionWorker {
     std::string stage_;
     double stageProgress_ = 0.0;
     std::uint64_t number_ = 0;      ///< of start commands
-    std::uint64_t shownNumber_ = 0; ///< that of run_; 0: there is none
+    std::uint64_t shownNumber_ = 0; ///< number of run_; 0: no run
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;
     Breakpoints breakpoints_;

@@ -28,7 +28,7 @@ enum class RunState : std::uint8_t {
     Improving, ///< Γ = ∅; swapping and smoothing
     Finished,  ///< at the end, mesh complete
     Cancelled, ///< stopped by the user; the partial mesh remains and can be stepped through
-    Failed     ///< refused without a previous run; see diagnostics
+    Failed     ///< the first job was refused; see diagnostics
 };
 
 /// The layers of a snapshot, which are copied only on request.

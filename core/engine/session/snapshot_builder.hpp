@@ -13,7 +13,7 @@ namespace forefront {
 /// Copies the layers of a run that the UI thread requests, and only when they change. Belongs to one run.
 class SnapshotBuilder {
   public:
-    /// Numbers the mesh views from `version` on, so that those of two runs differ.
+    /// Numbers the mesh views from `version` on, so that the versions of two runs differ.
     explicit SnapshotBuilder(std::uint64_t version) : version_(version) {}
 
     /// Fills in mesh, front, cells and marks at the position of the timeline. `resting`: the run does not move, so that
@@ -39,7 +39,7 @@ class SnapshotBuilder {
     std::optional<std::uint64_t> qualityPosition_;
     MeshQuality quality_;
     std::shared_ptr<const std::vector<TimelineMark>> marks_;
-    std::shared_ptr<const RunCurves> curves_; ///< both are those of the first marksKnown_ advances
+    std::shared_ptr<const RunCurves> curves_; ///< both cover the first marksKnown_ advances
     std::uint64_t marksKnown_ = 0;
     std::uint64_t version_;
 };

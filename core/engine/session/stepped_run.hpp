@@ -8,8 +8,8 @@
 
 namespace forefront {
 
-/// A prepared run with its timeline, its snapshots and, at the end, its improved mesh: what MeshStepper and
-/// MeshingSession share. Belongs to one thread at a time.
+/// A prepared run with its timeline, its snapshots and, at the end, its improved mesh; the common part of MeshStepper
+/// and MeshingSession. Belongs to one thread at a time.
 class SteppedRun {
   public:
     /// `number`: of the run, counted from 1; makes the versions of its mesh views differ from those of other runs.
@@ -24,7 +24,7 @@ class SteppedRun {
     Diagnostics excess() const;
     /// Returns true once improve() has made the final mesh.
     bool improved() const { return finalMesh_ != nullptr; }
-    /// Makes the final mesh from that of the front, which must be at its end. Returns false if it was cancelled.
+    /// Makes the final mesh from the front's, which must be complete. Returns false if it was cancelled.
     bool improve(const Progress &progress);
 
     /// Fills in everything that follows from the run at its position. `resting`: it does not move, so that slower

@@ -45,7 +45,7 @@ class TimelineTravel {
     void setBreakpoints(const Breakpoints &breakpoints) { breakpoints_ = breakpoints; }
     /// Returns the condition that ended the last move; none if the move reached its target.
     const std::optional<Stop> &stop() const { return stop_; }
-    /// Returns what the last reachBirth() found; empty after any other move.
+    /// Returns the result of the last reachBirth(); empty after any other move.
     const std::optional<Birth> &birth() const { return birth_; }
 
     /// Begins a move to a position. Positions beyond the known ones are computed.
@@ -88,7 +88,7 @@ class TimelineTravel {
     Activity activity_ = Activity::Resting;
     std::uint64_t target_ = 0;     ///< Reaching: position to reach
     std::size_t targetLayers_ = 0; ///< Reaching: number of layer ends still to pass
-    double rate_ = 0.0;            ///< Playing: advances per second, negative: back
+    double rate_ = 0.0;            ///< Playing: advances per second; negative: backwards
     double owed_ = 0.0;            ///< Playing: fraction of an advance not yet played
     Clock::time_point lastTick_;   ///< Playing: the time up to which advances are done
     double measuredRate_ = 0.0;

@@ -28,7 +28,7 @@ class KeptField final : public SpacingField {
     double minimum() const override { return asked_->minimum(); }
     double maximum() const override;
 
-    /// Returns the size asked for, without what kept segments need.
+    /// Returns the specified size, without the limits from undivided segments.
     double asked(Vec2 p) const { return asked_->at(p); }
     /// Returns the long segments between which the size asked for would be reached nowhere, at their indices in the
     /// domain. Beside them the size falls as fast as elements can follow, and only with given nodes: see
@@ -51,7 +51,7 @@ class KeptField final : public SpacingField {
     std::vector<std::uint32_t> source_;  ///< per long segment: its index in the domain
     std::vector<std::uint32_t> crowded_; ///< indices in the domain
     BoxTree reach_;                      ///< boxes in which each long segment raises the size
-    /// All segments: near a short one, a long one beside it does not raise the size above that of the short one.
+    /// All segments: near a short one, a long one beside it does not raise the size above the short one's.
     std::optional<SiteTree> lengths_;
     SiteWords words_;
 };

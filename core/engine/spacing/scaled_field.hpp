@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Returns a field with `factor` (> 0) times the spacing of another one.
+/// Returns a field with `factor` (> 0) times the spacing of another field.
 std::shared_ptr<const SpacingField> scaledField(std::shared_ptr<const SpacingField> field, double factor);
 
 } // namespace forefront

@@ -20,8 +20,8 @@ namespace {
 
 /// Gradation of painted, boundary, region and automatic parts where none is given.
 constexpr double kDefaultGradation = 0.25;
-constexpr double kFarBeyond = 1e3; ///< diagonals of the domain's box
-constexpr std::size_t kFew = 6;    ///< up to this number, sites are evaluated one by one
+constexpr double kFarBeyond = 1e3;         ///< diagonals of the domain's box
+constexpr std::size_t kMaxLinearSites = 6; ///< up to this number, sites are evaluated one by one
 /// Above these numbers, speed counts more than accuracy.
 constexpr std::size_t kManyOwnSites = 2048, kManyPaintSites = 256;
 constexpr double kPaintCellsPerSize = 4.0; ///< keeps the gradation within 2 %
@@ -141,7 +141,7 @@ class FieldBuilder {
             paint += label.origin == SpacingOrigin::Paint ? 1 : 0;
         }
         const bool apart = paint > kManyPaintSites || (spec_.keepAutomatic.value_or(false) && spec_.usesAutomatic());
-        if (!apart || sources.sites.size() > kFew) {
+        if (!apart || sources.sites.size() > kMaxLinearSites) {
             return {};
         }
         parts_.few = std::move(others);
@@ -152,7 +152,7 @@ class FieldBuilder {
             return cancelled("preparing the spacing");
         }
         const Diagnostics notes = std::exchange(parts_.notes, {});
-        if (parts_.few.sites.size() > kFew) {
+        if (parts_.few.sites.size() > kMaxLinearSites) {
             SiteSet sources = takeSources();
             parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress, spreadOptions());
             parts_.treeLabels = std::move(parts_.few.labels);

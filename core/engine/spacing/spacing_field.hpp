@@ -15,7 +15,7 @@ namespace FOREFRONT_API forefront {
 
 struct Domain;
 
-/// What becomes of the segments of a domain in its mesh.
+/// The treatment of the segments of a domain in its mesh.
 enum class GivenSegments : std::uint8_t {
     Divided, ///< as the spacing asks
     Kept     ///< each is one edge, see MeshingOptions::keepBoundary

@@ -6,9 +6,8 @@
 
 namespace FOREFRONT_API forefront {
 
-/// What a file says of a domain: its geometry, and the element sizes that come with it, such as the maximum areas of
-/// the regions of a .poly file or the spacing of a project. Mesh it with both: MeshingJob{file.domain, file.spacing,
-/// {}}.
+/// A domain read from a file: its geometry, and the element sizes that come with it, such as the maximum areas of the
+/// regions of a .poly file or the spacing of a project. Mesh it with both: MeshingJob{file.domain, file.spacing, {}}.
 struct DomainFile {
     Domain domain;
     SpacingSpec spacing;

@@ -59,7 +59,7 @@ struct TagList {
 };
 TagList tagsOf(const MeshView &mesh);
 
-/// The names of tags in a file that cannot hold those of the mesh.
+/// The names of tags in a format that cannot store the mesh's names unchanged.
 struct FileNames {
     std::map<std::int32_t, std::string> edges, points, regions;
 };

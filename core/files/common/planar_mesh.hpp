@@ -56,8 +56,8 @@ class PlanarMeshBuilder {
     bool readPoint(TextScanner &scanner, std::int32_t tag, Expect expect);
     /// Adds a point, an edge or an element.
     void addCell(CellKind kind, std::span<const NodeId> nodes, std::int32_t tag);
-    /// Gives tagged edges without a middle node that of the elements beside them, for formats that list the ends of
-    /// edges alone.
+    /// Gives tagged edges without a middle node the middle node of the adjacent elements, for formats that list only
+    /// the ends of edges.
     void findMiddles();
     /// Returns the mesh, which can be done once.
     Mesh finish();

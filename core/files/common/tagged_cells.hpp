@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// Returns the kind of a tagged edge: that of 3 nodes if it has a middle node.
+/// Returns the kind of a tagged edge: the one of 3 nodes if it has a middle node.
 inline CellKind cellKindOf(const TaggedEdge &edge) {
     return edge.middle == kNoNode ? CellKind::Edge2 : CellKind::Edge3;
 }

@@ -109,9 +109,9 @@ class MshFile {
 
     /// Stores the nodes in the order of their numbers.
     bool takeNodes(std::vector<NumberedNode> nodes);
-    /// Returns the tag of what lies on an entity: its first physical group, else a mark that resolveTags() replaces.
+    /// Returns the tag of the parts on an entity: its first physical group, else a mark that resolveTags() replaces.
     std::int32_t tagOf(int dimension, std::int64_t entity) const;
-    /// Gives separate tags to parts without a physical group, and to points whose number is that of a curve.
+    /// Gives separate tags to parts without a physical group, and to points with the number of a curve.
     void resolveTags();
     void spreadBareNames();
     void resolveRegions();

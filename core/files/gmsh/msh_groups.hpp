@@ -35,7 +35,7 @@ class MshGroups {
 
     /// By dimension, then tag.
     const std::vector<MshGroup> &groups() const { return groups_; }
-    /// Returns the number of the group of a tag in use.
+    /// Returns the number of the physical group of `tag`, which must be in use.
     std::int32_t number(int dimension, std::int32_t tag) const;
 
     /// Returns the first of `count` successive numbers above those of all groups; 1 if they would exceed 32 bits.

@@ -90,7 +90,7 @@ class JsonValue {
     std::optional<std::int64_t> integer() const;
     /// Returns the decoded string; empty if this is not one.
     std::string string() const;
-    /// Returns a number as it is written; empty if this is not one.
+    /// Returns the text of a number; empty if this is not a number.
     std::string_view numeral() const;
 
   private:

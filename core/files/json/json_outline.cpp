@@ -41,7 +41,7 @@ class OutlineScanner {
         return {};
     }
 
-    /// Goes to the comma after a value, or to the bracket that closes what it is in.
+    /// Goes to the comma after a value, or to the bracket that closes its container.
     void skipValue() {
         for (std::size_t depth = 0; at_ < text_.size();) {
             const char next = text_[at_];

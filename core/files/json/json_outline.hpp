@@ -14,7 +14,7 @@ struct JsonOutline {
     bool has(std::string_view key) const;
 };
 
-/// Reads the outline of an object without parsing what its members hold. The text may be cut off anywhere, or be no
+/// Reads the outline of an object without parsing the values of its members. The text may be cut off anywhere, or be no
 /// JSON at all: then the outline is empty. Views point into the text.
 JsonOutline outlineOf(std::string_view text);
 

@@ -35,7 +35,7 @@ class PngDecoder {
     /// Reads the rest of the file.
     bool finish();
 
-    /// Returns what is wrong.
+    /// Returns the error.
     const char *fault() const { return fault_.data(); }
     /// Returns the number of bytes read.
     std::size_t offset() const { return offset_; }

@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// What a file held at one moment, to find out later whether another program has changed it.
+/// A fingerprint of a file at one moment, to find out later whether another program has changed it.
 struct FileStamp {
     enum class Kind : std::uint8_t {
         Unknown, ///< never looked at, or it cannot be read at the moment
@@ -27,8 +27,8 @@ struct FileStamp {
     bool sameContent(const FileStamp &other) const { return kind == other.kind && hash == other.hash; }
 };
 
-/// Returns the stamp of a file. Reads its content only if size, time or inode differ from those of `before`. Follows
-/// links. Unknown for pipes, devices and folders.
+/// Returns the stamp of a file. Reads its content only if size, time or inode differ from `before`. Follows links.
+/// Unknown for pipes, devices and folders.
 FileStamp stampOf(const std::filesystem::path &file, const FileStamp &before = {});
 
 /// Returns the stamp of a file with this content, of which nothing else is known.

@@ -23,19 +23,19 @@ struct ImportNote {
     Severity severity = Severity::Note; ///< Warning: the result may not be what the user expects
 };
 
-/// What an SVG drawing or map holds that import options change.
+/// The contents of an SVG drawing or map that import options affect.
 struct DrawingContents {
     bool lines = false;                   ///< lines beside areas, which ImportOptions::dropLines leaves out
     std::size_t filledShapes = 0;         ///< number of those that ImportOptions::shapeRegions makes regions
     std::vector<std::string> layers = {}; ///< of a TopoJSON file, as ImportOptions::layer takes them
     std::string layer = {};               ///< the one that was read
-    /// Those of features with text or a number, which ImportOptions::nameProperty takes; sorted.
+    /// Properties of features with text or a number as value, for ImportOptions::nameProperty; sorted.
     std::vector<std::string> properties = {};
     bool degrees = false; ///< its coordinates are longitudes and latitudes, which ImportOptions::degrees concerns
 };
 
-/// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence, and what
-/// they know about the rest.
+/// Collects the content of a file that readers leave out, each kind once with its count, in the order of first
+/// occurrence, and their findings about the rest.
 class ImportNotes {
   public:
     /// Counts `count` more of the note with this code and message; `text`, `offset` and `file` give the first place.

@@ -22,7 +22,7 @@ inline constexpr char kStrokeNote[] = "svg-stroke";
 /// The code of the warning that longitudes and latitudes were read as coordinates in the plane.
 inline constexpr char kDegreesWarning[] = "degrees";
 
-/// What becomes of a map whose coordinates are longitudes and latitudes in degrees.
+/// The treatment of a map whose coordinates are longitudes and latitudes in degrees.
 enum class DegreeRule : std::uint8_t {
     Warn, ///< they are coordinates in the plane, with a warning; refused if ImportOptions::strict is set
     Keep, ///< they are coordinates in the plane
@@ -35,7 +35,7 @@ struct ImportOptions {
     double curveTolerance = 0.0;
     /// Nodes and segments of drawings and maps that are closer than this are joined, in domain units; absent: 1e-6 of
     /// the diagonal, or less where that would change the areas of outlines by more than 0.1 %. Other formats are read
-    /// as they are.
+    /// unchanged.
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later; ///< between features of a map
     DegreeRule degrees = DegreeRule::Warn;    ///< for longitudes and latitudes of a map
@@ -46,7 +46,7 @@ struct ImportOptions {
     /// highest n that all features with such names have.
     std::optional<std::string> nameProperty = {};
     bool strict = false;     ///< refuse a drawing or map that would have to be changed
-    bool beyondPage = false; ///< keep what filled shapes of an SVG drawing have outside its page (its view box)
+    bool beyondPage = false; ///< keep the parts of filled shapes outside the page (view box) of an SVG drawing
     /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line
     /// strings.
     bool dropLines = false;
@@ -59,11 +59,11 @@ struct ImportOptions {
     bool regularFile = false;                    ///< refuse pipes and devices, on which reading could wait for ever
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};
-    /// Expressions that replace those of a project's parameters, by name; unused for other formats.
+    /// Expressions that replace the ones of a project's parameters, by name; unused for other formats.
     std::map<std::string, std::string> parameters = {};
     /// The sizes that a picture means, where one is read as spacing; unused for other formats.
     std::optional<PictureSizes> picture = {};
-    /// The bytes of the file where they have been read already, such as those of standard input; null: read the file.
+    /// The bytes of the file if they have been read already, such as from standard input; null: read the file.
     std::shared_ptr<const std::string> content = {};
     /// Reports the progress of reading a mesh every few thousand lines or elements, and can cancel it with the fault
     /// "cancelled".

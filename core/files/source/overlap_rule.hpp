@@ -9,8 +9,8 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Decides which feature a face belongs to where several cover it. Under either rule, a feature that lies inside
-/// another one keeps its own area.
+/// Decides which feature a face belongs to where several cover it. Under either rule, a feature inside another feature
+/// keeps its own area.
 enum class OverlapRule : std::uint8_t {
     Later,  ///< the one that comes later in the file, as in a painting
     Smaller ///< the one with the smaller area; the later of equal ones

@@ -5,7 +5,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// How the grey values of a picture become element sizes: linearly between those of black and white.
+/// The linear map from the grey values of a picture to element sizes, given by the sizes of black and white.
 struct PictureSizes {
     double black = 0.0; ///< size where the picture is black, > 0
     double white = 0.0; ///< size where it is white, > 0

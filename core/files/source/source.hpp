@@ -21,15 +21,15 @@ struct SourceText {
     std::filesystem::path path; ///< of the file itself, for finding its companions; may be empty
     ImportOptions options;
     DomainOrigin *origin = nullptr; ///< where a reader of domains records the places of the parts; null: nowhere
-    ImportNotes *notes = nullptr;   ///< where a reader reports what it does not use; null: nowhere
+    ImportNotes *notes = nullptr;   ///< receives notes on unused content; null: no notes
 
-    /// Reports something that is not used, found at byte `offset`.
+    /// Reports unused content at byte `offset`.
     void note(std::string_view code, const std::string &message, std::size_t offset, std::size_t count = 1) const {
         if (notes != nullptr) {
             notes->add(code, message, name, text, offset, count);
         }
     }
-    /// Reports something at byte `offset` that may make the result other than the user expects.
+    /// Warns that the content at byte `offset` may lead to an unexpected result.
     void warn(std::string_view code, const std::string &message, std::size_t offset) const {
         if (notes != nullptr) {
             notes->add(code, message, name, text, offset, 1, Severity::Warning);
@@ -41,8 +41,8 @@ struct SourceText {
             notes->setNumbers({nodes, elements});
         }
     }
-    /// Reports what a drawing or map holds.
-    void found(const DrawingContents &contents) const {
+    /// Reports the contents of a drawing or map.
+    void reportContents(const DrawingContents &contents) const {
         if (notes != nullptr) {
             notes->setContents(contents);
         }

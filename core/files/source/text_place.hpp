@@ -13,7 +13,7 @@ struct TextPlace {
     int column = 1;
 };
 
-/// Returns the place of a byte; beyond the end, that of the end.
+/// Returns the line and column of a byte; beyond the end, of the end.
 TextPlace placeOf(std::string_view text, std::size_t offset);
 
 } // namespace forefront

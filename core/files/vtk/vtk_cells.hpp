@@ -37,8 +37,8 @@ struct VtkGrid {
 /// scanner.
 bool meshOfVtk(VtkGrid &grid, TextScanner &scanner, Mesh &mesh);
 
-/// Returns the mesh of a grid with its values of nodes and elements; tags are not values. Notes arrays whose length is
-/// not that of the mesh.
+/// Returns the mesh of a grid with its values of nodes and elements; tags are not values. Notes arrays whose length
+/// does not match the mesh.
 MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source);
 
 /// Notes an array that is not read because it has several components.

@@ -12,7 +12,7 @@
 
 namespace forefront {
 
-/// What a film of a run shows, and its output.
+/// The content of a film of a run, and its output file.
 struct FilmPlan {
     std::filesystem::path output;       ///< .gif: an animation; NAME-%d.png or .svg: numbered frames; else one moment
     std::uint64_t from = 0;             ///< number of advances done at the first frame
@@ -35,7 +35,7 @@ std::filesystem::path frameName(const std::filesystem::path &pattern, int frame)
 /// Returns the error in the name of the output; empty if there is none.
 std::string outputFault(const FilmPlan &plan);
 
-/// What a film shows.
+/// The extent of a written film.
 struct WrittenFilm {
     int frames = 0;
     std::uint64_t first = 0, last = 0; ///< numbers of advances done at its start and end

@@ -108,7 +108,8 @@ const std::vector<GlossaryTerm> kTerms = {
     {"counters",
      "Nn, Ne, Nb, Nc, Ns",
      {"nb", "nc", "ns"},
-     "Nn is the number of nodes, Ne that of elements. The others are averages over a run: Nb is the number of segments "
+     "Nn is the number of nodes, Ne the number of elements. The others are averages over a run: Nb is the number of "
+     "segments "
      "on the front; Nc is the number of segments that the grid returns for each element; Ns is the number of "
      "exact intersection tests for each element.",
      {"grid", "neighbours"},

@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// A learner's guess of the apex of the next element, compared with what the method did.
+/// A learner's guess of the apex of the next element, compared with the method's choice.
 struct GuessReview {
     static constexpr int kMaxPoints = 10;
 

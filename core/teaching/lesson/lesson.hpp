@@ -36,7 +36,7 @@ struct LessonPosition {
     }
 };
 
-/// What the camera shows.
+/// The view of the camera.
 struct LessonCamera {
     bool follow = false;     ///< the current advance
     std::optional<Box2> box; ///< this part of the plane; otherwise the whole drawing

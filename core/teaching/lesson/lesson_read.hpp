@@ -15,11 +15,11 @@ namespace forefront {
 /// Version of the lesson files that this program reads.
 inline constexpr int kLessonVersion = 1;
 
-/// What the names in a lesson may refer to.
+/// The names that a lesson may refer to.
 struct LessonNames {
     std::vector<std::string> layers; ///< ids of layers; empty: any name is accepted
     std::vector<std::string> panels; ///< ids of tabs; empty: any name is accepted
-    /// Names of widgets by what stands before their first '/'; with any other beginning, every name is accepted.
+    /// Names of widgets, grouped by the prefix before their first '/'; with any other prefix, every name is accepted.
     std::map<std::string, std::vector<std::string>> widgets;
     /// Reads the document with this name, a path relative to the lesson; empty: documents are not read.
     std::function<Result<Document>(const std::string &name)> document;

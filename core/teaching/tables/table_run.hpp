@@ -19,7 +19,7 @@ struct TableGrid {
 };
 /// Parses the name of a grid; std::nullopt for any other text.
 std::optional<TableGrid> parseTableGrid(std::string_view text);
-/// Returns what parseTableGrid() accepts: "none, COLUMNSxROWS or hierarchical".
+/// Returns the values that parseTableGrid() accepts: "none, COLUMNSxROWS or hierarchical".
 std::string tableGridList();
 
 /// The figures that depend on the grid: the work, never the mesh.

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Returns the faces of the document: those of the preview, unless it is behind.
+/// Returns the faces of the document: the preview's, unless it is out of date.
 std::shared_ptr<const FaceMap> currentFaces(const Shell &context);
 
 /// Returns the commands on the region of the face at a place, below a heading with its name. Without a region there is

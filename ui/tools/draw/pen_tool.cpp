@@ -18,7 +18,7 @@
 namespace forefront {
 namespace {
 
-/// Announces what did not succeed, without the tick of a command that did.
+/// Announces a failure, without the tick of a successful command.
 void warn(Shell &context, std::string message) {
     Diagnostic warning;
     warning.severity = Severity::Warning;

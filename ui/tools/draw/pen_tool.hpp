@@ -13,7 +13,7 @@
 
 namespace forefront {
 
-/// What the next segment of a path becomes.
+/// The kind of the next segment of a path.
 enum class PenSegment : std::uint8_t { Line, Tangent, Through };
 
 template <>

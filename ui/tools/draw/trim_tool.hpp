@@ -30,7 +30,7 @@ class TrimTool final : public Tool {
     std::string statusText(const Shell &context) const override;
 
   private:
-    /// What a click would do.
+    /// The effect of a click.
     struct Change {
         std::uint32_t shape = 0;
         std::optional<NodeRef> end; ///< to extend; none: trim at `at`
@@ -44,7 +44,7 @@ class TrimTool final : public Tool {
         std::uint32_t shape = 0;
         std::vector<double> places;
     };
-    /// What extending the end under the pointer adds; also found once.
+    /// The piece that extending the end under the pointer adds; also computed once.
     struct Extended {
         std::shared_ptr<const PickIndex> index;
         NodeRef end;

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// What the measure tool measures.
+/// The quantity that the measure tool measures.
 enum class MeasureMode : std::uint8_t {
     Distance, ///< between two points
     Angle,    ///< between two segments, or at the second of three points
@@ -36,7 +36,7 @@ class MeasureTool final : public DrawingTool {
     std::string statusText(const Shell &context) const override;
     std::string copyText(const Shell &context) const override { return reading(context); }
     std::vector<ContextGroup> menu(Shell &context, Vec2 place) override;
-    /// Returns what is measured: "5   Δx 3   Δy 4   ∠ 53.1°"; empty before there is anything.
+    /// Returns the measured values: "5   Δx 3   Δy 4   ∠ 53.1°"; empty before there are any.
     std::string reading(const Shell &context) const;
 
   protected:

@@ -46,7 +46,7 @@ class TransformHandles {
     static std::string statusText(const Handle &handle);
 
   private:
-    /// Returns the box around what is selected; empty if it has no handles.
+    /// Returns the box around the selection; empty if it has no handles.
     const Box2 &box(const Shell &context) const;
     /// Returns the place of a handle around a box; none if it is not shown.
     static std::optional<Vec2> placeOf(const Handle &handle, const Box2 &around, const Shell &context);

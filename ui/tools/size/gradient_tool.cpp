@@ -182,7 +182,7 @@ void GradientTool::drawOptions(Shell &context, ui::Flow &flow) {
     }
     flow.item("geometric");
     ui::checkbox(context, "options/gradient/geometric", "Equal factors", state_->gradientGeometric);
-    ui::tooltip(context, "The size doubles over equal distances. Otherwise it changes in equal steps.");
+    ui::tooltip(context, "The size grows by equal factors over equal distances; otherwise by equal amounts.");
     flow.item("selection");
     ui::checkbox(context, "options/gradient/selection", "Only in selection", state_->gradientInSelection);
     ui::tooltip(context,

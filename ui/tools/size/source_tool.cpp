@@ -165,15 +165,15 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
 std::string SourceTool::statusText(const Shell &) const {
     switch (shape()) {
     case SourceShape::Point:
-        return "Click where the mesh should be fine";
+        return "Click where the elements should be small";
     case SourceShape::Line:
-        return first_ ? "Click the other end" : "Drag a line along which the mesh should be fine";
+        return first_ ? "Click the other end" : "Drag a line along which the elements should be small";
     case SourceShape::Circle:
         return first_ ? "Click a point on the circle, or type the radius"
-                      : "Drag a disc from its centre; the mesh will be fine inside it";
+                      : "Drag a disc from its centre; the elements will be small inside it";
     case SourceShape::Box:
         return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
-                      : "Drag a box; the mesh will be fine inside it. Shift: square";
+                      : "Drag a box; the elements will be small inside it. Shift: square";
     }
     return {};
 }

@@ -109,7 +109,7 @@ class DocumentStore {
     /// Returns the domain of the current document.
     std::shared_ptr<const Domain> domain() const { return domain_->get(); }
 
-    /// Calls `observer` with the new document whenever another one becomes current.
+    /// Calls `observer` with the new document whenever the current document changes.
     void observe(std::function<void(const Document &)> observer) { observer_ = std::move(observer); }
 
   private:

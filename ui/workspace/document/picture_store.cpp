@@ -62,7 +62,7 @@ void PictureStore::takeChange(Diagnostics &news) {
     if (now->kind == FileStamp::Kind::Missing) {
         change.severity = Severity::Warning;
         change.message = "another program has deleted or moved the background picture " + name;
-        change.advice = "put it back, or choose another one with File > Add background picture";
+        change.advice = "put it back, or choose another with File > Add background picture";
     } else {
         change.message = "the background picture " + name + " has changed on disk and was read again";
         startReading();

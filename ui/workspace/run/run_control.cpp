@@ -42,7 +42,7 @@ std::string resultText(const SessionSnapshot &s) {
                       s.quality.alphaMin, s.quality.alphaMean);
 }
 
-/// Returns what of the specified spacing is not followed.
+/// Returns the rules of the specified spacing that the mesh does not follow.
 Diagnostics notesOf(const SessionSnapshot &s) {
     return s.spacing ? s.spacing->notes() : Diagnostics();
 }
@@ -106,13 +106,13 @@ std::uint64_t RunControl::meshRevision() const {
     return meshRevision_;
 }
 
-bool RunControl::hasToFollow() const {
-    return live && !opened_ && (followed_ != meshRevision() || wantsWhole());
+bool RunControl::liveMeshPending() const {
+    return live && !opened_ && (followed_ != meshRevision() || needsFullMesh());
 }
 
 /// Returns true if the newest document has only a preview, or not even that because its boundary cannot be so coarse,
 /// and there is no reason not to make the full mesh.
-bool RunControl::wantsWhole() const {
+bool RunControl::needsFullMesh() const {
     const auto last = starts_.find(lastStart_);
     const bool previewed = last != starts_.end() && last->second.extent == Extent::Preview &&
                            last->second.revision == meshRevision() && snapshot_->run == lastStart_;
@@ -131,7 +131,7 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
     return follows || (large && gestureOver);
 }
 
-void RunControl::followNewest() {
+void RunControl::startLiveMesh() {
     if (followed_ == meshRevision()) {
         start(StartMode::RunQuiet, Extent::Full);
     } else if (!document_.current()->shapes.empty()) {
@@ -143,8 +143,8 @@ void RunControl::followNewest() {
 void RunControl::follow(bool gestureOver, bool faulty) {
     gestureOver_ = gestureOver;
     resting_ = gestureOver && !faulty;
-    if (hasToFollow() && (!session_.busy() || replaceable(*session_.latest(), gestureOver))) {
-        followNewest();
+    if (liveMeshPending() && (!session_.busy() || replaceable(*session_.latest(), gestureOver))) {
+        startLiveMesh();
     }
     if (gestureOver && !session_.busy() && liveResult_ && liveResult_->revision == meshRevision()) {
         logLive(faulty);
@@ -313,18 +313,18 @@ bool RunControl::playing() const {
     return snapshot_->state == RunState::Running;
 }
 
-/// Returns true if nothing of the drawing is left, so that the mesh is one of what is gone.
-bool RunControl::emptied() const {
+/// Returns true if the drawing has no shapes left, so that the mesh shows a deleted drawing.
+bool RunControl::drawingIsEmpty() const {
     return document_.current()->shapes.empty();
 }
 
 bool RunControl::hasRun() const {
-    return started_ && snapshot_->state != RunState::Failed && !emptied();
+    return started_ && snapshot_->state != RunState::Failed && !drawingIsEmpty();
 }
 
 bool RunControl::outOfDate() const {
-    const bool catchesUp = live && (hasToFollow() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
-    return started_ && !emptied() && (shown_.revision != meshRevision() || preview()) && !catchesUp;
+    const bool catchesUp = live && (liveMeshPending() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
+    return started_ && !drawingIsEmpty() && (shown_.revision != meshRevision() || preview()) && !catchesUp;
 }
 
 Method RunControl::method() const {

@@ -27,9 +27,9 @@ struct FileMesh {
     std::uint64_t hash = 0;
 };
 
-/// Takes over what was read; the rest is left for measureMesh().
+/// Takes over a mesh and its fields; measureMesh() computes the rest.
 FileMesh takeMesh(MeshFields read);
-/// Computes what is shown of a mesh; takes a while for a large one. Only reads the mesh.
+/// Computes the quality and hash of a mesh; takes a while for a large one. Does not change the mesh.
 void measureMesh(FileMesh &file);
 /// Does both.
 FileMesh fileMeshOf(MeshFields read);
@@ -52,18 +52,19 @@ class RunControl final : public BackgroundActivity {
     /// shown elsewhere. Called once per frame, after input.
     void follow(bool gestureOver, bool faulty);
     /// Returns true if live meshing has yet to start a mesh of the newest document, or its full mesh after a preview.
-    bool hasToFollow() const;
+    bool liveMeshPending() const;
     /// Returns true if live meshing can do that now, since the worker is idle.
-    bool canFollow() const { return hasToFollow() && !session_.busy(); }
+    bool canFollow() const { return liveMeshPending() && !session_.busy(); }
     /// Returns true if the mesh shown is a preview, coarser than the document asks for.
     bool preview() const { return snapshot_->coarsening > 1.0; }
     /// Returns true if a newer snapshot is waiting.
     bool hasNews() const override { return session_.latest() != snapshot_; }
     /// Returns the snapshot of this frame; it does not change within a frame.
     const SessionSnapshot &now() const { return *snapshot(); }
-    /// Returns that of an empty session for an empty drawing; undoing its deletion brings the mesh back.
+    /// Returns the snapshot to show. For an empty drawing this is an empty one; undoing the deletion brings the mesh
+    /// back.
     const std::shared_ptr<const SessionSnapshot> &snapshot() const {
-        return opened_ ? opened_ : emptied() ? empty_ : snapshot_;
+        return opened_ ? opened_ : drawingIsEmpty() ? empty_ : snapshot_;
     }
     /// Shows a mesh that was read from a file, with its values, until a run starts.
     void showFile(FileMesh read);
@@ -87,7 +88,7 @@ class RunControl final : public BackgroundActivity {
     /// Moves to the next advance, or with `forward` false the previous one, that fulfils a breakpoint. Starts a run if
     /// there is none or it is out of date.
     void seekStop(bool forward);
-    /// Moves to the advance that made what is within `tolerance` of a place, see MeshingSession::seekBirth().
+    /// Moves to the advance that made the part within `tolerance` of `place`, see MeshingSession::seekBirth().
     void seekBirth(Vec2 place, double tolerance);
     const Breakpoints &breakpoints() const { return breakpoints_; }
     void setBreakpoints(const Breakpoints &breakpoints);
@@ -131,18 +132,18 @@ class RunControl final : public BackgroundActivity {
     class LiveMeshing final : public BackgroundActivity {
       public:
         LiveMeshing(BackgroundList &list, const RunControl &run) : BackgroundActivity(list), run_(run) {}
-        bool working() const override { return run_.hasToFollow(); }
+        bool working() const override { return run_.liveMeshPending(); }
         bool hasNews() const override { return run_.canFollow(); }
 
       private:
         const RunControl &run_;
     };
 
-    bool emptied() const;
+    bool drawingIsEmpty() const;
     void start(StartMode mode, Extent extent = Extent::Full);
-    void followNewest();
+    void startLiveMesh();
     bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
-    bool wantsWhole() const;
+    bool needsFullMesh() const;
     bool startIfNeeded();
     void log(const SessionSnapshot &snapshot);
     void logLive(bool faulty);

@@ -73,7 +73,7 @@ Diagnostics checkClosed(const ArrangementInput &input, const JoinedLines &joined
     return faults;
 }
 
-/// Joins all pieces except those of hidden shapes.
+/// Joins all pieces, except pieces of hidden shapes.
 JoinedLines joinPieces(const ArrangementInput &input, double tolerance, const std::stop_token &stop) {
     constexpr double kClear = 4.0; // minimum clearance, in tolerances
     const std::vector<std::uint8_t> hidden = findHiddenShapes(input, kClear * tolerance);
@@ -105,7 +105,7 @@ JoinedLines joinPieces(const ArrangementInput &input, double tolerance, const st
     return joined;
 }
 
-/// Arranges the pieces. Sets `reduced` to what has to be arranged instead if lines repeat outlines.
+/// Arranges the pieces. Sets `reduced` to the input to arrange instead if lines repeat outlines.
 Result<Arrangement> arrangeOnce(const ArrangementInput &input, std::optional<ReducedDrawing> &reduced,
                                 const std::stop_token &stop) {
     const Box2 box = boundsOf(input);

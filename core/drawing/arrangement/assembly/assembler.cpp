@@ -102,7 +102,7 @@ Assembler::Fate Assembler::fateOf(std::uint32_t edge) const {
     return isLine || separates(edge) ? Fate::Constraint : Fate::Inner;
 }
 
-/// Returns true if an edge bounds what covers one of its sides.
+/// Returns true if an edge bounds a shape that covers one of its sides.
 bool Assembler::separates(std::uint32_t edge) const {
     const std::uint32_t left = faces_.left[edge], right = faces_.right[edge];
     if (inside(left) != inside(right)) {
@@ -198,8 +198,8 @@ Assembler::Fate Assembler::clippedFate(std::uint32_t edge, Fate fate) const {
     return isLine || (ofShape && !limited) ? fate : limited ? Fate::Clipped : Fate::OfClip;
 }
 
-/// Chooses the tag of each edge: that of the last constraint line along it or else of the first outline that bounds the
-/// feature on either side, or else of the first outline of a clip.
+/// Chooses the tag of each edge: the tag of the last constraint line along it or else of the first outline that bounds
+/// the feature on either side, or else of the first outline of a clip.
 void Assembler::chooseTags() {
     enum Rank : std::uint8_t { None, Any, Bounding, Line };
     std::vector<Rank> rank(snapped_.edges.size(), None);

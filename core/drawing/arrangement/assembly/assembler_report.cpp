@@ -24,13 +24,13 @@ void Assembler::report() {
     result_.changes = changes_.take();
 }
 
-/// Returns, per piece, whether it is of the outline of a clip or of a made contour; empty if there are none.
+/// Returns, per piece, whether it is of the outline of a clip or of a synthetic contour; empty if there are none.
 std::vector<std::uint8_t> Assembler::asidePieces() const {
     const bool made = std::any_of(input_.contours.begin(), input_.contours.end(),
-                                  [](const ArrangementContour &contour) { return contour.made; });
+                                  [](const ArrangementContour &contour) { return contour.synthetic; });
     std::vector<std::uint8_t> aside(input_.clips.empty() && !made ? 0 : input_.pieces.size(), 0);
     for (std::size_t k = 0; k < aside.size(); ++k) {
-        aside[k] = input_.ofClip(input_.pieces[k]) || input_.isMade(input_.pieces[k]) ? 1 : 0;
+        aside[k] = input_.ofClip(input_.pieces[k]) || input_.isSynthetic(input_.pieces[k]) ? 1 : 0;
     }
     return aside;
 }
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> Assembler::asidePieces() const {
 /// Records that a piece of a hidden shape, which has not been joined with others, is not in the domain.
 void Assembler::reportHidden(std::uint32_t piece) {
     const ArrangementPiece &hidden = input_.pieces[piece];
-    if (!input_.isMade(hidden)) {
+    if (!input_.isSynthetic(hidden)) {
         changes_.add(ChangeKind::InnerOutlines, midpoint(hidden.a, hidden.b), 0.0, piece);
     }
 }
@@ -46,7 +46,7 @@ void Assembler::reportHidden(std::uint32_t piece) {
 /// Records the edges along a line that are not in the domain.
 void Assembler::reportLine(std::uint32_t line) {
     const std::uint32_t piece = joined_.source[line];
-    if (input_.isMade(input_.pieces[piece])) {
+    if (input_.isSynthetic(input_.pieces[piece])) {
         return;
     }
     for (std::uint32_t k = snapped_.starts[line]; k < snapped_.starts[line + 1]; ++k) {

@@ -47,8 +47,8 @@ struct FaceCover {
     bool nested(std::uint32_t inner, std::uint32_t outer) const;
 };
 
-/// Computes the winding numbers of all contours on all faces, and what covers each face. Each contour must consist of
-/// closed loops. `lines` are sorted by edge; their `shown` is set.
+/// Computes the winding numbers of all contours on all faces, and the shapes and features that cover each face. Each
+/// contour must consist of closed loops. `lines` are sorted by edge; their `shown` is set.
 FaceCover coverFaces(const ArrangementInput &input, const std::vector<Vec2> &nodes, const std::vector<PlaneEdge> &edges,
                      const EdgeRuns &runs, const Faces &faces, std::vector<ClippedLine> &lines);
 

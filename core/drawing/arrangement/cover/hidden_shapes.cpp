@@ -72,7 +72,7 @@ class HiddenShapes {
 
     std::uint32_t shapeOf(const ArrangementPiece &piece) const { return input_.contours[piece.contour].shape; }
 
-    /// Returns a box around the chord and what it stands for.
+    /// Returns a box around the chord and its curve.
     Box2 boxOf(const ArrangementPiece &piece) const {
         Box2 box;
         box.add(piece.a);

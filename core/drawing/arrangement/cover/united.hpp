@@ -25,10 +25,11 @@ struct OutlinedArea {
 /// Adds an area to a shape as a contour; the tags of its pieces are their labels + 1. Returns the index of the contour.
 std::uint32_t addArea(ArrangementInput &input, std::uint32_t shape, const OutlinedArea &area);
 
-/// Unites areas in groups of neighbours in the given order, then those unions, and so on. What lies inside a union is
-/// dropped before it can cross the rest. Returns one area; more if some cannot be united, or are so thin that nothing
-/// would be left of a group: these stay as they are. Nodes move by at most `tolerance`, in domain units, at each of
-/// about log(count) / log(8) steps. Labels survive; where outlines coincide, the first area gives them.
+/// Unites areas in groups of neighbours in the given order, then those unions, and so on. Pieces inside a union are
+/// dropped before they can cross the rest. Returns one area; more if some cannot be united, or if a group is so thin
+/// that its union would be empty: those areas are returned unchanged. Nodes move by at most `tolerance`, in domain
+/// units, at each of about log(count) / log(8) steps. Labels survive; where outlines coincide, the first area gives
+/// them.
 std::vector<OutlinedArea> uniteAreas(std::vector<OutlinedArea> areas, double tolerance);
 
 } // namespace forefront

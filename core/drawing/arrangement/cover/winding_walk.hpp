@@ -29,10 +29,10 @@ class IndexBag {
     std::vector<std::uint32_t> list_;
 };
 
-/// Winding numbers while walking from face to face, and which shapes and features cover the place.
+/// The winding numbers of the current face in a walk from face to face, and the shapes and features that cover it.
 ///
-/// Only shapes and clips around the place are touched when a clip begins or ends, so that a clip of many shapes costs
-/// no more than the shapes that lie on its outline.
+/// Only shapes and clips that cover the face are touched when a clip begins or ends, so that a clip of many shapes
+/// costs no more than the shapes that lie on its outline.
 class WindingWalk {
   public:
     explicit WindingWalk(const ArrangementInput &input);

@@ -81,7 +81,7 @@ class CutFinder {
         return true;
     }
 
-    /// Does the same, and brings what it finds into the same order.
+    /// Does the same, and returns the cuts in the same order.
     bool compareAll(const BoxTree &tree, std::span<const Box2> boxes, const std::stop_token &stop) {
         std::vector<std::uint32_t> place(chords_.size());
         for (std::uint32_t k = 0; k < place.size(); ++k) {

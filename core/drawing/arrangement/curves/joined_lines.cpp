@@ -15,7 +15,7 @@ namespace {
 
 /// Ends farther than this many tolerances from their curve mean that the line does not follow that curve.
 constexpr double kReach = 4.0;
-/// Minimum tolerance of curves in terms of that of straight lines: places on them are computed in more steps.
+/// Minimum tolerance for curves, as a multiple of the one for lines: points on curves carry more rounding error.
 constexpr double kResolutions = 8.0;
 
 bool comesFirst(const ChordCut &s, const ChordCut &t) {

@@ -52,7 +52,7 @@ class LineDivision {
     std::vector<ChordCut> left() const;
 
   private:
-    /// What identifies a chord that has been compared with all others after joining, and the last cut found on it.
+    /// The key of a chord that has been compared with all others after joining, and the last cut found on it.
     struct Compared {
         std::uint32_t curve = kNoCurve;
         std::array<double, 6> numbers{}; ///< parameters and ends

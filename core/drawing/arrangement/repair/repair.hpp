@@ -21,7 +21,7 @@ struct Repaired {
     std::vector<std::uint32_t> pointSource;      ///< per constraint point: the input point
     std::vector<std::uint32_t> holeMarkerSource; ///< per hole marker: the input marker
     double radius = 0.0; ///< joining distance: the tolerance, or less if several things are crowded within it
-    std::vector<ArrangementChange> changes; ///< one entry per kind; the parts are those of the given domain
+    std::vector<ArrangementChange> changes; ///< one entry per kind; indices refer to the given domain
 };
 
 /// Repairs a domain the way arrange() treats a drawing: crossings, contacts and overlaps become nodes, nodes and
@@ -40,8 +40,8 @@ struct Repaired {
 ///   out-of-memory, cancelled.
 Result<Repaired> repair(const Domain &domain, double tolerance = 0.0, std::stop_token stop = {});
 
-/// Takes the numbers of elements of a spacing along from a domain to what a repair made of it: parts of a straight
-/// segment share its number by their lengths. All other sizes belong to tags or places, which a repair keeps.
+/// Transfers the numbers of elements of a spacing from a domain to its repaired version: parts of a straight segment
+/// share its number by their lengths. All other sizes belong to tags or positions, which a repair does not change.
 void carryElements(const Domain &before, const Repaired &repaired, SpacingSpec &spacing);
 
 /// Returns true if `repair` removes faults of this kind.

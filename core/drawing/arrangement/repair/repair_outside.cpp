@@ -78,8 +78,8 @@ Domain Repairer::joinedDomain() const {
     return domain;
 }
 
-/// Drops what lies outside the domain. If the boundary is open or has invalid segments, the outside is not defined, and
-/// everything stays.
+/// Drops all parts outside the domain. If the boundary is open or has invalid segments, the outside is not defined, and
+/// no part is dropped.
 void Repairer::dropOutside(const std::stop_token &stop) {
     pointDropped_.assign(given_.points.size(), 0);
     markerDropped_.assign(given_.holeMarkers.size(), 0);

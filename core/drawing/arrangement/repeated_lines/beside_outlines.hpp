@@ -38,7 +38,7 @@ struct RemainingPart {
     std::optional<Vec2> begin, end; ///< the places on outlines that its ends have to move to
 };
 
-/// What repeats outlines, and what is left of lines there.
+/// The edges that repeat outlines, and the remaining parts of their lines.
 struct RepeatedOutlines {
     std::vector<RepeatingEdge> edges;
     std::vector<RemainingPart> parts; ///< by edges, and then by fractions

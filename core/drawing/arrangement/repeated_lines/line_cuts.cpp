@@ -8,7 +8,7 @@ namespace forefront {
 
 namespace {
 
-/// Collects what is left of loose lines.
+/// Collects the remaining parts of loose lines.
 class LineRemains {
   public:
     LineRemains(std::vector<LineCut> cuts, std::span<const PlaneEdge> edges, std::span<const BesideEdge> about)

@@ -17,8 +17,8 @@ struct LineCut {
     double distance = 0.0;              ///< from the outlines
 };
 
-/// Returns what is left of loose lines without the given parts. Where they go on from a node at which others end, and
-/// `movable` (per node) allows it, their ends move to the outline nearby.
+/// Returns loose lines without the given parts. Where a line continues from a node at which others end, and `movable`
+/// (per node) allows it, their ends move to the outline nearby.
 RepeatedOutlines withoutCuts(std::vector<LineCut> cuts, std::span<const Vec2> nodes, std::span<const PlaneEdge> edges,
                              std::span<const BesideEdge> about, std::span<const std::uint8_t> movable,
                              const OutlineSearch &outlines);

@@ -69,7 +69,8 @@ class LooseLines {
         }
     }
 
-    /// Returns the loose line that continues another one at a node; kNoIndex if none does, or anything else meets them.
+    /// Returns the loose line that continues `edge` at a node; kNoIndex if there is none, or if a third edge meets
+    /// them.
     std::uint32_t beyond(std::uint32_t edge, std::uint32_t node) const {
         const Around &around = around_[node];
         return around.count != 2 ? kNoIndex : around.loose[around.loose[0] == edge ? 1 : 0];

@@ -17,8 +17,8 @@ struct NearLines {
     std::size_t segment = 0; ///< the first of them
 };
 
-/// Finds the segments of lines whose middle is within 1/64 of their length of the boundary. `isLine`: per segment, 1
-/// for those of lines; others are the boundary, or borders of regions.
+/// Finds the segments of lines whose middle is within 1/64 of their length of the boundary. `isLine`: per segment, 1 if
+/// it belongs to a line; the others are boundary segments or borders of regions.
 NearLines findNearLines(const Domain &domain, std::span<const std::uint8_t> isLine);
 
 } // namespace forefront

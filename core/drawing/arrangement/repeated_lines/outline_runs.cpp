@@ -137,7 +137,7 @@ class RunSearch {
                gain(samples_[beyond], direction) > gain(samples_[end], direction);
     }
 
-    /// Returns what a part gains by ending at a sample: it gets longer, but also farther away from outlines.
+    /// Returns the gain of a part from ending at a sample: it gets longer, but also farther away from outlines.
     /// `direction`: 1 for its end, -1 for its start.
     static double gain(const Sample &sample, double direction) {
         return direction * sample.along - kMinRunToDistance * sample.distance;

@@ -24,8 +24,8 @@ class EdgeShapes {
     Vec2 a(std::uint32_t edge) const { return nodes_[edges_[edge].a]; }
     Vec2 b(std::uint32_t edge) const { return nodes_[edges_[edge].b]; }
 
-    /// Returns the place at a fraction of the way along an edge from one of its ends. In both directions, rounding is
-    /// that of the direction, not of the edge.
+    /// Returns the point at a fraction of the way along an edge from one of its ends. Rounding depends on the direction
+    /// of travel, not on the orientation of the edge.
     Vec2 at(std::uint32_t edge, double fraction, bool fromA = true) const {
         if (!follows(edge) || fraction == 0.0 || fraction == 1.0) {
             const Vec2 from = fromA ? a(edge) : b(edge), to = fromA ? b(edge) : a(edge);

@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-/// Copies the pieces of a drawing, with what is left of lines that repeat outlines.
+/// Copies the pieces of a drawing, with the remaining parts of lines that repeat outlines.
 class DrawingReducer {
   public:
     DrawingReducer(const ArrangementInput &input, const JoinedLines &joined, const RepeatedOutlines &repeated,
@@ -70,7 +70,7 @@ class DrawingReducer {
         result_.source.push_back(source);
     }
 
-    /// Adds what is left of a line: the parts of edges that have changed, and those from one of them to the next.
+    /// Adds the remaining parts of a line: the parts of edges that have changed, and the edges between them.
     void addLine(std::uint32_t line) {
         const SnappedLines &snapped = joined_.snapped;
         const SnapLine &whole = joined_.lines[line];

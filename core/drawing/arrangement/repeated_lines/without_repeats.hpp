@@ -18,8 +18,7 @@ struct ReducedDrawing {
 
 /// Drops the parts of lines that repeat outlines, and moves the ends of the rest to the outlines: a piece along a
 /// straight edge as a whole, one along a curve as far as twice its reach from there, so that the rest follows its
-/// curve. The outlines stay as they are, without the nodes that those parts would leave on them. `joined`: the pieces;
-/// `about`: per edge.
+/// curve. The outlines do not change, and get no nodes from the dropped parts. `joined`: the pieces; `about`: per edge.
 ReducedDrawing withoutRepeats(const ArrangementInput &input, const JoinedLines &joined,
                               const RepeatedOutlines &repeated, std::span<const BesideEdge> about);
 

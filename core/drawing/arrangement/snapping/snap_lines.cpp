@@ -23,7 +23,7 @@ namespace {
 constexpr int kMaxAttempts = 8;
 constexpr std::size_t kFewPins = 16;  ///< up to so many, attempts go on
 constexpr double kMaxPinsLeft = 0.75; ///< share of the pins of the attempt before
-/// Share of the radius that rounding may add to a distance.
+/// Factor by which rounding may enlarge a distance.
 constexpr double kSlack = 1.0 + 1e-9;
 
 /// Lines, some of them cut at places that must not move.

@@ -43,7 +43,7 @@ struct SnappedLines {
 /// smaller one, rounding could reverse the order of nodes and edges.
 double resolutionOf(const Box2 &box);
 
-/// Returns the lines as they are, without joining anything but ends at the same place and repeated lines.
+/// Returns the lines unchanged, except that ends with equal coordinates and repeated lines are merged.
 SnappedLines unsnapped(std::span<const SnapLine> lines);
 
 /// Joins everything closer than the tolerance (positive) and moves nothing farther than that. Afterwards all nodes are

@@ -9,7 +9,7 @@
 namespace forefront {
 
 /// Returns the part of a stretch that belongs to the piece from `from` to `to` of its chord. At the ends of the chord
-/// the parameters are exactly those of the stretch, so that its neighbours continue there.
+/// the parameters equal the stretch's own exactly, so that its neighbours continue there.
 inline CurveStretch stretchAlong(const CurveStretch &stretch, std::span<const Curve> curves, const SnapLine &chord,
                                  Vec2 from, Vec2 to) {
     const Vec2 along = chord.b - chord.a;

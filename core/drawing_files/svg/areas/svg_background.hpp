@@ -8,7 +8,7 @@
 namespace forefront {
 
 /// Reports a filled rectangle that covers everything else in a drawing, such as the white background that plotting
-/// programs draw: merged with it, all other filled shapes vanish, or what would be outlines without it are lines in it.
+/// programs draw: merged with it, all other filled shapes would vanish, and outlines would become lines inside it.
 /// Returns a box well within the rectangle; empty if there is none, or a clip limits it.
 Box2 noteBackground(const SourceText &source, const std::vector<SvgPath> &paths, const std::vector<SvgClip> &clips);
 

@@ -10,9 +10,9 @@
 
 namespace forefront {
 
-/// Returns, per path, 1 if it is one of those to compare and has the nodes of another one within the same clip, in
-/// either direction. Drawings made for cutters and circuit boards often repeat their outlines. Of equal paths, the
-/// first one with a name of its own is kept, or else the first. `tolerance` in domain units.
+/// Returns, per path, 1 if it is to be compared and has the same nodes as another path within the same clip, in either
+/// direction. Drawings made for cutters and circuit boards often repeat their outlines. Of equal paths, the first one
+/// with a name of its own is kept, or else the first. `tolerance` in domain units.
 std::vector<std::uint8_t> findRepeatedPaths(const std::vector<SvgPath> &paths,
                                             const std::function<bool(const SvgPath &)> &compares, double tolerance);
 

@@ -7,9 +7,9 @@
 
 namespace forefront {
 
-/// Returns outlines whose union is what the stroke of a path paints, in the coordinates of the domain: bands along its
-/// segments or dashes, with corners and ends as its line style has them. A path with a single node is a dot. More than
-/// 20,000 dashes become a solid line.
+/// Returns outlines whose union is the area painted by the stroke of a path, in domain coordinates: bands along its
+/// segments or dashes, with the joins and caps of its line style. A path with a single node is a dot. More than 20,000
+/// dashes become a solid line.
 std::vector<BandPart> strokeParts(const SvgPath &path);
 
 } // namespace forefront

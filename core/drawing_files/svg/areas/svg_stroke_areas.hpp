@@ -13,8 +13,8 @@
 namespace forefront {
 
 /// Adds the areas that strokes paint to a drawing. Where strokes overlap, or a path bends within its width, nearly all
-/// of their parts cross each other. If there are more than a few, their union is added instead: that of all strokes, or
-/// a separate one for each stroke if shapes are regions.
+/// of their parts cross each other. If there are more than a few, their union is added instead: one for all strokes, or
+/// one for each stroke if shapes are regions.
 class StrokeAreas {
   public:
     /// `size`: diagonal of the drawing; `tolerance` of polylines along curves.
@@ -26,8 +26,8 @@ class StrokeAreas {
 
     /// Adds the stroke of a path to a shape, or keeps it until finish(). Returns false if there are too many nodes.
     bool add(const SvgPath &path, std::uint32_t shape, std::int32_t tag);
-    /// Adds the strokes that were kept, and prefers a tolerance that suits all strokes. What several strokes make up
-    /// together becomes a shape of its own.
+    /// Adds the collected strokes, and prefers a tolerance that suits all of them. The union of several strokes becomes
+    /// a shape of its own.
     void finish(std::uint32_t feature);
 
   private:

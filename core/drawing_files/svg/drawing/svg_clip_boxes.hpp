@@ -12,7 +12,7 @@ namespace forefront {
 inline constexpr Box2 kEverything{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()},
                                   {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
 
-/// Returns what two boxes share; an empty box if that is nothing.
+/// Returns the intersection of two boxes; an empty box if they are disjoint.
 Box2 commonBox(const Box2 &s, const Box2 &t);
 
 /// The boxes outside of which the clips of a drawing show nothing.

@@ -121,8 +121,8 @@ std::uint32_t SvgDrawer::addClip(const pugi::xml_node &target, const Visit &refe
     return known->second;
 }
 
-/// Returns what the contents of a clip path or mask inherit, from the elements around it and not from those that it
-/// clips.
+/// Returns the style that the contents of a clip path or mask inherit: from its own ancestors, not from the clipped
+/// elements.
 SvgDrawer::Visit SvgDrawer::clipContents(const pugi::xml_node &target, const AffineMap &map) {
     std::vector<pugi::xml_node> around;
     for (pugi::xml_node node = target; node.type() == pugi::node_element; node = node.parent()) {

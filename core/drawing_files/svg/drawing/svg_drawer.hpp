@@ -27,7 +27,7 @@ class SvgDrawer {
     Result<SvgPaths> run();
 
   private:
-    /// An element to visit, with what it inherits.
+    /// An element to visit, with its inherited style.
     struct Visit {
         pugi::xml_node node;
         AffineMap map;
@@ -41,7 +41,7 @@ class SvgDrawer {
         std::optional<Vec2> size = {};  ///< of a <symbol> or <svg> drawn by a <use>
         pugi::xml_node named = {};      ///< the <use> that draws this very element
     };
-    /// A <use>, clip path or mask being drawn: what it draws, and the one around it.
+    /// A <use>, clip path or mask being drawn: its target, and the enclosing one.
     struct Use {
         pugi::xml_node target;
         std::size_t outer;
@@ -124,7 +124,7 @@ class SvgDrawer {
     std::vector<Use> uses_;
     AffineMap axes_;
     Vec2 viewport_;
-    std::optional<AffineMap> page_;   ///< maps the unit square to what is shown; absent: everything is
+    std::optional<AffineMap> page_;   ///< maps the unit square to the visible area; absent: all is visible
     std::optional<double> tolerance_; ///< of the curves; absent: only measure
     bool reports_ = false;
     bool cropsFill_ = false;   ///< as in SvgPaths

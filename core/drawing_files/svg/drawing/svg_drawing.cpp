@@ -337,7 +337,7 @@ void SvgDrawer::use(Visit &visit, std::vector<Visit> &open) {
         return;
     }
     const pugi::xml_node target = found->second;
-    if (draws(visit.use, target) || isAround(target, visit.node)) {
+    if (draws(visit.use, target) || isAncestor(target, visit.node)) {
         leaveOut(visit.node, "", 0, "use-cycle", "<use> draws the element that it is part of", inQuotes(href));
         return;
     }

@@ -26,13 +26,13 @@ struct SvgPath {
     bool isLine = false;      ///< of a <line> or <polyline>
     SvgPaint paint;           ///< transparent paint counts as none
     double strokeWidth = 0.0; ///< in domain units; 0 without a stroke, or if it does not scale with the drawing
-    bool strokeArea = false;  ///< what the stroke paints counts as area
+    bool strokeArea = false;  ///< the painted area of the stroke counts as area
     AffineMap frame;          ///< maps the user space, in which the stroke is drawn, to the domain
     std::size_t element = 0;  ///< number of the element that it is a subpath of
     std::string name;
     std::size_t offset = 0;        ///< of its element in the text
     std::uint32_t limit = kNoClip; ///< the clip that limits it, in SvgPaths::clips
-    bool removes = false;          ///< as a part of a mask: hides what it covers
+    bool removes = false;          ///< as a part of a mask: hides the area that it covers
 
     /// Returns the box of the nodes.
     Box2 box() const;
@@ -70,7 +70,7 @@ struct SvgClip {
 struct SvgPaths {
     std::vector<SvgPath> paths;
     std::vector<SvgClip> clips;
-    double size = 0.0;      ///< diagonal of the box of what is visible
+    double size = 0.0;      ///< diagonal of the visible box
     double tolerance = 0.0; ///< of the polylines
     bool cropsFill = false; ///< a filled shape was cropped to the surroundings of the page, perhaps to nothing
 };

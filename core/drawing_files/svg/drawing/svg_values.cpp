@@ -145,7 +145,7 @@ AffineMap SvgDrawer::transformOf(const pugi::xml_node &node, const Box2 &referen
     return AffineMap::translation(centre) * *own * AffineMap::translation(Vec2{} - centre);
 }
 
-/// Leaves out what cannot be read, as browsers do: with a note, or with a fault if the drawing must not be changed. The
+/// Leaves out malformed values, as browsers do: with a note, or with a fault if the drawing must not be changed. The
 /// note, of which there may be very many, does not contain the value.
 void SvgDrawer::leaveOut(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
                          const std::string &message, const std::string &value, std::string_view ignored) {

@@ -4,7 +4,7 @@
 
 namespace forefront {
 
-/// What masks and opacity need to know about a colour.
+/// The properties of a colour that masks and opacity depend on.
 struct SvgColour {
     double luminance = 0.0; ///< from 0 (black) to 1 (white)
     double alpha = 1.0;

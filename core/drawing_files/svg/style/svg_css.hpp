@@ -24,7 +24,7 @@ class SvgStyles {
     /// Returns the value of a property as given for this element itself, in lower case; empty: not given. Variables,
     /// var(--name), are replaced by their values for the element.
     std::string value(const pugi::xml_node &node, std::string_view property) const;
-    /// Returns the same as it is written, for values that name an id.
+    /// Returns the same value with its letter case unchanged, for values that name an id.
     std::string valueAsWritten(const pugi::xml_node &node, std::string_view property) const;
 
   private:
@@ -33,7 +33,7 @@ class SvgStyles {
         std::string id;      ///< empty: any
         std::vector<std::string> classes;
         bool isRoot = false;  ///< selects only the outermost element
-        bool isChild = false; ///< must be a child of what the compound before it selects
+        bool isChild = false; ///< must be a child of the element that the previous compound selects
         bool matches(const pugi::xml_node &node) const;
     };
     struct Selector {

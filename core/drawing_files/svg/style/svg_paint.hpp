@@ -29,7 +29,7 @@ struct SvgPaint {
     SvgColour fill, stroke;
     SvgColour current; ///< the property `color`
     double fillOpacity = 1.0, strokeOpacity = 1.0;
-    double opacity = 1.0; ///< product of those of the element and all elements around it
+    double opacity = 1.0; ///< product of the opacities of the element and all its ancestors
     SvgLineStyle line;
 
     /// Returns the opacity of the fill; 0: nothing is filled.
@@ -43,8 +43,8 @@ class SvgPaintServers {
   public:
     SvgPaintServers(const SvgStyles &styles, const SvgIds &ids) : styles_(styles), ids_(ids) {}
 
-    /// Returns what a value of `fill` or `stroke` paints: "none" if it refers to a gradient or pattern that paints
-    /// nothing; if it refers to anything else, or to nothing, the fallback after the reference, or "none".
+    /// Resolves a value of `fill` or `stroke`: "none" if it refers to a gradient or pattern that paints nothing; if it
+    /// refers to anything else, or to nothing, the fallback after the reference, or "none".
     std::string paintedBy(const pugi::xml_node &node, const char *property, const std::string &value);
     /// Returns true if a property is a gradient with stops that show and others that are nearly transparent.
     bool fades(const pugi::xml_node &node, const char *property);
@@ -56,7 +56,7 @@ class SvgPaintServers {
     enum class Coverage : std::uint8_t { Nothing, Parts, Everything };
 
     /// Returns Nothing if a gradient has no stops or only transparent ones, or a pattern is empty, and Parts for a
-    /// gradient that fades(). Stops and contents may be those of another gradient or pattern.
+    /// gradient that fades(). Stops and contents may be inherited from another gradient or pattern.
     Coverage coverageOf(pugi::xml_node server);
     Coverage coverageOfStops(const pugi::xml_node &gradient) const;
     pugi::xml_node origin(const pugi::xml_node &server) const;

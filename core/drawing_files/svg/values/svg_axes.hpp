@@ -10,12 +10,12 @@
 
 namespace forefront {
 
-/// The map from the coordinates of a drawing to those of the domain.
+/// The map from drawing coordinates to domain coordinates.
 struct SvgAxes {
     AffineMap map;                    ///< from user space to the domain
     Vec2 viewport;                    ///< size of the outermost viewport in user units; 0 if unknown
     std::string unit;                 ///< "mm" or the like, if the document's size changes the unit of coordinates
-    std::optional<ViewBox> page = {}; ///< what a renderer shows, in user units; absent if the document gives no size
+    std::optional<ViewBox> page = {}; ///< the visible area, in user units; absent if the document gives no size
 };
 
 /// Returns the axes of the root element. The y axis of a domain points up, so the drawing is flipped within its view

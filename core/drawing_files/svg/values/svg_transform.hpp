@@ -15,22 +15,22 @@ struct AffineMap {
     Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
     /// Returns the map that applies `inner` first, then this.
     AffineMap operator*(const AffineMap &inner) const;
-    /// Returns the maximum factor by which it stretches a length.
+    /// Returns the largest scale factor of the map.
     double stretch() const;
-    /// Returns the minimum factor by which it stretches a length.
+    /// Returns the smallest scale factor of the map.
     double minStretch() const {
         const double maximum = stretch();
         return maximum > 0.0 ? std::fabs(a * d - b * c) / maximum : 0.0;
     }
 
-    /// Returns the map back; std::nullopt if it presses the plane into a line or point.
+    /// Returns the inverse map; std::nullopt if the map is singular.
     std::optional<AffineMap> inverse() const;
 
     /// Returns the map that moves the origin to `to`.
     static AffineMap translation(Vec2 to) { return {1.0, 0.0, 0.0, 1.0, to.x, to.y}; }
 };
 
-/// Parses a transform of SVG or CSS: a list of matrix, translate, scale, rotate, skew and those of one axis, such as
+/// Parses a transform of SVG or CSS: a list of matrix, translate, scale, rotate, skew and one-axis functions such as
 /// translateX. Lengths and angles may have units; percentages of lengths refer to `viewport`. Returns std::nullopt if
 /// it is malformed.
 std::optional<AffineMap> parseTransform(std::string_view text, Vec2 viewport);

@@ -87,7 +87,7 @@ bool isExcluded(const pugi::xml_node &node) {
     return !english || !node.attribute("requiredExtensions").empty();
 }
 
-bool isAround(const pugi::xml_node &outer, const pugi::xml_node &node) {
+bool isAncestor(const pugi::xml_node &outer, const pugi::xml_node &node) {
     constexpr int kDepth = 1000; // bounds the time for hostile files
     pugi::xml_node at = node.parent();
     for (int depth = 0; depth < kDepth && at && at != outer; ++depth) {

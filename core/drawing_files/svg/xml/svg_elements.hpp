@@ -17,7 +17,7 @@ std::string_view localName(const pugi::xml_node &node);
 /// Returns true for elements of SVG rather than private data of editors: those whose name has no prefix, the prefix
 /// "svg", or one that is declared for SVG in the element, in one around it, or in the outermost one.
 bool isOfSvg(const pugi::xml_node &node);
-/// Returns what an element refers to: its attribute href or, if that is empty, the first one with any prefix, as in
+/// Returns the reference of an element: its attribute href or, if that is empty, the first one with any prefix, as in
 /// "xlink:href".
 std::string_view hrefOf(const pugi::xml_node &node);
 /// Returns the byte of the text at which an element begins; 0 if unknown.
@@ -35,8 +35,8 @@ pugi::xml_node targetOf(std::string_view value, const SvgIds &ids);
 bool isDefinition(std::string_view name);
 /// Returns true if requiredExtensions or systemLanguage excludes an element for an English reader without extensions.
 bool isExcluded(const pugi::xml_node &node);
-/// Returns true if an element is among the innermost 1,000 around another one.
-bool isAround(const pugi::xml_node &outer, const pugi::xml_node &node);
+/// Returns true if `outer` is one of the nearest 1,000 ancestors of `node`.
+bool isAncestor(const pugi::xml_node &outer, const pugi::xml_node &node);
 /// Returns true for the elements that have an outline.
 bool isShape(std::string_view name);
 

@@ -91,7 +91,7 @@ class EntityExpander : public pugi::xml_tree_walker {
   private:
     static constexpr int kMaxDepth = 8; ///< of entities within entities
 
-    /// Returns a text with its entities expanded; as markup, what comes from no entity is escaped.
+    /// Returns a text with its entities expanded; as markup, text outside entities is escaped.
     std::string expanded(std::string_view text, bool asMarkup = false) {
         std::string result;
         asMarkup_ = asMarkup;

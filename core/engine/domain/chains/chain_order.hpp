@@ -14,9 +14,9 @@ struct ChainOrder {
     std::vector<std::uint32_t> nodes, segments, points;
 };
 
-/// Returns the domain with its segments and nodes in the order of chains: those of the boundary first, then those of
-/// constraints, each along its path (see segmentChains() and ChainPaths), then points. Drawings and maps are read so
-/// that they mesh the same from their file and from the document that shows them.
+/// Returns the domain with its segments and nodes in the order of chains: boundary chains first, then constraint
+/// chains, each along its path (see segmentChains() and ChainPaths), then points. Drawings and maps are read so that
+/// they mesh the same from their file and from the document that shows them.
 ///
 /// Each path gets a curve of its own where the given segments share one; the curve is moved to end at its nodes. Nodes
 /// at one place become one. Segments and points with a node out of range are left out; a node that nothing refers to

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// What to do about curves that do not quite end at their nodes, as joining lines leaves them.
+/// The treatment of curves that do not quite end at their nodes after lines were joined.
 enum class LooseEnds : std::uint8_t {
     MoveCurve, ///< the whole curve is moved a little, unless that would move it far elsewhere: then as below
     MoveChord, ///< the chord there becomes a curve of its own and is moved; all nodes stay where they are

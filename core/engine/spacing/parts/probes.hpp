@@ -26,12 +26,12 @@ struct ProbeLimits {
 
 inline constexpr int kProbes = 64; ///< intervals of the probing grid along each side
 
-/// Returns the places where a formula or function must give a size: the domain's nodes, and those of 65 x 65 places of
-/// its box that are inside; all of them if `inside` is null, because it is not known what is inside.
+/// Returns the points where a formula or function must give a size: the domain's nodes, and the points of a 65 x 65
+/// grid over its box that are inside; all of them if `inside` is null, because the inside is unknown.
 std::vector<Vec2> probePlaces(const Domain &domain, const InsideTest *inside, const Box2 &box);
 
 /// Returns the fault of the first value that is no size: NaN, a value <= 0 without a minimum, or infinity without a
-/// maximum. `what`: the part, such as "spacing expression"; `advice`: how to mend it.
+/// maximum. `what`: the part, such as "spacing expression"; `advice`: how to fix it.
 Diagnostics probeFaults(std::span<const Vec2> places, std::span<const double> values, const SpacingSpec &spec,
                         const char *code, std::string_view what, std::string_view advice);
 

@@ -23,7 +23,7 @@ enum class SiteReason : std::uint8_t {
     SegmentLength,  ///< index: of the domain segment
     Bend,           ///< curvature; index: of the domain segment
     Tolerance,      ///< distance of a curve from its edges; index: of the domain segment
-    KeptSegment,    ///< long segment that stays as it is; index: of the domain segment
+    KeptSegment,    ///< long undivided segment; index: of the domain segment
     Channel,        ///< narrow gap across from the domain segment
     Corner,         ///< beside a sharp corner of the domain segment
     LonePoint,      ///< index: of the domain node
@@ -46,9 +46,9 @@ struct SiteSet {
         sites.push_back(site);
         labels.push_back(label);
     }
-    /// Drops sites that demand a larger spacing than another one everywhere; of equal ones the first stays. If there
-    /// are more than kManySites, also drops sites that demand only slightly less than one that stays. Sites must have
-    /// no radius.
+    /// Drops sites that prescribe a larger size than another site everywhere; of equal ones the first stays. If there
+    /// are more than kManySites, also drops sites that prescribe only slightly smaller sizes than a remaining one.
+    /// Sites must have no radius.
     void dropDominated();
 };
 

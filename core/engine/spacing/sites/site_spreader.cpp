@@ -67,8 +67,7 @@ class SiteSpreader : SiteTreeWriter {
         std::span<const std::uint32_t> at(std::uint32_t row) const {
             return {entries.data() + starts[row], starts[row + 1] - starts[row]};
         }
-        /// Sorts pairs of row and entry into rows; with `bothWays`, the entries are rows, too, and get the rows in
-        /// turn.
+        /// Sorts pairs of row and entry into rows; with `bothWays`, stores each pair in both directions.
         void fill(std::size_t rows, std::span<const std::array<std::uint32_t, 2>> pairs, bool bothWays) {
             starts.assign(rows + 1, 0);
             for (const auto &[row, entry] : pairs) {

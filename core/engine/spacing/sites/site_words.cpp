@@ -6,7 +6,7 @@
 namespace forefront {
 namespace {
 
-/// Describes where a site's demand comes from: a place from which the gradation limit spreads it; may be empty.
+/// Names the rule whose size the gradation limit spreads to a site; empty if there is none.
 std::string reachedFrom(const SiteLabel &label, const SiteWords &words) {
     switch (label.reason) {
     case SiteReason::PaintEdge:

@@ -9,13 +9,12 @@
 
 namespace forefront {
 
-/// The number of sites from which on they are simplified, since evaluating so many exactly would take longer than
-/// meshing.
+/// Maximum number of sites that are evaluated exactly; more would take longer than meshing and are simplified.
 inline constexpr std::size_t kManySites = 4096;
 
-/// A place that demands a spacing: `size` within `radius` of the segment from `a` to a + `ab` (a point if ab = 0),
-/// growing by `growth` per unit of distance beyond. The common form of size sources, boundary lengths, features and
-/// places from which the gradation limit spreads. One cache line.
+/// A point or segment that prescribes an element size: `size` within `radius` of the segment from `a` to a + `ab` (a
+/// point if ab = 0), growing by `growth` per unit of distance beyond. The common form of size sources, boundary
+/// lengths, features and places from which the gradation limit spreads. One cache line.
 struct SizeSite {
     Vec2 a;
     Vec2 ab;

@@ -44,7 +44,7 @@ struct SizeSource {
     std::optional<double> endSize{};
     double angle{}; ///< of the sides of a box to the axes, in degrees, counter-clockwise (Box only)
     /// True: a gradient over the whole plane (Line only). The size depends on the position along the line alone: it
-    /// changes between the ends, and beyond each it is that of the end. There is no growth.
+    /// changes between the ends and is constant beyond them. There is no growth.
     bool plane{};
     bool geometric{}; ///< a gradient changes by equal factors, not by equal steps
 
@@ -109,7 +109,7 @@ struct SpacingSpec {
     /// The same for many positions at once: fills in the size at each. Give this or `function`.
     std::function<void(std::span<const Vec2> positions, std::span<double> sizes)> bulkFunction;
     /// True: the function may be called from several threads at once. False: only the thread that meshes calls it,
-    /// which then does all work, whatever MeshingOptions::threads says. The mesh is the same.
+    /// which then does all work, and MeshingOptions::threads has no effect. The mesh is the same.
     bool functionThreadSafe = false;
     std::vector<SizeSource> sources;
     /// True: sources only refine automatic spacing. False: they replace it. Absent: nobody has chosen; they replace it.

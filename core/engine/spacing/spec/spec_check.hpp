@@ -17,7 +17,8 @@ namespace forefront {
 void checkSize(const std::optional<double> &value, const std::string &name, Diagnostics &faults,
                const char *advice = "enter a length in domain units");
 
-/// Returns the fault of a size or its growth, if there is one. `owner`: what has it, such as "node 3 of quay".
+/// Returns the fault of a size or its growth, if there is one. `owner`: the part that has the size, such as "node 3 of
+/// quay".
 std::optional<Diagnostic> partSizeFault(const PartSize &part, const std::string &owner, const char *code);
 
 /// Checks a size source. Faults: bad-source, with the index in `ids` and the place if it is finite.

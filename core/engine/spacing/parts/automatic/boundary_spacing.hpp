@@ -10,7 +10,7 @@ struct PlacedSegment {
     Vec2 a;
     Vec2 b;
     std::uint32_t index = 0;  ///< into Domain::segments
-    double wholeLength = 0.0; ///< its length, or that of the entire curve if it is one of its chords
+    double wholeLength = 0.0; ///< its length, or the length of the entire curve if it is a chord
     bool besideCurve = false; ///< it is a chord of a curve or ends where one does
     double length() const { return distance(a, b); }
 };

@@ -15,7 +15,7 @@ namespace forefront {
 /// one on each side can face it, as far as that reaches; without this, all of them would be measured from each.
 class CrowdedNodes {
   public:
-    /// `segments`: those of the domain, then its lone points; they must outlive this.
+    /// `segments`: the segments of the domain, then its lone points; they must outlive this.
     CrowdedNodes(const Domain &domain, std::span<const PlacedSegment> segments);
 
     /// The lines that cannot face a part of a line, because the next one to it lies between.
@@ -35,7 +35,7 @@ class CrowdedNodes {
         Vec2 direction_; ///< of the line
         std::array<End, 2> ends_;
     };
-    /// Returns what is hidden from the part from a to b of the line at a position.
+    /// Returns the lines hidden from the part from a to b of the line at a position.
     Hidden hiddenFrom(std::uint32_t position, Vec2 a, Vec2 b) const;
 
   private:

@@ -27,7 +27,7 @@ struct Gap {
     Vec2 a;
     Vec2 b;
     double wholeLength = 0.0;  ///< length of the segment or curve that the part belongs to
-    double width = 0.0;        ///< minimum distance across the domain to what faces the part
+    double width = 0.0;        ///< minimum distance across the domain to the opposite side
     std::uint32_t segment = 0; ///< index into Domain::segments
     bool corner = false;       ///< the facing segment is a neighbour at a sharp corner
 };
@@ -35,7 +35,7 @@ struct Gap {
 /// Fraction of the domain's diagonal; narrower places are not resolved further.
 inline constexpr double kFinestGap = 1e-4;
 
-/// What counts as narrow.
+/// The criteria for a narrow gap.
 struct GapRules {
     double across = 2.0; ///< elements of the maximum spacing that fit into the widest gap
     /// True: gaps are found beside short segments, too, and however narrow they are; corners are gaps only below 20
@@ -57,7 +57,7 @@ struct GapRules {
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; parts shorter than `shortest` are not divided. `index` holds the segments,
-    /// then the lone points, whose `index` continues that of the segments.
+    /// then the lone points, numbered after the segments.
     GapFinder(const Domain &domain, const LazyFaces &faces, const SegmentIndex &index, double longest, double shortest,
               const Progress &progress, GapRules rules = {});
 
@@ -95,13 +95,13 @@ class GapFinder {
     /// Returns true for two walls with closest points `p` and `q` that open like a corner: a chain connects them, or
     /// they are on chains that end at the same node.
     bool openLikeCorner(std::uint32_t position, std::uint32_t other, Vec2 p, Vec2 q) const;
-    /// Finds what faces the part of the segment from a to b at the smallest distance. `likely`: position of a segment
-    /// that probably does, such as the one that faced the part before, or kNoIndex; it only speeds up the search.
+    /// Finds the nearest segment or point opposite the part of the segment from a to b. `likely`: position of a
+    /// probable answer, such as the one of the previous part, or kNoIndex; it only speeds up the search.
     Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides, std::uint32_t likely) const;
     Facing facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides, std::uint32_t likely) const;
     struct Found {
         std::vector<Gap> gaps;
-        std::uint32_t wall = kNoIndex; ///< what faces the last part, if anything
+        std::uint32_t wall = kNoIndex; ///< the segment or point opposite the last part, if any
     };
     void divide(std::uint32_t position, double from, double to, double reach, Sides sides, Found &found) const;
 

@@ -67,7 +67,7 @@ class BackgroundPart {
         Vec2 toSecond; ///< gradient of the coordinate of the second node
         Vec2 toThird;
         double value = 0.0;  ///< at a
-        double second = 0.0; ///< value of the second node less that of the first
+        double second = 0.0; ///< value at the second node minus value at the first
         double third = 0.0;
     };
     double valueAmong(const std::uint32_t *entry, Vec2 p) const {

@@ -13,8 +13,8 @@ namespace forefront {
 /// An expression as spacing: always finite and > 0, even where the formula is not at places between the probes.
 class ExpressionSpacing {
   public:
-    /// Compiles `spec.expression` and evaluates it at the domain's nodes and at those of 65 x 65 places of the box that
-    /// are inside the domain; at all of them if `inside` is null, because it is not known what is inside. Errors:
+    /// Compiles `spec.expression` and evaluates it at the domain's nodes and at the points of a 65 x 65 grid over the
+    /// box that are inside the domain; at all of them if `inside` is null, because the inside is unknown. Errors:
     /// expression-syntax; expression-value at the first place with NaN, a value <= 0 without a minimum, or infinity
     /// without a maximum.
     static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const InsideTest *inside,
@@ -25,8 +25,8 @@ class ExpressionSpacing {
     SpacingSample sample(Vec2 p, const SiteWords &) const {
         return {at(p), SpacingOrigin::Expression, 0, "expression " + text_};
     }
-    /// Returns a lower bound over the domain, by interval arithmetic on those of 64 x 64 parts of its box that meet the
-    /// inside, or the smallest probed value where that is undefined, or not positive beside the boundary.
+    /// Returns a lower bound over the domain, by interval arithmetic on the cells of a 64 x 64 grid over its box that
+    /// meet the inside, or the smallest probed value where that is undefined, or not positive beside the boundary.
     double minimum() const { return minimum_; }
     double maximum() const { return maximum_; }
 

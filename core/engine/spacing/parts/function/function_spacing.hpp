@@ -11,13 +11,13 @@
 
 namespace forefront {
 
-/// A function of the caller as spacing: always finite and > 0, even where the function is not at places between the
-/// probes. What the function throws leaves every member that calls it.
+/// A function of the caller as spacing: always finite and > 0, even where the function is not, between the probes.
+/// Every member that calls the function propagates its exceptions.
 class FunctionSpacing {
   public:
-    /// Calls the function of `spec` at the domain's nodes and at those of 65 x 65 places of the box that are inside the
-    /// domain; at all of them if `inside` is null. Error: function-value at the first place with NaN, a value <= 0
-    /// without a minimum, or infinity without a maximum.
+    /// Calls the function of `spec` at the domain's nodes and at the points of a 65 x 65 grid over the box that are
+    /// inside the domain; at all of them if `inside` is null. Error: function-value at the first place with NaN, a
+    /// value <= 0 without a minimum, or infinity without a maximum.
     static Result<FunctionSpacing> build(const SpacingSpec &spec, const Domain &domain, const InsideTest *inside,
                                          const Box2 &box);
 

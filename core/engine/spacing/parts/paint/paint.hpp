@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-/// What a dab does to the spacing.
+/// The effect of a dab on the spacing.
 enum class DabMode : std::uint8_t {
     Set,     ///< towards a target
     Finer,   ///< smaller than it is
@@ -59,8 +59,8 @@ PaintedSpacing emptyPaint(const Box2 &domain);
 /// invalid numbers (not finite, sizes <= 0) changes nothing. Deterministic.
 PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab);
 
-/// Returns paint that replaces the other rules without changing the spacing: values above that of `spacing`, which had
-/// no effect, are reduced to it. Paint that already replaces them is returned unchanged.
+/// Returns paint that replaces the other rules without changing the spacing: values above `spacing`, which had no
+/// effect, are reduced to it. Paint that already replaces them is returned unchanged.
 PaintedSpacing replacing(const PaintedSpacing &paint, const std::function<double(Vec2)> &spacing);
 
 /// Returns the paint with the nodes in a box painted; those for which `size` returns 0 keep their value. At most 4

@@ -58,7 +58,7 @@ class PaintedPart {
     static constexpr std::uint32_t kSpan = PaintedSpacing::kTileSpan;
     static constexpr std::uint32_t kWidth = kSpan + 1;
     static constexpr std::uint32_t kNoBlock = 0xffffffffU;
-    /// The nodes of a tile, and those of the next tiles on its upper edges.
+    /// The nodes of a tile, including the nodes on its upper edges, which belong to the next tiles.
     using Block = std::array<float, kWidth * kWidth>;
 
     static double valueIn(float a, float b, float c, float d, double s, double t) {

@@ -26,7 +26,8 @@ double largestRegionSize(std::span<const RegionSize> regions);
 /// Returns the places of region sizes, for LazyFaces.
 std::vector<Vec2> placesOf(std::span<const RegionSize> regions);
 
-/// Returns the names of regions with sizes, for descriptions: that of a marker at the same place, or else of the face.
+/// Returns the names of regions with sizes, for descriptions: the name of a marker at the same position, or else of the
+/// face.
 std::vector<std::string> namesOf(std::span<const RegionSize> regions, const Domain &domain, const LazyFaces &faces);
 
 /// The sizes and maximum element areas of regions as spacing: constant in each face that has one.
@@ -52,8 +53,8 @@ class RegionPart {
     /// Gives the faces without a rule the automatic spacing `size`, which grows by `gradation` into the others.
     void limitOthers(double size, double gradation, SiteSet &sites);
 
-    /// Adds the edges of the faces, from which the spacing grows into their surroundings: that of a maximum area by
-    /// `gradation`, a size by its own growth, at most `givenGradation` (infinity: no limit).
+    /// Adds the edges of the faces, from which the spacing grows into their surroundings: for a maximum area by
+    /// `gradation`, for a size by its own growth, at most `givenGradation` (infinity: no limit).
     void addSites(double gradation, double givenGradation, SiteSet &sites) const;
 
   private:
