@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kCrowded = 8; ///< lines that end at a node
 
 /// A line that leaves a node, by its angle.
-struct Spoke {
+struct LineEnd {
     double angle;
     std::uint32_t position;
     bool atStart; ///< the line starts at the node
@@ -36,7 +36,7 @@ CrowdedNodes::CrowdedNodes(const Domain &domain, std::span<const PlacedSegment> 
     if (std::none_of(counts.begin(), counts.end(), [](std::uint32_t count) { return count >= kCrowded; })) {
         return;
     }
-    std::vector<std::vector<Spoke>> around(domain.nodes.size());
+    std::vector<std::vector<LineEnd>> around(domain.nodes.size());
     for (std::uint32_t i = 0; i < segments.size(); ++i) {
         const PlacedSegment &line = segments[i];
         if (line.index >= domain.segments.size()) {
@@ -52,8 +52,8 @@ CrowdedNodes::CrowdedNodes(const Domain &domain, std::span<const PlacedSegment> 
         }
     }
     next_.assign(segments.size(), {{{kNoIndex, kNoIndex}, {kNoIndex, kNoIndex}}});
-    for (std::vector<Spoke> &spokes : around) {
-        std::sort(spokes.begin(), spokes.end(), [](const Spoke &a, const Spoke &b) {
+    for (std::vector<LineEnd> &spokes : around) {
+        std::sort(spokes.begin(), spokes.end(), [](const LineEnd &a, const LineEnd &b) {
             return a.angle != b.angle ? a.angle < b.angle : a.position < b.position;
         });
         for (std::size_t k = 0; k < spokes.size(); ++k) {
