@@ -114,8 +114,8 @@ class Improvement {
             proceeding = next();
         }
         if (proceeding && plan_.limitsGrowth) {
-            report_.moves +=
-                limitGrowth(work_, {std::min(growth, kMaxGrowth), plan_.goal->alpha, plan_.goal->angle}, progress_);
+            const double floor = std::max(plan_.goal->alpha, report_.alphaMinBefore);
+            report_.moves += limitGrowth(work_, {std::min(growth, kMaxGrowth), floor, plan_.goal->angle}, progress_);
             proceeding = next();
         }
         if (proceeding && plan_.polishes) {
