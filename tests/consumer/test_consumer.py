@@ -162,7 +162,7 @@ def check_examples(prefix, folder):
     made = folder / "examples"
     shutil.copytree(EXAMPLES, made)
     sources = sorted(made.glob("*.cpp"))
-    check(len(sources) == 10, f"{len(sources)} examples instead of 10")
+    check(len(sources) == 11, f"{len(sources)} examples instead of 11")
     run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}", folder=made)
     run(CMAKE, "--build", "build", folder=made)
     for source in sources:

@@ -28,7 +28,7 @@ namespace {
 Document sizedSquare() {
     Document document = *addShape({}, square({0, 0}, 10));
     document = *addRegionMarker(document, {{5, 5}, 2, 1.5, 0.5, 0.1});
-    document = *addRegionMarker(document, {{20, 20}, 3}); // without sizes
+    document = *addRegionMarker(document, {{8, 8}, 2}); // without sizes
     document = *setNodeSize(document, {{1, 2}}, PartSize{0.1, 0.3});
     document = *setElementCount(document, {{1, 1}}, 8);
     return document;
@@ -49,7 +49,7 @@ TEST_CASE("Placed sizes: a document gives all of them with its spacing, and none
     const Document document = sizedSquare();
     const MeshingJob job = jobOf(document);
     CHECK(sameContent(spacingOf(document), job.spacing));
-    CHECK(job.domain.regionMarkers == std::vector<RegionMarker>{{{5, 5}, 2}, {{20, 20}, 3}});
+    CHECK(job.domain.regionMarkers == std::vector<RegionMarker>{{{5, 5}, 2}, {{8, 8}, 2}});
     const PlacedSizes &placed = job.spacing.placed;
     REQUIRE(placed.nodes.size() == 1);
     CHECK(placed.nodes[0].at == Vec2{10, 10});
