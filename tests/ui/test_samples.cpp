@@ -45,9 +45,11 @@ void countShape(const Shape &shape, std::map<std::string, int> &counts) {
     counts["inner line"] += shape.use == ShapeUse::Constraint ? 1 : 0;
     counts["node size"] += static_cast<int>(shape.nodeSizes.size());
     counts["regular polygon"] += regular(shape) ? 1 : 0;
-    for (const Curve &curve : shape.path().curves) {
-        counts["arc"] += curve.kind() == CurveKind::Arc ? 1 : 0;
-        counts["cubic"] += curve.kind() == CurveKind::Cubic ? 1 : 0;
+    if (shape.is<PathForm>()) {
+        for (const Curve &curve : shape.path().curves) {
+            counts["arc"] += curve.kind() == CurveKind::Arc ? 1 : 0;
+            counts["cubic"] += curve.kind() == CurveKind::Cubic ? 1 : 0;
+        }
     }
 }
 

@@ -348,7 +348,8 @@ TEST_CASE("Typed formulas: a moved shape takes them along; a turn removes those 
     driver.frames(2);
     CHECK(driver.document().formulas.empty());
     CHECK(driver.context().log.entries().back().diagnostic.message ==
-          "Removed 3 expressions that no longer fit: height of rectangle 1, left of rectangle 1, width of rectangle 1");
+          "Removed 3 expressions that no longer match their values: height of rectangle 1, left of rectangle 1, width "
+          "of rectangle 1");
     // An expression that is typed over is not reported.
     driver.key('Z', {Modifiers::kControl});
     REQUIRE(driver.formula("shape/1/width"_number) == "L");
