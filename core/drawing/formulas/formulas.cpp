@@ -300,8 +300,7 @@ void carryFormulas(const Document &before, Document &next) {
     next.formulas = std::move(carried);
 }
 
-std::ranges::subrange<std::map<NumberAddress, std::string>::iterator> formulasOf(Document &document,
-                                                                                 NumberOwner owner) {
+FormulaRange formulasOf(Document &document, NumberOwner owner) {
     const auto begin = document.formulas.lower_bound({owner, Quantity{}, 0});
     const auto end = std::find_if(begin, document.formulas.end(),
                                   [owner](const auto &formula) { return formula.first.owner != owner; });

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <string>
 #include <string_view>
@@ -84,8 +83,16 @@ void pruneFormulas(Document &document);
 /// indices have changed, and those that no longer hold are removed.
 void carryFormulas(const Document &before, Document &next);
 
+/// Consecutive formulas of a document; valid until the formulas change.
+struct FormulaRange {
+    std::map<NumberAddress, std::string>::iterator first, last;
+
+    auto begin() const { return first; }
+    auto end() const { return last; }
+};
+
 /// Returns the formulas of the numbers of an item, in order.
-std::ranges::subrange<std::map<NumberAddress, std::string>::iterator> formulasOf(Document &document, NumberOwner owner);
+FormulaRange formulasOf(Document &document, NumberOwner owner);
 
 /// Copies the formulas of a shape, source or marker to its copy.
 void copyFormulas(Document &document, NumberOwner from, NumberOwner to);
