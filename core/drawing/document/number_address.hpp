@@ -102,7 +102,7 @@ struct EnumWords<NumberOwner::Kind> {
 /// "y", "x2", "y2", "angle", "radius", "size", "endSize", "growth" for a size source, "width" and "height" for a box,
 /// along its angle and across it; "region/K/x", "y", "area", "size", "growth" for a region marker; "part/TAG/size",
 /// "elements", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn",
-/// "elementsAcross", "curveTolerance". ID is that of the shape; indices count from 0.
+/// "elementsAcross", "curveTolerance". ID is the number of the shape; indices count from 0.
 struct NumberAddress {
     NumberOwner owner;
     Quantity quantity = Quantity::Size;

@@ -14,7 +14,8 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
 /// bad-number for a length that is not above 0.
 Status setNumber(Document &document, const NumberAddress &address, double value);
 /// Checks the owner of a number after setNumber(): its shape, source, marker, the sizes of the boundary parts, or the
-/// limits of the spacing. Returns the document if the owner is valid. Errors: those of the commands that change it.
+/// limits of the spacing. Returns the document if the owner is valid. Errors: as for the commands that change the
+/// owner.
 Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
 
 /// Describes a number in words, such as "radius of circle 3" or "x of node 2 of polygon 1"; the text of the address if

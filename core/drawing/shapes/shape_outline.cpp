@@ -100,7 +100,7 @@ std::size_t circleCorners(double tolerance) {
 
 Outline outlineOf(const Shape &shape) {
     const std::vector<Vec2> &nodes = shape.nodes;
-    // Of points, and of a wrong number of nodes.
+    // For points, and for shapes with a wrong number of nodes.
     const auto plain = [&nodes] { return Outline{nodes, false, {}, {}}; };
     return shape.visit(
         [&](const PathForm &path) {

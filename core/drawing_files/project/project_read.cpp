@@ -231,7 +231,7 @@ class ProjectReader {
     void segmentTagCount(const Shape &shape, const JsonValue &place) {
         const std::size_t nodes = shape.nodes.size();
         const std::size_t count = shape.segmentTags.size();
-        const std::size_t expected = shape.isPolygon() ? nodes : taggedSegments(shape); // of two nodes, too
+        const std::size_t expected = shape.isPolygon() ? nodes : taggedSegments(shape); // also for two nodes
         if (count != 0 && count != expected) {
             check_.fault(place, "bad-count",
                          "expected a tag for each of the " + std::to_string(expected) + " segments, found " +

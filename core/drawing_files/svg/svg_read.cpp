@@ -161,8 +161,9 @@ class SvgBuilder {
         }
     };
 
-    /// Removes outlines that lie on another one, since by the even-odd rule each pair would cancel out, and filled
-    /// shapes without a name that do, since the time to arrange hundreds of them grows with the square of their number.
+    /// Removes outlines that coincide with another outline, since by the even-odd rule each pair would cancel out, and
+    /// unnamed filled shapes that coincide with another, since the time to arrange them grows with the square of their
+    /// number.
     void dropRepeatedOutlines() {
         if (source_.options.strict) { // what cancels out is refused
             return;

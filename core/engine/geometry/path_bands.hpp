@@ -31,9 +31,9 @@ struct BandPart {
     std::uint32_t segment = 0; ///< of the path: index
 };
 
-/// Returns shapes whose union is the band between a path and its parallels at one or two offsets, > 0 to the left and <
-/// 0 to the right; one on either side gives the whole band. Parallels of lines and arcs of circles are exact, parallels
-/// of other curves are cubics. The ends of an open path are cut straight.
+/// Returns shapes whose union is the band between a path and its parallels at one or two offsets, positive to the left
+/// and negative to the right; one on either side gives the whole band. Parallels of lines and arcs of circles are
+/// exact, parallels of other curves are cubics. The ends of an open path are cut straight.
 std::vector<BandPart> bandsBeside(std::span<const Curve> path, bool closed, std::span<const double> offsets,
                                   const BandStyle &style = {});
 

@@ -16,8 +16,8 @@ namespace forefront {
 
 namespace {
 
-/// Integrates the conformity over triangles, each at three places, and at more where these differ. Evaluates ρ in
-/// blocks.
+/// Integrates the conformity over triangles: at their centres, and where that shows that a triangle is much larger or
+/// smaller than the spacing, at the centres of its parts. Evaluates ρ in blocks.
 class AreaIntegral {
   public:
     explicit AreaIntegral(const SpacingField &spacing) : spacing_(spacing) {}
@@ -42,10 +42,10 @@ class AreaIntegral {
         double size;
         int divisions;
     };
-    static constexpr std::size_t kBlock = 170, kPlaces = 3;
-    // In elements that follow a graded spacing, the conformity differs by less than this, so that three places are
-    // enough; an element that is much larger than the sizes in it is divided into up to 64 parts.
-    static constexpr double kSimilar = 0.1;
+    static constexpr std::size_t kBlock = 512;
+    // Where an element follows a graded spacing, its centre stands for all of it. One that does not is divided into up
+    // to 64 parts.
+    static constexpr double kFollows = 0.8;
     static constexpr int kMaxDivisions = 3;
 
     /// Takes the last parts that wait, and adds them up or divides them.
@@ -55,23 +55,17 @@ class AreaIntegral {
         waiting_.resize(waiting_.size() - count);
         for (std::size_t k = 0; k < count; ++k) {
             const auto &[a, b, c] = block_[k].corners;
-            const Vec2 centre = (1.0 / 3.0) * (a + b + c);
-            places_[kPlaces * k] = midpoint(centre, a); // exact for sizes that are quadratic in x and y
-            places_[kPlaces * k + 1] = midpoint(centre, b);
-            places_[kPlaces * k + 2] = midpoint(centre, c);
+            centres_[k] = (1.0 / 3.0) * (a + b + c);
         }
-        spacing_.atMany({places_.data(), kPlaces * count}, {rho_.data(), kPlaces * count});
+        spacing_.atMany({centres_.data(), count}, {rho_.data(), count});
         for (std::size_t k = 0; k < count; ++k) {
-            take(block_[k], {spacingConformity(block_[k].size, rho_[kPlaces * k]),
-                             spacingConformity(block_[k].size, rho_[kPlaces * k + 1]),
-                             spacingConformity(block_[k].size, rho_[kPlaces * k + 2])});
+            take(block_[k], spacingConformity(block_[k].size, rho_[k]));
         }
     }
 
-    void take(const Part &part, const std::array<double, kPlaces> &conformity) {
+    void take(const Part &part, double conformity) {
         const auto &[a, b, c] = part.corners;
-        const auto [low, high] = std::minmax_element(conformity.begin(), conformity.end());
-        if (*high - *low > kSimilar && part.divisions < kMaxDivisions) {
+        if (conformity < kFollows && part.divisions < kMaxDivisions) {
             const Vec2 ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
             for (const std::array<Vec2, 3> &corners :
                  {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}}) {
@@ -80,15 +74,15 @@ class AreaIntegral {
             return;
         }
         const double area = 0.5 * std::abs(cross(b - a, c - a));
-        sum_ += area / 3.0 * (conformity[0] + conformity[1] + conformity[2]);
+        sum_ += area * conformity;
         area_ += area;
     }
 
     const SpacingField &spacing_;
     std::vector<Part> waiting_;
     std::array<Part, kBlock> block_;
-    std::array<Vec2, kPlaces * kBlock> places_;
-    std::array<double, kPlaces * kBlock> rho_;
+    std::array<Vec2, kBlock> centres_;
+    std::array<double, kBlock> rho_;
     double sum_ = 0.0, area_ = 0.0;
 };
 

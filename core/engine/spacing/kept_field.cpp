@@ -148,8 +148,13 @@ double KeptField::crowdedFall(std::size_t item, const InsideTest &inside) const 
     return std::clamp(fall, kCrowdedFall, kSteepestFall);
 }
 
-/// Lets the size fall faster beside segments between which it would not reach that asked for.
+/// Lets the size fall faster beside segments between which it would not reach that asked for. Between many, there is
+/// enough room for elements beside them, and looking for such places would take long.
 void KeptField::findCrowded(const Domain &domain, const Progress &progress) {
+    constexpr std::size_t kFewLong = 200;
+    if (long_.size() > kFewLong) {
+        return;
+    }
     const LazyFaces faces(domain, progress.stop);
     const InsideTest *const inside = faces.inside();
     if (inside == nullptr) {

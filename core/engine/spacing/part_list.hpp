@@ -25,7 +25,7 @@ std::span<const SpacingPartKind> spacingPartKinds();
 
 /// Returns all faults of the numbers in a specification. Codes: bad-size (sizes, limits, gradation), bad-source,
 /// bad-region-area, bad-element-counts; sources and regions by index in `ids`, with a place if known. Paint and
-/// background meshes are checked while they are built. `domain`: that whose places the sizes belong to.
+/// background meshes are checked while they are built. `domain`: the domain of the placed sizes.
 Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain);
 
 /// Returns true if two specifications have the same content, wherever it is in memory.

@@ -13,8 +13,8 @@
 namespace forefront {
 
 /// Adds the areas that strokes paint to a drawing. Where strokes overlap, or a path bends within its width, nearly all
-/// of their parts cross each other. If there are more than a few, their union is added instead: one for all strokes, or
-/// one for each stroke if shapes are regions.
+/// of their parts cross each other. If there are more than a few, their union is added instead: of all strokes, or of
+/// each stroke by itself if shapes are regions.
 class StrokeAreas {
   public:
     /// `size`: diagonal of the drawing; `tolerance` of polylines along curves.

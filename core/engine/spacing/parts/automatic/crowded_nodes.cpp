@@ -1,5 +1,7 @@
 #include "core/engine/spacing/parts/automatic/crowded_nodes.hpp"
 
+#include "core/engine/base/rows.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,9 +14,9 @@ constexpr std::uint32_t kCrowded = 8; ///< lines that end at a node
 
 /// A line that leaves a node, by its angle.
 struct LineEnd {
-    double angle;
-    std::uint32_t position;
-    bool atStart; ///< the line starts at the node
+    double angle = 0.0;
+    std::uint32_t position = 0;
+    bool atStart = false; ///< the line starts at the node
 };
 
 std::vector<std::uint32_t> linesAtNodes(const Domain &domain, std::span<const PlacedSegment> segments) {
@@ -28,6 +30,20 @@ std::vector<std::uint32_t> linesAtNodes(const Domain &domain, std::span<const Pl
     return counts;
 }
 
+/// Enters the neighbours of the lines around a node, by angle.
+void linkNeighbours(std::span<LineEnd> lines, std::vector<std::array<std::array<std::uint32_t, 2>, 2>> &next) {
+    std::sort(lines.begin(), lines.end(), [](const LineEnd &a, const LineEnd &b) {
+        return a.angle != b.angle ? a.angle < b.angle : a.position < b.position;
+    });
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const std::uint32_t after = lines[(k + 1) % lines.size()].position;
+        const std::uint32_t before = lines[(k + lines.size() - 1) % lines.size()].position;
+        // Seen along the line, the next counter-clockwise is on the left at its start, on the right at its end.
+        next[lines[k].position][lines[k].atStart ? 0 : 1] =
+            lines[k].atStart ? std::array{after, before} : std::array{before, after};
+    }
+}
+
 } // namespace
 
 CrowdedNodes::CrowdedNodes(const Domain &domain, std::span<const PlacedSegment> segments)
@@ -36,33 +52,25 @@ CrowdedNodes::CrowdedNodes(const Domain &domain, std::span<const PlacedSegment> 
     if (std::none_of(counts.begin(), counts.end(), [](std::uint32_t count) { return count >= kCrowded; })) {
         return;
     }
-    std::vector<std::vector<LineEnd>> around(domain.nodes.size());
-    for (std::uint32_t i = 0; i < segments.size(); ++i) {
-        const PlacedSegment &line = segments[i];
-        if (line.index >= domain.segments.size()) {
-            continue;
+    Rows<LineEnd> around(domain.nodes.size(), [&](const auto &add) {
+        for (std::uint32_t i = 0; i < segments.size(); ++i) {
+            const PlacedSegment &line = segments[i];
+            if (line.index >= domain.segments.size()) {
+                continue;
+            }
+            const DomainSegment &ends = domain.segments[line.index];
+            const Vec2 along = line.b - line.a;
+            if (counts[ends.a] >= kCrowded) {
+                add(ends.a, LineEnd{std::atan2(along.y, along.x), i, true});
+            }
+            if (counts[ends.b] >= kCrowded) {
+                add(ends.b, LineEnd{std::atan2(-along.y, -along.x), i, false});
+            }
         }
-        const DomainSegment &ends = domain.segments[line.index];
-        const Vec2 along = line.b - line.a;
-        if (counts[ends.a] >= kCrowded) {
-            around[ends.a].push_back({std::atan2(along.y, along.x), i, true});
-        }
-        if (counts[ends.b] >= kCrowded) {
-            around[ends.b].push_back({std::atan2(-along.y, -along.x), i, false});
-        }
-    }
+    });
     next_.assign(segments.size(), {{{kNoIndex, kNoIndex}, {kNoIndex, kNoIndex}}});
-    for (std::vector<LineEnd> &spokes : around) {
-        std::sort(spokes.begin(), spokes.end(), [](const LineEnd &a, const LineEnd &b) {
-            return a.angle != b.angle ? a.angle < b.angle : a.position < b.position;
-        });
-        for (std::size_t k = 0; k < spokes.size(); ++k) {
-            const std::uint32_t after = spokes[(k + 1) % spokes.size()].position;
-            const std::uint32_t before = spokes[(k + spokes.size() - 1) % spokes.size()].position;
-            // Seen along the line, the next counter-clockwise is on the left at its start, on the right at its end.
-            next_[spokes[k].position][spokes[k].atStart ? 0 : 1] =
-                spokes[k].atStart ? std::array{after, before} : std::array{before, after};
-        }
+    for (std::size_t node = 0; node < around.size(); ++node) {
+        linkNeighbours(around[node], next_);
     }
 }
 
