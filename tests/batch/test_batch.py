@@ -1236,10 +1236,12 @@ class Refusing(Case):
         # Two right triangles; of their five edges four are 1 long and the diagonal is the square root of 2.
         self.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
         self.assertAlmostEqual(kept("square.obj", "--size", "1"), (4 + 1 / math.sqrt(2)) / 5, delta=1e-4)
-        # Over the area, the sizes inside the elements count, here limited to a change of 0.5 per unit of distance.
+        # Over the area, the sizes inside the elements count. Limited to a change of 0.5 per unit of distance, they are
+        # 0.0075 + distance/2 around the centre, and the mean distance to the centre of a unit square is known.
+        mean_distance, element_size = (math.sqrt(2) + math.log(1 + math.sqrt(2))) / 6, math.sqrt(2 / math.sqrt(3))
         ignored = ["--spacing", "max(0.01, 2*dist(0.5, 0.5))", "--stats", "-"]
         figures = json.loads(self.call("check", "square.obj", *ignored).stdout)
-        self.assertAlmostEqual(figures["delta_area_mean"], 0.196, delta=0.01)
+        self.assertAlmostEqual(figures["delta_area_mean"], (0.0075 + mean_distance / 2) / element_size, delta=0.005)
         self.call("check", "plate.msh", "--size", "1", "--spacing", "x", code=2)
         self.call("check", "plate.msh", "--size", "-1", code=2)
         self.call("check", "plate.msh", "--spacing", "1+*x", code=2)

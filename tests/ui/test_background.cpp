@@ -151,7 +151,10 @@ TEST_CASE("Background: news draws a frame when its pace allows, and the window r
 
 TEST_CASE("Background: of the requests that wait, only the newest is answered on the thread") {
     std::atomic<int> wakes = 0;
-    BackgroundList list([&] { ++wakes; });
+    BackgroundList list([&] {
+        ++wakes;
+        wakes.notify_one();
+    });
     const auto gate = std::make_shared<WorkerGate>();
     Doubler doubler(list, gated(gate));
     doubler.submit(1);
@@ -176,6 +179,9 @@ TEST_CASE("Background: of the requests that wait, only the newest is answered on
     doubler.wait();
     CHECK(doubler.refresh());
     CHECK(doubler.now() == 4);
+    while (wakes < 3) { // the window is woken after the answer
+        wakes.wait(wakes);
+    }
     CHECK(wakes == 3);
 }
 

@@ -71,6 +71,7 @@ Result<std::shared_ptr<const SpacingField>> KeptField::raise(std::shared_ptr<con
     }
     field->reach_ = BoxTree(boxes);
     std::vector<SizeSite> lengths;
+    lengths.reserve(segments.size());
     for (const PlacedSegment &segment : segments) {
         lengths.push_back(SizeSite::segment(segment.a, segment.b, segment.length(), kFall));
     }
@@ -92,7 +93,7 @@ Result<std::shared_ptr<const SpacingField>> KeptField::raise(std::shared_ptr<con
 
 /// Returns true if the size asked for is reached nowhere around a long segment, in the parts of the domain beside it.
 bool KeptField::isCrowded(std::size_t item, const InsideTest &inside) const {
-    constexpr int kCells = 24;
+    constexpr int kCells = 24; ///< in each direction
     constexpr double kAround = 3.0;  ///< lengths of the segment
     constexpr double kBeside = 0.05; ///< the same
     constexpr double kReached = 1.5; ///< times the size asked for
@@ -107,7 +108,8 @@ bool KeptField::isCrowded(std::size_t item, const InsideTest &inside) const {
         }
         any = true;
         for (int k = 0; k < kCells * kCells; ++k) {
-            const Vec2 cell{(k % kCells + 0.5) / kCells, (k / kCells + 0.5) / kCells};
+            const int column = k % kCells, row = k / kCells;
+            const Vec2 cell{(column + 0.5) / kCells, (row + 0.5) / kCells};
             const Vec2 p{std::lerp(box.min.x, box.max.x, cell.x), std::lerp(box.min.y, box.max.y, cell.y)};
             if (!inside.contains(p)) {
                 continue;
