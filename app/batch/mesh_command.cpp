@@ -129,6 +129,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
         options.gridRows = arguments.gridRows;
     }
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
+    options.verify = arguments.verify;
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
