@@ -110,8 +110,8 @@ bool hasConstraints(const Domain &domain) {
                        [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; });
 }
 
-/// In the outline of a mesh, edges without a tag get one. Gives it to the same edges of a mesh that is compared with such
-/// an outline. A mesh without any tags is compared without them.
+/// In the outline of a mesh, edges without a tag get one. Gives it to the same edges of a mesh that is compared with
+/// such an outline. A mesh without any tags is compared without them.
 void tagLikeAnOutline(Mesh &mesh, const Input &domain) {
     const FileFormat *const format = domain.format();
     if (format != nullptr && format->readsMesh && !mesh.edges.empty()) {
