@@ -170,6 +170,14 @@ void CanvasPainter::cross(Vec2 centre, double radius, Colour colour, double widt
     list_.AddLine(im(p + Pixel(-r, r)), im(p + Pixel(r, -r)), colour, im(width * scale_));
 }
 
+void CanvasPainter::tick(Vec2 centre, double radius, Colour colour, double width) {
+    const Pixel p = camera_.toPixel(centre);
+    const double r = radius * scale_;
+    const ImVec2 points[] = {im(p + r * Pixel(-0.45, 0.05)), im(p + r * Pixel(-0.1, 0.4)),
+                             im(p + r * Pixel(0.5, -0.35))};
+    list_.AddPolyline(points, 3, colour, 0, im(width * scale_));
+}
+
 void CanvasPainter::circle(Vec2 centre, double radius, Colour colour, double width) {
     const double r = radius * camera_.zoom;
     if (r < kFar) {

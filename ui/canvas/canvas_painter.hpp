@@ -43,6 +43,8 @@ class CanvasPainter {
     /// Draws a square node handle; `radius` is half its side in design pixels.
     void handle(Vec2 centre, double radius, Colour fill, Colour border);
     void cross(Vec2 centre, double radius, Colour colour, double width = 1.5);
+    /// Draws a tick in a circle of that radius.
+    void tick(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Draws a circle; the radius is in domain units, as for disc() and dashedCircle().
     void circle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     void disc(Vec2 centre, double radius, Colour fill);

@@ -16,6 +16,9 @@ std::vector<double> contourValues(double minimum, double maximum) {
     return roundValues(minimum, maximum, FieldTint::kMaxLevels);
 }
 
+/// Opacity of the colours over the domain: they show the spacing and leave the mesh legible.
+constexpr double kTint = 0.45;
+
 class SpacingLayer final : public Layer {
   public:
     const char *id() const override { return "size"; }
@@ -38,7 +41,8 @@ class SpacingLayer final : public Layer {
                              .minimum = std::log(minimum_),
                              .maximum = std::log(maximum_),
                              .levels = levels_,
-                             .contourWidth = 1.25 * frame.scale};
+                             .contourWidth = 1.25 * frame.scale,
+                             .opacity = kTint};
         frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.area(frame.theme.domain),
                            &tint);
     }
@@ -49,9 +53,12 @@ class SpacingLayer final : public Layer {
         if (!shown_ || shown_->rho.empty()) {
             return false;
         }
-        drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", spacingColour,
-                      uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * maximum_, 3)}}
-                               : logarithmicTicks(minimum_, maximum_, 5));
+        drawColourBar(painter, frame.theme, frame.fonts, corner,
+                      {.title = "node spacing \xcf\x81",
+                       .map = spacingColour,
+                       .ticks = uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * maximum_, 3)}}
+                                         : logarithmicTicks(minimum_, maximum_, 5),
+                       .opacity = kTint});
         return true;
     }
 

@@ -19,7 +19,8 @@ Layout layOut(const Shell &context);
 /// The arrangement of the tool buttons; design pixels.
 struct Strip {
     int columns = 1, rows = 1;
-    double button = 34.0;
+    double button = 32.0;
+    bool lines = true; ///< hairlines between groups, in one column
 
     double width() const;
 };
