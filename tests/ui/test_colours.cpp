@@ -155,6 +155,32 @@ TEST_CASE("Colours: the user can set the quality range in the histogram, and fit
     CHECK_FALSE(driver.context().view.measureRange);
 }
 
+TEST_CASE("Colours: the limit in the legend is dragged, hatches what is beyond it, and is off at the end") {
+    ColouredSquare driver;
+    driver.platform().show(true);
+    showLayer(driver.context().layers, "quality", true);
+    chooseMeasure(driver.context(), Measure::MinAngle);
+    driver.redrawn();
+    REQUIRE(driver.has("canvas/limit"));
+    const auto handle = [&] { return driver.context().widgets.find("canvas/limit")->rect.centre(); };
+    const PixelRect legend = driver.context().widgets.find("canvas/legend/quality")->rect;
+    const PixelRect bar = colourBarRect({legend.x + legend.width, legend.y + legend.height}, 1.0);
+    CHECK(std::abs(handle().x - bar.x) < 1.5); // not set
+    const Camera camera = driver.context().view.camera;
+    const Driver::Picture before = driver.redrawn();
+    driver.drag(handle(), {bar.x + bar.width * 40.0 / 45.0, bar.y});
+    driver.settle();
+    REQUIRE(driver.document().limits[MeshLimit::MinAngle]);
+    CHECK(*driver.document().limits[MeshLimit::MinAngle] == doctest::Approx(55.0).epsilon(0.02));
+    CHECK(driver.undoLabel() == "Set minimum angle");
+    CHECK(driver.context().view.camera == camera); // the canvas below was not dragged
+    CHECK(driver.redrawn().differences(before, driver.canvas()) > 500); // hatched
+    driver.drag(handle(), {bar.x - 20.0, bar.y});
+    driver.settle();
+    CHECK_FALSE(driver.document().limits[MeshLimit::MinAngle]);
+    CHECK_FALSE(driver.context().view.draggedLimit);
+}
+
 TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in both themes") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

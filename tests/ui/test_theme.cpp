@@ -1,6 +1,7 @@
 #include "tests/ui/colour_vision.hpp"
 #include "ui/style/edge_colour.hpp"
 #include "ui/style/measure_colours.hpp"
+#include "ui/style/spacing_tint.hpp"
 #include "ui/style/theme.hpp"
 
 #include <doctest/doctest.h>
@@ -104,6 +105,13 @@ TEST_CASE("Theme: edges over colours of values contrast with every one of them")
             CHECK(contrast(edgeOn(fill), fill) >= 3.0);
             const bool lighter = luminance(edgeOn(fill)) > luminance(fill);
             CHECK(lighter == (luminance(fill) < 0.18));
+        }
+    }
+    for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
+        const Theme t = makeTheme(kind);
+        for (int k = 0; k <= 100; ++k) {
+            const Colour field = mix(t.domain, spacingColour(k / 100.0), kSpacingTint);
+            CHECK(contrast(over(t.meshOnTint, field), field) >= 3.0);
         }
     }
 }

@@ -287,6 +287,13 @@ constexpr double kLineCell = 4.0; // design pixels; less than the gap between a 
 
 } // namespace
 
+void CanvasPainter::leader(Vec2 from, Colour colour) {
+    const PixelRect &rect = placed_.back().rect;
+    const Pixel begin = camera_.toPixel(from);
+    const Pixel end = glm::clamp(begin, {rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height});
+    list_.AddLine(im(begin), im(end), fade(colour, 0.7), im(scale_));
+}
+
 void CanvasPainter::keepInside(const PixelRect &room) {
     space_.open(room, kLineCell * scale_);
 }

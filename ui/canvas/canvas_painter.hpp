@@ -60,6 +60,8 @@ class CanvasPainter {
     /// Draws a label at the first of some offsets where it covers nothing of that.
     bool freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour, Colour plate,
                    ImFont *font = nullptr);
+    /// Draws a thin line from a place to the nearest point of the label drawn last.
+    void leader(Vec2 from, Colour colour);
     /// Keeps labels inside a rectangle of pixels, such as the canvas.
     void keepInside(const PixelRect &room);
     /// Keeps labels out of a rectangle of pixels.

@@ -402,9 +402,11 @@ void Editor::Parts::buildInterface() {
     shell::drawRulers(context, layout);
     shell::drawToolOptions(context, layout.canvas);
     shell::drawCanvasNotes(context, layout.canvas);
+    shell::drawLegendLimit(context);
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
     context.dialogs.draw(context);
+    shell::drawShadows(context);
 }
 
 void Editor::Parts::showTitle() {

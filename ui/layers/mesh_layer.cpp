@@ -210,13 +210,12 @@ class QualityLayer final : public Layer {
   private:
     /// Returns the place of the limit on the bar.
     static std::optional<LegendLimit> limitOn(const LayerFrame &frame) {
-        const MeasureBounds &bounds = frame.measureBounds;
-        const std::optional<double> bound = bounds.minimum ? bounds.minimum : bounds.maximum;
-        if (!bound) {
+        const Measure measure = frame.judgement.of.measure;
+        const std::optional<MeshLimit> limit = limitOf(measure);
+        if (!limit || frame.judgement.of.fieldValues) {
             return std::nullopt;
         }
-        const double at = mapPosition(frame.judgement.of.measure, frame.measureRange, *bound);
-        return LegendLimit{std::clamp(at, 0.0, 1.0), bounds.minimum.has_value()};
+        return LegendLimit{limitPosition(measure, frame.measureRange, frame.measureBounds), limitInfo(*limit).isMinimum};
     }
 
     static std::vector<LegendTick> ticks(const LayerFrame &frame) {

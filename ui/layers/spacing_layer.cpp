@@ -2,6 +2,7 @@
 #include "ui/gl/gl_kit.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/style/spacing_tint.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -15,9 +16,6 @@ namespace {
 std::vector<double> contourValues(double minimum, double maximum) {
     return roundValues(minimum, maximum, FieldTint::kMaxLevels);
 }
-
-/// Opacity of the colours over the domain: they show the spacing and leave the mesh legible.
-constexpr double kTint = 0.45;
 
 class SpacingLayer final : public Layer {
   public:
@@ -42,7 +40,7 @@ class SpacingLayer final : public Layer {
                              .maximum = std::log(maximum_),
                              .levels = levels_,
                              .contourWidth = 1.25 * frame.scale,
-                             .opacity = kTint};
+                             .opacity = kSpacingTint};
         frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.area(frame.theme.domain),
                            &tint);
     }
@@ -58,7 +56,7 @@ class SpacingLayer final : public Layer {
                        .map = spacingColour,
                        .ticks = uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * maximum_, 3)}}
                                          : logarithmicTicks(minimum_, maximum_, 5),
-                       .opacity = kTint});
+                       .opacity = kSpacingTint});
         return true;
     }
 

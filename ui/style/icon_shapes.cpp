@@ -61,7 +61,7 @@ constexpr std::array kShapes = {
     IconShape{.text = icon::kKeyboard, .meaning = "Keyboard shortcuts", .stroke = "M2.5 5.5H17.5V15H2.5Z", .helper = "M7 12H13", .dots = "5.6 8.6 0.85  8.5 8.6 0.85  11.5 8.6 0.85  14.4 8.6 0.85"},
     IconShape{.text = icon::kPanels, .meaning = "Panels beside the canvas", .stroke = "M3 4.5H17V15.5H3ZM12 4.5V15.5", .helper = "M14 7.5H15M14 10H15"},
     IconShape{.text = icon::kTrash, .meaning = "Remove", .stroke = "M3.5 5.5H16.5M8 5.5V3.5H12V5.5M5 5.5L6 16.5H14L15 5.5", .helper = "M8.6 8.5V13.8M11.4 8.5V13.8"},
-    IconShape{.text = icon::kUnlock, .meaning = "Unlocked", .stroke = "M5 9H15V16.5H5ZM13 6.5V6A3 3 0 0 0 7 6V6.8"},
+    IconShape{.text = icon::kUnlock, .meaning = "Unlocked", .stroke = "M5 9H15V16.5H5ZM12 9V6A2.6 2.6 0 0 1 17.2 6V7.5"},
     IconShape{.text = icon::kHome, .meaning = "Home folder", .stroke = "M3 10L10 3.5L17 10M5 8.5V16.5H15V8.5M10 16.5V12"},
     IconShape{.text = icon::kFolder, .meaning = "Folder", .stroke = "M3 15.5V4.5H8L10 6.8H17V15.5Z"},
     IconShape{.text = icon::kFile, .meaning = "File", .stroke = "M5 2.8H11.5L15 6.3V17.2H5ZM11.5 2.8V6.3H15"},

@@ -125,6 +125,11 @@ double mapPosition(Measure measure, const ColourRange &range, double value) {
     return range.position(value);
 }
 
+double mapValue(Measure measure, const ColourRange &range, double at) {
+    return infoOf(measure).logarithmic ? range.from * std::pow(range.to / range.from, at)
+                                       : range.from + at * (range.to - range.from);
+}
+
 Colour regionColour(std::int32_t tag) {
     return categories(mapPosition(Measure::Region, {}, tag));
 }

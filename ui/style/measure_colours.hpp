@@ -35,6 +35,8 @@ MeasureHistogram shownHistogram(Measure measure, std::span<const double> values,
 
 /// Returns the position of a value on the colour map of a measure; may lie outside [0, 1].
 double mapPosition(Measure measure, const ColourRange &range, double value);
+/// Returns the value at a position on the colour map of a measure, except that of regions.
+double mapValue(Measure measure, const ColourRange &range, double at);
 
 /// Returns the colour of a region, also that of its elements.
 Colour regionColour(std::int32_t tag);

@@ -35,7 +35,7 @@ Theme darkTheme() {
     t.constraint = rgb(0x63e6ac);
     t.selection = rgb(0x5aa2ff);
     t.mesh = rgb(0x7f8da1, 0.8);
-    t.meshOnTint = rgb(0xe8ecf1, 0.65);
+    t.meshOnTint = rgb(0xe8ecf1, 0.82);
     t.compared = rgb(0xff5fd7);
     t.element = rgb(0x272d37);
     t.front = rgb(0xff9a3d);

@@ -214,7 +214,7 @@ bool segmented(WidgetContext &context, std::string_view name, std::span<const ch
     const float whole = width > 0.0F ? context.px(width) : ImGui::GetContentRegionAvail().x;
     const float each = whole / static_cast<float>(labels.size());
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = context.px(26);
+    const float height = context.px(24);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + whole, at.y + height}, context.theme.inset, context.px(6));
     bool changed = false;
@@ -341,7 +341,7 @@ bool selectable(WidgetContext &context, std::string_view name, std::string_view 
                 std::string_view detail) {
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = context.px(26);
+    const float width = ImGui::GetContentRegionAvail().x, height = context.px(28);
     const bool pressed = ImGui::Selectable("##row", selected, ImGuiSelectableFlags_None, {width, height});
     mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();

@@ -91,6 +91,13 @@ MeasureBounds measureBounds(const Workspace &context) {
     return bounds;
 }
 
+double limitPosition(Measure measure, const ColourRange &range, const MeasureBounds &bounds) {
+    const std::optional<MeshLimit> limit = limitOf(measure);
+    const bool isMinimum = limit && limitInfo(*limit).isMinimum;
+    const std::optional<double> bound = isMinimum ? bounds.minimum : bounds.maximum;
+    return bound ? std::clamp(mapPosition(measure, range, *bound), 0.0, 1.0) : isMinimum ? 0.0 : 1.0;
+}
+
 void setLimit(Workspace &context, MeshLimit limit, std::optional<double> value) {
     if (value) {
         if (const std::string fault = limitFault(limit, *value); !fault.empty()) {

@@ -35,6 +35,8 @@ struct MeasureBounds {
 MeasureBounds measureBounds(const Workspace &context);
 /// Returns the limit that a user can set for a measure by dragging; none for measures without.
 std::optional<MeshLimit> limitOf(Measure measure);
+/// Returns the place of the limit of a measure on a colour bar, in [0, 1]; at its bad end without a limit.
+double limitPosition(Measure measure, const ColourRange &range, const MeasureBounds &bounds);
 /// Sets or removes a limit of the document, or explains why the value cannot be one.
 void setLimit(Workspace &context, MeshLimit limit, std::optional<double> value);
 
