@@ -110,7 +110,7 @@ TEST_CASE("Theme: edges over colours of values contrast with every one of them")
     for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
         const Theme t = makeTheme(kind);
         for (int k = 0; k <= 100; ++k) {
-            const Colour field = mix(t.domain, spacingColour(k / 100.0), kSpacingTint);
+            const Colour field = mix(t.domain, spacingColour(k / 100.0), spacingTint(kind));
             CHECK(contrast(over(t.meshOnTint, field), field) >= 3.0);
         }
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -94,7 +95,15 @@ class CandidatesLayer final : public Layer {
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
         const bool words = roomOf(frame, e) > 46.0;
+        const auto accepted = [&](std::size_t i) {
+            return moment.judged[i] && e.candidates[i].verdict == Verdict::Accepted;
+        };
+        std::vector<std::size_t> order; // the best on top, and the accepted one, which may lie on another, above all
         for (std::size_t i = moment.candidates; i-- > 0;) {
+            order.push_back(i);
+        }
+        std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !accepted(i); });
+        for (const std::size_t i : order) {
             const CandidateTrace &candidate = e.candidates[i];
             drawCandidate(painter, theme, candidate.position, candidate.verdict, moment.judged[i],
                           frame.candidate && frame.candidate != i ? 0.45 : 1.0);

@@ -27,7 +27,9 @@ class LabelsLayer final : public Layer {
             revision_ = frame.revision;
             updateRuns(frame.document);
         }
-        reserveOutlines(painter, frame);
+        if (!frame.document.boundaryNames.empty()) {
+            reserveOutlines(painter, frame);
+        }
         drawNodeNumbers(painter, frame);
         for (const RunsOfShape &runs : runs_) {
             for (std::size_t k = 0; k < runs.runs.size(); ++k) {

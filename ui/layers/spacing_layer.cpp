@@ -40,7 +40,7 @@ class SpacingLayer final : public Layer {
                              .maximum = std::log(maximum_),
                              .levels = levels_,
                              .contourWidth = 1.25 * frame.scale,
-                             .opacity = kSpacingTint};
+                             .opacity = spacingTint(frame.theme.kind)};
         frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.area(frame.theme.domain),
                            &tint);
     }
@@ -56,7 +56,7 @@ class SpacingLayer final : public Layer {
                        .map = spacingColour,
                        .ticks = uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * maximum_, 3)}}
                                          : logarithmicTicks(minimum_, maximum_, 5),
-                       .opacity = kSpacingTint});
+                       .opacity = spacingTint(frame.theme.kind)});
         return true;
     }
 

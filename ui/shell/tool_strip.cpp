@@ -107,7 +107,9 @@ void drawSlot(Shell &context, const ToolSlot &slot, float side) {
     ImGui::PushID(context.tools.tools[slot.tools.front()]->id());
     const bool active = shown == context.tools.active;
     const bool clicked = ImGui::InvisibleButton("slot", {side, side});
-    ui::mark(context, std::string("tool/") + tool.id());
+    for (const std::size_t k : slot.tools) { // lessons can point to a tool behind this one
+        ui::mark(context, std::string("tool/") + context.tools.tools[k]->id(), k == shown);
+    }
     drawToolButton(context, tool, active, slot.hasFlyout(), at, side);
     if (clicked) {
         const ImVec2 pointer = ImGui::GetIO().MouseClickedPos[0];

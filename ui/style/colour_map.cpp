@@ -23,21 +23,21 @@ constexpr std::array<std::uint32_t, 8> kCategories{0x56b4e9, 0xe69f00, 0x009e73,
                                                    0xcc79a7, 0x0072b2, 0xd55e00, 0x999999};
 
 /// A colour at a place of a map.
-struct Stop {
+struct MapStop {
     double at;
     std::uint32_t colour;
 };
-constexpr std::array<Stop, 5> kQualityDark{
+constexpr std::array<MapStop, 5> kQualityDark{
     {{0.0, 0xff6369}, {0.2, 0xff6369}, {0.5, 0xe0a63a}, {0.76, 0x56707f}, {1.0, 0x27333f}}};
-constexpr std::array<Stop, 5> kQualityLight{
+constexpr std::array<MapStop, 5> kQualityLight{
     {{0.0, 0xc6263c}, {0.2, 0xc6263c}, {0.5, 0xd08a00}, {0.76, 0xb3c4d1}, {1.0, 0xedf1f5}}};
 
-Colour between(std::span<const Stop> stops, double t) {
+Colour between(std::span<const MapStop> stops, double t) {
     std::size_t k = 1;
     while (k + 1 < stops.size() && stops[k].at < t) {
         ++k;
     }
-    const Stop &a = stops[k - 1], &b = stops[k];
+    const MapStop &a = stops[k - 1], &b = stops[k];
     return mix(rgb(a.colour), rgb(b.colour), std::clamp((t - a.at) / (b.at - a.at), 0.0, 1.0));
 }
 

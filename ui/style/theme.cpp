@@ -23,7 +23,7 @@ Theme darkTheme() {
     t.selectedRow = rgb(0x253a57);
     t.dim = rgb(0x06080a, 0.35);
     t.text = rgb(0xe8ecf1);
-    t.muted = rgb(0xaeb7c3);
+    t.muted = rgb(0xb6bec9);
     t.placeholder = rgb(0x949eab);
     t.faint = rgb(0x7f8997);
     t.onAccent = rgb(0x08111f);
@@ -35,7 +35,7 @@ Theme darkTheme() {
     t.constraint = rgb(0x63e6ac);
     t.selection = rgb(0x5aa2ff);
     t.mesh = rgb(0x7f8da1, 0.8);
-    t.meshOnTint = rgb(0xe8ecf1, 0.82);
+    t.meshOnTint = rgb(0xe8ecf1, 0.65);
     t.compared = rgb(0xff5fd7);
     t.element = rgb(0x272d37);
     t.front = rgb(0xff9a3d);
