@@ -39,7 +39,8 @@ inline Colour over(Colour colour, Colour ground) {
 /// Returns the light that a person without green-sensitive cones would mix up with that of a colour (G. Machado et al.,
 /// 2009, deuteranopia).
 inline glm::dvec3 deuteranopic(glm::dvec3 light) {
-    const glm::dmat3 rows{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
+    const glm::dmat3 rows{
+        {0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
     return glm::clamp(light * rows, 0.0, 1.0);
 }
 

@@ -174,7 +174,7 @@ TEST_CASE("Colours: the limit in the legend is dragged, hatches what is beyond i
     REQUIRE(driver.document().limits[MeshLimit::MinAngle]);
     CHECK(*driver.document().limits[MeshLimit::MinAngle] == doctest::Approx(55.0).epsilon(0.02));
     CHECK(driver.undoLabel() == "Set minimum angle");
-    CHECK(driver.context().view.camera == camera); // the canvas below was not dragged
+    CHECK(driver.context().view.camera == camera);                      // the canvas below was not dragged
     CHECK(driver.redrawn().differences(before, driver.canvas()) > 500); // hatched
     driver.drag(handle(), {bar.x - 20.0, bar.y});
     driver.settle();

@@ -26,9 +26,7 @@ struct Stepping : Driver {
     }
 
     /// Returns the length of the current base AB in pixels.
-    double shownBase() {
-        return context().view.camera.zoom * distance(run().explanation->a, run().explanation->b);
-    }
+    double shownBase() { return context().view.camera.zoom * distance(run().explanation->a, run().explanation->b); }
     bool advanceInRoom() {
         const Box2 box = boxOf(*run().explanation);
         const View &view = context().view;

@@ -3,7 +3,6 @@
 #include "ui/style/icons.hpp"
 
 #include <doctest/doctest.h>
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -98,8 +97,8 @@ TEST_CASE("Icons: lines have round ends, arcs and curves meet their ends, and da
     CHECK(at(line, kSize, 4.35, 9.35) == 0); // the corner of a square end
     CHECK(at(line, kSize, 10.0, 10.6) == 255);
     CHECK(at(line, kSize, 10.0, 10.9) == 0);
-    const Cover ring =
-        drawIcon({.text = "", .meaning = "", .stroke = "M17 10A7 7 0 1 1 3 10A7 7 0 1 1 17 10Z"}, IconPart::Whole, kSize);
+    const Cover ring = drawIcon({.text = "", .meaning = "", .stroke = "M17 10A7 7 0 1 1 3 10A7 7 0 1 1 17 10Z"},
+                                IconPart::Whole, kSize);
     for (int k = 0; k < 40; ++k) {
         const double angle = 0.1 + k * 0.157;
         CHECK(at(ring, kSize, 10.0 + 7.0 * std::cos(angle), 10.0 + 7.0 * std::sin(angle)) == 255);
@@ -108,8 +107,7 @@ TEST_CASE("Icons: lines have round ends, arcs and curves meet their ends, and da
     const Cover bow = drawIcon({.text = "", .meaning = "", .stroke = "M4 14A6 6 0 0 1 16 14"}, IconPart::Whole, kSize);
     CHECK(at(bow, kSize, 10.0, 8.0) == 255); // clockwise with y down: above its chord
     CHECK(at(bow, kSize, 10.0, 18.0) == 0);
-    const Cover curve =
-        drawIcon({.text = "", .meaning = "", .stroke = "M4 10C4 2 16 2 16 10"}, IconPart::Whole, kSize);
+    const Cover curve = drawIcon({.text = "", .meaning = "", .stroke = "M4 10C4 2 16 2 16 10"}, IconPart::Whole, kSize);
     CHECK(at(curve, kSize, 10.0, 4.0) == 255);
     const Cover dashes =
         drawIcon({.text = "", .meaning = "", .stroke = "", .dashed = "M2 10H18"}, IconPart::Whole, kSize);

@@ -37,9 +37,9 @@ TEST_CASE("Theme: text, edges of fields and marks contrast with all surfaces the
     for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
         CAPTURE(kind == ThemeKind::Dark ? "dark" : "light");
         const Theme t = makeTheme(kind);
-        const Role panel{"panel", t.panel}, inset{"inset", t.inset}, popup{"popup", t.popup}, raised{"raised", t.raised},
-            hovered{"hovered", t.hovered}, canvas{"canvas", t.canvas}, domain{"domain", t.domain},
-            selected{"selectedRow", t.selectedRow};
+        const Role panel{"panel", t.panel}, inset{"inset", t.inset}, popup{"popup", t.popup},
+            raised{"raised", t.raised}, hovered{"hovered", t.hovered}, canvas{"canvas", t.canvas},
+            domain{"domain", t.domain}, selected{"selectedRow", t.selectedRow};
         const Role text{"text", t.text}, muted{"muted", t.muted}, accent{"accent", t.accent};
         checkContrast({text}, {panel, inset, popup, raised, hovered, selected}, 7.0);
         checkContrast({muted}, {panel, inset, popup, raised, hovered, selected}, 4.5);
@@ -76,10 +76,14 @@ TEST_CASE("Theme: the meanings on the canvas are told apart, also without seeing
     for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
         CAPTURE(kind == ThemeKind::Dark ? "dark" : "light");
         const Theme t = makeTheme(kind);
-        const std::vector<Role> roles{{"boundary", t.boundary}, {"mesh", over(t.mesh, t.element)},
-                                      {"constraint", t.constraint}, {"front", t.front},
-                                      {"base", t.base},         {"accepted", t.accepted},
-                                      {"bad", t.bad},           {"selection", t.selection},
+        const std::vector<Role> roles{{"boundary", t.boundary},
+                                      {"mesh", over(t.mesh, t.element)},
+                                      {"constraint", t.constraint},
+                                      {"front", t.front},
+                                      {"base", t.base},
+                                      {"accepted", t.accepted},
+                                      {"bad", t.bad},
+                                      {"selection", t.selection},
                                       {"candidate", t.candidate}};
         for (std::size_t i = 0; i < roles.size(); ++i) {
             for (std::size_t k = i + 1; k < roles.size(); ++k) {

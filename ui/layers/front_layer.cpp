@@ -116,7 +116,7 @@ class FrontLayer final : public Layer {
 
     LineBatch rest_, near_;
     std::optional<Vec2> base_; ///< middle of the base that `near_` belongs to
-    double meanLength_ = 0.0; ///< of the segments, in domain units
+    double meanLength_ = 0.0;  ///< of the segments, in domain units
     std::shared_ptr<const std::vector<FrontSegmentView>> shown_;
     ThemeKind theme_ = ThemeKind::Dark;
 };

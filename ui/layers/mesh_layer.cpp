@@ -215,7 +215,8 @@ class QualityLayer final : public Layer {
         if (!limit || frame.judgement.of.fieldValues) {
             return std::nullopt;
         }
-        return LegendLimit{limitPosition(measure, frame.measureRange, frame.measureBounds), limitInfo(*limit).isMinimum};
+        return LegendLimit{limitPosition(measure, frame.measureRange, frame.measureBounds),
+                           limitInfo(*limit).isMinimum};
     }
 
     static std::vector<LegendTick> ticks(const LayerFrame &frame) {

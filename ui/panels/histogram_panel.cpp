@@ -181,7 +181,8 @@ class HistogramPanel final : public Panel {
         const Measure measure = judgement.of.measure;
         const double from = bins.edge(bin), to = bins.edge(bin + 1);
         const double middle = bins.logarithmic ? std::sqrt(from * to) : 0.5 * (from + to);
-        const Colour colour = measureMap(context)(std::clamp(mapPosition(measure, measureRange(context), middle), 0.0, 1.0));
+        const Colour colour =
+            measureMap(context)(std::clamp(mapPosition(measure, measureRange(context), middle), 0.0, 1.0));
         // The dark end of a map would be invisible on a dark panel.
         const bool dark = context.theme.kind == ThemeKind::Dark && colour.r + colour.g + colour.b < 240;
         return dark ? mix(colour, context.theme.muted, 0.35) : colour;

@@ -51,7 +51,7 @@ struct LayerFrame {
     ColourMap measureMap;        ///< ... and their map
     MeasureBounds measureBounds; ///< beyond which values are bad
     bool outOfDate;
-    double fresh; ///< of the elements of this step: 1 when they appear, 0 from 250 ms on
+    double fresh;                           ///< of the elements of this step: 1 when they appear, 0 from 250 ms on
     std::shared_ptr<const Picture> picture; ///< of the document; null: none, or it is not there
     bool pictureFailed;                     ///< the document has a picture that cannot be read
     const std::vector<LayerSlot> &layers;

@@ -29,7 +29,8 @@ std::optional<LimitOnBar> limitOnBar(const Shell &context) {
         return std::nullopt;
     }
     const PixelRect &rect = legend->rect;
-    const PixelRect bar = colourBarRect({rect.x + rect.width, rect.y + rect.height}, static_cast<double>(context.scale));
+    const PixelRect bar =
+        colourBarRect({rect.x + rect.width, rect.y + rect.height}, static_cast<double>(context.scale));
     return LimitOnBar{*limit, bar, limitPosition(of.measure, measureRange(context), measureBounds(context))};
 }
 

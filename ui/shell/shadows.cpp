@@ -22,7 +22,8 @@ void drawShadows(const WidgetContext &context) {
             const float out = context.px(kRing * (static_cast<double>(k) + 0.5)), drop = context.px(kDrop);
             const ImVec2 min{window->Pos.x - out, window->Pos.y - out + drop};
             const ImVec2 max{window->Pos.x + window->Size.x + out, window->Pos.y + window->Size.y + out + drop};
-            list.AddRect(min, max, rgb(0x000000, strength * kOpacity[k]), window->WindowRounding + out, 0, context.px(kRing));
+            list.AddRect(min, max, rgb(0x000000, strength * kOpacity[k]), window->WindowRounding + out, 0,
+                         context.px(kRing));
         }
         list.PopClipRect();
     }

@@ -32,8 +32,8 @@ std::vector<ToolSlot> toolSlots(const ToolBox &box) {
         for (const SlotIds &ids : group) {
             ToolSlot slot{{}, begins};
             for (const std::string_view id : ids) {
-                const auto found =
-                    std::find_if(box.tools.begin(), box.tools.end(), [id](const auto &tool) { return tool->id() == id; });
+                const auto found = std::find_if(box.tools.begin(), box.tools.end(),
+                                                [id](const auto &tool) { return tool->id() == id; });
                 if (found != box.tools.end()) {
                     slot.tools.push_back(static_cast<std::size_t>(found - box.tools.begin()));
                     placed[slot.tools.back()] = true;

@@ -114,8 +114,7 @@ void drawSlot(Shell &context, const ToolSlot &slot, float side) {
     if (clicked) {
         const ImVec2 pointer = ImGui::GetIO().MouseClickedPos[0];
         const float corner = context.px(9);
-        if (slot.hasFlyout() &&
-            (active || (pointer.x > at.x + side - corner && pointer.y > at.y + side - corner))) {
+        if (slot.hasFlyout() && (active || (pointer.x > at.x + side - corner && pointer.y > at.y + side - corner))) {
             ImGui::OpenPopup("##flyout");
         } else {
             context.tools.choose(tool.id(), context);

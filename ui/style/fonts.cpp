@@ -63,8 +63,8 @@ class AtlasBuilder {
             const int size = rect.Width;
             std::vector<std::uint8_t> &cover = drawn[{icon.glyph, size}];
             if (cover.empty()) {
-                cover = drawIcon(iconShapes()[icon.glyph / 2],
-                                 icon.glyph % 2 == 0 ? IconPart::Whole : IconPart::Nodes, size);
+                cover = drawIcon(iconShapes()[icon.glyph / 2], icon.glyph % 2 == 0 ? IconPart::Whole : IconPart::Nodes,
+                                 size);
             }
             for (int row = 0; row < size; ++row) {
                 std::copy_n(cover.begin() + static_cast<std::ptrdiff_t>(row) * size, size,

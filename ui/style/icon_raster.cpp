@@ -48,14 +48,16 @@ class IconPicture {
         for (const IconLine &line : lines) {
             for (std::size_t k = 0; k + 1 < std::max<std::size_t>(line.size(), 2); ++k) {
                 const glm::dvec2 a = line[k], b = line[std::min(k + 1, line.size() - 1)];
-                paint({glm::min(a, b) - half, glm::max(a, b) + half},
-                      [&](glm::dvec2 p) { return distanceToSegment(a, b, p) - half; }, opacity);
+                paint(
+                    {glm::min(a, b) - half, glm::max(a, b) + half},
+                    [&](glm::dvec2 p) { return distanceToSegment(a, b, p) - half; }, opacity);
             }
         }
     }
     void areas(const std::vector<IconLine> &lines) {
         for (const IconLine &line : lines) {
-            paint({{0.0, 0.0}, {kGrid, kGrid}}, [&](glm::dvec2 p) { return isInside(line, p) ? -1.0 : 1.0; }, 1.0);
+            paint(
+                {{0.0, 0.0}, {kGrid, kGrid}}, [&](glm::dvec2 p) { return isInside(line, p) ? -1.0 : 1.0; }, 1.0);
         }
         this->lines(lines, kFillOutline, 1.0); // smooths the edge and rounds the corners
     }
@@ -76,8 +78,9 @@ class IconPicture {
         for (std::size_t k = 0; k + 2 < numbers.size(); k += 3) {
             const glm::dvec2 centre{numbers[k], numbers[k + 1]};
             const double radius = numbers[k + 2];
-            paint({centre - radius, centre + radius},
-                  [&](glm::dvec2 p) { return glm::distance(p, centre) - radius; }, 1.0);
+            paint(
+                {centre - radius, centre + radius}, [&](glm::dvec2 p) { return glm::distance(p, centre) - radius; },
+                1.0);
         }
     }
 

@@ -44,18 +44,18 @@ struct Theme {
     Colour boundary;   ///< domain boundary
     Colour constraint; ///< constraint segments and points, guides
     Colour selection;
-    Colour mesh;         ///< edges of the mesh
-    Colour meshOnTint;   ///< ... over the colours of the node spacing
-    Colour compared;     ///< edges of a mesh laid over that of the canvas
-    Colour element;      ///< faces of elements not coloured by a value
-    Colour front;        ///< generation front Γ
-    Colour base;         ///< base segment AB
-    Colour core;         ///< of the line of the base
-    Colour accepted;     ///< accepted candidate and its element
-    Colour candidate;    ///< candidate nodes and segments not yet tested, search circle
-    Colour cell;         ///< occupied cells of the background grid
-    Colour visited;      ///< cells visited in this step
-    Colour gridLine;     ///< drawing grid
+    Colour mesh;       ///< edges of the mesh
+    Colour meshOnTint; ///< ... over the colours of the node spacing
+    Colour compared;   ///< edges of a mesh laid over that of the canvas
+    Colour element;    ///< faces of elements not coloured by a value
+    Colour front;      ///< generation front Γ
+    Colour base;       ///< base segment AB
+    Colour core;       ///< of the line of the base
+    Colour accepted;   ///< accepted candidate and its element
+    Colour candidate;  ///< candidate nodes and segments not yet tested, search circle
+    Colour cell;       ///< occupied cells of the background grid
+    Colour visited;    ///< cells visited in this step
+    Colour gridLine;   ///< drawing grid
     Colour brush;
 };
 

@@ -30,8 +30,8 @@ enum class TraceMode : std::uint8_t {
 /// The values that the histogram shows and the layer "quality" colours by.
 struct ColourChoice {
     Measure measure = Measure::ShapeFactor;
-    MeshPart fieldPart = MeshPart::Nodes;    ///< that has the values of `field`: nodes or elements
-    std::string field;                       ///< values of the file shown instead of the measure; empty: none
+    MeshPart fieldPart = MeshPart::Nodes; ///< that has the values of `field`: nodes or elements
+    std::string field;                    ///< values of the file shown instead of the measure; empty: none
     QualityScale scale = QualityScale::Alarm;
     bool fitRange = false;                   ///< the range of the colours fits the mesh; false: the fixed one, if any
     std::optional<ColourRange> measureRange; ///< of the colours of the measure, set by the user
