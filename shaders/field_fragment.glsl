@@ -13,6 +13,7 @@ uniform vec4 plain;
 uniform int tinted; // 1: coloured by ρ, 0: plain
 uniform float levels[8];    // ln ρ of the contour lines; unused ones are far from every ρ
 uniform float contourWidth; // pixels
+uniform float opacity;      // of the colours over the plain one
 
 out vec4 result;
 
@@ -35,7 +36,8 @@ void main() {
         float span = range.y - range.x;
         float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
         rgb = texelFetch(map, ivec2(int(t * 255.0 + 0.5), 0), 0).rgb;
-        rgb = mix(mix(rgb, vec3(0.04, 0.06, 0.09), 0.45 * line.y), vec3(1.0), 0.9 * line.x);
+        vec3 contoured = mix(mix(rgb, vec3(0.04, 0.06, 0.09), 0.45 * line.y), vec3(1.0), 0.9 * line.x);
+        rgb = mix(mix(plain.rgb, rgb, opacity), contoured, 0.6 * line.y);
     }
     result = vec4(rgb, plain.a * inside);
 }

@@ -4,7 +4,6 @@ flat in float span;
 flat in vec4 tint;
 
 uniform float width;
-uniform float glow;
 uniform float arrow;
 
 out vec4 result;
@@ -18,10 +17,6 @@ void main() {
         float halfHeight = 0.5 * (arrow - u);
         float head = clamp(halfHeight - abs(local.y) + 0.5, 0.0, 1.0) * clamp(u + 0.5, 0.0, 1.0);
         cover = max(cover, head);
-    }
-    if (glow > 0.0 && local.y > 0.0 && beyond == 0.0) {
-        float t = clamp(1.0 - local.y / glow, 0.0, 1.0);
-        cover = max(cover, 0.34 * t * t);
     }
     result = vec4(tint.rgb, tint.a * cover);
 }

@@ -9,7 +9,6 @@ uniform vec2 centreLow;
 uniform float zoom;
 uniform vec2 viewport;
 uniform float width;
-uniform float glow;
 uniform float arrow;
 
 out vec2 local;        // along and across the segment, pixels; positive across is left
@@ -30,7 +29,7 @@ void main() {
     float margin = 0.5 * width + 1.0;
     float reach = max(margin, arrow > 0.0 && span > 3.0 * arrow ? 0.5 * arrow + 1.0 : 0.0);
     float u = (gl_VertexID & 1) == 0 ? -margin : span + margin;
-    float v = (gl_VertexID & 2) == 0 ? -reach : max(reach, glow);
+    float v = (gl_VertexID & 2) == 0 ? -reach : reach;
     local = vec2(u, v);
     tint = colour;
     vec2 pixel = p + along * u + left * v;

@@ -5,14 +5,15 @@ flat in vec3 shades;      // values of the element (three times), of its edges, 
 
 uniform vec4 face;        // of elements not coloured by a value
 uniform vec4 edge;
-uniform float edgeWidth;  // pixels, of the whole edge
+uniform float edgeWidth;  // pixels, of the whole edge of a large element
 uniform int coloured;     // 1: by value and map
 uniform int part;         // that has values: 0 elements, 1 edges, 2 nodes, 3 nodes with contour lines between them
 uniform int cyclic;       // 1: the map repeats every eight values
-uniform sampler2D map;
+uniform sampler2D map;    // colours, and those of edges over them
 uniform vec2 range;       // values at the ends of the map
 uniform float denseEdges; // opacity of edges too dense to be distinguished
-uniform float badBelow;   // elements below are hatched
+uniform float badBelow;   // parts below are hatched
+uniform float badAbove;   // parts above are hatched
 uniform vec4 hatch;
 uniform vec2 isolate;     // values shown alone; x > y: all
 out vec4 result;
@@ -42,15 +43,20 @@ void main() {
     vec3 rate = fwidth(corner);
     vec3 pixels = wall / max(rate, vec3(1e-9));
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
-    // Edges of triangles only a few pixels high would cover the colours beneath them, so they fade out.
+    // Edges get thinner with their triangles. Those of triangles only a few pixels high fade into an even tone, which
+    // covers as much as the edges of somewhat larger ones, so that the finest part never looks empty.
     float height = 1.0 / max(max(rate.x, rate.y), rate.z);
-    float line = mix(denseEdges, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(2.0, 9.0, height));
+    float width = clamp(height / 12.0, min(0.75, edgeWidth), edgeWidth);
+    float line = mix(denseEdges, clamp(0.5 * width + 0.5 - nearest, 0.0, 1.0), smoothstep(2.0, 9.0, height));
     float t = clamp((shade - range.x) / (range.y - range.x), 0.0, 1.0);
     float contour = contourHere((shade - range.x) / (range.y - range.x));
     t = cyclic == 1 ? (mod(shade - 1.0, 8.0) + 0.5) / 8.0 : t;
-    vec4 fill = coloured == 1 && known ? vec4(texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, 1.0) : face;
-    fill.rgb = coloured == 1 && known ? mix(fill.rgb, vec3(0.04, 0.06, 0.09), contour) : fill.rgb;
-    if (coloured == 1 && known && shade < badBelow) {
+    float texel = t * (255.0 / 256.0) + 0.5 / 256.0;
+    bool mapped = coloured == 1 && known;
+    vec4 fill = mapped ? vec4(texture(map, vec2(texel, 0.25)).rgb, 1.0) : face;
+    vec4 ink = mapped && edge.a > 0.0 ? vec4(texture(map, vec2(texel, 0.75)).rgb, 1.0) : edge;
+    fill.rgb = mapped ? mix(fill.rgb, vec3(0.04, 0.06, 0.09), contour) : fill.rgb;
+    if (mapped && (shade < badBelow || shade > badAbove)) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;
         fill = mix(fill, vec4(hatch.rgb, 1.0), hatch.a * clamp(1.75 - stripe, 0.0, 1.0));
     }
@@ -58,8 +64,8 @@ void main() {
         fill.a *= 0.10;
         line *= 0.25;
     }
-    float edgeAlpha = edge.a * line;
+    float edgeAlpha = ink.a * line;
     float alpha = edgeAlpha + fill.a * (1.0 - edgeAlpha);
-    vec3 rgb = alpha > 0.0 ? (edge.rgb * edgeAlpha + fill.rgb * fill.a * (1.0 - edgeAlpha)) / alpha : vec3(0.0);
+    vec3 rgb = alpha > 0.0 ? (ink.rgb * edgeAlpha + fill.rgb * fill.a * (1.0 - edgeAlpha)) / alpha : vec3(0.0);
     result = vec4(rgb, alpha);
 }

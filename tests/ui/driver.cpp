@@ -19,6 +19,7 @@ Driver::Driver(EditorSetup setup, PixelSize size, double contentScale, bool show
     platform_->show(shown);
     editor_ = std::make_unique<Editor>(*platform_, std::move(setup));
     context().settings.live = false;
+    context().settings.reduceMotion = true;
     frames(4);
     settle();
 }

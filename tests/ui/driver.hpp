@@ -14,7 +14,7 @@
 namespace forefront::test {
 
 /// Drives a headless editor as a user would, by widget names and keys. Every frame lasts 1/60 s. Live meshing is off,
-/// so that tests decide when a mesh is made.
+/// so that tests decide when a mesh is made, and so is motion, so that settle() waits for none.
 class Driver {
   public:
     /// `shown`: the frames are drawn as in a window; see EglPlatform::show().

@@ -137,8 +137,8 @@ std::vector<Shot> scenes() {
         };
     };
     const auto tool = [](const char *id) {
-        return [name = std::string("tool/") + id](Driver &driver) {
-            driver.click(name);
+        return [name = std::string("tool.") + id](Driver &driver) {
+            driver.context().actions.run(name, driver.context());
             driver.settle();
         };
     };

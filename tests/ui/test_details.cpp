@@ -304,7 +304,8 @@ TEST_CASE("Fonts: all digits have the same width") {
     for (const double scale : {1.0, 1.5, 2.0}) {
         Driver driver({}, {1280, 800}, scale);
         const Fonts &fonts = driver.context().fonts;
-        for (ImFont *font : {fonts.body, fonts.strong, fonts.small, fonts.heading, fonts.title, fonts.mono}) {
+        for (ImFont *font :
+             {fonts.body, fonts.strong, fonts.small, fonts.heading, fonts.title, fonts.page, fonts.mono}) {
             const auto width = [&](const char *text) {
                 return font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, text).x;
             };

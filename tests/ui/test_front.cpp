@@ -25,12 +25,8 @@ struct Stepping : Driver {
         REQUIRE(run().explanation != nullptr);
     }
 
-    /// Returns the part of the free room that the current advance takes.
-    double shownSize() {
-        const View &view = context().view;
-        const Box2 box = boxOf(*run().explanation);
-        return view.camera.zoom * std::max(box.size().x / view.room.width, box.size().y / view.room.height);
-    }
+    /// Returns the length of the current base AB in pixels.
+    double shownBase() { return context().view.camera.zoom * distance(run().explanation->a, run().explanation->b); }
     bool advanceInRoom() {
         const Box2 box = boxOf(*run().explanation);
         const View &view = context().view;
@@ -68,13 +64,14 @@ TEST_CASE("Follow: T frames the current advance and keeps it in view while stepp
     driver.settle();
     CHECK(view.following);
     CHECK(driver.advanceInRoom());
-    CHECK(driver.shownSize() > 0.15);
-    CHECK(driver.shownSize() < 0.81);
+    CHECK(driver.shownBase() >= 60.0 - 1e-6);
+    CHECK(driver.shownBase() <= 120.0 + 1e-6);
     for (int i = 0; i < 6; ++i) {
         driver.key(key::kPeriod);
         driver.settle();
         CHECK(driver.advanceInRoom());
-        CHECK(driver.shownSize() > 0.15);
+        CHECK(driver.shownBase() >= 60.0 - 1e-6);
+        CHECK(driver.shownBase() <= 120.0 + 1e-6);
     }
     driver.key(key::kEqual); // zooming ends it as well
     CHECK_FALSE(view.following);
@@ -98,7 +95,9 @@ TEST_CASE("Follow: the camera moves smoothly and stays still while the advance i
     const Box2 first = boxAround(Vec2{10, 10}, 1.0);
     double before = distance(view.camera.centre, first.centre());
     int frames = 0;
-    while (camera.follow(view, first, 1.0 / 60.0)) {
+    const double base = 0.5;
+    const auto follow = [&](const Box2 &box) { return camera.follow(view, {box, base}, 1.0 / 60.0, 1.0); };
+    while (follow(first)) {
         const double now = distance(view.camera.centre, first.centre());
         CHECK(now <= before);
         CHECK(now >= 0.8 * before); // no jump
@@ -107,16 +106,17 @@ TEST_CASE("Follow: the camera moves smoothly and stays still while the advance i
     }
     CHECK(frames > 20);
     CHECK(distance(view.camera.toPlane(view.room.centre()), first.centre()) < 0.01);
+    CHECK(view.camera.zoom * base == doctest::Approx(60.0).epsilon(1.0));
     const Camera rest = view.camera;
     for (const Vec2 step : {Vec2{0.5, 0}, Vec2{-0.5, 0.3}, Vec2{0, -0.4}}) { // neighbours do not move it
-        CHECK_FALSE(camera.follow(view, boxAround(first.centre() + step, 0.9), 1.0 / 60.0));
+        CHECK_FALSE(follow(boxAround(first.centre() + step, 0.9)));
         CHECK(view.camera == rest);
     }
-    CHECK(camera.follow(view, boxAround(Vec2{14, 10}, 1.0), 1.0 / 60.0)); // out of the middle
+    CHECK(follow(boxAround(Vec2{14, 10}, 1.0))); // out of the middle
     CHECK_FALSE(view.camera == rest);
     camera.reset();
     view.camera = rest;
-    CHECK(camera.follow(view, boxAround(first.centre(), 0.05), 1.0 / 60.0)); // too small to see
+    CHECK(camera.follow(view, {boxAround(first.centre(), 0.05), 0.02}, 1.0 / 60.0, 1.0)); // too small to see
     CHECK(view.camera.zoom > rest.zoom);
 }
 

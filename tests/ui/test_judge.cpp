@@ -189,7 +189,9 @@ TEST_CASE("Judge: elements, edges and nodes have the colours of their values") {
                 }
                 const double t = mapPosition(measure, measureRange(driver.context()), value);
                 ++looked;
-                wrong += difference(colourAt(picture, pixel), mapOf(measure)(std::clamp(t, 0.0, 1.0))) > 6 ? 1 : 0;
+                wrong += difference(colourAt(picture, pixel), measureMap(driver.context())(std::clamp(t, 0.0, 1.0))) > 6
+                             ? 1
+                             : 0;
             }
         }
         CHECK(looked > 200);

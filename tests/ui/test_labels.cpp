@@ -101,6 +101,24 @@ TEST_CASE("Labels: names and dimensions cover neither each other, nor plates, ed
     }
 }
 
+TEST_CASE("Labels: names cover no outline and no hole when nothing is selected") {
+    for (const double zoom : {1.0, 0.6, 1.7}) {
+        Draughtsman driver;
+        driver.context().view.camera.zoom *= zoom;
+        labelsOf(driver);
+        driver.context().selection.clear();
+        showLayer(driver.context().layers, "dimensions", false);
+        driver.settle();
+        const Labels labels = driver.editor().canvas().labels();
+        CHECK(labels.size() >= 2);
+        checkApart(driver, labels);
+        for (const CanvasPainter::Placed &label : labels) {
+            CAPTURE(label.text);
+            CHECK(coveredPlaces(driver, label.rect) == 0);
+        }
+    }
+}
+
 TEST_CASE("Labels: words at the pointer move aside at the edge of the canvas, and names make way for them") {
     Draughtsman driver;
     labelsOf(driver);

@@ -322,7 +322,7 @@ TEST_CASE("Lessons: one outline goes around neighbouring rows, and rows apart ha
         CHECK(box.contains({rect.x, rect.y}));
         CHECK(box.contains({rect.x + rect.width - 1.0, rect.y + rect.height - 1.0}));
     }
-    REQUIRE(author.openPage(kRing + R"(, "position": 3, "highlight": ["statistics/Nn", "statistics/Ns", "layer/mesh"])")
+    REQUIRE(author.openPage(kRing + R"(, "position": 3, "highlight": ["statistics/Nn", "statistics/Nb", "layer/mesh"])")
                 .empty());
     const auto apart = author.outlines();
     REQUIRE(apart.size() == 3);

@@ -56,7 +56,7 @@ TEST_CASE("Refused fields: a command that fails after a field was committed is n
 
 TEST_CASE("Refused fields: radii of ellipses and boundary tags") {
     Draughtsman driver;
-    driver.click("tool/ellipse");
+    driver.key('K');
     driver.dragPlaces({1, 1}, {9, 8});
     driver.key('V');
     expectRefused(driver, "inspector/radii/x", "-1");

@@ -204,6 +204,8 @@ TEST_CASE("Right click: the button of a tool leads to its key; the bars offer pa
     user.rightClick("tool/rectangle");
     user.choose("tool/choose");
     CHECK(std::string_view(user.context().tools.current().id()) == "rectangle");
+    user.key('C');
+    user.frames(2);
     user.rightClick("tool/circle");
     user.choose("tool/key");
     CHECK(user.has("dialog/preferences/key/tool.circle"));

@@ -3,6 +3,7 @@
 #include "tests/ui/driver.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/platform/assets.hpp"
+#include "ui/shell/tool_slots.hpp"
 #include "ui/style/colour_map.hpp"
 
 #include <doctest/doctest.h>
@@ -20,6 +21,15 @@ namespace {
 bool within(const PixelRect &inner, PixelSize size) {
     return inner.x >= -0.5 && inner.y >= -0.5 && inner.x + inner.width <= size.width + 0.5 &&
            inner.y + inner.height <= size.height + 0.5;
+}
+
+/// Returns the rectangle of a place in the tool strip.
+PixelRect rectOfSlot(Driver &driver, const shell::ToolSlot &slot) {
+    const ToolBox &box = driver.context().tools;
+    const std::string name = std::string("tool/") + box.tools[shell::shownTool(box, slot)]->id();
+    const WidgetRegistry::Widget *const widget = driver.context().widgets.find(name);
+    REQUIRE_MESSAGE(widget != nullptr, name);
+    return widget->rect;
 }
 
 } // namespace
@@ -144,8 +154,8 @@ TEST_CASE("Editor: Tab hides the panels and brings them back") {
     // The tools, their options and the status stay where they were.
     CHECK(driver.has("status/pointer"));
     const PixelRect options = driver.context().widgets.find("options")->rect;
-    for (const auto &tool : driver.context().tools.tools) {
-        const PixelRect button = driver.context().widgets.find(std::string("tool/") + tool->id())->rect;
+    for (const shell::ToolSlot &slot : shell::toolSlots(driver.context().tools)) {
+        const PixelRect button = rectOfSlot(driver, slot);
         CHECK(button.x + button.width <= driver.canvas().x);
         CHECK(button.x + button.width <= options.x);
     }
@@ -266,8 +276,8 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
                     CHECK_MESSAGE((transient || !rect.overlaps(plates[j].second)), name << " over " << other);
                 }
             }
-            for (const auto &each_tool : driver.context().tools.tools) {
-                const PixelRect button = all.find(std::string("tool/") + each_tool->id())->second.rect;
+            for (const shell::ToolSlot &slot : shell::toolSlots(driver.context().tools)) {
+                const PixelRect button = rectOfSlot(driver, slot);
                 CHECK(button.x + button.width <= canvas.x);
                 CHECK(button.y + button.height <= canvas.y + canvas.height);
             }
@@ -363,14 +373,49 @@ TEST_CASE("Editor: menus open on click, their neighbours on hover; Esc closes th
     CHECK_FALSE(driver.has("menu/run.mesh"));
 }
 
+TEST_CASE("Editor: shapes of one kind share a place in the strip, with the others in a flyout") {
+    Driver driver;
+    const ToolBox &box = driver.context().tools;
+    std::vector<std::size_t> placed;
+    for (const shell::ToolSlot &slot : shell::toolSlots(box)) {
+        placed.insert(placed.end(), slot.tools.begin(), slot.tools.end());
+    }
+    std::sort(placed.begin(), placed.end());
+    REQUIRE(placed.size() == box.tools.size());
+    CHECK(std::adjacent_find(placed.begin(), placed.end()) == placed.end());
+    CHECK(driver.has("tool/rectangle"));
+    CHECK_FALSE(driver.context().widgets.find("tool/slot")->enabled); // behind it
+    const PixelRect place = driver.context().widgets.find("tool/rectangle")->rect;
+    driver.click("tool/rectangle");
+    CHECK(box.current().id() == std::string("rectangle"));
+    CHECK_FALSE(driver.has("flyout"));
+    driver.click("tool/rectangle"); // it is active, so there is nothing else to choose
+    driver.frames(2);
+    REQUIRE(driver.has("flyout/slot"));
+    driver.click("flyout/slot");
+    driver.frames(2);
+    CHECK(box.current().id() == std::string("slot"));
+    CHECK_FALSE(driver.has("flyout"));
+    driver.key('V');
+    driver.frames(2);
+    REQUIRE(driver.context().widgets.find("tool/slot")->enabled); // the one used last stays in view
+    CHECK(driver.context().widgets.find("tool/slot")->rect == place);
+    driver.clickAt({place.x + place.width - 3.0, place.y + place.height - 3.0}); // the corner opens it at once
+    driver.frames(2);
+    REQUIRE(driver.has("flyout/circle"));
+    driver.click("flyout/circle");
+    CHECK(box.current().id() == std::string("circle"));
+}
+
 TEST_CASE("Editor: keys choose tools, each with a button in the strip") {
     Driver driver;
     for (const auto &tool : driver.context().tools.tools) {
         CAPTURE(tool->id());
-        CHECK(driver.has(std::string("tool/") + tool->id()));
         if (tool->key() != 0) {
             driver.key(tool->key());
             CHECK(&driver.context().tools.current() == tool.get());
+            driver.frames(1);
+            CHECK(driver.context().widgets.find(std::string("tool/") + tool->id())->enabled);
         }
     }
 }

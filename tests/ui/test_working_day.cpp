@@ -170,7 +170,7 @@ TEST_CASE("Export: the note on a format is shown whole, also in a narrow window"
         const PixelRect dialog = driver.context().widgets.find("dialog/export")->rect;
         const PixelRect ok = driver.context().widgets.find("dialog/export/ok")->rect;
         const ImFont *font = driver.context().fonts.small;
-        const double line = static_cast<double>(font->FontSize), text = 163.0 * 0.45 * line; // of 163 letters
+        const double line = static_cast<double>(font->FontSize), text = 163.0 * 0.42 * line; // of 163 letters
         CHECK(note.height >= std::ceil(text / note.width) * line);
         CHECK(note.x + note.width <= dialog.x + dialog.width);
         CHECK(ok.y >= note.y + note.height);

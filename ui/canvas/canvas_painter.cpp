@@ -170,6 +170,14 @@ void CanvasPainter::cross(Vec2 centre, double radius, Colour colour, double widt
     list_.AddLine(im(p + Pixel(-r, r)), im(p + Pixel(r, -r)), colour, im(width * scale_));
 }
 
+void CanvasPainter::tick(Vec2 centre, double radius, Colour colour, double width) {
+    const Pixel p = camera_.toPixel(centre);
+    const double r = radius * scale_;
+    const ImVec2 points[] = {im(p + r * Pixel(-0.45, 0.05)), im(p + r * Pixel(-0.1, 0.4)),
+                             im(p + r * Pixel(0.5, -0.35))};
+    list_.AddPolyline(points, 3, colour, 0, im(width * scale_));
+}
+
 void CanvasPainter::circle(Vec2 centre, double radius, Colour colour, double width) {
     const double r = radius * camera_.zoom;
     if (r < kFar) {
@@ -278,6 +286,13 @@ namespace {
 constexpr double kLineCell = 4.0; // design pixels; less than the gap between a line and the text beside it
 
 } // namespace
+
+void CanvasPainter::leader(Vec2 from, Colour colour) {
+    const PixelRect &rect = placed_.back().rect;
+    const Pixel begin = camera_.toPixel(from);
+    const Pixel end = glm::clamp(begin, {rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height});
+    list_.AddLine(im(begin), im(end), fade(colour, 0.7), im(scale_));
+}
 
 void CanvasPainter::keepInside(const PixelRect &room) {
     space_.open(room, kLineCell * scale_);

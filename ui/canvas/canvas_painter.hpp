@@ -43,6 +43,8 @@ class CanvasPainter {
     /// Draws a square node handle; `radius` is half its side in design pixels.
     void handle(Vec2 centre, double radius, Colour fill, Colour border);
     void cross(Vec2 centre, double radius, Colour colour, double width = 1.5);
+    /// Draws a tick in a circle of that radius.
+    void tick(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Draws a circle; the radius is in domain units, as for disc() and dashedCircle().
     void circle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     void disc(Vec2 centre, double radius, Colour fill);
@@ -58,6 +60,8 @@ class CanvasPainter {
     /// Draws a label at the first of some offsets where it covers nothing of that.
     bool freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour, Colour plate,
                    ImFont *font = nullptr);
+    /// Draws a thin line from a place to the nearest point of the label drawn last.
+    void leader(Vec2 from, Colour colour);
     /// Keeps labels inside a rectangle of pixels, such as the canvas.
     void keepInside(const PixelRect &room);
     /// Keeps labels out of a rectangle of pixels.

@@ -20,6 +20,23 @@ ImVec2 extent(ImFont *font, const std::string &text) {
     return font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, text.c_str());
 }
 
+/// Hatches the bad side of a limit and draws the tick by which it is dragged.
+void drawLimit(ImDrawList &list, const Theme &theme, const PixelRect &bar, const LegendLimit &limit, double s) {
+    const double at = bar.x + limit.at * bar.width;
+    const double from = limit.below ? bar.x : at, to = limit.below ? at : bar.x + bar.width;
+    const double bottom = bar.y + bar.height;
+    list.PushClipRect(im(from, bar.y), im(to, bottom), true);
+    const double step = 5.0 * s;
+    for (double x = from - bar.height; x < to; x += step) {
+        list.AddLine(im(x, bottom), im(x + bar.height, bar.y), fade(theme.boundary, 0.8), static_cast<float>(1.5 * s));
+    }
+    list.PopClipRect();
+    const double half = 4.5 * s;
+    list.AddLine(im(at, bar.y - 2.0 * s), im(at, bottom), theme.text, static_cast<float>(2.0 * s));
+    list.AddTriangleFilled(im(at - half, bar.y - 6.5 * s), im(at + half, bar.y - 6.5 * s), im(at, bar.y - 0.5 * s),
+                           theme.text);
+}
+
 } // namespace
 
 std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick> &ticks, double bar, double gap) {
@@ -44,35 +61,37 @@ std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick
     return labels;
 }
 
-void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Pixel corner,
-                   const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
-                   double hatchedTo) {
+PixelRect colourBarRect(Pixel corner, double scale) {
+    const double left = std::round(corner.x - kLegendWidth * scale), top = std::round(corner.y - kLegendHeight * scale);
+    return {left + 12.0 * scale, top + 26.0 * scale, (kLegendWidth - 24.0) * scale, 9.0 * scale};
+}
+
+void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Pixel corner, const ColourBar &bar) {
     const double s = painter.scale();
-    const double width = kLegendWidth * s, height = kLegendHeight * s, bar = width - 24.0 * s, barHeight = 9.0 * s;
+    const double width = kLegendWidth * s, height = kLegendHeight * s;
     const double left = std::round(corner.x - width), top = std::round(corner.y - height);
+    const auto round = static_cast<float>(6.0 * s);
     ImDrawList &list = painter.list();
-    list.AddRectFilled(im(left, top), im(left + width, top + height), fade(theme.popup, 0.92),
-                       static_cast<float>(7.0 * s));
-    list.AddRect(im(left, top), im(left + width, top + height), theme.line, static_cast<float>(7.0 * s));
-    const double x = left + 12.0 * s, y = top + 26.0 * s;
-    list.AddText(fonts.small, fonts.small->FontSize, im(x, top + 7.0 * s), theme.muted, title.c_str());
+    list.AddRectFilled(im(left, top), im(left + width, top + height), fade(theme.popup, 0.92), round);
+    list.AddRect(im(left, top), im(left + width, top + height), theme.popupBorder, round);
+    const PixelRect rect = colourBarRect(corner, s);
+    list.AddText(fonts.small, fonts.small->FontSize, im(rect.x, top + 6.0 * s), theme.muted, bar.title.c_str());
+    const auto colour = [&](double t) { return mix(theme.domain, bar.map(t), bar.opacity); };
     constexpr int kPieces = 64;
     for (int i = 0; i < kPieces; ++i) {
         const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
-        list.AddRectFilledMultiColor(im(x + from * bar, y), im(x + to * bar, y + barHeight), map(from), map(to),
-                                     map(to), map(from));
+        list.AddRectFilledMultiColor(im(rect.x + from * rect.width, rect.y),
+                                     im(rect.x + to * rect.width, rect.y + rect.height), colour(from), colour(to),
+                                     colour(to), colour(from));
     }
-    list.PushClipRect(im(x, y), im(x + hatchedTo * bar, y + barHeight), true);
-    const int strokes = static_cast<int>(std::ceil((hatchedTo * bar + barHeight) / (5.0 * s)));
-    for (int k = 0; k < strokes; ++k) {
-        const double at = 5.0 * s * k - barHeight;
-        list.AddLine(im(x + at, y + barHeight), im(x + at + barHeight, y), theme.bad, static_cast<float>(1.5 * s));
+    if (bar.limit) {
+        drawLimit(list, theme, rect, *bar.limit, s);
     }
-    list.PopClipRect();
-    for (const LegendLabel &label : legendLabels(fonts.small, ticks, bar, 6.0 * s)) {
-        const double at = x + label.at * bar; // a tick whose number has no room is left out with it
-        list.AddLine(im(at, y + barHeight), im(at, y + barHeight + 3.0 * s), theme.muted);
-        list.AddText(fonts.small, fonts.small->FontSize, im(x + label.left, y + barHeight + 3.0 * s), theme.text,
+    for (const LegendLabel &label : legendLabels(fonts.small, bar.ticks, rect.width, 6.0 * s)) {
+        const double at = rect.x + label.at * rect.width; // a tick whose number has no room is left out with it
+        const double y = rect.y + rect.height;
+        list.AddLine(im(at, y), im(at, y + 3.0 * s), theme.muted);
+        list.AddText(fonts.small, fonts.small->FontSize, im(rect.x + label.left, y + 3.0 * s), theme.text,
                      label.text.c_str());
     }
 }

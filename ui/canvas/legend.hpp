@@ -6,6 +6,7 @@
 #include "ui/style/theme.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,26 @@ struct LegendLabel {
 /// pixels apart. The two ends are always labelled; the others, from the left, if they fit.
 std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick> &ticks, double bar, double gap);
 
-/// Draws a colour bar with a title and ticks, its lower right corner at `corner` (pixels). The bar is hatched from its
-/// start to `hatchedTo`, in [0, 1].
-void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Pixel corner,
-                   const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
-                   double hatchedTo = 0.0);
+/// A limit on a colour bar, which is hatched on its bad side.
+struct LegendLimit {
+    double at = 0.0;   ///< in [0, 1] along the bar
+    bool below = true; ///< values below it are bad
+};
+
+/// What a colour bar shows.
+struct ColourBar {
+    std::string title;
+    ColourMap map = nullptr;
+    std::vector<LegendTick> ticks;
+    std::optional<LegendLimit> limit;
+    double opacity = 1.0; ///< of the colours over the domain
+};
+
+/// Returns the bar of a legend without its title and numbers, in pixels; `corner`: of the legend, lower right.
+PixelRect colourBarRect(Pixel corner, double scale);
+
+/// Draws a colour bar with a title and ticks, its lower right corner at `corner` (pixels).
+void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Pixel corner, const ColourBar &bar);
 
 /// Returns the ticks of a linear scale: the ends, and between them the multiples of a round step. The lower end reads
 /// "≤", since smaller values share its colour.

@@ -95,7 +95,7 @@ void FileDialog::drawPlaces(Shell &context) {
     if (!document.empty()) {
         place("place/document", icon::kFile, "Drawing folder", document.parent_path());
     }
-    place("place/root", icon::kDot, "Computer", "/");
+    place("place/root", icon::kComputer, "Computer", "/");
     if (context.settings.recentFiles.empty() || request_.saves) {
         return;
     }

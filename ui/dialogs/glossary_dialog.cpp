@@ -29,7 +29,7 @@ Colour colourOf(const Theme &theme, FigureInk ink) {
     case FigureInk::Candidate:
         return theme.candidate;
     case FigureInk::Accepted:
-        return theme.good;
+        return theme.accepted;
     case FigureInk::Rejected:
         return theme.bad;
     case FigureInk::Cell:
@@ -93,7 +93,7 @@ void GlossaryDialog::drawList(Shell &context) {
 }
 
 void GlossaryDialog::drawTerm(Shell &context) {
-    ImGui::PushFont(context.fonts.title);
+    ImGui::PushFont(context.fonts.page);
     ui::wrappedText(term_->name);
     ImGui::PopFont();
     ui::mark(context, "dialog/glossary/term/" + std::string(term_->id));

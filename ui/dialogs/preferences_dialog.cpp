@@ -112,6 +112,8 @@ void PreferencesDialog::drawAppearance(Shell &context) {
     note(context, kScaleNote);
     ui::rowLabel(context, "Hints", kLabel);
     ui::checkbox(context, "dialog/preferences/hints", "Show hints on the canvas", settings.hints);
+    ui::rowLabel(context, "Motion", kLabel);
+    ui::checkbox(context, "dialog/preferences/reducemotion", "Reduce motion", settings.reduceMotion);
     ui::rowLabel(context, "Rulers", kLabel);
     if (ui::checkbox(context, "dialog/preferences/rulers", "Show rulers along the canvas", settings.rulers)) {
         context.animate();

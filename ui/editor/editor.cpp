@@ -339,7 +339,14 @@ void Editor::Parts::followFront(double seconds) {
     }
     constexpr double kLongestFrame = 1.0 / 30.0; // the first frame after a pause must not jump
     const Moment moment = momentOf(context.run.now());
-    if (moment && follower.follow(context.view, boxOf(*moment.advance), std::min(seconds, kLongestFrame))) {
+    if (!moment) {
+        return;
+    }
+    const AdvanceExplanation &advance = *moment.advance;
+    constexpr double kAtOnce = 1e3;
+    const double time = context.settings.reduceMotion ? kAtOnce : std::min(seconds, kLongestFrame);
+    if (follower.follow(context.view, {boxOf(advance), distance(advance.a, advance.b)}, time,
+                        static_cast<double>(context.scale))) {
         context.animate();
     }
 }
@@ -379,7 +386,9 @@ void Editor::Parts::buildInterface() {
     if (context.view.fitPending && frames >= 1) {
         context.view.fitPending = false;
         const bool following = context.view.following; // from here on, as on a page of a lesson
+        const std::uint64_t jumps = context.view.jumps;
         context.actions.run("view.fit", context);
+        context.view.jumps = jumps; // a drawing that was just opened appears in its place
         context.view.following = following;
     }
     ui::markRect(context, "canvas", layout.canvas);
@@ -393,9 +402,11 @@ void Editor::Parts::buildInterface() {
     shell::drawRulers(context, layout);
     shell::drawToolOptions(context, layout.canvas);
     shell::drawCanvasNotes(context, layout.canvas);
+    shell::drawLegendLimit(context);
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
     context.dialogs.draw(context);
+    shell::drawShadows(context);
 }
 
 void Editor::Parts::showTitle() {

@@ -5,6 +5,7 @@
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/gl/split.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/style/edge_colour.hpp"
 
 #include <glad/gl.h>
 
@@ -28,12 +29,14 @@ unsigned smoothTexture(int filter) {
 }
 
 unsigned mapTexture(Colour (*map)(double)) {
-    std::array<Colour, 256> colours{};
-    for (std::size_t i = 0; i < colours.size(); ++i) {
+    constexpr std::size_t kColours = 256;
+    std::array<Colour, 2 * kColours> colours{};
+    for (std::size_t i = 0; i < kColours; ++i) {
         colours[i] = map(static_cast<double>(i) / 255.0);
+        colours[kColours + i] = edgeOn(colours[i]);
     }
     const unsigned texture = smoothTexture(GL_LINEAR);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, colours.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, colours.data());
     return texture;
 }
 
@@ -124,6 +127,7 @@ void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera
         std::copy(tint->levels.begin(), tint->levels.end(), levels.begin());
         program.set("levels", levels);
         program.set("contourWidth", static_cast<float>(tint->contourWidth));
+        program.set("opacity", static_cast<float>(tint->opacity));
         glActiveTexture(GL_TEXTURE0);
     }
     glBindVertexArray(emptyArray_);

@@ -25,6 +25,7 @@ struct FieldTint {
     static constexpr std::size_t kMaxLevels = 8;
     std::vector<float> levels; ///< ln ρ of the contour lines, kMaxLevels at most
     double contourWidth = 1.5; ///< pixels
+    double opacity = 1.0;      ///< of the colours over the plain one
 };
 
 /// Shader programs and textures that the layers share, one set per OpenGL context.
@@ -46,7 +47,7 @@ class GlKit {
     void setCamera(const ShaderProgram &program, const Camera &camera) const;
     /// Returns the elements of the mesh on the canvas, which two layers draw.
     MeshBatch &elements() { return *elements_; }
-    /// Returns a texture of 256 x 1 colours of a map.
+    /// Returns a texture of 256 x 2 texels: the colours of a map, and those of edges over them.
     unsigned map(ColourMap colours) const;
     /// Returns a vertex array without attributes, for shaders that compute their own corners.
     unsigned emptyArray() const { return emptyArray_; }

@@ -65,7 +65,6 @@ void LineBatch::draw(GlKit &gl, const Camera &camera, const LineStyle &style) {
     program.use();
     gl.setCamera(program, camera);
     program.set("width", static_cast<float>(style.width));
-    program.set("glow", static_cast<float>(style.glow));
     program.set("arrow", static_cast<float>(style.arrow));
     glBindVertexArray(array_);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<int>(segments_.size()));

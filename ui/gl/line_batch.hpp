@@ -14,7 +14,6 @@ class GlKit;
 /// The style in which a batch of segments is drawn; lengths in pixels.
 struct LineStyle {
     double width = 1.5;
-    double glow = 0.0;  ///< width of a fading band to the left of each segment, the unmeshed side of Γ
     double arrow = 0.0; ///< size of an arrowhead in the middle of segments that are long enough
 };
 

@@ -366,7 +366,8 @@ void MeshBatch::use(const GlKit &gl, const Camera &camera, const MeshStyle &styl
     program.set("part", values_ && values_->smooth ? 3 : static_cast<int>(part));
     program.set("range", glm::vec2(scaled(style.range.from), scaled(style.range.to)));
     program.set("denseEdges", static_cast<float>(style.denseEdges));
-    program.set("badBelow", static_cast<float>(style.badBelow));
+    program.set("badBelow", scaled(style.badBelow));
+    program.set("badAbove", scaled(style.badAbove));
     program.set("hatch", style.hatch);
     program.set("isolate", style.isolateFrom > style.isolateTo
                                ? glm::vec2(1.0F, 0.0F)

@@ -33,13 +33,14 @@ struct MeshValues {
 /// The style in which the elements of a mesh are drawn.
 struct MeshStyle {
     Colour face;             ///< of elements not coloured by their value; transparent: none
-    Colour edge;             ///< transparent: none
-    double edgeWidth = 1.0;  ///< pixels
+    Colour edge;             ///< transparent: none; faces coloured by value have edges that stand out on them
+    double edgeWidth = 1.0;  ///< pixels, of elements at least twelve times as high; less where they are denser
     double denseEdges = 0.0; ///< opacity, relative to `edge`, of edges too dense to be distinguished
     ColourMap map = nullptr; ///< colours faces by their values, opaque; null: not coloured
     bool cyclic = false;     ///< the map repeats every eight values, for regions
     ColourRange range;       ///< of the values on the map
-    double badBelow = -2.0;  ///< elements with values below it are hatched
+    double badBelow = -1e30; ///< parts with values below it are hatched
+    double badAbove = 1e38;  ///< parts with values above it are hatched
     Colour hatch;
     double isolateFrom = 1.0, isolateTo = 0.0; ///< shows only parts with values in [from, to); from > to: all
 };

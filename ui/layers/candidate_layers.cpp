@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -21,7 +22,25 @@ Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
     if (!judged || verdict == Verdict::NotTried) {
         return theme.candidate;
     }
-    return verdict == Verdict::Accepted ? theme.good : theme.bad;
+    return verdict == Verdict::Accepted ? theme.accepted : theme.bad;
+}
+
+/// Draws a candidate so that its shape alone tells its verdict: a disc with a tick is accepted, a ring with a cross
+/// rejected, an empty ring not tested.
+void drawCandidate(CanvasPainter &painter, const Theme &theme, Vec2 at, Verdict verdict, bool judged, double opacity) {
+    constexpr double kRadius = 6.5;
+    const Colour colour = fade(verdictColour(theme, verdict, judged), opacity);
+    const bool tested = judged && verdict != Verdict::NotTried;
+    if (tested && verdict == Verdict::Accepted) {
+        painter.dot(at, kRadius + 1.0, colour);
+        painter.tick(at, kRadius, fade(theme.canvas, opacity), 1.75);
+        return;
+    }
+    painter.dot(at, kRadius, fade(theme.domain, 0.85 * opacity));
+    painter.ring(at, kRadius, colour, 1.75);
+    if (tested) {
+        painter.cross(at, 0.45 * kRadius, colour, 1.5);
+    }
 }
 
 std::string candidateLabel(const CandidateTrace &candidate, std::size_t rank, const Moment &moment) {
@@ -50,11 +69,11 @@ class CandidatesLayer final : public Layer {
         const Theme &theme = frame.theme;
         if (moment.updated) {
             for (const auto &[p, q, r] : e.made) {
-                painter.triangle(p, q, r, fade(theme.good, 0.16));
+                painter.triangle(p, q, r, fade(theme.accepted, 0.2 + 0.35 * frame.fresh));
             }
             for (const auto &[p, q, r] : e.made) {
-                painter.line(q, r, theme.good, 2.0);
-                painter.line(r, p, theme.good, 2.0);
+                painter.line(q, r, theme.accepted, 2.0);
+                painter.line(r, p, theme.accepted, 2.0);
             }
         }
         if (moment.idealKnown && !moment.updated) {
@@ -76,11 +95,18 @@ class CandidatesLayer final : public Layer {
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
         const bool words = roomOf(frame, e) > 46.0;
+        const auto accepted = [&](std::size_t i) {
+            return moment.judged[i] && e.candidates[i].verdict == Verdict::Accepted;
+        };
+        std::vector<std::size_t> order; // the best on top, and the accepted one, which may lie on another, above all
         for (std::size_t i = moment.candidates; i-- > 0;) {
+            order.push_back(i);
+        }
+        std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !accepted(i); });
+        for (const std::size_t i : order) {
             const CandidateTrace &candidate = e.candidates[i];
-            const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
-            painter.dot(candidate.position, 5.0, fade(colour, frame.candidate && frame.candidate != i ? 0.45 : 1.0));
-            painter.ring(candidate.position, 5.0, fade(theme.popup, 0.9), 1.5);
+            drawCandidate(painter, theme, candidate.position, candidate.verdict, moment.judged[i],
+                          frame.candidate && frame.candidate != i ? 0.45 : 1.0);
         }
         if (frame.candidate) {
             drawChosen(painter, frame, moment, *frame.candidate);
@@ -100,7 +126,7 @@ class CandidatesLayer final : public Layer {
         const CandidateTrace &c = moment.advance->candidates[i];
         const Theme &theme = frame.theme;
         const Colour colour = verdictColour(theme, c.verdict, moment.judged[i]);
-        painter.ring(c.position, 9.0, colour, 2.0);
+        painter.ring(c.position, 10.5, colour, 2.0);
         std::string text = std::to_string(i + 1);
         if (moment.scoresKnown) {
             text += ui::format("  \xce\xb1 %.3f \xc2\xb7 \xce\xb4 %.2f \xc2\xb7 \xce\xb4 %.2f = %.3f", c.alpha,

@@ -44,7 +44,7 @@ class BoundaryLayer final : public Layer {
         update(frame);
         halo_.draw(frame.gl, frame.camera, {.width = 4.25 * frame.scale});
         constraints_.draw(frame.gl, frame.camera, {.width = 1.75 * frame.scale});
-        boundary_.draw(frame.gl, frame.camera, {.width = 2.25 * frame.scale});
+        boundary_.draw(frame.gl, frame.camera, {.width = 2.0 * frame.scale});
         points_.draw(frame.gl, frame.camera, {.width = 6.0 * frame.scale});
     }
 

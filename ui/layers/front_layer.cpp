@@ -5,7 +5,11 @@
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/moment.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -25,24 +29,18 @@ class FrontLayer final : public Layer {
     }
 
     void drawLive(const LayerFrame &frame) override {
-        if (frame.snapshot.front != shown_ || theme_ != frame.theme.kind) {
+        const Moment moment = momentOf(frame.snapshot);
+        const std::optional<Vec2> middle =
+            moment ? std::optional(midpoint(moment.advance->a, moment.advance->b)) : std::nullopt;
+        if (frame.snapshot.front != shown_ || theme_ != frame.theme.kind || middle != base_) {
             shown_ = frame.snapshot.front;
             theme_ = frame.theme.kind;
-            segments_.clear();
-            meanLength_ = 0.0;
-            if (shown_) {
-                for (const FrontSegmentView &segment : *shown_) {
-                    segments_.add(segment.a, segment.b, frame.theme.front);
-                    meanLength_ += distance(segment.a, segment.b) / static_cast<double>(shown_->size());
-                }
-            }
+            base_ = middle;
+            update(frame.theme.front);
         }
-        // On segments only a few pixels long, glow and arrows would hide the front and cost time.
-        const bool fine = frame.camera.zoom * meanLength_ < 4.0 * frame.scale;
-        segments_.draw(frame.gl, frame.camera,
-                       {.width = (fine ? 1.25 : 2.0) * frame.scale,
-                        .glow = fine ? 0.0 : 9.0 * frame.scale,
-                        .arrow = fine ? 0.0 : 7.0 * frame.scale});
+        const double width = (frame.camera.zoom * meanLength_ < 4.0 * frame.scale ? 1.25 : 2.2) * frame.scale;
+        rest_.draw(frame.gl, frame.camera, {.width = width});
+        near_.draw(frame.gl, frame.camera, {.width = width, .arrow = 7.0 * frame.scale});
     }
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
@@ -54,8 +52,10 @@ class FrontLayer final : public Layer {
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
         const double pixels = frame.camera.zoom * distance(e.a, e.b) / frame.scale;
-        painter.line(e.a, e.b, fade(theme.base, 0.25), 9.0);
-        painter.arrow(e.a, e.b, theme.base, 3.0, 11.0);
+        painter.line(e.a, e.b, theme.base, 5.0);
+        painter.dot(e.a, 4.5, theme.base);
+        painter.dot(e.b, 4.5, theme.base);
+        painter.line(e.a, e.b, theme.core, 1.4);
         if (pixels < 14.0) {
             painter.ring(midpoint(e.a, e.b), 13.0, theme.base, 2.0); // too small to find otherwise
         }
@@ -75,6 +75,33 @@ class FrontLayer final : public Layer {
     }
 
   private:
+    /// Number of segments nearest to the base that are drawn at full strength, with arrows.
+    static constexpr std::size_t kNear = 12;
+    static constexpr double kFar = 0.45; ///< opacity of the others
+
+    /// Divides the front into the part near the base, where the action is, and the rest. Without a base, all of it is
+    /// at full strength.
+    void update(Colour colour) {
+        rest_.clear();
+        near_.clear();
+        meanLength_ = 0.0;
+        if (!shown_) {
+            return;
+        }
+        std::vector<std::pair<double, std::size_t>> order; // by distance from the base
+        for (std::size_t k = 0; k < shown_->size(); ++k) {
+            const FrontSegmentView &segment = (*shown_)[k];
+            meanLength_ += distance(segment.a, segment.b) / static_cast<double>(shown_->size());
+            order.emplace_back(base_ ? distance(midpoint(segment.a, segment.b), *base_) : 0.0, k);
+        }
+        const std::size_t near = base_ ? std::min(kNear, order.size()) : 0;
+        std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(near), order.end());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const FrontSegmentView &segment = (*shown_)[order[i].second];
+            (i < near ? near_ : rest_).add(segment.a, segment.b, base_ && i >= near ? fade(colour, kFar) : colour);
+        }
+    }
+
     /// Marks the point and the cell that stop the run.
     static void drawBreakpoints(CanvasPainter &painter, const LayerFrame &frame) {
         const Breakpoints &breakpoints = frame.breakpoints;
@@ -87,8 +114,9 @@ class FrontLayer final : public Layer {
         }
     }
 
-    LineBatch segments_;
-    double meanLength_ = 0.0; ///< of the segments, in domain units
+    LineBatch rest_, near_;
+    std::optional<Vec2> base_; ///< middle of the base that `near_` belongs to
+    double meanLength_ = 0.0;  ///< of the segments, in domain units
     std::shared_ptr<const std::vector<FrontSegmentView>> shown_;
     ThemeKind theme_ = ThemeKind::Dark;
 };

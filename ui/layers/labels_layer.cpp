@@ -27,6 +27,9 @@ class LabelsLayer final : public Layer {
             revision_ = frame.revision;
             updateRuns(frame.document);
         }
+        if (!frame.document.boundaryNames.empty()) {
+            reserveOutlines(painter, frame);
+        }
         drawNodeNumbers(painter, frame);
         for (const RunsOfShape &runs : runs_) {
             for (std::size_t k = 0; k < runs.runs.size(); ++k) {
@@ -48,8 +51,28 @@ class LabelsLayer final : public Layer {
     };
     struct RunsOfShape {
         std::shared_ptr<const Shape> shape;
+        Outline outline;
         std::vector<Run> runs;
     };
+
+    /// Keeps labels off the boundary. Of very many segments, most are too short for a name beside them.
+    void reserveOutlines(CanvasPainter &painter, const LayerFrame &frame) const {
+        constexpr std::size_t kMaxSegments = 2000;
+        const Box2 visible = frame.camera.visible();
+        std::size_t segments = 0;
+        for (const RunsOfShape &runs : runs_) {
+            if (runs.shape->hidden || runs.runs.empty()) {
+                continue;
+            }
+            segments += runs.outline.segmentCount();
+            if (segments > kMaxSegments) {
+                return;
+            }
+            if (boundsOf(*runs.shape).overlaps(visible)) {
+                painter.reserve(runs.outline);
+            }
+        }
+    }
 
     /// Finds the runs of shapes that have changed; a dragged node changes one shape of many.
     void updateRuns(const Document &document) {
@@ -57,7 +80,7 @@ class LabelsLayer final : public Layer {
         for (std::size_t k = 0; k < runs_.size(); ++k) {
             if (runs_[k].shape != document.shapes[k]) {
                 const Shape &shape = *document.shapes[k];
-                runs_[k] = {document.shapes[k], shape.hidden ? std::vector<Run>() : runsOf(shape)};
+                runs_[k] = {document.shapes[k], outlineOf(shape), shape.hidden ? std::vector<Run>() : runsOf(shape)};
             }
         }
     }
@@ -93,7 +116,8 @@ class LabelsLayer final : public Layer {
         return runs;
     }
 
-    /// Writes a name on its run, or beside it where the run is selected. Returns false if there is no room.
+    /// Writes a name beside its run, with a leader to it. Returns false if there is no room: a name covers no outline,
+    /// so no hole either, and little of the drawing.
     static bool drawName(CanvasPainter &painter, const LayerFrame &frame, const Run &run) {
         const auto named = frame.document.boundaryNames.find(run.tag);
         if (named == frame.document.boundaryNames.end() || frame.camera.zoom * run.extent < 40.0 * frame.scale ||
@@ -108,11 +132,18 @@ class LabelsLayer final : public Layer {
         constexpr double kGap = 12.0;
         const double reach = std::abs(side.x) * half.x + std::abs(side.y) * half.y + kGap;
         std::vector<Pixel> offsets;
-        for (const double away : {0.0, reach, -reach, reach + 2.0 * half.y, -reach - 2.0 * half.y}) {
+        for (const double away : {reach, -reach, reach + 2.0 * half.y, -reach - 2.0 * half.y}) {
             offsets.push_back(away * side - half);
         }
-        return painter.freeLabel(run.at, offsets, name, frame.theme.muted, fade(frame.theme.popup, 0.82),
-                                 frame.fonts.small);
+        constexpr double kLargestPart = 0.08; // of the drawing
+        const Vec2 drawing = frame.camera.zoom / frame.scale * frame.domain.bounds().size();
+        if (4.0 * half.x * half.y > kLargestPart * drawing.x * drawing.y ||
+            !painter.freeLabel(run.at, offsets, name, frame.theme.muted, fade(frame.theme.popup, 0.82),
+                               frame.fonts.small)) {
+            return false;
+        }
+        painter.leader(run.at, frame.theme.muted);
+        return true;
     }
 
     static void drawNodeNumbers(CanvasPainter &painter, const LayerFrame &frame) {

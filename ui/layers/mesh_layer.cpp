@@ -15,12 +15,16 @@ namespace forefront {
 
 namespace {
 
-/// Elements with α below this are hatched and numbered.
-constexpr double kBad = 0.5;
+/// Opacity, relative to that of single edges, of edges too dense to be told apart. They then cover as much as the edges
+/// of triangles 8 pixels wide, so that a finer part never looks emptier than a coarser one.
+constexpr double kDenseEdges = 0.45;
+/// The same over colours of values, which would lose their hue under more.
+constexpr double kDenseOnValues = 0.25;
 /// Maximum number of labels; more would hide the elements.
 constexpr std::size_t kMaxAlphaLabels = 60;
-/// Edges on opaque colours: dark in both themes, since the colours are the same in both.
-constexpr Colour kEdgeOnColour = rgb(0x0b1018, 0.6);
+
+/// No value is below or above these.
+constexpr double kNoMinimum = -1e30, kNoMaximum = 1e38;
 
 bool coloursByAlpha(const LayerFrame &frame) {
     return frame.judgement.of.measure == Measure::ShapeFactor;
@@ -67,6 +71,9 @@ std::uint64_t versionOf(const LayerFrame &frame) {
         hash.add(static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0));
         hash.add(frame.measureRange.from);
         hash.add(frame.measureRange.to);
+        hash.add(reinterpret_cast<std::uintptr_t>(frame.measureMap));
+        hash.add(frame.measureBounds.minimum.value_or(kNoMinimum));
+        hash.add(frame.measureBounds.maximum.value_or(kNoMaximum));
     }
     return hash.value();
 }
@@ -105,14 +112,17 @@ void drawElements(const LayerFrame &frame, bool edges) {
     batch.update(meshShown(frame), atRest(frame.snapshot), valued ? &values : nullptr);
     MeshStyle style;
     style.face = tinted ? Colour() : frame.area(frame.theme.element);
-    style.edge = !edges ? Colour() : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
+    style.edge = !edges ? Colour() : tinted ? frame.theme.meshOnTint : frame.theme.mesh;
     style.edgeWidth = 1.0 * frame.scale;
-    style.denseEdges = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances
-    style.map = quality ? mapOf(frame.judgement.of.measure) : nullptr;
+    style.denseEdges = quality ? kDenseOnValues : kDenseEdges;
+    style.map = quality ? frame.measureMap : nullptr;
     style.cyclic = frame.judgement.of.measure == Measure::Region;
     style.range = frame.measureRange;
-    style.badBelow = quality && coloursByAlpha(frame) ? kBad : -2.0;
-    style.hatch = frame.theme.bad;
+    if (quality) {
+        style.badBelow = frame.measureBounds.minimum.value_or(kNoMinimum);
+        style.badAbove = frame.measureBounds.maximum.value_or(kNoMaximum);
+    }
+    style.hatch = fade(frame.theme.boundary, 0.8);
     const MeasureHistogram &bins = frame.judgement.histogram;
     if (frame.isolatedBin && (valued || coloursByAlpha(frame)) &&
         static_cast<std::size_t>(*frame.isolatedBin) < bins.bins.size()) {
@@ -160,7 +170,7 @@ class QualityLayer final : public Layer {
         if (!frame.snapshot.mesh || !coloursByAlpha(frame)) {
             return;
         }
-        findBad(*frame.snapshot.mesh);
+        findBad(*frame.snapshot.mesh, frame.measureBounds.minimum.value_or(kNoMinimum));
         const MeshView mesh = frame.snapshot.mesh->view();
         const Box2 visible = frame.camera.visible();
         std::size_t shown = 0;
@@ -187,18 +197,28 @@ class QualityLayer final : public Layer {
             return false;
         }
         std::string title = frame.judgement.name;
-        double hatched = 0.0;
         if (measure == Measure::ShapeFactor) {
-            title = "shape factor \xce\xb1  (hatched: below 0.5)";
-            hatched = std::clamp(frame.measureRange.position(kBad), 0.0, 1.0);
+            title = "shape factor \xce\xb1";
         } else if (*info.unit != '\0') {
             title += std::string(", ") + info.unit;
         }
-        drawColourBar(painter, frame.theme, frame.fonts, corner, title, mapOf(measure), ticks(frame), hatched);
+        drawColourBar(painter, frame.theme, frame.fonts, corner,
+                      {.title = title, .map = frame.measureMap, .ticks = ticks(frame), .limit = limitOn(frame)});
         return true;
     }
 
   private:
+    /// Returns the place of the limit on the bar.
+    static std::optional<LegendLimit> limitOn(const LayerFrame &frame) {
+        const Measure measure = frame.judgement.of.measure;
+        const std::optional<MeshLimit> limit = limitOf(measure);
+        if (!limit || frame.judgement.of.fieldValues) {
+            return std::nullopt;
+        }
+        return LegendLimit{limitPosition(measure, frame.measureRange, frame.measureBounds),
+                           limitInfo(*limit).isMinimum};
+    }
+
     static std::vector<LegendTick> ticks(const LayerFrame &frame) {
         const Measure measure = frame.judgement.of.measure;
         const ColourRange &range = frame.measureRange;
@@ -212,14 +232,15 @@ class QualityLayer final : public Layer {
         return infoOf(measure).logarithmic ? logarithmicTicks(range.from, range.to, 5) : linearTicks(range);
     }
 
-    void findBad(const MeshSnapshot &view) {
-        if (view.version == version_) {
+    void findBad(const MeshSnapshot &view, double limit) {
+        if (view.version == version_ && limit == limit_) {
             return;
         }
         version_ = view.version;
+        limit_ = limit;
         bad_.clear();
         for (std::size_t i = 0; i < view.alpha.size(); ++i) {
-            if (static_cast<double>(view.alpha[i]) < kBad) {
+            if (static_cast<double>(view.alpha[i]) < limit) {
                 bad_.push_back(i);
             }
         }
@@ -227,6 +248,7 @@ class QualityLayer final : public Layer {
 
     std::vector<std::size_t> bad_;
     std::uint64_t version_ = ~std::uint64_t{0};
+    double limit_ = 0.0; ///< of α in `bad_`
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "ui/gl/gl_kit.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/style/spacing_tint.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ class SpacingLayer final : public Layer {
                              .minimum = std::log(minimum_),
                              .maximum = std::log(maximum_),
                              .levels = levels_,
-                             .contourWidth = 1.25 * frame.scale};
+                             .contourWidth = 1.25 * frame.scale,
+                             .opacity = spacingTint(frame.theme.kind)};
         frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.area(frame.theme.domain),
                            &tint);
     }
@@ -49,9 +51,12 @@ class SpacingLayer final : public Layer {
         if (!shown_ || shown_->rho.empty()) {
             return false;
         }
-        drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", spacingColour,
-                      uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * maximum_, 3)}}
-                               : logarithmicTicks(minimum_, maximum_, 5));
+        drawColourBar(painter, frame.theme, frame.fonts, corner,
+                      {.title = "node spacing \xcf\x81",
+                       .map = spacingColour,
+                       .ticks = uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * maximum_, 3)}}
+                                         : logarithmicTicks(minimum_, maximum_, 5),
+                       .opacity = spacingTint(frame.theme.kind)});
         return true;
     }
 

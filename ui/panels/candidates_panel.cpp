@@ -151,7 +151,7 @@ class CandidatesPanel final : public Panel {
     static void drawRow(Shell &context, const Moment &moment, std::size_t i, bool chosen) {
         const CandidateTrace &c = moment.advance->candidates[i];
         const Theme &theme = context.theme;
-        const float width = ImGui::GetContentRegionAvail().x, height = context.px(16);
+        const float width = ImGui::GetContentRegionAvail().x, height = context.px(24);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const std::string name = "candidates/" + std::to_string(i);
         if (ImGui::InvisibleButton(name.c_str(), {width, height})) {
@@ -167,14 +167,14 @@ class CandidatesPanel final : public Panel {
         }
         if (chosen || hovered) {
             ImGui::GetWindowDrawList()->AddRectFilled({at.x - context.px(4), at.y}, {at.x + width, at.y + height},
-                                                      fade(theme.accent, chosen ? 0.22 : 0.1), context.px(3));
+                                                      chosen ? theme.selectedRow : theme.hovered, context.px(4));
         }
         const auto known = [&](double value, int digits) {
             return moment.scoresKnown ? ui::format("%.*f", digits, value) : std::string("\xe2\x80\x93");
         };
         const bool judged = moment.judged[i] && c.verdict != Verdict::NotTried;
-        const Colour verdict = !judged ? theme.muted : c.verdict == Verdict::Accepted ? theme.good : theme.bad;
-        drawCells(context, {at.x, at.y + context.px(1)}, width,
+        const Colour verdict = !judged ? theme.muted : c.verdict == Verdict::Accepted ? theme.accepted : theme.bad;
+        drawCells(context, {at.x, std::round(at.y + 0.5F * (height - ImGui::GetFontSize()))}, width,
                   {std::to_string(i + 1), nodeText(c), known(c.alpha, 3), known(c.deltaAC, 2), known(c.deltaCB, 2),
                    known(c.score, 3), judged ? shortVerdict(c.verdict) : "\xe2\x80\x93"},
                   theme.text, verdict);

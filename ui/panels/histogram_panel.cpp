@@ -152,11 +152,14 @@ class HistogramPanel final : public Panel {
         const bool to = ui::inputNumber(context, "histogram/to", range.to, 52.0F);
         ui::tooltip(context, "End of the colour map");
         ImGui::SameLine(0, context.px(4));
-        if (ui::button(context, "histogram/fit", "Fit", ui::ButtonKind::Plain, context.view.measureRange.has_value())) {
-            context.view.measureRange.reset();
-            context.animate();
+        const bool fixed = !judgement.of.fieldValues && fixedRange(judgement.of.measure).has_value();
+        const bool fitted = !context.view.measureRange && (context.view.fitRange || !fixed);
+        if (ui::button(context, "histogram/fit", fitted && fixed ? "Fixed" : "Fit", ui::ButtonKind::Plain,
+                       !fitted || fixed)) {
+            fitMeasureRange(context);
+            context.view.fitRange = !fitted;
         }
-        ui::tooltip(context, "Fit the colours to the mesh");
+        ui::tooltip(context, fitted ? "Show all meshes on the same range of colours" : "Fit the colours to the mesh");
         const MeasureInfo &info = judgement.info;
         const bool possible = range.from < range.to && range.from >= info.minimum && range.to <= info.maximum &&
                               (!info.logarithmic || range.from > 0.0);
@@ -178,7 +181,8 @@ class HistogramPanel final : public Panel {
         const Measure measure = judgement.of.measure;
         const double from = bins.edge(bin), to = bins.edge(bin + 1);
         const double middle = bins.logarithmic ? std::sqrt(from * to) : 0.5 * (from + to);
-        const Colour colour = mapOf(measure)(std::clamp(mapPosition(measure, measureRange(context), middle), 0.0, 1.0));
+        const Colour colour =
+            measureMap(context)(std::clamp(mapPosition(measure, measureRange(context), middle), 0.0, 1.0));
         // The dark end of a map would be invisible on a dark panel.
         const bool dark = context.theme.kind == ThemeKind::Dark && colour.r + colour.g + colour.b < 240;
         return dark ? mix(colour, context.theme.muted, 0.35) : colour;

@@ -56,7 +56,7 @@ class HistoryPanel final : public Panel {
         ImDrawList &list = *ImGui::GetWindowDrawList();
         if (here || hovered) {
             list.AddRectFilled(at, {at.x + width, at.y + height},
-                               here ? fade(context.theme.accent, 0.18) : context.theme.hovered, context.px(4));
+                               here ? context.theme.selectedRow : context.theme.hovered, context.px(4));
         }
         const Colour colour = entry > history.position() ? context.theme.faint
                               : here                     ? context.theme.text

@@ -20,21 +20,6 @@ namespace {
 constexpr float kField = 58.0F;
 constexpr double kVerdict = 206.0;
 
-void setLimit(Shell &context, MeshLimit limit, std::optional<double> value) {
-    if (value) {
-        if (const std::string fault = limitFault(limit, *value); !fault.empty()) {
-            ui::refuseCommand(context, {{.severity = Severity::Warning,
-                                         .code = "bad-limit",
-                                         .message = std::string(limitInfo(limit).name) + ": " + fault}});
-            return;
-        }
-    }
-    Document next = *context.document.current();
-    next.limits[limit] = value;
-    context.document.apply(std::move(next), value ? std::string("Set ") + limitInfo(limit).name
-                                                  : std::string("Remove ") + limitInfo(limit).name);
-}
-
 void drawIcon(const char *symbol, Colour colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(symbol);
@@ -59,7 +44,7 @@ void drawPlaces(Shell &context, const LimitVerdict &verdict, const std::string &
 
 void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string &name) {
     if (verdict.judged == 0 && !verdict.met()) {
-        drawIcon(icon::kHelp, context.theme.muted);
+        drawIcon(icon::kUnknown, context.theme.muted);
     } else {
         drawIcon(verdict.met() ? icon::kCheck : icon::kError, verdict.met() ? context.theme.good : context.theme.bad);
     }

@@ -219,8 +219,8 @@ void ShapesPanel::drawPlate(Shell &context, const Document &document, const Tree
     const bool touched = row.kind == RowKind::Shape && context.selection.touches(document.shapes[row.index]->id);
     if (selected || touched || lit) {
         ImGui::GetWindowDrawList()->AddRectFilled(at, end,
-                                                  selected  ? fade(context.theme.accent, 0.24)
-                                                  : touched ? fade(context.theme.accent, 0.10)
+                                                  selected  ? context.theme.selectedRow
+                                                  : touched ? fade(context.theme.selectedRow, 0.5)
                                                             : context.theme.hovered,
                                                   context.px(4));
     }

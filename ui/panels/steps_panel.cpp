@@ -144,7 +144,7 @@ class StepsPanel final : public Panel {
             ui::mark(context, "steps/" + std::to_string(step));
             const bool here = step == live;
             if (here) {
-                list.AddRectFilled(at, {at.x + width, at.y + height}, fade(context.theme.accent, 0.16), context.px(4));
+                list.AddRectFilled(at, {at.x + width, at.y + height}, context.theme.selectedRow, context.px(4));
                 list.AddRectFilled(at, {at.x + context.px(3), at.y + height}, context.theme.accent, context.px(2));
             }
             const float y = at.y + (height - ImGui::GetFontSize()) / 2;

@@ -8,6 +8,7 @@
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/workspace/document/document_examiner.hpp"
+#include "ui/workspace/judging.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -46,8 +47,11 @@ struct LayerFrame {
     std::optional<std::size_t> candidate; ///< chosen in the table of the explained advance
     const Judgement &judgement;           ///< of the mesh shown now or a moment ago
     std::optional<int> isolatedBin;
-    ColourRange measureRange; ///< of the colours of the chosen measure
+    ColourRange measureRange;    ///< of the colours of the chosen measure
+    ColourMap measureMap;        ///< ... and their map
+    MeasureBounds measureBounds; ///< beyond which values are bad
     bool outOfDate;
+    double fresh;                           ///< of the elements of this step: 1 when they appear, 0 from 250 ms on
     std::shared_ptr<const Picture> picture; ///< of the document; null: none, or it is not there
     bool pictureFailed;                     ///< the document has a picture that cannot be read
     const std::vector<LayerSlot> &layers;

@@ -183,6 +183,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, kMinTabs, kMaxTabs);
     settings.hints = boolIn(json, "hints", settings.hints);
     settings.rulers = boolIn(json, "rulers", settings.rulers);
+    settings.reduceMotion = boolIn(json, "reduceMotion", settings.reduceMotion);
     settings.live = boolIn(json, "live", settings.live);
     settings.liveBudget = numberIn(json, "liveBudget", settings.liveBudget, kMinLiveBudget, kMaxLiveBudget);
     settings.panels = boolIn(json, "panels", settings.panels);
@@ -221,6 +222,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     json.member("theme", settings.theme == ThemeKind::Light ? "light" : "dark").member("scale", settings.scale);
     json.member("panelWidth", settings.panelWidth).member("tabsHeight", settings.tabsHeight);
     json.member("hints", settings.hints).member("rulers", settings.rulers);
+    json.member("reduceMotion", settings.reduceMotion);
     json.member("live", settings.live).member("liveBudget", settings.liveBudget);
     json.member("panels", settings.panels).member("tab", settings.tab);
     json.key("hiddenTabs").values(settings.hiddenTabs).key("tabOrder").values(settings.tabOrder);

@@ -39,6 +39,7 @@ struct Settings {
     double tabsHeight = 220.0;         ///< height of the tabs at its bottom, design pixels
     bool hints = true;                 ///< show the hint strip
     bool rulers = false;               ///< show rulers along the canvas
+    bool reduceMotion = false;         ///< changes are shown at once
     bool live = true;                  ///< mesh after every edit
     double liveBudget = 25'000.0;      ///< see RunControl::liveBudget
     std::optional<WindowPlace> window; ///< position when the program last ended

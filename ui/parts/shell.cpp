@@ -8,6 +8,8 @@ void ToolBox::choose(std::string_view id, Shell &context) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
         if (tools[i]->id() == id && i != active) {
             current().deactivate(context);
+            std::erase(left, active);
+            left.push_back(active);
             active = i;
             current().activate(context);
             context.animate();

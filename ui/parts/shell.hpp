@@ -29,6 +29,7 @@ namespace forefront {
 struct ToolBox {
     std::vector<std::unique_ptr<Tool>> tools;
     std::size_t active = 0;
+    std::vector<std::size_t> left; ///< tools that were active before, the last one at the end; each once
 
     Tool &current() const { return *tools[active]; }
     void choose(std::string_view id, Shell &context);

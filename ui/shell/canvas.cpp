@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/hash.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/glide.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/gl/draw_pace.hpp"
 #include "ui/gl/gl_kit.hpp"
@@ -80,12 +81,17 @@ struct Canvas::Parts {
     std::vector<DrawPace> paces;          ///< of the layers, then of the compared mesh
     std::shared_ptr<const Domain> domain; ///< of the document of this frame
 
+    Glide glide;
+    const AdvanceExplanation *stepped = nullptr; ///< whose elements were shown last, if any
+    double steppedAt = -1e300, fresh = 0.0;      ///< see LayerFrame::fresh
+
     Box2 rasterBox;
     double rasterZoom = 0.0;
 
     std::shared_ptr<const SpacingRaster> raster; ///< as drawn; never null
     std::vector<CanvasPainter::Placed> labels;   ///< of the last frame
 
+    void followSteps(Shell &context);
     void requestRaster(Shell &context);
     void takeRaster(const Shell &context);
     LayerFrame frameOf(const Shell &context, const Camera &camera);
@@ -117,6 +123,22 @@ const std::vector<CanvasPainter::Placed> &Canvas::labels() const {
 
 bool Canvas::pictureIncomplete() const {
     return parts_->still.pictureIncomplete();
+}
+
+/// Notes when the elements of a step appear, so that they can fade in.
+void Canvas::Parts::followSteps(Shell &context) {
+    constexpr double kSeconds = 0.25;
+    const Moment moment = momentOf(context.run.now());
+    const AdvanceExplanation *const now = moment && moment.updated ? moment.advance : nullptr;
+    if (now != stepped) {
+        stepped = now;
+        steppedAt = context.platform.now();
+    }
+    const double left = 1.0 - (context.platform.now() - steppedAt) / kSeconds;
+    fresh = now != nullptr && !context.settings.reduceMotion ? std::max(0.0, left) : 0.0;
+    if (fresh > 0.0) {
+        context.animate();
+    }
 }
 
 /// Requests a raster of ρ over the part in view and a margin around it. Makes a new request only when the last raster
@@ -183,7 +205,10 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .judgement = *context.judgement,
             .isolatedBin = context.view.isolatedBin,
             .measureRange = measureRange(context),
+            .measureMap = measureMap(context),
+            .measureBounds = measureBounds(context),
             .outOfDate = context.run.outOfDate(),
+            .fresh = fresh,
             .picture = context.pictures.shown(),
             .pictureFailed = context.pictures.failed(),
             .layers = context.layers,
@@ -378,7 +403,13 @@ void Canvas::draw(Shell &context) {
     parts_->domain = context.document.domain();
     parts_->requestRaster(context);
     parts_->takeRaster(context);
-    const LayerFrame frame = parts_->frameOf(context, context.view.camera);
+    parts_->followSteps(context);
+    const Camera camera = parts_->glide.next(context.view.camera, context.view.jumps, context.platform.now(),
+                                             !context.settings.reduceMotion);
+    if (parts_->glide.moving()) {
+        context.animate();
+    }
+    const LayerFrame frame = parts_->frameOf(context, camera);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);

@@ -47,7 +47,7 @@ void key(WidgetContext &context, const char *text) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x, at.y - pad.y}, {at.x + size.x + 2 * pad.x, at.y + size.y + pad.y}, context.theme.raised,
                        context.px(4));
-    list.AddText({at.x + pad.x, at.y}, context.theme.accent, text);
+    list.AddText({at.x + pad.x, at.y}, context.theme.text, text);
     ImGui::Dummy({size.x + 2 * pad.x, size.y});
     ImGui::SameLine(0, context.px(6));
 }

@@ -68,8 +68,8 @@ bool panelHeading(Shell &context, const Panel &panel) {
     ImGui::PushFont(context.fonts.heading);
     const float y = at.y + (height - ImGui::GetFontSize()) / 2;
     const Colour colour = hovered ? context.theme.text : context.theme.muted;
-    list.AddText({at.x, y}, colour, folded ? icon::kRight : icon::kDown);
-    list.AddText({at.x + context.px(14), y}, colour, panel.title());
+    list.AddText({at.x - context.px(2), y}, colour, folded ? icon::kRight : icon::kDown);
+    list.AddText({at.x + context.px(18), y}, context.theme.text, panel.title());
     ImGui::PopFont();
     return !folded;
 }

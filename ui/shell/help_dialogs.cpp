@@ -94,12 +94,10 @@ class ShortcutSheet final : public Dialog {
 
     static void row(WidgetContext &context, float width, const std::string &keys, const std::string &text) {
         const float left = ImGui::GetCursorPosX();
-        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.accent);
         ImGui::TextUnformatted(keys.c_str());
-        ImGui::PopStyleColor();
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + 0.36F * width);
-        ImGui::TextUnformatted(text.c_str());
+        ui::muted(context, text);
     }
 
     static void actionRows(Shell &context, float width, std::initializer_list<std::string_view> menus) {
@@ -130,7 +128,7 @@ class About final : public Dialog {
             "Triangle meshes of planar domains by S. H. Lo's advancing front technique. Draw a domain, paint the "
             "node spacing, and watch the front step forward and back.");
         ImGui::PopTextWrapPos();
-        ui::small(context, "MIT licence. Built on Dear ImGui, GLFW, FreeType, Inter and Font Awesome.", true);
+        ui::small(context, "MIT licence. Built on Dear ImGui, GLFW, FreeType and Inter.", true);
         return true;
     }
 };

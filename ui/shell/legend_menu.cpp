@@ -42,10 +42,17 @@ ContextGroup limitsGroup(const Shell &context) {
         c.settings.tab = "histogram";
         c.widgets.fields.request("histogram/from");
     })};
-    if (context.view.measureRange) {
-        group.push_back(
-            commandOf("fitColours", "Fit colours to the mesh", [](Shell &c) { c.view.measureRange.reset(); }));
-    }
+    const View &view = context.view;
+    group.push_back(switchOf("fitColours", "Fit range to the mesh", view.fitRange && !view.measureRange, [](Shell &c) {
+        const bool fitted = c.view.fitRange && !c.view.measureRange;
+        fitMeasureRange(c);
+        c.view.fitRange = !fitted;
+    }));
+    const bool cividis = view.scale == QualityScale::Cividis;
+    group.push_back(switchOf("cividis", "Colours: cividis", cividis, [cividis](Shell &c) {
+        c.view.scale = cividis ? QualityScale::Alarm : QualityScale::Cividis;
+        c.animate();
+    }));
     return group;
 }
 

@@ -52,7 +52,7 @@ void drawHighlights(Shell &context) {
     if (context.dialogs.any()) {
         return;
     }
-    const double gap = static_cast<double>(context.px(3)), line = static_cast<double>(context.px(2));
+    const double gap = static_cast<double>(context.px(4)), line = static_cast<double>(context.px(2));
     std::vector<HighlightBox> boxes;
     for (const LessonHighlight &highlight : context.lessons.open->now().highlights) {
         const WidgetRegistry::Widget *const widget = context.widgets.find(highlight.widget);

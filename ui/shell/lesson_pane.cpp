@@ -66,7 +66,7 @@ void drawList(Shell &context) {
     const LessonEntry *chosen = nullptr;
     for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
         const LessonEntry &entry = context.lessons.list[k];
-        if (textRow(context, "lessons/" + entry.id, keyText(k).c_str(), context.theme.accent, entry.lesson->title)) {
+        if (textRow(context, "lessons/" + entry.id, keyText(k).c_str(), context.theme.muted, entry.lesson->title)) {
             chosen = &entry;
         }
         ui::tooltip(context, entry.lesson->about);
@@ -106,7 +106,7 @@ void drawChoices(Shell &context, const OpenLesson &open, const LessonChoices &ch
     std::optional<std::size_t> chosen;
     for (std::size_t k = 0; k < choices.list.size(); ++k) {
         const bool picked = open.picked == k;
-        const Colour colour = !picked                      ? context.theme.accent
+        const Colour colour = !picked                      ? context.theme.muted
                               : open.reply == Reply::Right ? context.theme.good
                                                            : context.theme.bad;
         const std::string mark = !picked ? keyText(k) : open.reply == Reply::Right ? icon::kCheck : icon::kCross;
@@ -168,7 +168,7 @@ void drawTerms(Shell &context, const LessonPage &page) {
 
 void drawPage(Shell &context, OpenLesson &open) {
     const LessonPage &page = open.now();
-    ImGui::PushFont(context.fonts.title);
+    ImGui::PushFont(context.fonts.page);
     ui::wrappedText(page.title);
     ImGui::PopFont();
     ui::mark(context, "lesson/title");

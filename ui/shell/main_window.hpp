@@ -19,7 +19,8 @@ Layout layOut(const Shell &context);
 /// The arrangement of the tool buttons; design pixels.
 struct Strip {
     int columns = 1, rows = 1;
-    double button = 34.0;
+    double button = 32.0;
+    bool lines = true; ///< hairlines between groups, in one column
 
     double width() const;
 };
@@ -49,6 +50,8 @@ void actionItem(Shell &context, const Action &action, std::string_view prefix = 
 void submenu(Shell &context, const Action &action, std::string_view prefix = "menu/");
 /// Opens the menu of the legend at a pixel. Returns false if there is none.
 bool openLegendMenu(Shell &context, Pixel pixel);
+/// Lets the user drag the limit in the legend of the quality.
+void drawLegendLimit(Shell &context);
 void drawToolStrip(Shell &context, const PixelRect &rect);
 void drawToolOptions(Shell &context, const PixelRect &canvas);
 void drawColumn(Shell &context, const PixelRect &rect);
@@ -64,6 +67,9 @@ void drawRulers(Shell &context, const Layout &layout);
 void drawStatusBar(Shell &context, const PixelRect &rect);
 /// Draws the hint strip, the out-of-date badge, the progress and the newest message over the canvas.
 void drawCanvasNotes(Shell &context, const PixelRect &canvas);
+
+/// Draws soft shadows round the menus, dialogs and tooltips of this frame, which lift them off what they cover.
+void drawShadows(const WidgetContext &context);
 
 /// Begins a borderless window that fills `rect`; pair with ImGui::End().
 void beginRegion(const char *name, const PixelRect &rect, Colour background, float padX, float padY);

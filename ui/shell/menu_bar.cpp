@@ -105,8 +105,8 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
     ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
     const bool shown = context.view.panels;
-    if (ui::iconButton(context, "menu/panels", icon::kColumns, shown ? "Hide panels (Tab)" : "Show panels (Tab)",
-                       !shown, true, 26.0F)) {
+    if (ui::iconButton(context, "menu/panels", icon::kPanels, shown ? "Hide panels (Tab)" : "Show panels (Tab)", !shown,
+                       true, 26.0F)) {
         context.actions.run("view.panels", context);
     }
     ImGui::SameLine();
@@ -115,8 +115,7 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
     }
     ImGui::SameLine();
     const bool dark = context.theme.kind == ThemeKind::Dark;
-    if (ui::iconButton(context, "menu/theme", dark ? icon::kSun : icon::kMoon, dark ? "Light theme" : "Dark theme",
-                       false, true, 26.0F)) {
+    if (ui::iconButton(context, "menu/theme", icon::kTheme, dark ? "Light theme" : "Dark theme", false, true, 26.0F)) {
         context.actions.run("view.theme", context);
     }
     ImGui::SameLine();

@@ -78,7 +78,7 @@ Colour colourOf(Shell &context, const ComparedMesh &compared, std::size_t triang
     if (!value) {
         return context.theme.element;
     }
-    return mapOf(of.measure)(std::clamp(mapPosition(of.measure, measureRange(context), *value), 0.0, 1.0));
+    return measureMap(context)(std::clamp(mapPosition(of.measure, measureRange(context), *value), 0.0, 1.0));
 }
 
 constexpr std::array<FigureColumn, 8> kMeshColumns{

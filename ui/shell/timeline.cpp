@@ -228,7 +228,7 @@ void drawCaptionRow(Shell &context, const PixelRect &rect, float top) {
     const SessionSnapshot &run = context.run.now();
     const float right = static_cast<float>(rect.width) - context.px(14);
     ImGui::SetCursorScreenPos({right - context.px(56), top - context.px(5)});
-    if (ui::iconButton(context, "timeline/plotswitch", icon::kPolyline, "Plots of the run: front, tests, \xce\xb1",
+    if (ui::iconButton(context, "timeline/plotswitch", icon::kRunPlot, "Plots of the run: front, tests, \xce\xb1",
                        context.view.runPlot, true, 26.0F)) {
         context.view.runPlot = !context.view.runPlot;
         context.animate();

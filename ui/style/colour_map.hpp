@@ -10,9 +10,17 @@ Colour viridis(double t);
 Colour cividis(double t);
 /// Cividis from its bright end to its dark one.
 Colour cividisReversed(double t);
-/// A map with a neutral middle, purple at t = 0 and orange at t = 1, that is also safe for the colour-blind (PuOr of C.
-/// Brewer).
+/// Maps with a quiet middle, purple at t = 0 and orange at t = 1, that are also safe for the colour-blind: PuOr of C.
+/// Brewer, and the same on a dark ground.
 Colour diverging(double t);
+Colour divergingDark(double t);
+/// Maps of a quality, red at t = 0, amber in the middle, and close to the ground at t = 1, on a dark and on a light
+/// ground: what is good recedes, what is bad stands out.
+Colour qualityDark(double t);
+Colour qualityLight(double t);
+/// The same from good to bad.
+Colour qualityDarkReversed(double t);
+Colour qualityLightReversed(double t);
 /// Eight colours that the colour-blind can tell apart (M. Okabe, K. Ito), each for an eighth of [0, 1].
 Colour categories(double t);
 /// A colour map.

@@ -1,15 +1,18 @@
 #include "ui/style/fonts.hpp"
 
+#include "ui/style/icon_raster.hpp"
 #include "ui/style/icons.hpp"
 
 #include <imgui.h>
 #include <imgui_freetype.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -21,70 +24,95 @@ const ImWchar kTextRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0
                                0x2205, 0x2265, 0x2318, 0x2318, 0x25a0, 0x25cf, 0};
 const ImWchar kAllLatin[] = {0x0020, 0x017f, 0x2010, 0x2027, 0};
 
-/// The icons in use, each a range of its own. Rasterising all of Font Awesome would make loading the fonts take three
-/// times as long.
-constexpr auto kIconRanges = [] {
-    std::array<ImWchar, 2 * std::size(icon::kAll) + 1> ranges{};
-    for (std::size_t i = 0; i < std::size(icon::kAll); ++i) {
-        const char *const utf8 = icon::kAll[i]; // three bytes
-        const int code = ((utf8[0] & 0x0f) << 12) | ((utf8[1] & 0x3f) << 6) | (utf8[2] & 0x3f);
-        ranges[2 * i] = ranges[2 * i + 1] = static_cast<ImWchar>(code);
-    }
-    return ranges; // ends with 0
-}();
+/// Height of a line of Inter and of DejaVu, in ems. Dear ImGui takes the size of a font to be that of its line.
+constexpr float kLine = 1.2F;
+constexpr float kSmallIcon = 16.0F, kIcon = 20.0F; ///< design pixels
 
 class AtlasBuilder {
   public:
     AtlasBuilder(float scale, std::string &warning) : scale_(scale), warning_(warning) {}
 
-    /// Adds a text font at `size` design pixels. Symbols it lacks come from DejaVu; icons are added on request.
-    ImFont *text(const char *file, float size, bool withIcons) {
+    /// Adds a text font with an em of `size` design pixels and icons of another size. Symbols that it lacks come from
+    /// DejaVu.
+    ImFont *text(const char *file, float size, float icon) {
         ImFont *font = add(file, size, kTextRanges, nullptr);
         if (font == nullptr) {
             font = add("truetype/dejavu/DejaVuSans.ttf", size, kTextRanges, nullptr);
         }
         if (font == nullptr) {
             ImFontConfig config;
-            config.SizePixels = std::round(size * scale_);
+            config.SizePixels = pixels(size);
             font = atlas().AddFontDefault(&config);
         } else {
             ImFontConfig merge;
             merge.MergeMode = true;
             add("truetype/dejavu/DejaVuSans.ttf", size, kTextRanges, &merge);
         }
-        if (withIcons) {
-            ImFontConfig merge;
-            merge.MergeMode = true;
-            merge.GlyphOffset.y = std::round(0.5F * scale_);
-            add("truetype/font-awesome/fontawesome-webfont.ttf", size, kIconRanges.data(), &merge);
-        }
+        addIcons(*font, pixels(size), static_cast<int>(std::lround(icon * scale_)));
         return font;
-    }
-
-    ImFont *icons(float size) {
-        return add("truetype/font-awesome/fontawesome-webfont.ttf", size, kIconRanges.data(), nullptr);
     }
 
     ImFont *mono(float size) { return add("truetype/dejavu/DejaVuSansMono.ttf", size, kAllLatin, nullptr); }
 
+    /// Builds the atlas and draws the icons into it.
+    void build() {
+        atlas().Build();
+        std::map<std::pair<std::size_t, int>, std::vector<std::uint8_t>> drawn; // by glyph and size
+        for (const PlacedIcon &icon : icons_) {
+            const ImFontAtlasCustomRect &rect = *atlas().GetCustomRectByIndex(icon.rect);
+            const int size = rect.Width;
+            std::vector<std::uint8_t> &cover = drawn[{icon.glyph, size}];
+            if (cover.empty()) {
+                cover = drawIcon(iconShapes()[icon.glyph / 2], icon.glyph % 2 == 0 ? IconPart::Whole : IconPart::Nodes,
+                                 size);
+            }
+            for (int row = 0; row < size; ++row) {
+                std::copy_n(cover.begin() + static_cast<std::ptrdiff_t>(row) * size, size,
+                            atlas().TexPixelsAlpha8 + (rect.Y + row) * atlas().TexWidth + rect.X);
+            }
+        }
+    }
+
   private:
+    /// A part of an icon in the atlas; `glyph`: twice the index of its shape, one more for its nodes.
+    struct PlacedIcon {
+        std::size_t glyph;
+        int rect;
+    };
+
     static ImFontAtlas &atlas() { return *ImGui::GetIO().Fonts; }
+    float pixels(float em) const { return std::round(em * kLine * scale_); }
+
+    /// Adds the icons to a font, in the middle of its line.
+    void addIcons(ImFont &font, float line, int size) {
+        const float top = std::round(0.5F * (line - static_cast<float>(size)));
+        for (std::size_t k = 0; k < iconShapes().size(); ++k) {
+            const bool nodes = *iconShapes()[k].nodes != '\0';
+            for (std::size_t part = 0; part < (nodes ? 2U : 1U); ++part) {
+                const char *const text = iconShapes()[k].text;
+                const auto letter = static_cast<ImWchar>(codeOf(text) + (part == 0 ? 0 : kNodesOfIcon));
+                const int rect = atlas().AddCustomRectFontGlyph(&font, letter, size, size, static_cast<float>(size),
+                                                                ImVec2(0.0F, top));
+                icons_.push_back({2 * k + part, rect});
+            }
+        }
+    }
 
     ImFont *add(const char *file, float size, const ImWchar *ranges, const ImFontConfig *config) {
         const std::filesystem::path path = std::filesystem::path(FOREFRONT_FONT_ROOT) / file;
         std::error_code ignored;
         if (!std::filesystem::exists(path, ignored)) {
             if (warning_.empty()) {
-                warning_ = "font " + path.string() +
-                           " not found; install fonts-inter, fonts-font-awesome and fonts-dejavu-core";
+                warning_ = "font " + path.string() + " not found; install fonts-inter and fonts-dejavu-core";
             }
             return nullptr;
         }
-        return atlas().AddFontFromFileTTF(path.c_str(), std::round(size * scale_), config, ranges);
+        return atlas().AddFontFromFileTTF(path.c_str(), pixels(size), config, ranges);
     }
 
     float scale_;
     std::string &warning_;
+    std::vector<PlacedIcon> icons_;
 };
 
 /// Gives all digits the width of the widest and centres them in it. FreeType within Dear ImGui does not apply the
@@ -118,17 +146,15 @@ Fonts loadFonts(float scale, std::string &warning) {
     atlas.TexGlyphPadding = 1;
     AtlasBuilder builder(scale, warning);
     Fonts fonts;
-    fonts.body = builder.text("opentype/inter/Inter-Regular.otf", 14.0F, true);
-    fonts.strong = builder.text("opentype/inter/Inter-SemiBold.otf", 14.0F, true);
-    fonts.small = builder.text("opentype/inter/Inter-Regular.otf", 13.0F, true);
-    fonts.heading = builder.text("opentype/inter/Inter-SemiBold.otf", 13.0F, true);
-    fonts.title = builder.text("opentype/inter/Inter-SemiBold.otf", 20.0F, false);
-    fonts.icons = builder.icons(17.0F);
-    fonts.mono = builder.mono(13.0F);
-    fonts.icons = fonts.icons != nullptr ? fonts.icons : fonts.body;
+    fonts.body = builder.text("opentype/inter/Inter-Regular.otf", 13.0F, kSmallIcon);
+    fonts.strong = fonts.heading = builder.text("opentype/inter/Inter-SemiBold.otf", 13.0F, kSmallIcon);
+    fonts.small = builder.text("opentype/inter/Inter-Regular.otf", 12.0F, kSmallIcon);
+    fonts.title = builder.text("opentype/inter/Inter-SemiBold.otf", 16.0F, kSmallIcon);
+    fonts.page = fonts.icons = builder.text("opentype/inter/Inter-SemiBold.otf", 20.0F, kIcon);
+    fonts.mono = builder.mono(12.0F);
     fonts.mono = fonts.mono != nullptr ? fonts.mono : fonts.body;
     ImGui::GetIO().FontDefault = fonts.body;
-    atlas.Build();
+    builder.build();
     for (ImFont *font : atlas.Fonts) {
         makeDigitsTabular(*font);
     }

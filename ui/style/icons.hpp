@@ -1,82 +1,82 @@
 #pragma once
 
-namespace forefront::icon {
+#include <string>
 
-// Font Awesome 4.7 in UTF-8. All code points lie below U+FFFF, as Dear ImGui 1.86 needs.
-inline constexpr const char *kSelect = "\xef\x89\x85";     // mouse-pointer
-inline constexpr const char *kPolygon = "\xef\x81\x80";    // pencil
-inline constexpr const char *kPolyline = "\xef\x88\x81";   // line-chart
-inline constexpr const char *kCircle = "\xef\x87\x9b";     // circle-thin
-inline constexpr const char *kRectangle = "\xef\x82\x96";  // square-o
-inline constexpr const char *kEllipse = "\xef\x84\x8c";    // circle-o
-inline constexpr const char *kRegular = "\xef\x86\xb2";    // cube
-inline constexpr const char *kArc = "\xef\x80\x9e";        // repeat
-inline constexpr const char *kPoint = "\xef\x86\x92";      // dot-circle-o
-inline constexpr const char *kBrush = "\xef\x87\xbc";      // paint-brush
-inline constexpr const char *kSource = "\xef\x81\x9b";     // crosshairs
-inline constexpr const char *kGradient = "\xef\x81\x82";   // adjust
-inline constexpr const char *kEraser = "\xef\x84\xad";     // eraser
-inline constexpr const char *kPlay = "\xef\x81\x8b";       // play
-inline constexpr const char *kPause = "\xef\x81\x8c";      // pause
-inline constexpr const char *kToStart = "\xef\x81\x89";    // fast-backward
-inline constexpr const char *kToEnd = "\xef\x81\x90";      // fast-forward
-inline constexpr const char *kBack = "\xef\x81\x88";       // step-backward
-inline constexpr const char *kForward = "\xef\x81\x91";    // step-forward
-inline constexpr const char *kStop = "\xef\x81\x8d";       // stop
-inline constexpr const char *kEye = "\xef\x81\xae";        // eye
-inline constexpr const char *kEyeClosed = "\xef\x81\xb0";  // eye-slash
-inline constexpr const char *kWarning = "\xef\x81\xb1";    // exclamation-triangle
-inline constexpr const char *kError = "\xef\x81\x97";      // times-circle
-inline constexpr const char *kInfo = "\xef\x81\x9a";       // info-circle
-inline constexpr const char *kCheck = "\xef\x80\x8c";      // check
-inline constexpr const char *kCross = "\xef\x80\x8d";      // times
-inline constexpr const char *kFolder = "\xef\x81\xbb";     // folder
-inline constexpr const char *kFolderOpen = "\xef\x81\xbc"; // folder-open
-inline constexpr const char *kFile = "\xef\x80\x96";       // file-o
-inline constexpr const char *kSave = "\xef\x83\x87";       // floppy-o
-inline constexpr const char *kExport = "\xef\x82\x8e";     // external-link
-inline constexpr const char *kImport = "\xef\x82\x90";     // sign-in
-inline constexpr const char *kUndo = "\xef\x83\xa2";       // undo
-inline constexpr const char *kRedo = "\xef\x80\x9e";       // repeat
-inline constexpr const char *kSearch = "\xef\x80\x82";     // search
-inline constexpr const char *kSettings = "\xef\x80\x93";   // cog
-inline constexpr const char *kHelp = "\xef\x81\x99";       // question-circle
-inline constexpr const char *kTrash = "\xef\x87\xb8";      // trash
-inline constexpr const char *kMagnet = "\xef\x81\xb6";     // magnet
-inline constexpr const char *kFit = "\xef\x82\xb2";        // arrows-alt
-inline constexpr const char *kRight = "\xef\x83\x9a";      // caret-right
-inline constexpr const char *kDown = "\xef\x83\x97";       // caret-down
-inline constexpr const char *kUp = "\xef\x81\xa2";         // arrow-up
-inline constexpr const char *kDot = "\xef\x84\x91";        // circle
-inline constexpr const char *kBolt = "\xef\x83\xa7";       // bolt
-inline constexpr const char *kClock = "\xef\x80\x97";      // clock-o
-inline constexpr const char *kPlus = "\xef\x81\xa7";       // plus
-inline constexpr const char *kMinus = "\xef\x81\xa8";      // minus
-inline constexpr const char *kSun = "\xef\x86\x85";        // sun-o
-inline constexpr const char *kMoon = "\xef\x86\x86";       // moon-o
-inline constexpr const char *kKeyboard = "\xef\x84\x9c";   // keyboard-o
-inline constexpr const char *kImage = "\xef\x80\xbe";      // picture-o
-inline constexpr const char *kTag = "\xef\x80\xab";        // tag
-inline constexpr const char *kFlag = "\xef\x80\xa4";       // flag
-inline constexpr const char *kHome = "\xef\x80\x95";       // home
-inline constexpr const char *kRefresh = "\xef\x80\xa1";    // refresh
-inline constexpr const char *kUnlock = "\xef\x82\x9c";     // unlock
-inline constexpr const char *kLock = "\xef\x80\xa3";       // lock
-inline constexpr const char *kList = "\xef\x80\xba";       // list
-inline constexpr const char *kColumns = "\xef\x83\x9b";    // columns
-inline constexpr const char *kBook = "\xef\x80\xad";       // book
-inline constexpr const char *kMeasure = "\xef\x81\xbe";    // arrows-h
-inline constexpr const char *kSlot = "\xef\x88\x84";       // toggle-off
-inline constexpr const char *kTrim = "\xef\x83\x84";       // scissors
+namespace forefront {
 
-/// Every icon above: the only ones that the fonts hold.
-inline constexpr const char *kAll[] = {
-    kSelect,  kPolygon,   kPolyline, kCircle, kRectangle, kEllipse, kRegular,  kArc,    kPoint,      kBrush,
-    kSource,  kGradient,  kEraser,   kPlay,   kPause,     kToStart, kToEnd,    kBack,   kForward,    kStop,
-    kEye,     kEyeClosed, kWarning,  kError,  kInfo,      kCheck,   kCross,    kFolder, kFolderOpen, kFile,
-    kSave,    kExport,    kImport,   kUndo,   kRedo,      kSearch,  kSettings, kHelp,   kTrash,      kMagnet,
-    kFit,     kRight,     kDown,     kUp,     kDot,       kBolt,    kClock,    kPlus,   kMinus,      kSun,
-    kMoon,    kKeyboard,  kImage,    kTag,    kFlag,      kHome,    kRefresh,  kUnlock, kLock,       kList,
-    kColumns, kBook,      kMeasure,  kSlot,   kTrim};
+/// Returns the code point of an icon.
+constexpr int codeOf(const char *icon) {
+    return ((icon[0] & 0x0f) << 12) | ((icon[1] & 0x3f) << 6) | (icon[2] & 0x3f);
+}
+/// Added to the code point of an icon, gives that of its squares alone, if it has any.
+inline constexpr int kNodesOfIcon = 0x40;
+/// Returns the squares of an icon, to be drawn over it in another colour.
+inline std::string nodesOf(const char *icon) {
+    return {icon[0], static_cast<char>(icon[1] + 1), icon[2]};
+}
 
-} // namespace forefront::icon
+namespace icon {
+
+// Icons as characters of the program's fonts, from the private area U+E000 of Unicode, in UTF-8. They are drawn from
+// the paths in ui/style/icon_shapes.cpp. One icon has one meaning.
+inline constexpr const char *kSelect = "\xee\x80\x80";      // Select
+inline constexpr const char *kPolygon = "\xee\x80\x81";     // Polygon
+inline constexpr const char *kRectangle = "\xee\x80\x82";   // Rectangle
+inline constexpr const char *kCircle = "\xee\x80\x83";      // Circle
+inline constexpr const char *kEllipse = "\xee\x80\x84";     // Ellipse
+inline constexpr const char *kRegular = "\xee\x80\x85";     // Regular polygon
+inline constexpr const char *kSlot = "\xee\x80\x86";        // Slot
+inline constexpr const char *kPolyline = "\xee\x80\x87";    // Polyline
+inline constexpr const char *kArc = "\xee\x80\x88";         // Arc
+inline constexpr const char *kPoint = "\xee\x80\x89";       // Constraint point
+inline constexpr const char *kTrim = "\xee\x80\x8a";        // Trim and extend
+inline constexpr const char *kRegion = "\xee\x80\x8b";      // Region
+inline constexpr const char *kBrush = "\xee\x80\x8c";       // Size brush
+inline constexpr const char *kEraser = "\xee\x80\x8d";      // Eraser
+inline constexpr const char *kSource = "\xee\x80\x8e";      // Size source
+inline constexpr const char *kGradient = "\xee\x80\x8f";    // Gradient
+inline constexpr const char *kMeasure = "\xee\x80\x90";     // Measure
+inline constexpr const char *kPicture = "\xee\x80\x91";     // Background picture
+inline constexpr const char *kTrace = "\xee\x80\x92";       // What made this?
+inline constexpr const char *kProbe = "\xee\x80\x93";       // Probe
+inline constexpr const char *kGuess = "\xee\x80\x94";       // Guess the next node
+inline constexpr const char *kLayers = "\xee\x80\x95";      // Layers
+inline constexpr const char *kSnapDrawing = "\xee\x80\x96"; // Snap to drawing
+inline constexpr const char *kSnapGrid = "\xee\x80\x97";    // Snap to grid
+inline constexpr const char *kFit = "\xee\x80\x98";         // Zoom to all
+inline constexpr const char *kEye = "\xee\x80\x99";         // Visible
+inline constexpr const char *kEyeClosed = "\xee\x80\x9a";   // Hidden
+inline constexpr const char *kSearch = "\xee\x80\x9b";      // Search commands
+inline constexpr const char *kPlay = "\xee\x80\x9c";        // Play
+inline constexpr const char *kForward = "\xee\x80\x9d";     // Step forward
+inline constexpr const char *kBack = "\xee\x80\x9e";        // Step back
+inline constexpr const char *kToStart = "\xee\x80\x9f";     // To the start
+inline constexpr const char *kToEnd = "\xee\x80\xa0";       // To the end
+inline constexpr const char *kFlag = "\xee\x80\xa1";        // Breakpoint
+inline constexpr const char *kDown = "\xee\x80\xa2";        // Open
+inline constexpr const char *kRight = "\xee\x80\xa3";       // Closed
+inline constexpr const char *kPlus = "\xee\x80\xa4";        // Add
+inline constexpr const char *kLock = "\xee\x80\xa5";        // Lock
+inline constexpr const char *kCheck = "\xee\x80\xa6";       // Passed
+inline constexpr const char *kCross = "\xee\x80\xa7";       // Failed
+inline constexpr const char *kWarning = "\xee\x80\xa8";     // Warning
+inline constexpr const char *kRunPlot = "\xee\x80\xa9";     // Curves of the run
+inline constexpr const char *kTheme = "\xee\x80\xaa";       // Dark or light theme
+inline constexpr const char *kComputer = "\xee\x80\xab";    // This computer
+inline constexpr const char *kPause = "\xee\x80\xac";       // Pause
+inline constexpr const char *kClock = "\xee\x80\xad";       // Out of date
+inline constexpr const char *kError = "\xee\x80\xae";       // Error
+inline constexpr const char *kInfo = "\xee\x80\xaf";        // Note
+inline constexpr const char *kUnknown = "\xee\x80\xb0";     // Not known
+inline constexpr const char *kKeyboard = "\xee\x80\xb1";    // Keyboard shortcuts
+inline constexpr const char *kPanels = "\xee\x80\xb2";      // Panels beside the canvas
+inline constexpr const char *kTrash = "\xee\x80\xb3";       // Remove
+inline constexpr const char *kUnlock = "\xee\x80\xb4";      // Unlocked
+inline constexpr const char *kHome = "\xee\x80\xb5";        // Home folder
+inline constexpr const char *kFolder = "\xee\x80\xb6";      // Folder
+inline constexpr const char *kFile = "\xee\x80\xb7";        // File
+inline constexpr const char *kUp = "\xee\x80\xb8";          // Up
+
+} // namespace icon
+
+} // namespace forefront

@@ -40,18 +40,45 @@ ColourRange wholeRange(Measure measure, const MeasureSummary &summary) {
 
 } // namespace
 
-ColourMap mapOf(Measure measure) {
+ColourMap mapOf(Measure measure, QualityScale scale, ThemeKind theme) {
+    const bool dark = theme == ThemeKind::Dark;
     switch (measure) {
     case Measure::SizeRatio:
     case Measure::Valence:
-        return diverging;
+        return dark ? divergingDark : diverging;
     case Measure::Region:
         return categories;
     default:
         break;
     }
     const BadEnd bad = infoOf(measure).bad;
-    return bad == BadEnd::Low ? cividis : bad == BadEnd::High ? cividisReversed : viridis;
+    if (bad == BadEnd::None) {
+        return viridis;
+    }
+    if (scale == QualityScale::Cividis) {
+        return bad == BadEnd::Low ? cividis : cividisReversed;
+    }
+    if (bad == BadEnd::Low) {
+        return dark ? qualityDark : qualityLight;
+    }
+    return dark ? qualityDarkReversed : qualityLightReversed;
+}
+
+std::optional<ColourRange> fixedRange(Measure measure) {
+    switch (measure) {
+    case Measure::ShapeFactor:
+    case Measure::ScaledJacobian:
+    case Measure::Conformity:
+        return ColourRange{0.5, 1.0}; // red ends at 0.6, amber is 0.75, from 0.88 on it is quiet
+    case Measure::MinAngle:
+        return ColourRange{15.0, 60.0};
+    case Measure::MaxAngle:
+        return ColourRange{60.0, 150.0};
+    case Measure::AreaRatio:
+        return ColourRange{1.0, 5.0};
+    default:
+        return std::nullopt;
+    }
 }
 
 ColourRange fittedRange(Measure measure, const MeasureSummary &summary) {
@@ -98,8 +125,13 @@ double mapPosition(Measure measure, const ColourRange &range, double value) {
     return range.position(value);
 }
 
+double mapValue(Measure measure, const ColourRange &range, double at) {
+    return infoOf(measure).logarithmic ? range.from * std::pow(range.to / range.from, at)
+                                       : range.from + at * (range.to - range.from);
+}
+
 Colour regionColour(std::int32_t tag) {
-    return mapOf(Measure::Region)(mapPosition(Measure::Region, {}, tag));
+    return categories(mapPosition(Measure::Region, {}, tag));
 }
 
 } // namespace forefront

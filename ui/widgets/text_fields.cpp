@@ -1,3 +1,4 @@
+#include "ui/widgets/field_frame.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -84,6 +85,7 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
     Drawn drawn{.held = ImGui::GetActiveID() == id};
     {
         const RedoByShiftZ redo;
+        const FieldFrame frame(context);
         drawn.returned = ImGui::InputTextWithHint("##text", std::string(hint).c_str(), &value, flags);
     }
     ImGui::PopID();
@@ -113,6 +115,9 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
         state->ID = 0;
     }
     drawn.holds = ImGui::GetActiveID() == id;
+    if (drawn.holds) {
+        drawFocus(context);
+    }
     return drawn;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/widgets/widgets.hpp"
 
+#include "ui/widgets/field_frame.hpp"
 #include "ui/widgets/text_wrap.hpp"
 
 #include <imgui.h>
@@ -10,6 +11,8 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <utility>
 
 namespace forefront::ui {
 
@@ -23,15 +26,18 @@ struct Id {
     Id &operator=(const Id &) = delete;
 };
 
+/// Scope of a widget that may be disabled. Its colours say so; fading them as well would make its text illegible.
 struct Disabled {
     explicit Disabled(bool disabled) : disabled_(disabled) {
         if (disabled_) {
+            ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1.0F);
             ImGui::BeginDisabled();
         }
     }
     ~Disabled() {
         if (disabled_) {
             ImGui::EndDisabled();
+            ImGui::PopStyleVar();
         }
     }
     Disabled(const Disabled &) = delete;
@@ -61,16 +67,18 @@ void revealPart(WidgetContext &context, std::string_view name, const ImVec2 &min
     }
 }
 
-void pushButtonColours(const Theme &theme, ButtonKind kind, bool on) {
+void pushButtonColours(const Theme &theme, ButtonKind kind, bool on, bool enabled) {
     Colour rest = theme.raised, hover = theme.hovered, press = theme.pressed, text = theme.text;
-    if (kind == ButtonKind::Primary) {
+    if (!enabled) {
+        rest = hover = press = kind == ButtonKind::Quiet ? Colour() : theme.raised;
+        text = theme.faint;
+    } else if (kind == ButtonKind::Primary) {
         rest = theme.accent;
         hover = mix(theme.accent, theme.text, 0.15);
         press = mix(theme.accent, theme.panel, 0.2);
         text = theme.onAccent;
     } else if (kind == ButtonKind::Quiet) {
-        rest = on ? fade(theme.accent, 0.2) : Colour();
-        text = on ? theme.accent : theme.text;
+        rest = on ? theme.pressed : Colour();
     }
     ImGui::PushStyleColor(ImGuiCol_Button, rest);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, hover);
@@ -112,7 +120,7 @@ bool button(WidgetContext &context, std::string_view name, std::string_view labe
             float width) {
     const Id id(name);
     const Disabled disabled(!enabled);
-    pushButtonColours(context.theme, kind, false);
+    pushButtonColours(context.theme, kind, false, enabled);
     const bool pressed = ImGui::Button(std::string(label).c_str(), {widthOf(context, width), 0.0F});
     ImGui::PopStyleColor(4);
     mark(context, name, enabled);
@@ -125,11 +133,12 @@ bool iconButton(WidgetContext &context, std::string_view name, const char *icon,
     {
         const Id id(name);
         const Disabled disabled(!enabled);
-        pushButtonColours(context.theme, ButtonKind::Quiet, on);
+        pushButtonColours(context.theme, ButtonKind::Quiet, on, enabled);
         ImGui::PushFont(size < 30.0F ? context.fonts.body : context.fonts.icons);
-        ImGui::PushStyleColor(ImGuiCol_Text, on             ? context.theme.accent
-                                             : size < 30.0F ? context.theme.muted
-                                                            : context.theme.text);
+        const bool quiet = size < 30.0F && !on;
+        ImGui::PushStyleColor(ImGuiCol_Text, !enabled ? context.theme.faint
+                                             : quiet  ? context.theme.muted
+                                                      : context.theme.text);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
         pressed = ImGui::Button(icon, {context.px(size), context.px(size)});
         ImGui::PopStyleVar();
@@ -157,16 +166,16 @@ bool checkbox(WidgetContext &context, std::string_view name, std::string_view la
     const Theme &theme = context.theme;
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const ImVec2 corner{at.x, std::round(at.y + (height - box) / 2)};
-    const Colour rest = value ? theme.accent : theme.raised,
-                 lit = value ? mix(theme.accent, theme.text, 0.15) : theme.hovered;
+    const Colour rest = value ? theme.text : theme.inset,
+                 lit = value ? mix(theme.text, theme.panel, 0.15) : theme.hovered;
     list.AddRectFilled(corner, {corner.x + box, corner.y + box}, hovered ? lit : rest, context.px(4));
     if (value) {
         const ImVec2 points[] = {{corner.x + 0.24F * box, corner.y + 0.52F * box},
                                  {corner.x + 0.43F * box, corner.y + 0.70F * box},
                                  {corner.x + 0.77F * box, corner.y + 0.31F * box}};
-        list.AddPolyline(points, 3, theme.onAccent, 0, context.px(1.8));
+        list.AddPolyline(points, 3, theme.panel, 0, context.px(1.8));
     } else {
-        list.AddRect(corner, {corner.x + box, corner.y + box}, theme.faint, context.px(4));
+        list.AddRect(corner, {corner.x + box, corner.y + box}, theme.fieldBorder, context.px(4));
     }
     if (focused) {
         const float out = context.px(3);
@@ -193,7 +202,7 @@ bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view l
     }
     const Colour colour = value ? context.theme.text : context.theme.faint;
     const float middle = at.y + (height - ImGui::GetFontSize()) / 2;
-    list.AddText({at.x + context.px(5), middle}, value ? context.theme.accent : context.theme.faint,
+    list.AddText({at.x + context.px(3), middle}, value ? context.theme.muted : context.theme.faint,
                  value ? icon::kEye : icon::kEyeClosed);
     list.AddText({at.x + context.px(24), middle}, colour, label.data(), label.data() + label.size());
     return pressed;
@@ -205,9 +214,9 @@ bool segmented(WidgetContext &context, std::string_view name, std::span<const ch
     const float whole = width > 0.0F ? context.px(width) : ImGui::GetContentRegionAvail().x;
     const float each = whole / static_cast<float>(labels.size());
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = context.px(26);
+    const float height = context.px(24);
     ImDrawList &list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + whole, at.y + height}, context.theme.raised, context.px(6));
+    list.AddRectFilled(at, {at.x + whole, at.y + height}, context.theme.inset, context.px(6));
     bool changed = false;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const ImVec2 corner{at.x + each * static_cast<float>(i), at.y};
@@ -238,10 +247,12 @@ bool combo(WidgetContext &context, std::string_view name, std::span<const char *
            float width) {
     const Id id(name);
     ImGui::SetNextItemWidth(widthOf(context, width));
+    std::optional<FieldFrame> frame(std::in_place, context);
     const char *shown =
         choice >= 0 && choice < static_cast<int>(labels.size()) ? labels[static_cast<std::size_t>(choice)] : "";
     bool changed = false;
     const bool open = ImGui::BeginCombo("##combo", shown);
+    frame.reset();
     mark(context, name);
     if (open) {
         for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -280,9 +291,11 @@ bool slider(WidgetContext &context, std::string_view name, double &value, double
     ImGui::SetNextItemWidth(std::max(whole - beside, context.px(24)));
     const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##slider")); // after a click with Ctrl
     ImGui::PushStyleColor(ImGuiCol_Text, typing ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ImVec4(0, 0, 0, 0));
+    std::optional<FieldFrame> frame(std::in_place, context);
     const bool changed =
         ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &minimum, &maximum, pattern,
                             ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    frame.reset();
     ImGui::PopStyleColor();
     mark(context, name);
     ImGui::SameLine(0, context.px(8));
@@ -313,7 +326,7 @@ bool thinSlider(WidgetContext &context, std::string_view name, double &t, std::s
     const float x = left + static_cast<float>(std::clamp(t, 0.0, 1.0)) * (right - left);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({left, middle - half}, {right, middle + half}, context.theme.pressed, half);
-    list.AddRectFilled({left, middle - half}, {x, middle + half}, context.theme.accent, half);
+    list.AddRectFilled({left, middle - half}, {x, middle + half}, context.theme.muted, half);
     list.AddCircleFilled({x, middle}, context.px(active || hovered ? 6.5 : 5.5), context.theme.text, 20);
     ImGui::SameLine(0, 0);
     const ImVec2 size = ImGui::CalcTextSize(shown.data(), shown.data() + shown.size());
@@ -328,7 +341,7 @@ bool selectable(WidgetContext &context, std::string_view name, std::string_view 
                 std::string_view detail) {
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = context.px(26);
+    const float width = ImGui::GetContentRegionAvail().x, height = context.px(28);
     const bool pressed = ImGui::Selectable("##row", selected, ImGuiSelectableFlags_None, {width, height});
     mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -360,9 +373,7 @@ bool link(WidgetContext &context, std::string_view name, std::string_view text) 
 
 void heading(WidgetContext &context, std::string_view text) {
     ImGui::PushFont(context.fonts.heading);
-    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopStyleColor();
     ImGui::PopFont();
 }
 

@@ -3,6 +3,7 @@
 #include "core/engine/geometry/polygon.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <algorithm>
@@ -47,7 +48,75 @@ ColourRange measureRange(const Workspace &context) {
     const bool current = judgement.of.field.empty() ? judgement.of.measure == context.view.measure
                                                     : judgement.of.field == context.view.field &&
                                                           judgement.of.fieldPart == context.view.fieldPart;
-    return current && context.view.measureRange ? *context.view.measureRange : judgement.fitted;
+    if (current && context.view.measureRange) {
+        return *context.view.measureRange;
+    }
+    const std::optional<ColourRange> fixed =
+        judgement.of.fieldValues || context.view.fitRange ? std::nullopt : fixedRange(judgement.of.measure);
+    return fixed.value_or(judgement.fitted);
+}
+
+ColourMap measureMap(const Workspace &context) {
+    return mapOf(context.judgement->of.measure, context.view.scale, context.theme.kind);
+}
+
+std::optional<MeshLimit> limitOf(Measure measure) {
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        if (limitInfo(limit).measure == measure) {
+            return limit;
+        }
+    }
+    return std::nullopt;
+}
+
+MeasureBounds measureBounds(const Workspace &context) {
+    const JudgeRequest &of = context.judgement->of;
+    MeasureBounds bounds;
+    if (of.fieldValues) {
+        return bounds;
+    }
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        const LimitInfo &info = limitInfo(limit);
+        const bool dragged = context.view.draggedLimit && context.view.draggedLimit->limit == limit;
+        const std::optional<double> value =
+            dragged ? std::optional(context.view.draggedLimit->value) : context.document.current()->limits[limit];
+        if (info.measure == of.measure && value) {
+            (info.isMinimum ? bounds.minimum : bounds.maximum) = value;
+        }
+    }
+    constexpr double kBadShape = 0.5;
+    if (of.measure == Measure::ShapeFactor && !bounds.minimum) {
+        bounds.minimum = kBadShape;
+    }
+    return bounds;
+}
+
+double limitPosition(Measure measure, const ColourRange &range, const MeasureBounds &bounds) {
+    const std::optional<MeshLimit> limit = limitOf(measure);
+    const bool isMinimum = limit && limitInfo(*limit).isMinimum;
+    const std::optional<double> bound = isMinimum ? bounds.minimum : bounds.maximum;
+    return bound ? std::clamp(mapPosition(measure, range, *bound), 0.0, 1.0) : isMinimum ? 0.0 : 1.0;
+}
+
+void setLimit(Workspace &context, MeshLimit limit, std::optional<double> value) {
+    if (value) {
+        if (const std::string fault = limitFault(limit, *value); !fault.empty()) {
+            ui::refuseCommand(context, {{.severity = Severity::Warning,
+                                         .code = "bad-limit",
+                                         .message = std::string(limitInfo(limit).name) + ": " + fault}});
+            return;
+        }
+    }
+    Document next = *context.document.current();
+    next.limits[limit] = value;
+    context.document.apply(std::move(next), value ? std::string("Set ") + limitInfo(limit).name
+                                                  : std::string("Remove ") + limitInfo(limit).name);
+}
+
+void fitMeasureRange(Workspace &context) {
+    context.view.measureRange.reset();
+    context.view.fitRange = true;
+    context.animate();
 }
 
 void chooseMeasure(Workspace &context, Measure measure) {

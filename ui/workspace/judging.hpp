@@ -21,6 +21,24 @@ JudgeRequest judgeRequest(const Workspace &context);
 
 /// Returns the colour range of the chosen measure: set by the user, or fitted to the mesh.
 ColourRange measureRange(const Workspace &context);
+/// Returns the colour map of the values that the canvas shows.
+ColourMap measureMap(const Workspace &context);
+/// Shows the differences within the mesh: the range of the colours fits it from now on.
+void fitMeasureRange(Workspace &context);
+
+/// The values at which a measure is bad: below the minimum, above the maximum.
+struct MeasureBounds {
+    std::optional<double> minimum, maximum;
+};
+/// Returns the bounds of the measure on the canvas: those that the user set as limits, with the one being dragged; α
+/// below 0.5 is bad without any.
+MeasureBounds measureBounds(const Workspace &context);
+/// Returns the limit that a user can set for a measure by dragging; none for measures without.
+std::optional<MeshLimit> limitOf(Measure measure);
+/// Returns the place of the limit of a measure on a colour bar, in [0, 1]; at its bad end without a limit.
+double limitPosition(Measure measure, const ColourRange &range, const MeasureBounds &bounds);
+/// Sets or removes a limit of the document, or explains why the value cannot be one.
+void setLimit(Workspace &context, MeshLimit limit, std::optional<double> value);
 
 /// Chooses the measure to show; resets the colour range and the isolated bar of the previous one.
 void chooseMeasure(Workspace &context, Measure measure);

@@ -20,7 +20,7 @@
 namespace forefront {
 
 const char *RegionTool::icon() const {
-    return icon::kFlag;
+    return icon::kRegion;
 }
 
 void RegionTool::deactivate(Shell &context) {

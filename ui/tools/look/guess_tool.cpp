@@ -13,7 +13,7 @@
 namespace forefront {
 
 const char *GuessTool::icon() const {
-    return icon::kHelp;
+    return icon::kGuess;
 }
 
 bool GuessTool::asks(const Shell &context) {

@@ -31,7 +31,7 @@ bool drawPlaceField(Shell &context, ui::Flow &flow, const char *name, const char
 } // namespace
 
 const char *PictureTool::icon() const {
-    return icon::kImage;
+    return icon::kPicture;
 }
 
 const BackgroundPicture *PictureTool::movable(const Shell &context) {

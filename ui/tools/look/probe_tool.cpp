@@ -13,7 +13,7 @@ constexpr double kProbeReach = 8.0; ///< of the pointer, design pixels
 } // namespace
 
 const char *ProbeTool::icon() const {
-    return icon::kInfo;
+    return icon::kProbe;
 }
 
 CursorShape ProbeTool::cursor() const {

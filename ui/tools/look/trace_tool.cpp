@@ -27,7 +27,7 @@ std::optional<Box2> cellAt(const SessionSnapshot &run, Vec2 place) {
 } // namespace
 
 const char *TraceTool::icon() const {
-    return icon::kSearch;
+    return icon::kTrace;
 }
 
 /// The cells can be clicked only while they are shown: only then does the snapshot have them.

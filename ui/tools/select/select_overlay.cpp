@@ -42,6 +42,7 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
     for (const SegmentRef segment : selection.segments) {
         shown.insert(segment.shape);
     }
+    const std::set<std::uint32_t> selected = shown;
     if (over_ && hover_.shape != kNoIndex && hover_.kind != Hit::Kind::Inside) {
         shown.insert(hover_.shape);
     }
@@ -51,11 +52,15 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
             continue;
         }
         const bool whole = selection.shapes.contains(shape->id);
+        const bool some = selected.contains(shape->id);
         const Outline outline = outlineOf(*shape);
-        painter.outline(outline, fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
+        painter.outline(outline, fade(theme.selection, whole ? 1.0 : 0.5), some ? 2.0 : 1.0);
         const std::vector<Vec2> handles = handlesOf(*shape);
+        const auto under = [&](std::uint32_t k) { // would be taken by a click
+            return over_ && hover_.kind == Hit::Kind::Node && hover_.node == NodeRef{shape->id, k};
+        };
         for (std::uint32_t k = 0; k < handles.size() && drawn < kMaxHandles; ++k) {
-            if (visible.contains(handles[k])) {
+            if ((some || under(k)) && visible.contains(handles[k])) {
                 const bool chosen = whole ? shape->is<PointForm>() : selection.nodes.contains({shape->id, k});
                 painter.handle(handles[k], chosen ? 4.5 : 3.5, chosen ? theme.selection : theme.canvas,
                                theme.selection);

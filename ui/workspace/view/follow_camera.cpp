@@ -7,10 +7,10 @@ namespace forefront {
 
 namespace {
 
-// Sides of the advance as fractions of the room: for a new target, and the limits within which the camera keeps still.
+/// Side of the advance as a fraction of the room, for a new target, as far as the length of the base allows.
 constexpr double kTarget = 0.42;
-constexpr double kLargest = 0.8;
-constexpr double kSmallest = 0.16;
+/// The length of the base in design pixels.
+constexpr double kShortest = 60.0, kLongest = 120.0;
 /// The camera keeps still while the advance lies within this fraction of the room.
 constexpr double kMiddle = 0.9;
 /// Seconds in which the distance from the target falls to 1/e.
@@ -42,31 +42,38 @@ Box2 boxOf(const AdvanceExplanation &advance) {
     return box;
 }
 
-bool FollowCamera::serves(const Box2 &box, const View &view) const {
-    if (target_.empty()) {
-        return false;
-    }
-    const double zoom = kTarget / part(target_, view.room, 1.0);
-    const double size = part(box, view.room, zoom);
-    const Vec2 half{0.5 * kMiddle * view.room.width / zoom, 0.5 * kMiddle * view.room.height / zoom};
-    const Box2 middle{target_.centre() - half, target_.centre() + half};
-    return size <= kLargest && size >= kSmallest && middle.contains(box.min) && middle.contains(box.max);
+double FollowCamera::zoomOf(const View &view, double scale) const {
+    const double zoom = kTarget / part(target_.box, view.room, 1.0);
+    return target_.base > 0.0 ? std::clamp(zoom, kShortest * scale / target_.base, kLongest * scale / target_.base)
+                              : zoom;
 }
 
-bool FollowCamera::follow(View &view, const Box2 &box, double seconds) {
-    if (box.empty() || view.room.width <= 0.0 || view.room.height <= 0.0) {
+bool FollowCamera::serves(const Subject &subject, const View &view, double scale) const {
+    if (target_.box.empty()) {
         return false;
     }
-    if (!serves(box, view)) {
-        target_ = box;
+    const double zoom = zoomOf(view, scale), base = zoom * subject.base / scale;
+    constexpr double kRounding = 1e-6;
+    const Vec2 half{0.5 * kMiddle * view.room.width / zoom, 0.5 * kMiddle * view.room.height / zoom};
+    const Box2 middle{target_.box.centre() - half, target_.box.centre() + half};
+    return base <= kLongest + kRounding && base >= kShortest - kRounding && middle.contains(subject.box.min) &&
+           middle.contains(subject.box.max);
+}
+
+bool FollowCamera::follow(View &view, const Subject &subject, double seconds, double scale) {
+    if (subject.box.empty() || view.room.width <= 0.0 || view.room.height <= 0.0) {
+        return false;
+    }
+    if (!serves(subject, view, scale)) {
+        target_ = subject;
     }
     view.fitted.reset();
     Camera &camera = view.camera;
-    const double wanted = std::clamp(kTarget / part(target_, view.room, 1.0), camera.minZoom, camera.maxZoom);
+    const double wanted = std::clamp(zoomOf(view, scale), camera.minZoom, camera.maxZoom);
     // The free room may lie off the middle of the viewport.
     const auto centreAt = [&](double zoom) {
         const Pixel off = view.room.centre() - camera.viewport.centre();
-        return Vec2{target_.centre().x - off.x / zoom, target_.centre().y + off.y / zoom};
+        return Vec2{target_.box.centre().x - off.x / zoom, target_.box.centre().y + off.y / zoom};
     };
     const double step = 1.0 - std::exp(-seconds / kTimeConstant);
     const double ratio = wanted / camera.zoom;

@@ -12,16 +12,24 @@ Box2 boxOf(const AdvanceExplanation &advance);
 /// new place, so that neighbouring advances do not shake the picture.
 class FollowCamera {
   public:
-    /// Moves the view towards a box for `seconds` of time. Returns true while it has further to go.
-    bool follow(View &view, const Box2 &box, double seconds);
+    /// What the camera shows: the box of an advance, and the length of its base AB.
+    struct Subject {
+        Box2 box;
+        double base = 0.0;
+    };
+
+    /// Moves the view towards a subject for `seconds` of time. The base is then 60 to 120 design pixels long, each of
+    /// `scale` pixels. Returns true while it has further to go.
+    bool follow(View &view, const Subject &subject, double seconds, double scale);
     /// Forgets the target, so that the next box becomes the target at once.
     void reset() { target_ = {}; }
 
   private:
-    /// Returns true if the box is inside the middle of the target and not too small in it.
-    bool serves(const Box2 &box, const View &view) const;
+    double zoomOf(const View &view, double scale) const;
+    /// Returns true if the subject is inside the middle of the target and its base neither too short nor too long.
+    bool serves(const Subject &subject, const View &view, double scale) const;
 
-    Box2 target_; ///< shown in the middle of the free room; empty: none yet
+    Subject target_; ///< shown in the middle of the free room; an empty box: none yet
 };
 
 } // namespace forefront

@@ -6,6 +6,7 @@ void View::fit(const Box2 &box) {
     camera.fit(box, room);
     fitted = box;
     following = false;
+    ++jumps;
 }
 
 void View::pan(Pixel pixels) {
@@ -56,6 +57,7 @@ void View::goTo(Vec2 place, double now) {
     fitted.reset();
     following = false;
     camera.centre = place;
+    ++jumps;
     flag = place;
     flagTime = now;
 }

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
-#include "ui/style/colour_map.hpp"
+#include "ui/style/measure_colours.hpp"
 
 #include <array>
 #include <cstddef>
@@ -29,17 +30,26 @@ enum class TraceMode : std::uint8_t {
 /// The values that the histogram shows and the layer "quality" colours by.
 struct ColourChoice {
     Measure measure = Measure::ShapeFactor;
-    MeshPart fieldPart = MeshPart::Nodes;    ///< that has the values of `field`: nodes or elements
-    std::string field;                       ///< values of the file shown instead of the measure; empty: none
-    std::optional<ColourRange> measureRange; ///< of the colours of the measure; not set: it fits the mesh
+    MeshPart fieldPart = MeshPart::Nodes; ///< that has the values of `field`: nodes or elements
+    std::string field;                    ///< values of the file shown instead of the measure; empty: none
+    QualityScale scale = QualityScale::Alarm;
+    bool fitRange = false;                   ///< the range of the colours fits the mesh; false: the fixed one, if any
+    std::optional<ColourRange> measureRange; ///< of the colours of the measure, set by the user
 
     friend bool operator==(const ColourChoice &, const ColourChoice &) = default;
+};
+
+/// A limit of meshes that the user drags in the legend.
+struct DraggedLimit {
+    MeshLimit limit = MeshLimit::MinAlpha;
+    double value = 0.0;
 };
 
 /// The part of the plane in view, and what is highlighted in it.
 struct View : ColourChoice {
     Camera camera;
     PixelRect room;                ///< part of the canvas free of plates and legends; fitted drawings go there
+    std::uint64_t jumps = 0;       ///< of the camera to a target, see Glide
     std::optional<Box2> fitted;    ///< kept fully visible when the canvas is resized, until the user pans or zooms
     std::optional<Vec2> pointer;   ///< place under the pointer while it is over the canvas
     std::optional<Vec2> facePlace; ///< a place in the face that the active tool points at
@@ -50,6 +60,7 @@ struct View : ColourChoice {
     double flagTime = 0.0;
     std::optional<CandidateChoice> candidate;
     std::array<bool, kMarkKinds> marks{true, false, true, true, true, true}; ///< shown on the timeline
+    std::optional<DraggedLimit> draggedLimit;
     TraceMode traceMode = TraceMode::Birth;
     bool runPlot = false;           ///< show the curves of the run above the timeline
     std::optional<int> isolatedBin; ///< bin of the histogram whose parts are shown alone

@@ -1,0 +1,69 @@
+#include "tests/ui/edit_driver.hpp"
+#include "ui/canvas/glide.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace forefront::test {
+
+TEST_CASE("Motion: a jump of the camera takes 120 ms, slows down, and ends at the target") {
+    const Camera from{.centre = {0, 0}, .zoom = 10.0, .viewport = {0, 0, 800, 600}};
+    const Camera to{.centre = {30, 10}, .zoom = 40.0, .viewport = {0, 0, 800, 600}};
+    Glide glide;
+    CHECK(glide.next(from, 0, 5.0, true) == from);
+    CHECK_FALSE(glide.moving());
+    CHECK(glide.next(to, 1, 6.0, true).zoom == doctest::Approx(10.0));
+    double before = 10.0, step = 1e9;
+    for (int k = 1; k < 8; ++k) {
+        const Camera shown = glide.next(to, 1, 6.0 + 0.015 * k, true);
+        CHECK(glide.moving());
+        CHECK(shown.zoom > before);
+        CHECK(std::log(shown.zoom / before) < step); // ever slower
+        step = std::log(shown.zoom / before);
+        before = shown.zoom;
+    }
+    CHECK(glide.next(to, 1, 6.1201, true) == to);
+    CHECK_FALSE(glide.moving());
+    // A move by hand is shown at once, and so is a jump with reduced motion or after a change of the window.
+    CHECK(glide.next(from, 1, 7.0, true) == from);
+    CHECK(glide.next(to, 2, 8.0, false) == to);
+    Camera wide = from;
+    wide.viewport.width = 900;
+    CHECK(glide.next(wide, 3, 9.0, true) == wide);
+}
+
+TEST_CASE("Motion: what both cameras show at the same pixel stays there during a zoom") {
+    const Camera from{.centre = {0, 0}, .zoom = 10.0, .viewport = {0, 0, 800, 600}};
+    Camera to = from;
+    to.zoomAt({200, 100}, 6.0);
+    const Vec2 fixed = from.toPlane({200, 100});
+    Glide glide;
+    glide.next(from, 0, 0.0, true);
+    for (int k = 0; k < 8; ++k) {
+        const Pixel at = glide.next(to, 1, 1.0 + 0.015 * k, true).toPixel(fixed);
+        CHECK(at.x == doctest::Approx(200.0));
+        CHECK(at.y == doctest::Approx(100.0));
+    }
+}
+
+TEST_CASE("Motion: a command moves the picture smoothly, unless motion is reduced") {
+    for (const bool reduced : {false, true}) {
+        Draughtsman driver;
+        driver.platform().show(true);
+        driver.rectangle({4, 4}, {6, 6});
+        driver.key('V');
+        driver.moveTo({5, 5});
+        driver.settle();
+        driver.context().settings.reduceMotion = reduced;
+        const std::uint64_t before = driver.editor().canvas().stillDraws();
+        driver.context().actions.run("view.fit", driver.context());
+        const Camera target = driver.context().view.camera; // at once, for whatever comes next
+        driver.settle();
+        CHECK(driver.context().view.camera == target);
+        const std::uint64_t draws = driver.editor().canvas().stillDraws() - before;
+        CHECK((reduced ? draws <= 2 : draws >= 5));
+    }
+}
+
+} // namespace forefront::test
