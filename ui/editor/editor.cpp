@@ -141,8 +141,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     parts_->savedSettings = c.settings;
     c.tools.tools = makeTools();
     for (auto &layer : makeLayers()) {
-        const bool visible = layer->visibleAtStart();
-        c.layers.push_back({std::move(layer), visible});
+        c.layers.push_back({std::move(layer), false});
     }
     c.panels = makePanels();
     addEditActions(c.actions);
@@ -384,15 +383,18 @@ void Editor::Parts::buildInterface() {
     }
     ui::markRect(context, "canvas", layout.canvas);
     shell::drawMenuBar(context, layout.menu);
+    shell::drawOptionsBar(context, layout.options);
     shell::drawToolStrip(context, layout.tools);
     shell::drawLessons(context, layout.lessons);
     shell::drawSides(context, layout.sides, layout.figures);
-    shell::drawColumn(context, layout.column);
     shell::drawTimeline(context, layout.timeline);
     shell::drawStatusBar(context, layout.status);
     shell::drawRulers(context, layout);
-    shell::drawToolOptions(context, layout.canvas);
     shell::drawCanvasNotes(context, layout.canvas);
+    shell::drawLayers(context, layout.canvas);
+    shell::drawLog(context, layout.canvas);
+    shell::drawHistory(context, layout);
+    shell::drawColumn(context, layout.column); // may lie over the canvas
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
     context.dialogs.draw(context);

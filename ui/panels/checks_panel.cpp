@@ -17,7 +17,6 @@ class ChecksPanel final : public Panel {
   public:
     const char *id() const override { return "checks"; }
     const char *title() const override { return "Checks"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         if (context.document.current()->shapes.empty()) {

@@ -22,7 +22,6 @@ class HistogramPanel final : public Panel {
   public:
     const char *id() const override { return "histogram"; }
     const char *title() const override { return "Histogram"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         // Hold a reference, since choosing a measure must not change what the rest of the panel draws.

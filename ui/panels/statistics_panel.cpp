@@ -35,7 +35,6 @@ class StatisticsPanel final : public Panel {
   public:
     const char *id() const override { return "statistics"; }
     const char *title() const override { return "Statistics"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         const SessionSnapshot &run = context.run.now();

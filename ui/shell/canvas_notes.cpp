@@ -100,16 +100,19 @@ float roomOfPlates(const WidgetContext &context, const PixelRect &canvas) {
     return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
 }
 
-/// Returns the top of the plate at the right: beside the tool options if it fits there, else below them. Uses the
-/// rectangles of the last frame.
-double topOfNotes(const WidgetContext &context, const PixelRect &canvas) {
-    const double gap = 12.0 * static_cast<double>(context.scale);
-    const WidgetRegistry::Widget *const options = context.widgets.find("options");
+/// Returns the upper right corner of the plate: left of the buttons in the corner of the canvas if it fits there, else
+/// below them. Uses the rectangles of the last frame.
+Pixel cornerOfNotes(const WidgetContext &context, const PixelRect &canvas) {
+    const double gap = 12.0 * static_cast<double>(context.scale), right = canvas.x + canvas.width - gap;
+    const WidgetRegistry::Widget *const buttons = context.widgets.find("canvas/tools");
     const WidgetRegistry::Widget *const plate = context.widgets.find("canvas/plate");
     const double width = plate != nullptr ? plate->rect.width : 0.4 * canvas.width;
-    const bool beside =
-        options == nullptr || options->rect.x + options->rect.width + 2.0 * gap + width <= canvas.x + canvas.width;
-    return beside ? canvas.y + gap : options->rect.y + options->rect.height + 0.5 * gap;
+    if (buttons == nullptr) {
+        return {right, canvas.y + gap};
+    }
+    const bool beside = buttons->rect.x - 1.5 * gap - width >= canvas.x;
+    return beside ? Pixel{buttons->rect.x - 0.5 * gap, canvas.y + gap}
+                  : Pixel{right, buttons->rect.y + buttons->rect.height + 0.5 * gap};
 }
 
 bool working(const SessionSnapshot &run) {
@@ -125,9 +128,8 @@ void drawOutOfDate(Shell &context, const PixelRect &canvas) {
     if (!context.run.outOfDate() || state == RunState::Empty || state == RunState::Failed) {
         return; // there is no mesh
     }
-    const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
-                      0.0F);
+    const Pixel corner = cornerOfNotes(context, canvas);
+    const Plate plate(context, "##outofdate", corner.x, corner.y, 1.0F, 0.0F);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
     const bool preview = context.run.preview() && context.run.shownRevision() == context.run.meshRevision();
@@ -160,9 +162,8 @@ void drawProgress(Shell &context, const PixelRect &canvas) {
     if (!reading && !working(run) && !cancelling) {
         return;
     }
-    const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##progress", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
-                      0.0F);
+    const Pixel corner = cornerOfNotes(context, canvas);
+    const Plate plate(context, "##progress", corner.x, corner.y, 1.0F, 0.0F);
     {
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("stage");

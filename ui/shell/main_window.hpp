@@ -11,10 +11,14 @@ void addLessonActions(ActionRegistry &actions);
 
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
-    PixelRect menu, tools, lessons, canvas, sides, figures, column, timeline, status;
+    PixelRect menu, options, tools, lessons, canvas, sides, figures, column, timeline, status;
     PixelRect rulerX, rulerY; ///< above the canvas and left of it; empty if hidden
 };
 Layout layOut(const Shell &context);
+/// Returns true if the window is too narrow for the column beside the canvas: it opens over the canvas on demand.
+bool columnFloats(const Shell &context);
+/// Returns true if the column is shown, beside the canvas or over it.
+bool columnShown(const Shell &context);
 
 /// The arrangement of the tool buttons; design pixels.
 struct Strip {
@@ -50,7 +54,14 @@ void submenu(Shell &context, const Action &action, std::string_view prefix = "me
 /// Opens the menu of the legend at a pixel. Returns false if there is none.
 bool openLegendMenu(Shell &context, Pixel pixel);
 void drawToolStrip(Shell &context, const PixelRect &rect);
-void drawToolOptions(Shell &context, const PixelRect &canvas);
+/// Draws the bar with the options of the active tool, and the drawer below its right end for what does not fit.
+void drawOptionsBar(Shell &context, const PixelRect &rect);
+/// Draws the button that shows the layers, and their switches, over the upper right corner of the canvas.
+void drawLayers(Shell &context, const PixelRect &canvas);
+/// Draws the log along the lower edge of the canvas, if it is open.
+void drawLog(Shell &context, const PixelRect &canvas);
+/// Draws the history below the menu bar, if it is open.
+void drawHistory(Shell &context, const Layout &layout);
 void drawColumn(Shell &context, const PixelRect &rect);
 /// Draws the lessons, or the page of the open one, and outlines the widgets that it points to.
 void drawLessons(Shell &context, const PixelRect &rect);

@@ -252,6 +252,9 @@ void drawCaptionRow(Shell &context, const PixelRect &rect, float top) {
 } // namespace
 
 void drawTimeline(Shell &context, const PixelRect &rect) {
+    if (rect.height < 1.0) {
+        return;
+    }
     beginRegion("##timeline", rect, context.theme.panel, context.px(10), context.px(8));
     const float y = static_cast<float>(rect.y);
     ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);

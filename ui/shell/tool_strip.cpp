@@ -1,6 +1,6 @@
 #include "ui/dialogs/preferences_dialog.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
-#include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace forefront::shell {
 
@@ -30,6 +31,17 @@ void openToolMenu(Shell &context, const Tool &tool) {
                         actionOf("help.shortcuts")}});
 }
 
+/// Returns the tools of the workspace.
+std::vector<const Tool *> stripTools(const Shell &context) {
+    std::vector<const Tool *> tools;
+    for (const auto &tool : context.tools.tools) {
+        if (isInStrip(context, *tool)) {
+            tools.push_back(tool.get());
+        }
+    }
+    return tools;
+}
+
 constexpr double kGap = 3.0, kPadX = 6.0, kPadY = 8.0, kButton = 34.0, kMinButton = 27.0; // design pixels
 
 } // namespace
@@ -39,7 +51,7 @@ double Strip::width() const {
 }
 
 Strip stripOf(const Shell &context, double height) {
-    const int count = static_cast<int>(context.tools.tools.size());
+    const auto count = static_cast<int>(stripTools(context).size());
     const double room = height / static_cast<double>(context.scale) - 2.0 * kPadY + kGap;
     Strip strip{.columns = 1, .rows = count, .button = kButton};
     for (;; ++strip.columns) {
@@ -56,8 +68,9 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
     const Strip strip = stripOf(context, rect.height);
     beginRegion("##tools", rect, context.theme.panel, context.px(kPadX), context.px(kPadY));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kGap), context.px(kGap)));
-    for (std::size_t i = 0; i < context.tools.tools.size(); ++i) {
-        const Tool &tool = *context.tools.tools[i];
+    const std::vector<const Tool *> tools = stripTools(context);
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        const Tool &tool = *tools[i];
         std::string tip = tool.name();
         const Action *const action = context.actions.find(std::string("tool.") + tool.id());
         if (action != nullptr && !action->shortcuts.empty()) {
@@ -66,7 +79,8 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
         if (i % static_cast<std::size_t>(strip.columns) != 0) {
             ImGui::SameLine();
         }
-        if (ui::iconButton(context, std::string("tool/") + tool.id(), tool.icon(), tip, i == context.tools.active, true,
+        if (ui::iconButton(context, std::string("tool/") + tool.id(), tool.icon(), tip, &tool == &context.tools.current(),
+                           true,
                            static_cast<float>(strip.button))) {
             context.tools.choose(tool.id(), context);
         }
@@ -79,39 +93,6 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
     ImGui::GetWindowDrawList()->AddLine({x, static_cast<float>(rect.y)}, {x, static_cast<float>(rect.y + rect.height)},
                                         context.theme.line);
     ImGui::End();
-}
-
-void drawToolOptions(Shell &context, const PixelRect &canvas) {
-    Tool &tool = context.tools.current();
-    if (!tool.hasOptions(context)) {
-        return;
-    }
-    const ImVec2 pad(context.px(10), context.px(7));
-    ImGui::SetNextWindowPos(
-        {static_cast<float>(canvas.x) + context.px(12), static_cast<float>(canvas.y) + context.px(12)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, fade(context.theme.popup, 0.96));
-    // What does not fit beside the canvas and above most of it is scrolled.
-    constexpr float kMaxHeight = 0.6F;
-    const float width = std::max(1.0F, static_cast<float>(canvas.width) - context.px(24));
-    const float height = std::max(context.px(40), kMaxHeight * static_cast<float>(canvas.height));
-    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, height});
-    ImGui::Begin("##tooloptions", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
-    {
-        const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
-        ui::Flow flow(context, width - 2 * pad.x - bar, context.px(14));
-        tool.drawOptions(context, flow);
-    }
-    ui::markWindow(context, "options");
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
 }
 
 } // namespace forefront::shell
