@@ -119,7 +119,7 @@ TEST_CASE("Colours: the user can set the quality range in the histogram, and fit
     ColouredSquare driver;
     driver.unfoldLayers();
     driver.click("layer/quality");
-    driver.click("panel/histogram");
+    driver.showPanel("histogram");
     driver.settle();
     driver.click("histogram/from");
     driver.key('A', {Modifiers::kControl});

@@ -181,7 +181,7 @@ TEST_CASE("Sources: a first source refines automatic spacing near it, and the pa
     CHECK(at(near) < 0.5 * before);
     CHECK(at(besideSlit) == slit);
     CHECK(at(far) == away);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.click("spacing/keepautomatic");
     driver.settle();
     CHECK(driver.document().spacing.keepAutomatic == false);
@@ -213,7 +213,7 @@ TEST_CASE("Sources: the end size follows a parameter") {
 TEST_CASE("Spacing panel: size, limits and expression; an invalid expression is explained with its position") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.click("spacing/size");
     driver.type("0.5");
     driver.key(key::kEnter);
@@ -313,7 +313,7 @@ TEST_CASE("Checks: a self-crossing polygon is a fault with a location; Repair fi
     driver.settle();
     REQUIRE(driver.context().preview->faults.size() >= 1);
     REQUIRE(driver.context().preview->faults.front().at.has_value());
-    driver.click("panel/checks");
+    driver.showPanel("checks");
     driver.click("checks/goto/0");
     CHECK(distance(driver.context().view.camera.centre, *driver.context().preview->faults.front().at) < 2.0);
     driver.click("checks/repair");

@@ -135,7 +135,7 @@ TEST_CASE("Brush: paint is cleared from the options strip and from the spacing p
         driver.settle();
         REQUIRE_FALSE(driver.document().spacing.paint.tiles.empty());
         if (inPanel) {
-            driver.unfold("spacing");
+            driver.showPanel("spacing");
             driver.settle();
         }
         driver.click(inPanel ? "spacing/clearpaint" : "options/brush/clear");

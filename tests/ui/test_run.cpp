@@ -48,8 +48,8 @@ TEST_CASE("Run: the key 2 meshes the sample, and the panels show its figures") {
     CHECK_FALSE(driver.context().run.outOfDate());
     CHECK(driver.has("status/counts"));
     CHECK(driver.has("status/hash"));
-    driver.click("panel/statistics");
-    driver.click("panel/histogram");
+    driver.showPanel("statistics");
+    driver.showPanel("histogram");
     driver.frames(2);
     CHECK(driver.has("histogram/39"));
 }
@@ -195,7 +195,7 @@ TEST_CASE("Run: each layer changes the canvas, and hiding it restores the canvas
 
 TEST_CASE("Run: a bar of the histogram isolates its elements; a second click shows all") {
     Meshed driver;
-    driver.click("panel/histogram");
+    driver.showPanel("histogram");
     driver.moveTo({5, 5});
     driver.settle();
     const auto whole = driver.picture();
@@ -275,7 +275,7 @@ TEST_CASE("Run: a refused domain is reported with its location, and the log link
     driver.key(key::k2);
     driver.settle();
     CHECK(driver.run().state == RunState::Failed);
-    driver.click("panel/log");
+    driver.showPanel("log");
     driver.frames(3);
     std::string link;
     for (const auto &[name, widget] : driver.context().widgets.all()) {

@@ -53,10 +53,8 @@ int rowsInSight(Driver &driver) {
 struct Tree : Draughtsman {
     explicit Tree(Document document = twoSquares()) {
         context().document.apply(std::move(document), "Draw");
-        context().settings.tabsHeight = 336.0;
         key('V');
-        click("panel/shapes");
-        settle();
+        showPanel("shapes");
     }
     void rightClick(std::string_view widget) {
         const auto *found = context().widgets.find(widget);
@@ -229,7 +227,7 @@ TEST_CASE("Shapes panel: at scale 2, the headings of the tabs leave room for som
     setup.sample = false;
     Driver driver(std::move(setup), {1280, 800}, 2.0);
     driver.context().document.apply(nineSquares(), "Draw");
-    driver.click("panel/shapes");
+    driver.showPanel("shapes");
     driver.settle();
     CHECK(rowsInSight(driver) >= 3); // below the heading of their group
 }

@@ -234,7 +234,7 @@ TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
     driver.platform().resize({1280, 900}, 1.0); // high enough for both panels without scrolling
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     for (const char *field : {"spacing/size", "spacing/expression", "spacing/minimum", "spacing/gradation",
                               "spacing/fromboundary", "meshing/method/Fast", "meshing/keepboundary", "meshing/grid"}) {
         CAPTURE(field);
@@ -330,7 +330,7 @@ TEST_CASE("Meshing panel: the options are part of the document, and undo restore
     driver.settle();
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
-    driver.unfold("meshing");
+    driver.showPanel("meshing");
     REQUIRE(driver.document().options.improve == ImproveLevel::Default);
     driver.click("meshing/improve/None");
     CHECK(driver.document().options.improve == ImproveLevel::None);
@@ -379,7 +379,7 @@ TEST_CASE("Spacing panel: no field is cut off at the edge of the column") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     const PixelRect column = driver.context().widgets.find("spacing/size")->rect;
     const PixelRect lengths = driver.context().widgets.find("spacing/fromboundary")->rect;
     CHECK(lengths.x >= column.x - 1.0);
