@@ -22,6 +22,7 @@ struct LongRun : Draughtsman {
         fine.spacing.size = 0.004;
         context().document.apply(std::move(fine), "Fine");
         settle();
+        workspace(WorkspaceKind::Mesh);
         key(key::kF5);
     }
     ~LongRun() {
@@ -36,20 +37,20 @@ struct LongRun : Draughtsman {
 
 TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
     LongRun driver;
-    driver.until([&] { return driver.has("canvas/progress") && driver.run().advance > 5000; });
+    driver.until([&] { return driver.has("run/progress") && driver.run().advance > 5000; });
     driver.frames(2);
-    const PixelRect cancel = driver.context().widgets.find("canvas/cancel")->rect;
-    const PixelRect progress = driver.context().widgets.find("canvas/progress")->rect;
+    const PixelRect cancel = driver.context().widgets.find("run/cancel")->rect;
+    const PixelRect progress = driver.context().widgets.find("run/progress")->rect;
     for (const char *option : {"options/tag", "options/snap/drawing", "options/snap/grid"}) {
         REQUIRE(driver.has(option));
         const PixelRect rect = driver.context().widgets.find(option)->rect;
         CHECK_FALSE(rect.overlaps(cancel));
         CHECK_FALSE(rect.overlaps(progress));
     }
-    driver.click("canvas/cancel");
+    driver.click("run/cancel");
     driver.settle();
     CHECK(driver.run().state == RunState::Cancelled);
-    CHECK_FALSE(driver.has("canvas/progress"));
+    CHECK_FALSE(driver.has("run/progress"));
 }
 
 TEST_CASE("SnapshotPace: snapshots that are slow to draw are drawn rarely during a run, and at once when it stops") {
@@ -67,7 +68,7 @@ TEST_CASE("SnapshotPace: snapshots that are slow to draw are drawn rarely during
 TEST_CASE("Timeline: a move and a release in one frame seek to the point of release") {
     Driver driver;
     driver.key(key::kF5);
-    driver.settle();
+    driver.workspace(WorkspaceKind::Step);
     const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
     const double y = bar.centre().y;
     driver.press({bar.x + bar.width - 8, y});
@@ -79,17 +80,19 @@ TEST_CASE("Timeline: a move and a release in one frame seek to the point of rele
     CHECK(std::abs(part - 0.25) < 0.03);
 }
 
-TEST_CASE("Status: the mesh hash is shown only with its mesh") {
+TEST_CASE("Statistics: the mesh hash is shown only with its mesh") {
     Driver driver;
     driver.key(key::kF5);
     driver.settle();
-    CHECK(driver.has("status/hash"));
+    driver.workspace(WorkspaceKind::Step);
+    driver.showPanel("statistics");
+    CHECK(driver.has("statistics/hash"));
     driver.key(key::kComma);
     driver.settle();
-    CHECK_FALSE(driver.has("status/hash"));
+    CHECK_FALSE(driver.has("statistics/hash"));
     driver.key(key::kPeriod);
     driver.settle();
-    CHECK(driver.has("status/hash"));
+    CHECK(driver.has("statistics/hash"));
 }
 
 TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
@@ -287,19 +290,19 @@ TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh
     const std::uint64_t before = driver.run().sequence;
     driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = true});
     driver.frames(1);
-    CHECK(driver.has("canvas/cancelling"));
-    CHECK_FALSE(driver.has("canvas/cancel"));
+    CHECK(driver.has("run/cancelling"));
+    CHECK_FALSE(driver.has("run/cancel"));
     CHECK(driver.run().sequence == before);
     driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = false});
     driver.settle();
     CHECK(driver.run().state == RunState::Cancelled);
-    CHECK_FALSE(driver.has("canvas/cancelling"));
+    CHECK_FALSE(driver.has("run/cancelling"));
     driver.key(key::kF5);
     // Wait for this run, and for a stage whose label will not change under the click.
     const auto advancing = [&] { return driver.run().state == RunState::Running && driver.run().advance > 20000; };
     driver.until(advancing);
     driver.frames(2);
-    driver.click("canvas/cancel");
+    driver.click("run/cancel");
     driver.until([&] { return driver.run().state == RunState::Cancelled; });
 }
 
@@ -358,7 +361,7 @@ TEST_CASE("Panels: the hints of empty panels fit into the narrowest column") {
         const double right = driver.canvas().x + driver.canvas().width + width;
         for (const std::string panel : {"statistics", "histogram", "checks"}) {
             CAPTURE(panel);
-            driver.click("panel/" + panel);
+            driver.showPanel(panel);
             driver.frames(2);
             REQUIRE(driver.has(panel + "/empty"));
             const PixelRect text = driver.context().widgets.find(panel + "/empty")->rect;

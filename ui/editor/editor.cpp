@@ -19,6 +19,7 @@
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/canvas.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/start_page.hpp"
 #include "ui/tools/make_tools.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
@@ -43,6 +44,7 @@ struct Editor::Parts {
     Shell context;
     Canvas canvas;
     CanvasInput canvasInput;
+    shell::StartPage startPage;
     FollowCamera follower;
     std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
     Settings savedSettings;
@@ -148,6 +150,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     shell::addShellActions(c.actions);
     applySettings(c);
     c.tools.current().activate(c);
+    c.plates.start = parts_->options.startPage;
     if (parts_->options.judge) {
         openMesh(c, parts_->options.file);
     } else if (!parts_->options.file.empty()) {
@@ -391,9 +394,8 @@ void Editor::Parts::buildInterface() {
     shell::drawStatusBar(context, layout.status);
     shell::drawRulers(context, layout);
     shell::drawCanvasNotes(context, layout.canvas);
-    shell::drawLayers(context, layout.canvas);
-    shell::drawLog(context, layout.canvas);
-    shell::drawHistory(context, layout);
+    startPage.draw(context, layout.canvas);
+    shell::drawPlates(context, layout);
     shell::drawColumn(context, layout.column); // may lie over the canvas
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
@@ -473,8 +475,7 @@ void Editor::frame() {
     p.handleEvents(events);
     p.dropFlag();
     p.followDocument();
-    const bool cancelling = c.run.cancelling();
-    const bool busy = c.run.busy();
+    const bool cancelling = c.run.cancelling(), busy = c.run.busy();
     p.buildInterface();
     p.followFront(seconds);
     c.widgets.fields.committed.clear(); // commands that follow are not about it

@@ -41,6 +41,7 @@ struct ToolBox {
 
 /// What is open over the canvas for now.
 struct Plates {
+    bool start = false;   ///< the page with ways to begin, while the canvas is empty
     bool layers = false;  ///< the switches of the layers
     bool log = false;     ///< the drawer of the log
     bool history = false; ///< the list of the history
@@ -64,6 +65,7 @@ struct Shell : Workspace {
     std::vector<std::string> called; ///< ids of panels that something has asked for, see showPanel()
     std::string revealedPanel;       ///< id of the panel to scroll to; empty: none
     Plates plates;
+    std::uint64_t logSeen = 0; ///< number of the last entry of the log that was seen in its drawer
     bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
     ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
     Naming naming;

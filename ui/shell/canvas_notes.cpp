@@ -115,14 +115,9 @@ Pixel cornerOfNotes(const WidgetContext &context, const PixelRect &canvas) {
                   : Pixel{right, buttons->rect.y + buttons->rect.height + 0.5 * gap};
 }
 
-bool working(const SessionSnapshot &run) {
-    return run.state == RunState::Preparing || run.state == RunState::Improving ||
-           (run.state == RunState::Running && run.progress > 0.0 && !run.playing);
-}
-
 void drawOutOfDate(Shell &context, const PixelRect &canvas) {
-    if (working(context.run.now()) || context.run.cancelling() || context.task.busy()) {
-        return; // the progress plate is there
+    if (isMeshing(context) || context.run.cancelling() || context.task.busy()) {
+        return; // the progress is shown
     }
     const RunState state = context.run.now().state;
     if (!context.run.outOfDate() || state == RunState::Empty || state == RunState::Failed) {
@@ -156,33 +151,60 @@ void drawBar(WidgetContext &context, double progress) {
     ui::muted(context, ui::format("%2.0f %%", 100.0 * std::clamp(progress, 0.0, 1.0)));
 }
 
-void drawProgress(Shell &context, const PixelRect &canvas) {
-    const SessionSnapshot &run = context.run.now();
-    const bool reading = context.task.busy(), cancelling = !reading && context.run.cancelling();
-    if (!reading && !working(run) && !cancelling) {
+/// Draws the progress of reading a file.
+void drawTask(Shell &context, const PixelRect &canvas) {
+    if (!context.task.busy()) {
         return;
     }
     const Pixel corner = cornerOfNotes(context, canvas);
-    const Plate plate(context, "##progress", corner.x, corner.y, 1.0F, 0.0F);
+    const Plate plate(context, "##task", corner.x, corner.y, 1.0F, 0.0F);
     {
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("stage");
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(reading             ? context.task.name().c_str()
-                               : cancelling        ? "cancelling\xe2\x80\xa6"
-                               : run.stage.empty() ? "working"
-                                                   : run.stage.c_str());
-        ui::mark(context, reading ? "canvas/task" : cancelling ? "canvas/cancelling" : "canvas/progress");
+        ImGui::TextUnformatted(context.task.name().c_str());
+        ui::mark(context, "canvas/task");
+        flow.item("bar");
+        drawBar(context, context.task.fraction());
+        flow.item("cancel");
+        if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
+            context.actions.run("run.cancel", context);
+        }
+    }
+    ui::markWindow(context, "canvas/plate");
+}
+
+/// Draws the bar of a run in the workspace Mesh; in others, the status bar has its progress.
+void drawRunBar(Shell &context, const PixelRect &canvas) {
+    const bool cancelling = context.run.cancelling();
+    if (context.settings.workspace != WorkspaceKind::Mesh || context.task.busy() ||
+        (!isMeshing(context) && !cancelling)) {
+        return;
+    }
+    const SessionSnapshot &run = context.run.now();
+    const double below = bandsOf(context, canvas).bottom * static_cast<double>(context.scale);
+    const Plate plate(context, "##run", canvas.centre().x, canvas.y + canvas.height - below, 0.5F, 1.0F);
+    {
+        ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
+        flow.item("stage");
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(cancelling ? "cancelling\xe2\x80\xa6" : run.stage.empty() ? "working" : run.stage.c_str());
+        ui::mark(context, cancelling ? "run/cancelling" : "run/progress");
         if (!cancelling) {
             flow.item("bar");
-            drawBar(context, reading ? context.task.fraction() : run.progress);
+            drawBar(context, run.progress);
+            if (run.quality.elements > 0) {
+                flow.item("elements");
+                ImGui::AlignTextToFramePadding();
+                ui::muted(context, ui::count(run.quality.elements) + " triangles");
+            }
             flow.item("cancel");
-            if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
+            if (ui::button(context, "run/cancel", "Cancel  Esc")) {
                 context.actions.run("run.cancel", context);
             }
         }
     }
-    ui::markWindow(context, "canvas/plate");
+    ui::markWindow(context, "run");
 }
 
 /// Formats "FILE, line N: MESSAGE", without the parts that are unknown.
@@ -286,10 +308,17 @@ void drawNews(Shell &context, const PixelRect &canvas) {
 
 } // namespace
 
+bool isMeshing(const Workspace &context) {
+    const SessionSnapshot &run = context.run.now();
+    return run.state == RunState::Preparing || run.state == RunState::Improving ||
+           (run.state == RunState::Running && run.progress > 0.0 && !run.playing);
+}
+
 void drawCanvasNotes(Shell &context, const PixelRect &canvas) {
     drawHints(context, canvas);
     drawOutOfDate(context, canvas);
-    drawProgress(context, canvas);
+    drawTask(context, canvas);
+    drawRunBar(context, canvas);
     drawNews(context, canvas);
 }
 

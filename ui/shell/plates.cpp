@@ -131,8 +131,6 @@ void drawLayersButton(Shell &context, const PixelRect &canvas) {
     ImGui::PopStyleVar(3);
 }
 
-} // namespace
-
 void drawLayers(Shell &context, const PixelRect &canvas) {
     drawLayersButton(context, canvas);
     const bool needed = lessonNeedsLayers(context);
@@ -176,6 +174,14 @@ void drawHistory(Shell &context, const Layout &layout) {
         context.plates.history = false;
         context.animate();
     }
+}
+
+} // namespace
+
+void drawPlates(Shell &context, const Layout &layout) {
+    drawLayers(context, layout.canvas);
+    drawLog(context, layout.canvas);
+    drawHistory(context, layout);
 }
 
 } // namespace forefront::shell
