@@ -270,12 +270,12 @@ TEST_CASE("Inspector: fields stay in place for any pointer position and text len
     driver.settle();
     REQUIRE(driver.has("inspector/name"));
     const PixelRect name = driver.context().widgets.find("inspector/name")->rect;
-    const PixelRect size = driver.context().widgets.find("panel/spacing")->rect;
+    const PixelRect size = driver.context().widgets.find("panel/parameters")->rect;
     for (const Vec2 place : {Vec2{1, 1}, {3, 2}, {7, 7}, {9, 9}}) {
         driver.moveToPlace(place);
         driver.settle();
         CHECK(driver.context().widgets.find("inspector/name")->rect == name);
-        CHECK(driver.context().widgets.find("panel/spacing")->rect == size);
+        CHECK(driver.context().widgets.find("panel/parameters")->rect == size);
     }
     driver.hover("inspector/name");
     driver.settle();

@@ -251,7 +251,7 @@ TEST_CASE("Inspector: fields do not move as the pointer approaches them") {
     driver.polygon({{3, 3}, {3.5, 3}, {3.5, 3.5}, {3, 3.5}});
     driver.key('V');
     driver.key(key::kEscape);
-    driver.settle();
+    driver.workspace(WorkspaceKind::Size);
     driver.moveToPlace({3.25, 2.95}); // "automatic: length of a segment of 'boundary_1' at ..." takes two lines
     driver.frames(3);
     const double over = driver.context().widgets.find("spacing/size")->rect.y;

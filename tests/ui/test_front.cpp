@@ -18,6 +18,7 @@ struct Stepping : Driver {
         Document document = *context().document.current();
         document.options.method = method;
         context().document.apply(std::move(document), "Method");
+        workspace(WorkspaceKind::Step);
         key(key::k2);
         settle();
         context().run.seek(run().known / 2);

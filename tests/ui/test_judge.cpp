@@ -291,9 +291,7 @@ TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its
 
 TEST_CASE("Judge: limits can be edited in the checks panel, checked, undone and saved") {
     JudgedSquare driver;
-    driver.showPanel("checks");
-    driver.context().animate();
-    driver.settle();
+    driver.workspace(WorkspaceKind::Judge);
     const auto set = [&](const char *field, const char *value) {
         driver.click(field);
         driver.key('A', {Modifiers::kControl});

@@ -413,14 +413,23 @@ TEST_CASE("Lessons: the rows of the statistics are those that a lesson may name"
     std::vector<std::string> known = highlightNames(author.context()).at("statistics");
     std::sort(known.begin(), known.end());
     CHECK(drawn == known);
-    for (const char *group : {"layer", "panel", "steps", "tool"}) {
-        author.showPanel("steps");
-        author.context().animate();
+    const auto names = highlightNames(author.context());
+    author.showPanel("steps");
+    for (const std::string &name : names.at("steps")) {
+        CHECK_MESSAGE(author.has(name), name);
+    }
+    author.showPanel("layers");
+    for (const std::string &name : names.at("layer")) {
+        CHECK_MESSAGE(author.has(name), name);
+    }
+    for (const std::string &name : names.at("panel")) {
+        author.showPanel(name.substr(std::string_view("panel/").size()));
+        CHECK_MESSAGE(author.has(name), name);
+    }
+    for (const std::string &name : names.at("tool")) {
+        author.context().tools.choose(name.substr(std::string_view("tool/").size()), author.context());
         author.settle();
-        const auto names = highlightNames(author.context());
-        for (const std::string &name : names.at(group)) {
-            CHECK_MESSAGE(author.has(name), name);
-        }
+        CHECK_MESSAGE(author.has(name), name);
     }
 }
 

@@ -136,6 +136,8 @@ TEST_CASE("Brush: paint is cleared from the options strip and from the spacing p
         REQUIRE_FALSE(driver.document().spacing.paint.tiles.empty());
         if (inPanel) {
             driver.showPanel("spacing");
+        } else {
+            driver.click("options/more");
             driver.settle();
         }
         driver.click(inPanel ? "spacing/clearpaint" : "options/brush/clear");
@@ -150,6 +152,7 @@ TEST_CASE("Timeline: the slider of the speed makes the run faster towards the ri
     draw(driver, triangle());
     driver.key(key::kF5);
     driver.settle();
+    driver.workspace(WorkspaceKind::Step);
     const auto *const slider = driver.context().widgets.find("timeline/speed");
     REQUIRE(slider != nullptr);
     const PixelRect at = slider->rect;

@@ -47,8 +47,8 @@ TEST_CASE("Run: the key 2 meshes the sample, and the panels show its figures") {
     CHECK(run.meshHash != 0);
     CHECK_FALSE(driver.context().run.outOfDate());
     CHECK(driver.has("status/counts"));
-    CHECK(driver.has("status/hash"));
     driver.showPanel("statistics");
+    CHECK(driver.has("statistics/hash"));
     driver.showPanel("histogram");
     driver.frames(2);
     CHECK(driver.has("histogram/39"));
@@ -84,6 +84,7 @@ TEST_CASE("Run: after Home, . and , step forward and back through the same state
 
 TEST_CASE("Run: dragging the scrubber seeks") {
     Meshed driver;
+    driver.workspace(WorkspaceKind::Step);
     const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
     const double y = bar.centre().y;
     driver.drag({bar.x + bar.width - 8, y}, {bar.x + 0.5 * bar.width, y});
@@ -143,6 +144,7 @@ TEST_CASE("Run: stepping by events explains an advance from the base to the upda
 
 TEST_CASE("Run: each layer changes the canvas, and hiding it restores the canvas") {
     Meshed driver;
+    driver.workspace(WorkspaceKind::Step);
     driver.context().run.seek(driver.run().known / 2);
     driver.settle();
     // Zoom in on the current advance, so that even small marks change enough pixels.

@@ -80,19 +80,27 @@ TEST_CASE("Timeline: a move and a release in one frame seek to the point of rele
     CHECK(std::abs(part - 0.25) < 0.03);
 }
 
-TEST_CASE("Statistics: the mesh hash is shown only with its mesh") {
+TEST_CASE("Status: the mesh hash can be copied only with its mesh") {
     Driver driver;
     driver.key(key::kF5);
     driver.settle();
-    driver.workspace(WorkspaceKind::Step);
-    driver.showPanel("statistics");
-    CHECK(driver.has("statistics/hash"));
+    const auto offersHash = [&driver] {
+        const Pixel at = driver.context().widgets.find("status/pointer")->rect.centre();
+        driver.press(at, MouseButton::Right);
+        driver.release(at, MouseButton::Right);
+        driver.settle();
+        const bool offered = driver.has("contextmenu/status/hash");
+        driver.key(key::kEscape);
+        driver.settle();
+        return offered;
+    };
+    CHECK(offersHash());
     driver.key(key::kComma);
     driver.settle();
-    CHECK_FALSE(driver.has("statistics/hash"));
+    CHECK_FALSE(offersHash());
     driver.key(key::kPeriod);
     driver.settle();
-    CHECK(driver.has("statistics/hash"));
+    CHECK(offersHash());
 }
 
 TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
@@ -113,7 +121,7 @@ TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
 
 TEST_CASE("Notes: when the last shape is undone, the caption of its mesh goes, too") {
     Draughtsman driver;
-    driver.settle();
+    driver.workspace(WorkspaceKind::Step);
     const PixelRect caption = driver.context().widgets.find("timeline/caption")->rect;
     const auto empty = driver.picture();
     driver.rectangle({1, 1}, {9, 8});
@@ -192,6 +200,7 @@ TEST_CASE("Notes: if there are several faults, the message shows the first and c
 TEST_CASE("Timeline: a step is an advance in the fast method and an element in the classic one") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
+    driver.workspace(WorkspaceKind::Step);
     CHECK(driver.has("timeline/granularity/Advance"));
     driver.key(key::kPeriod);
     driver.settle();
@@ -213,6 +222,7 @@ TEST_CASE("Timeline: a step is an advance in the fast method and an element in t
 
 TEST_CASE("Tooltips: appear once the pointer rests; at the lower edge they appear above their widget") {
     Driver driver;
+    driver.workspace(WorkspaceKind::Step);
     driver.hover("timeline/granularity/Event");
     driver.frames(8);
     const auto early = driver.picture();

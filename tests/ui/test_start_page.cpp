@@ -1,5 +1,6 @@
 #include "core/drawing_files/project/project.hpp"
-#include "tests/ui/edit_driver.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/ui/driver.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/platform/assets.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 EditorSetup withStartPage(const std::filesystem::path &settings = {}) {
     EditorSetup setup;
     setup.settingsFolder = settings;
+    setup.sample = false;
     setup.startPage = true;
     return setup;
 }
@@ -22,7 +24,7 @@ EditorSetup withStartPage(const std::filesystem::path &settings = {}) {
 } // namespace
 
 TEST_CASE("Start page: it is shown without a file, is not modal, and goes with the first shape") {
-    Draughtsman driver(withStartPage());
+    Driver driver(withStartPage());
     REQUIRE(driver.has("start"));
     for (const char *name : {"start/new", "start/open", "start/trace", "start/import"}) {
         CHECK(driver.has(name));
@@ -34,18 +36,20 @@ TEST_CASE("Start page: it is shown without a file, is not modal, and goes with t
     driver.key('V');
     driver.settle();
     CHECK(driver.has("start"));
-    driver.rectangle({1, 1}, {9, 8});
+    driver.key('R');
+    driver.drag(driver.canvas().centre(), driver.canvas().centre() + Pixel(150, 150));
     driver.key('V');
     driver.settle();
+    REQUIRE(driver.context().document.current()->shapes.size() == 1);
     CHECK_FALSE(driver.has("start"));
     driver.key('Z', {Modifiers::kControl});
     driver.settle();
-    CHECK(driver.document().shapes.empty());
+    CHECK(driver.context().document.current()->shapes.empty());
     CHECK_FALSE(driver.has("start"));
 }
 
 TEST_CASE("Start page: New leaves an empty canvas with a tool to draw") {
-    Draughtsman driver(withStartPage());
+    Driver driver(withStartPage());
     driver.click("start/new");
     driver.settle();
     CHECK_FALSE(driver.has("start"));
@@ -53,25 +57,25 @@ TEST_CASE("Start page: New leaves an empty canvas with a tool to draw") {
 }
 
 TEST_CASE("Start page: it opens samples, recent drawings and lessons") {
-    const TemporaryFolder place;
+    const testing::TemporaryFolder place;
     const std::filesystem::path file = place.path / "bracket.forefront";
     {
-        Draughtsman driver(withStartPage(place.path));
+        Driver driver(withStartPage(place.path));
         const Sample sample = samples().front();
         driver.click("start/sample/" + sample.path.stem().string());
         driver.until([&] { return driver.context().document.title() == sample.title; });
         driver.settle();
         CHECK_FALSE(driver.has("start"));
-        REQUIRE(writeProject(file, driver.document()).empty());
+        REQUIRE(writeProject(file, *driver.context().document.current()).empty());
         rememberFile(driver.context(), file);
     }
     {
-        Draughtsman driver(withStartPage(place.path));
+        Driver driver(withStartPage(place.path));
         driver.click("start/recent/bracket");
         driver.until([&] { return driver.context().document.title() == "bracket"; });
         CHECK(driver.context().document.path() == file);
     }
-    Draughtsman driver(withStartPage(place.path));
+    Driver driver(withStartPage(place.path));
     REQUIRE(driver.has("start/lesson/1-front"));
     driver.scroll(driver.context().widgets.find("start")->rect.centre(), -20.0);
     driver.settle();
@@ -84,7 +88,7 @@ TEST_CASE("Start page: it opens samples, recent drawings and lessons") {
 TEST_CASE("Start page: it fits into windows of any size and scale") {
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1440, 900}, 1.5}, {{2560, 1600}, 2.0}, {{1280, 800}, 2.0}};
-    Draughtsman driver(withStartPage());
+    Driver driver(withStartPage());
     for (const auto &each : sizes) {
         driver.platform().resize(each.first, each.second);
         driver.settle();

@@ -274,8 +274,9 @@ TEST_CASE("Views: a file reopens with its last view, layers and panels") {
     }
     Draughtsman driver(setup);
     CHECK_FALSE(driver.context().view.panels);
-    CHECK(driver.context().layer("quality")->visible);
     CHECK(driver.context().settings.workspace == WorkspaceKind::Step);
+    driver.workspace(WorkspaceKind::Draw);
+    CHECK(driver.context().layer("quality")->visible);
     REQUIRE(driver.editor().open(file));
     driver.settle();
     CHECK(driver.context().view.camera.centre == Vec2{1.25, 2.5});

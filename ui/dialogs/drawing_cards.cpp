@@ -16,7 +16,7 @@ namespace forefront {
 namespace {
 
 constexpr double kMinCardWidth = 190.0, kPictureHeight = 132.0, kCardGap = 12.0; ///< design pixels
-constexpr double kSmallPicture = 92.0;
+constexpr double kSmallPicture = 74.0;
 
 std::vector<std::filesystem::path> pathsOf(const std::vector<DrawingCards::Card> &cards) {
     std::vector<std::filesystem::path> paths;

@@ -286,6 +286,23 @@ void newDocument(Shell &context) {
     });
 }
 
+void openFirstSample(Shell &context) {
+    const std::vector<Sample> gallery = samples();
+    if (gallery.empty()) {
+        context.log.add(Diagnostic{.severity = Severity::Warning,
+                                   .code = "no-assets",
+                                   .message = "samples not found",
+                                   .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
+        return;
+    }
+    ImportNotes notes;
+    if (const Result<StampedDocument> read = readStamped(gallery.front().path, &notes)) {
+        showOpened(context, *read, notes, gallery.front().path);
+    } else {
+        context.log.add(read.faults());
+    }
+}
+
 void openDocument(Shell &context) {
     FileRequest request;
     request.id = "open";

@@ -8,7 +8,6 @@
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
-#include "ui/parts/shown_panels.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/mesh/element_words.hpp"
 
@@ -62,7 +61,6 @@ void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path 
     context.view.fitPending = true;
     const std::string elements = elementsInWords(opened.mesh.view->view());
     context.run.showFile(opened.mesh);
-    chooseWorkspace(context, WorkspaceKind::Judge);
     showMeshColours(context);
     context.log.announce(file.filename().string() + ": " + elements +
                          ", shown unchanged; press 2 to remesh the outline");

@@ -15,6 +15,7 @@
 #include "ui/layers/layers.hpp"
 #include "ui/panels/adapted_rounds.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/canvas.hpp"
@@ -152,19 +153,12 @@ Editor::Editor(Platform &platform, EditorSetup options)
     c.tools.current().activate(c);
     c.plates.start = parts_->options.startPage;
     if (parts_->options.judge) {
+        chooseWorkspace(c, WorkspaceKind::Judge);
         openMesh(c, parts_->options.file);
     } else if (!parts_->options.file.empty()) {
         openDocument(c, parts_->options.file);
     } else if (parts_->options.sample) {
-        const std::vector<Sample> gallery = samples();
-        if (gallery.empty()) {
-            c.log.add(Diagnostic{.severity = Severity::Warning,
-                                 .code = "no-assets",
-                                 .message = "samples not found",
-                                 .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
-        } else {
-            open(gallery.front().path);
-        }
+        openFirstSample(c);
     }
     if (!parts_->options.stateFolder.empty()) {
         parts_->recovery = std::make_unique<Recovery>(parts_->options.stateFolder);

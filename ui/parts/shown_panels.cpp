@@ -44,6 +44,16 @@ bool isCalled(const Shell &context, std::string_view panel) {
     return std::find(context.called.begin(), context.called.end(), panel) != context.called.end();
 }
 
+/// Returns true if the page of the open lesson outlines a widget.
+bool isOutlined(const Shell &context, const std::string &widget) {
+    if (!context.lessons.open) {
+        return false;
+    }
+    const auto &highlights = context.lessons.open->now().highlights;
+    return std::any_of(highlights.begin(), highlights.end(),
+                       [&widget](const LessonHighlight &highlight) { return highlight.widget == widget; });
+}
+
 } // namespace
 
 WorkspaceChanges &changesOf(Shell &context) {
@@ -183,7 +193,8 @@ void showPanel(Shell &context, std::string_view id) {
 }
 
 bool isInStrip(const Shell &context, const Tool &tool) {
-    return contains(presetOf(context.settings.workspace).tools, tool.id()) || &tool == &context.tools.current();
+    return contains(presetOf(context.settings.workspace).tools, tool.id()) || &tool == &context.tools.current() ||
+           isOutlined(context, std::string("tool/") + tool.id());
 }
 
 void showPresetLayers(Shell &context) {

@@ -20,7 +20,7 @@ constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadab
 
 /// Returns the width of the column for a window of this width; design pixels.
 double columnWidth(const Settings &settings, double window) {
-    constexpr double kShare = 0.211, kLeast = 284.0, kMost = 360.0;
+    constexpr double kShare = 0.211, kLeast = 304.0, kMost = 360.0;
     return settings.panelWidth.value_or(std::round(std::clamp(kShare * window, kLeast, kMost)));
 }
 

@@ -115,13 +115,17 @@ float drawWorkspaces(Shell &context, const PixelRect &rect, float from, float to
         tips[k] = texts[k].c_str();
     }
     constexpr double kMostSwitch = 380.0, kLeastSwitch = 250.0; // design pixels
-    const float width = std::clamp((to - from) * 0.6F, context.px(kLeastSwitch), context.px(kMostSwitch));
+    const bool narrow = to - from < context.px(kLeastSwitch);
+    const float width = narrow ? std::max(1.0F, std::min(to - from, context.px(84)))
+                               : std::clamp((to - from) * 0.6F, context.px(kLeastSwitch), context.px(kMostSwitch));
     const float x = std::max(from, std::min((static_cast<float>(rect.width) - width) / 2, to - width));
     ImGui::SetCursorPos({x, (static_cast<float>(rect.height) - ImGui::GetFrameHeight()) / 2});
     int chosen = static_cast<int>(context.settings.workspace);
-    if (ui::segmented(context, "workspace", names, chosen, width / context.scale, tips)) {
+    if (narrow ? ui::combo(context, "workspace", names, chosen, width / context.scale)
+               : ui::segmented(context, "workspace", names, chosen, width / context.scale, tips)) {
         chooseWorkspace(context, static_cast<WorkspaceKind>(chosen));
     }
+    ui::markRect(context, "workspace", {static_cast<double>(x), rect.y, static_cast<double>(width), rect.height});
     return x + width;
 }
 

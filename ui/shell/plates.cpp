@@ -8,10 +8,19 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace forefront::shell {
 
 namespace {
+
+/// Returns the action that opens and closes the plate of a panel.
+const char *actionOfPlate(const Panel &panel) {
+    return panel.place() == PanelPlace::Canvas   ? "view.layers"
+           : panel.place() == PanelPlace::Drawer ? "view.log"
+                                                 : "edit.history";
+}
 
 /// A panel that lies over the canvas, with its heading and a button that closes it.
 class PanelPlate {
@@ -49,11 +58,13 @@ class PanelPlate {
         ImGui::BeginChild("content", {0, 0}, false, ImGuiWindowFlags_NoNav);
         panel.draw(context_);
         needed = top + ImGui::GetCursorPosY() + context_.px(4);
+        ImGui::EndChild();
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && ImGui::IsMouseClicked(ImGuiMouseButton_Right) &&
             !context_.menu.opens) {
-            context_.menu.open(panel.menu(context_));
+            std::vector<ContextGroup> groups = panel.menu(context_);
+            groups.push_back(ContextGroup{actionOf(actionOfPlate(panel))});
+            context_.menu.open(std::move(groups));
         }
-        ImGui::EndChild();
         return close;
     }
 

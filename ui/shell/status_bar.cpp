@@ -192,7 +192,7 @@ void addFigures(Cells &cells, Shell &context) {
         if (cells.addRight("counts", ui::count(run.quality.elements) + " triangles", context.theme.text)) {
             cells.clicked("counts");
             ui::tooltip(context, ui::count(run.quality.nodes) + " nodes" +
-                                     (run.complete && run.meshHash != 0 ? "; hash " + toHex(run.meshHash).substr(0, 8)
+                                     (run.complete && run.meshHash != 0 && run.advance == run.known ? "; hash " + toHex(run.meshHash).substr(0, 8)
                                                                         : std::string()));
         }
     }
@@ -258,7 +258,7 @@ std::vector<ContextGroup> statusMenu(const Shell &context) {
         copies.push_back(copyCommand("status/quality", "Copy shape factor and smallest angle",
                                      ui::format("%.6g\t%.6g", run.quality.alphaMean, run.quality.minAngle)));
     }
-    if (run.complete && run.meshHash != 0) {
+    if (run.complete && run.meshHash != 0 && run.advance == run.known) {
         copies.push_back(copyCommand("status/hash", "Copy mesh hash", toHex(run.meshHash)));
     }
     return {std::move(copies), actionsOf({"view.firstFault"}),
