@@ -23,6 +23,13 @@ TEST_CASE("Column: low sections get their height, the others share what is left"
     CHECK(shell::sectionHeights(sections, kMeasures, 5000.0F) == std::vector<float>{50.0F, 900.0F, 900.0F});
 }
 
+TEST_CASE("Column: a section that a command has opened is whole before others grow") {
+    std::vector<shell::Section> sections{{.content = 900.0F}, {.first = true, .content = 400.0F}};
+    const std::vector<float> heights = shell::sectionHeights(sections, kMeasures, 700.0F);
+    CHECK(heights[1] == 400.0F);
+    CHECK(heights[0] == doctest::Approx(700.0 - 400.0 - 2.0 * 38.0));
+}
+
 TEST_CASE("Column: without room, the lower sections fold, except those that were opened") {
     std::vector<shell::Section> sections(4, {.keepsOpen = false, .content = 300.0F});
     sections[3].keepsOpen = true;

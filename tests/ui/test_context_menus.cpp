@@ -82,10 +82,8 @@ TEST_CASE("Context menu: every panel has one, and none is empty") {
         CAPTURE(heading);
         clicker.showPanel(panel->id());
         clicker.rightClick(heading);
-        CHECK(clicker.commands() > 0);
         CHECK(clicker.has("contextmenu/panel/pin") == (panel->place() == PanelPlace::Column));
-        clicker.key(key::kEscape);
-        clicker.settle();
+        CHECK(clicker.commands() > 0);
     }
 }
 

@@ -269,7 +269,7 @@ TEST_CASE("Inspector: the runner-up of the node spacing stands below the winner,
     sized.spacing = {};
     sized.spacing.size = 1.0;
     driver.context().document.apply(std::move(sized), "Size");
-    driver.settle();
+    driver.workspace(WorkspaceKind::Size);
     driver.moveToPlace({3, 3});
     driver.frames(3);
     CHECK_FALSE(driver.has("inspector/runnerup")); // there is one rule

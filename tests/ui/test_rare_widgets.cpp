@@ -136,9 +136,6 @@ TEST_CASE("Brush: paint is cleared from the options strip and from the spacing p
         REQUIRE_FALSE(driver.document().spacing.paint.tiles.empty());
         if (inPanel) {
             driver.showPanel("spacing");
-        } else {
-            driver.click("options/more");
-            driver.settle();
         }
         driver.click(inPanel ? "spacing/clearpaint" : "options/brush/clear");
         driver.settle();

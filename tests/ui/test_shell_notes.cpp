@@ -137,6 +137,7 @@ TEST_CASE("Notes: when the last shape is undone, the caption of its mesh goes, t
 
 TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it again") {
     Draughtsman driver;
+    driver.workspace(WorkspaceKind::Step);
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({4, 4}, {12, 6});
     driver.settle();
@@ -251,6 +252,7 @@ TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
     for (const char *field : {"spacing/size", "spacing/expression", "spacing/minimum", "spacing/gradation",
                               "spacing/fromboundary", "meshing/method/Fast", "meshing/keepboundary", "meshing/grid"}) {
         CAPTURE(field);
+        driver.showPanel(std::string_view(field).substr(0, 7)); // spacing or meshing
         REQUIRE(driver.hover(field));
         driver.frames(40);
         REQUIRE(driver.has("tooltip"));

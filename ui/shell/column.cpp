@@ -190,6 +190,7 @@ std::vector<Section> sectionsOf(const Shell &context, const std::vector<Panel *>
         const bool called = std::find(context.called.begin(), context.called.end(), panel->id()) != context.called.end();
         sections.push_back({.open = !isFolded(context, panel->id()),
                             .keepsOpen = called || folded.contains(panel->id()) || context.revealedPanel == panel->id(),
+                            .first = called,
                             .content = storage.GetFloat(ImGui::GetID(panel->id()))});
     }
     return sections;

@@ -129,11 +129,33 @@ float drawWorkspaces(Shell &context, const PixelRect &rect, float from, float to
     return x + width;
 }
 
+constexpr double kExportButton = 84.0; // design pixels
+
+/// Draws the button at the right end of the bar that exports the mesh.
+void drawExport(Shell &context, const PixelRect &rect) {
+    const Action *const action = context.actions.find("file.export");
+    const bool enabled = action != nullptr && (!action->enabled || action->enabled(context));
+    ImGui::SetCursorPosY((static_cast<float>(rect.height) - ImGui::GetFrameHeight()) / 2);
+    if (ui::button(context, "menu/export", "Export", ui::ButtonKind::Primary, enabled,
+                   static_cast<float>(kExportButton))) {
+        context.actions.run("file.export", context);
+    }
+    ui::tooltip(context, "Export the mesh (Ctrl+E)");
+}
+
 void drawRightEnd(Shell &context, const PixelRect &rect) {
     const float width = static_cast<float>(rect.width), menus = ImGui::GetCursorPosX() + context.px(12);
-    const float icon = context.px(26), icons = width - context.px(10) - 4 * icon - 3 * context.px(4);
-    const float used = drawWorkspaces(context, rect, menus, icons - context.px(8));
-    drawTitle(context, rect, used + context.px(14), icons - context.px(12));
+    const float icon = context.px(26);
+    const float icons = width - context.px(10) - 4 * icon - 3 * context.px(4);
+    float end = icons - context.px(8);
+    if (constexpr double kWideBar = 1100.0; rect.width >= static_cast<double>(context.px(kWideBar))) {
+        end -= context.px(kExportButton);
+        ImGui::SetCursorPosX(end);
+        drawExport(context, rect);
+        end -= context.px(8);
+    }
+    const float used = drawWorkspaces(context, rect, menus, end);
+    drawTitle(context, rect, used + context.px(14), end - context.px(4));
     ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
     const bool shown = columnShown(context);

@@ -20,6 +20,20 @@ float spareOf(const std::vector<Section> &sections, const SectionMeasures &measu
     return height;
 }
 
+/// Raises contents together until they are whole or the spare height is used up.
+void growTogether(const std::vector<Section> &sections, std::vector<std::size_t> &growing, std::vector<float> &heights,
+           float &spare) {
+    while (spare > 0.5F && !growing.empty()) {
+        const float share = spare / static_cast<float>(growing.size());
+        for (const std::size_t k : growing) {
+            const float added = std::min(share, sections[k].content - heights[k]);
+            heights[k] += added;
+            spare -= added;
+        }
+        std::erase_if(growing, [&](std::size_t k) { return heights[k] >= sections[k].content - 0.5F; });
+    }
+}
+
 } // namespace
 
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height) {
@@ -33,21 +47,14 @@ std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionM
     std::vector<float> heights;
     std::transform(sections.begin(), sections.end(), std::back_inserter(heights),
                    [&](const Section &section) { return section.open ? leastOf(section, measures) : 0.0F; });
-    // Raise the lowest contents together until they are whole or the height is used up.
-    std::vector<std::size_t> growing;
-    for (std::size_t k = 0; k < sections.size(); ++k) {
-        if (sections[k].open && sections[k].content > heights[k]) {
-            growing.push_back(k);
+    for (const bool first : {true, false}) {
+        std::vector<std::size_t> growing;
+        for (std::size_t k = 0; k < sections.size(); ++k) {
+            if (sections[k].open && sections[k].first == first && sections[k].content > heights[k]) {
+                growing.push_back(k);
+            }
         }
-    }
-    while (spare > 0.5F && !growing.empty()) {
-        const float share = spare / static_cast<float>(growing.size());
-        for (const std::size_t k : growing) {
-            const float added = std::min(share, sections[k].content - heights[k]);
-            heights[k] += added;
-            spare -= added;
-        }
-        std::erase_if(growing, [&](std::size_t k) { return heights[k] >= sections[k].content - 0.5F; });
+        growTogether(sections, growing, heights, spare);
     }
     return heights;
 }

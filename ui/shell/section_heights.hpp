@@ -8,6 +8,7 @@ namespace forefront::shell {
 struct Section {
     bool open = true;      ///< shows its content
     bool keepsOpen = true; ///< the user or a command opened it
+    bool first = false;    ///< gets the height of its content before others
     float content = 0.0F;  ///< height of its whole content; 0: not known yet
 };
 
@@ -18,7 +19,7 @@ struct SectionMeasures {
 };
 
 /// Folds the lower sections for which a column of this height has no room, except those that stay open, and divides
-/// the height among the open ones: a low one gets what it needs, the others share the rest. Returns the heights of
+/// the height among the open ones: those that come first and low ones get what they need, the others share the rest. Returns the heights of
 /// their contents, 0 for folded ones. If the lowest heights do not fit, the sum exceeds the height.
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height);
 

@@ -15,7 +15,7 @@ constexpr std::array<Ids, 14> kDrawTools{"select", "polygon", "polyline", "recta
 constexpr std::array<Ids, 9> kDrawLayers{"domain",  "boundary", "faults",  "marks", "mesh",
                                          "lattice", "picture",  "regions", "labels"};
 
-constexpr std::array<Ids, 3> kSizePanels{"spacing", "inspector", "parameters"};
+constexpr std::array<Ids, 3> kSizePanels{"inspector", "spacing", "parameters"};
 constexpr std::array<Ids, 1> kSizeFolded{"parameters"};
 constexpr std::array<Ids, 8> kSizeTools{"select", "source", "gradient", "brush",
                                         "eraser", "region", "measure",  "picture"};
