@@ -105,9 +105,7 @@ struct Shot {
 };
 
 std::vector<Shot> scenes() {
-    const auto panel = [](const char *id) {
-        return [id](Driver &driver) { driver.showPanel(id); };
-    };
+    const auto panel = [](const char *id) { return [id](Driver &driver) { driver.showPanel(id); }; };
     const auto action = [](const char *id) {
         return [id](Driver &driver) { driver.context().actions.run(id, driver.context()); };
     };

@@ -73,7 +73,9 @@ TEST_CASE("Column: in a narrow window it opens over the canvas on demand") {
     driver.settle();
     REQUIRE(driver.has("column"));
     CHECK(driver.canvas() == canvas); // the drawing stays where it is
-    CHECK(driver.context().widgets.find("column")->rect.overlaps(canvas));
+    const PixelRect column = driver.context().widgets.find("column")->rect;
+    CHECK(column.overlaps(canvas));
+    CHECK_FALSE(driver.context().widgets.find("canvas/tools")->rect.overlaps(column));
     driver.key(key::kTab);
     driver.settle();
     CHECK_FALSE(driver.has("column"));

@@ -94,10 +94,10 @@ TEST_CASE("Editor: the whole interface is inside the window at 1280x800, 1920x10
         CHECK(static_cast<double>(driver.context().scale) == scale);
         driver.workspace(WorkspaceKind::Step);
         driver.unfoldLayers();
-        for (const char *name : {"canvas", "menu/File", "menu/Help", "workspace/Judge", "options", "tool/select",
-                                 "layer/domain", "layer/mesh", "panel/steps", "panel/candidates", "panel/statistics",
-                                 "timeline/play", "timeline/scrubber", "timeline/position", "status/pointer",
-                                 "status/log"}) {
+        for (const char *name :
+             {"canvas", "menu/File", "menu/Help", "workspace/Judge", "options", "tool/select", "layer/domain",
+              "layer/mesh", "panel/steps", "panel/candidates", "panel/statistics", "timeline/play", "timeline/scrubber",
+              "timeline/position", "status/pointer", "status/log"}) {
             CAPTURE(name);
             const auto *widget = driver.context().widgets.find(name);
             REQUIRE(widget != nullptr);
@@ -295,8 +295,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
 
 TEST_CASE("Editor: windows of any size are drawn and settle") {
     Driver driver;
-    const PixelSize sizes[] = {{1, 1},    {640, 60},  {800, 102},  {800, 112},
-                               {90, 600}, {3000, 90}, {1280, 800}};
+    const PixelSize sizes[] = {{1, 1}, {640, 60}, {800, 102}, {800, 112}, {90, 600}, {3000, 90}, {1280, 800}};
     for (const PixelSize &size : sizes) {
         CAPTURE(size.width);
         CAPTURE(size.height);

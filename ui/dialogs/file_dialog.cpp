@@ -419,5 +419,4 @@ bool FileDialog::drawBrowser(Shell &context) {
     return opened;
 }
 
-
 } // namespace forefront

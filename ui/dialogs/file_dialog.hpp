@@ -120,7 +120,7 @@ class FileDialog : public Dialog {
     std::string replaced_;                         ///< says which files are replaced then
     bool focusName_ = true;
     bool entered_ = false; ///< Enter was pressed in this frame, outside all fields
-    bool browses_ = true; ///< shows the folders and files; at first not if there are presets, which come first
+    bool browses_ = true;  ///< shows the folders and files; at first not if there are presets, which come first
     bool newFolder_ = false;
     std::string newFolderName_;
 };

@@ -1,5 +1,4 @@
 #include "ui/dialogs/file_dialog.hpp"
-
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"

@@ -42,8 +42,8 @@ struct Operation {
     std::function<bool(Document &, const Selection &, const std::vector<std::string> &)> follow{};
 };
 
-/// Asks in the options bar for the numbers of an operation while the canvas previews its result, also for a number that is being typed.
-/// Cancel leaves the document and its history unchanged; OK is one undo step.
+/// Asks in the options bar for the numbers of an operation while the canvas previews its result, also for a number that
+/// is being typed. Cancel leaves the document and its history unchanged; OK is one undo step.
 class OperationDialog final : public PreviewDialog {
   public:
     OperationDialog(Operation operation, Shell &context);

@@ -387,8 +387,8 @@ void Editor::Parts::buildInterface() {
     shell::drawTimeline(context, layout.timeline);
     shell::drawStatusBar(context, layout.status);
     shell::drawRulers(context, layout);
-    shell::drawCanvasNotes(context, layout.canvas);
-    startPage.draw(context, layout.canvas);
+    shell::drawCanvasNotes(context, layout.open);
+    startPage.draw(context, layout.open);
     shell::drawPlates(context, layout);
     shell::drawColumn(context, layout.column); // may lie over the canvas
     shell::drawContextMenu(context);

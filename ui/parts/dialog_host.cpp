@@ -65,8 +65,8 @@ bool drawTitleRow(WidgetContext &context, const Dialog &dialog, const std::strin
     ImGui::TextUnformatted(dialog.title().c_str());
     ImGui::PopFont();
     ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
-    const bool closed = ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false,
-                                       dialog.closesOnEscape(), 26.0F);
+    const bool closed =
+        ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false, dialog.closesOnEscape(), 26.0F);
     ImGui::Dummy({0, context.px(4)});
     return closed;
 }

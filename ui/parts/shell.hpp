@@ -66,8 +66,8 @@ struct Shell : Workspace {
     std::string revealedPanel;       ///< id of the panel to scroll to; empty: none
     Plates plates;
     std::uint64_t logSeen = 0; ///< number of the last entry of the log that was seen in its drawer
-    bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
-    ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
+    bool contextMenu = false;  ///< a tool asks for the menu of the selection at the pointer
+    ContextMenu menu;          ///< see contextMenu; panels and tools can open other ones
     Naming naming;
     SideBySide sides{background}; ///< runs with other grids or the other method
     bool quit = false;            ///< end the program after this frame

@@ -188,7 +188,9 @@ void drawRunBar(Shell &context, const PixelRect &canvas) {
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("stage");
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(cancelling ? "cancelling\xe2\x80\xa6" : run.stage.empty() ? "working" : run.stage.c_str());
+        ImGui::TextUnformatted(cancelling          ? "cancelling\xe2\x80\xa6"
+                               : run.stage.empty() ? "working"
+                                                   : run.stage.c_str());
         ui::mark(context, cancelling ? "run/cancelling" : "run/progress");
         if (!cancelling) {
             flow.item("bar");

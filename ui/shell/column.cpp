@@ -70,7 +70,8 @@ ContextGroup panelSwitches(const Shell &context) {
         if (panel->place() == PanelPlace::Column) {
             const std::string id = panel->id();
             const bool on = belongsHere(context, id);
-            group.push_back(switchOf("panel/show/" + id, panel->title(), on, [id, on](Shell &c) { setShown(c, id, !on); }));
+            group.push_back(
+                switchOf("panel/show/" + id, panel->title(), on, [id, on](Shell &c) { setShown(c, id, !on); }));
         }
     }
     return group;
@@ -84,7 +85,8 @@ ContextGroup sectionCommands(const Shell &context, const std::vector<Panel *> &p
         return [from = std::move(from), before = std::move(before)](Shell &c) { movePanel(c, from, before); };
     };
     ContextGroup group;
-    group.push_back(commandOf("panel/fold", open ? "Fold" : "Unfold", [id, open](Shell &c) { setFolded(c, id, open); }));
+    group.push_back(
+        commandOf("panel/fold", open ? "Fold" : "Unfold", [id, open](Shell &c) { setFolded(c, id, open); }));
     group.push_back(switchOf("panel/pin", "Show in all workspaces", pinned, [id, pinned](Shell &c) {
         pinned ? static_cast<void>(c.settings.pinned.erase(id)) : static_cast<void>(c.settings.pinned.insert(id));
         c.animate();
@@ -187,7 +189,8 @@ std::vector<Section> sectionsOf(const Shell &context, const std::vector<Panel *>
     std::vector<Section> sections;
     for (const Panel *panel : panels) {
         const auto &folded = changesOf(context).folded;
-        const bool called = std::find(context.called.begin(), context.called.end(), panel->id()) != context.called.end();
+        const bool called =
+            std::find(context.called.begin(), context.called.end(), panel->id()) != context.called.end();
         sections.push_back({.open = !isFolded(context, panel->id()),
                             .keepsOpen = called || folded.contains(panel->id()) || context.revealedPanel == panel->id(),
                             .first = called,

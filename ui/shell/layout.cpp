@@ -71,6 +71,9 @@ Layout layOut(const Shell &context) {
     const double canvasHeight = std::max(1.0, middle - figures);
     const double ruler = context.settings.rulers ? px(kRuler) : 0.0, left = tools + lessons;
     layout.canvas = {left + ruler, top + ruler, std::max(1.0, canvas - ruler), std::max(1.0, canvasHeight - ruler)};
+    const double covered = floats ? beside : 0.0;
+    layout.open = layout.canvas;
+    layout.open.width = std::max(1.0, std::min(layout.canvas.width, width - covered - layout.canvas.x));
     layout.rulerX = {left + ruler, top, layout.canvas.width, ruler};
     layout.rulerY = {left, top + ruler, ruler, layout.canvas.height};
     layout.sides = {tools + lessons + canvas, top, room - canvas, canvasHeight};

@@ -14,6 +14,7 @@ void addLessonActions(ActionRegistry &actions);
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
     PixelRect menu, options, tools, lessons, canvas, sides, figures, column, timeline, status;
+    PixelRect open;           ///< the part of the canvas that the column does not cover
     PixelRect rulerX, rulerY; ///< above the canvas and left of it; empty if hidden
 };
 Layout layOut(const Shell &context);

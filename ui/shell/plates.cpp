@@ -118,8 +118,9 @@ bool lessonNeedsLayers(const Shell &context) {
 /// Draws the buttons over the upper right corner of the canvas.
 void drawLayersButton(Shell &context, const PixelRect &canvas) {
     const float margin = context.px(12);
-    ImGui::SetNextWindowPos({static_cast<float>(canvas.x + canvas.width) - margin, static_cast<float>(canvas.y) + margin},
-                            ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::SetNextWindowPos(
+        {static_cast<float>(canvas.x + canvas.width) - margin, static_cast<float>(canvas.y) + margin}, ImGuiCond_Always,
+        {1.0F, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(4), context.px(3)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
@@ -150,9 +151,9 @@ void drawLayers(Shell &context, const PixelRect &canvas) {
     }
     const double scale = static_cast<double>(context.scale), margin = 12.0 * scale, top = 48.0 * scale;
     const double width = std::min(216.0 * scale, canvas.width - 2.0 * margin);
-    const bool close = drawPlate(context, "layers",
-                                 {canvas.x + canvas.width - margin - width, canvas.y + top, width,
-                                  canvas.height - top - margin});
+    const bool close =
+        drawPlate(context, "layers",
+                  {canvas.x + canvas.width - margin - width, canvas.y + top, width, canvas.height - top - margin});
     if (close || pressedBeside(context, canvas, "plate/layers")) {
         context.plates.layers = false;
         context.animate();
@@ -166,9 +167,9 @@ void drawLog(Shell &context, const PixelRect &canvas) {
     const double scale = static_cast<double>(context.scale), margin = 12.0 * scale;
     const double width = std::min(720.0 * scale, canvas.width - 2.0 * margin);
     const double height = std::min(240.0 * scale, canvas.height - 2.0 * margin);
-    if (drawPlate(context, "log",
-                  {canvas.x + canvas.width - margin - width, canvas.y + canvas.height - margin - height, width,
-                   height})) {
+    if (drawPlate(
+            context, "log",
+            {canvas.x + canvas.width - margin - width, canvas.y + canvas.height - margin - height, width, height})) {
         context.plates.log = false;
         context.animate();
     }
@@ -190,8 +191,8 @@ void drawHistory(Shell &context, const Layout &layout) {
 } // namespace
 
 void drawPlates(Shell &context, const Layout &layout) {
-    drawLayers(context, layout.canvas);
-    drawLog(context, layout.canvas);
+    drawLayers(context, layout.open);
+    drawLog(context, layout.open);
     drawHistory(context, layout);
 }
 

@@ -22,7 +22,7 @@ float spareOf(const std::vector<Section> &sections, const SectionMeasures &measu
 
 /// Raises contents together until they are whole or the spare height is used up.
 void growTogether(const std::vector<Section> &sections, std::vector<std::size_t> &growing, std::vector<float> &heights,
-           float &spare) {
+                  float &spare) {
     while (spare > 0.5F && !growing.empty()) {
         const float share = spare / static_cast<float>(growing.size());
         for (const std::size_t k : growing) {

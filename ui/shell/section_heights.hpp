@@ -19,8 +19,9 @@ struct SectionMeasures {
 };
 
 /// Folds the lower sections for which a column of this height has no room, except those that stay open, and divides
-/// the height among the open ones: those that come first and low ones get what they need, the others share the rest. Returns the heights of
-/// their contents, 0 for folded ones. If the lowest heights do not fit, the sum exceeds the height.
+/// the height among the open ones: those that come first and low ones get what they need, the others share the rest.
+/// Returns the heights of their contents, 0 for folded ones. If the lowest heights do not fit, the sum exceeds the
+/// height.
 std::vector<float> sectionHeights(std::vector<Section> &sections, const SectionMeasures &measures, float height);
 
 } // namespace forefront::shell

@@ -138,8 +138,8 @@ void StartPage::draw(Shell &context, const PixelRect &canvas) {
     if (width < 1.0 || height < 1.0) {
         return;
     }
-    ImGui::SetNextWindowPos(
-        {static_cast<float>(canvas.centre().x), static_cast<float>(canvas.y + margin)}, ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowPos({static_cast<float>(canvas.centre().x), static_cast<float>(canvas.y + margin)},
+                            ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSizeConstraints({static_cast<float>(width), 0.0F},
                                         {static_cast<float>(width), static_cast<float>(height)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(24), context.px(20)));

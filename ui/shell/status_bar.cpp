@@ -47,10 +47,9 @@ class Cells {
         }
         right_ -= width;
         if (dot) {
-            ImGui::GetWindowDrawList()->AddCircleFilled(
-                {static_cast<float>(right_ + 0.5 * pad() + 4.0 * scale()),
-                 static_cast<float>(rect_.y + 0.5 * rect_.height)},
-                context_.px(4), *dot);
+            ImGui::GetWindowDrawList()->AddCircleFilled({static_cast<float>(right_ + 0.5 * pad() + 4.0 * scale()),
+                                                         static_cast<float>(rect_.y + 0.5 * rect_.height)},
+                                                        context_.px(4), *dot);
         }
         place(name, text, colour, right_, width, 0.5 * pad() + room);
         return true;
@@ -183,17 +182,22 @@ void addMeshChip(Cells &cells, Shell &context) {
 void addFigures(Cells &cells, Shell &context) {
     const SessionSnapshot &run = context.run.now();
     if (run.quality.elements > 0) {
-        if (cells.addRight("quality", ui::format("min angle %.1f\xc2\xb0", run.quality.minAngle), context.theme.muted)) {
+        if (cells.addRight("quality", ui::format("min angle %.1f\xc2\xb0", run.quality.minAngle),
+                           context.theme.muted)) {
             cells.clicked("quality");
-            ui::tooltip(context, run.complete && run.advance < run.known
-                                     ? "Smallest angle so far; the mesh is improved at the end"
-                                     : ui::format("Smallest angle; the mean shape factor is %.3f", run.quality.alphaMean));
+            ui::tooltip(context,
+                        run.complete && run.advance < run.known
+                            ? "Smallest angle so far; the mesh is improved at the end"
+                            : ui::format("Smallest angle; the mean shape factor is %.3f", run.quality.alphaMean));
         }
-        if (cells.addRight("counts", ui::count(run.quality.elements) + " triangles", context.theme.text)) {
+        if (cells.addRight("counts",
+                           ui::count(run.quality.elements) + (run.quality.elements == 1 ? " triangle" : " triangles"),
+                           context.theme.text)) {
             cells.clicked("counts");
             ui::tooltip(context, ui::count(run.quality.nodes) + " nodes" +
-                                     (run.complete && run.meshHash != 0 && run.advance == run.known ? "; hash " + toHex(run.meshHash).substr(0, 8)
-                                                                        : std::string()));
+                                     (run.complete && run.meshHash != 0 && run.advance == run.known
+                                          ? "; hash " + toHex(run.meshHash).substr(0, 8)
+                                          : std::string()));
         }
     }
     const double predicted = context.preview->estimatedElements;
@@ -208,8 +212,8 @@ void addFigures(Cells &cells, Shell &context) {
 /// Adds the verdict of the checks; a click leads to them.
 void addChecks(Cells &cells, Shell &context) {
     const std::size_t faults = context.preview->faults.size();
-    if (faults > 0 && cells.addRight("faults", std::string(icon::kWarning) + "  " + std::to_string(faults),
-                                     context.theme.warn)) {
+    if (faults > 0 &&
+        cells.addRight("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), context.theme.warn)) {
         if (cells.clicked("faults")) {
             context.actions.run("view.firstFault", context);
         }

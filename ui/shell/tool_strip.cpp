@@ -79,9 +79,8 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
         if (i % static_cast<std::size_t>(strip.columns) != 0) {
             ImGui::SameLine();
         }
-        if (ui::iconButton(context, std::string("tool/") + tool.id(), tool.icon(), tip, &tool == &context.tools.current(),
-                           true,
-                           static_cast<float>(strip.button))) {
+        if (ui::iconButton(context, std::string("tool/") + tool.id(), tool.icon(), tip,
+                           &tool == &context.tools.current(), true, static_cast<float>(strip.button))) {
             context.tools.choose(tool.id(), context);
         }
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {

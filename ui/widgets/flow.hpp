@@ -36,9 +36,9 @@ class Flow {
     float room_, gap_;
     const char *overflow_;
     bool overflows_ = false;
-    float used_ = 0.0F;      ///< width of the row so far
+    float used_ = 0.0F;              ///< width of the row so far
     ImGuiStorage *widths_ = nullptr; ///< of the items of a single row; null: that of the current window
-    unsigned int begun_ = 0; ///< key under which Dear ImGui stores the width of the current item; 0: none
+    unsigned int begun_ = 0;         ///< key under which Dear ImGui stores the width of the current item; 0: none
 };
 
 } // namespace forefront::ui

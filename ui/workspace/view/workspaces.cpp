@@ -45,8 +45,7 @@ constexpr std::array<WorkspacePreset, 5> kPresets{
      {"size", "Size", "Element sizes and sources", kSizePanels, kSizeFolded, kSizeTools, kSizeLayers},
      {"mesh", "Mesh", "Method and figures of the mesh", kMeshPanels, kMeshFolded, kMeshTools, kMeshLayers},
      {"step", "Step", "The advancing front, step by step", kStepPanels, kStepFolded, kStepTools, kStepLayers},
-     {"judge", "Judge", "Limits, quality and worst elements", kJudgePanels, kJudgeFolded, kJudgeTools,
-      kJudgeLayers}}};
+     {"judge", "Judge", "Limits, quality and worst elements", kJudgePanels, kJudgeFolded, kJudgeTools, kJudgeLayers}}};
 
 } // namespace
 
@@ -55,9 +54,8 @@ const WorkspacePreset &presetOf(WorkspaceKind kind) {
 }
 
 std::optional<WorkspaceKind> workspaceOf(std::string_view word) {
-    const auto found =
-        std::find_if(kWorkspaceKinds.begin(), kWorkspaceKinds.end(),
-                     [word](WorkspaceKind kind) { return presetOf(kind).word == word; });
+    const auto found = std::find_if(kWorkspaceKinds.begin(), kWorkspaceKinds.end(),
+                                    [word](WorkspaceKind kind) { return presetOf(kind).word == word; });
     return found == kWorkspaceKinds.end() ? std::nullopt : std::optional(*found);
 }
 
