@@ -14,6 +14,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 
@@ -276,6 +277,7 @@ int runMesh(const MeshArguments &arguments) {
         printFaults(unusedOptions(arguments, *job, *outcome->spacing));
     }
     printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
+    printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
     const RunReport report = reportOf(*outcome, job->options);
     faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {

@@ -3,6 +3,7 @@
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/checks_summary.hpp"
+#include "ui/workspace/mesh/element_words.hpp"
 
 #include <imgui.h>
 
@@ -190,14 +191,13 @@ void addFigures(Cells &cells, Shell &context) {
                             ? "Smallest angle so far; the mesh is improved at the end"
                             : ui::format("Smallest angle; the mean shape factor is %.3f", run.quality.alphaMean));
         }
-        if (cells.addRight("counts",
-                           ui::count(run.quality.elements) + (run.quality.elements == 1 ? " triangle" : " triangles"),
-                           context.theme.text)) {
+        if (cells.addRight("counts", elementsInShort(run.quality), context.theme.text)) {
             cells.clicked("counts");
-            ui::tooltip(context, ui::count(run.quality.nodes) + " nodes" +
-                                     (run.complete && run.meshHash != 0 && run.advance == run.known
-                                          ? "; hash " + toHex(run.meshHash).substr(0, 8)
-                                          : std::string()));
+            const bool counted = run.quality.kinds != MeshQuality{}.kinds; // not while the mesh is being made
+            const bool whole = run.complete && run.meshHash != 0 && run.advance == run.known;
+            ui::tooltip(context, (counted ? elementsInWords(run.quality.kinds) : std::string("Triangles")) + ", " +
+                                     ui::count(run.quality.nodes) + " nodes" +
+                                     (whole ? "; hash " + toHex(run.meshHash).substr(0, 8) : std::string()));
         }
     }
     const double predicted = context.preview->estimatedElements;
@@ -257,7 +257,7 @@ std::vector<ContextGroup> statusMenu(const Shell &context) {
     const SessionSnapshot &run = context.run.now();
     ContextGroup copies;
     if (run.quality.elements > 0) {
-        copies.push_back(copyCommand("status/counts", "Copy numbers of triangles and nodes",
+        copies.push_back(copyCommand("status/counts", "Copy numbers of elements and nodes",
                                      std::to_string(run.quality.elements) + '\t' + std::to_string(run.quality.nodes)));
         copies.push_back(copyCommand("status/quality", "Copy shape factor and smallest angle",
                                      ui::format("%.6g\t%.6g", run.quality.alphaMean, run.quality.minAngle)));
