@@ -43,6 +43,8 @@ int runEditor(const EditorArguments &arguments) {
     setup.stateFolder = stateFolder();
     setup.file = arguments.file.value_or(std::filesystem::path());
     setup.judge = arguments.judge;
+    setup.sample = false;
+    setup.startPage = true;
     setup.stateFile = arguments.stateFile.value_or(std::filesystem::path());
     Editor editor(*platform, setup);
     while (editor.running()) {

@@ -32,7 +32,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront --help             print this help
 
 Examples:
-  forefront                                        open the editor with the sample
+  forefront                                        open the editor
   forefront mesh lake.geojson -o lake.msh          mesh with automatic spacing
   forefront mesh plate.poly -o plate.vtu --size 1  mesh with edges of length 1
   forefront check lake.msh --domain lake.geojson   verify that the mesh fits its domain

@@ -46,7 +46,7 @@ if [ -z "${DISPLAY-}" ] && [ -z "${WAYLAND_DISPLAY-}" ]; then
     exit 0
 fi
 status=0
-"$program" "$@" || status=$?
+"$program" "${1:-$root/assets/samples/harbour.json}" || status=$?
 if [ $status -eq 4 ]; then # the window could not be opened
     echo "The editor cannot open a window on display '${DISPLAY-}${WAYLAND_DISPLAY-}'."
     mesh_in_batch "$@"

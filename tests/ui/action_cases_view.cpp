@@ -43,7 +43,10 @@ std::vector<ActionCase> cameraCases() {
 
 std::vector<ActionCase> interfaceCases() {
     return {
-        {"view.panels", [](D &) {}, [](D &d, const B &) { return !d.has("panel/steps"); }},
+        {"view.panels", [](D &) {}, [](D &d, const B &) { return !d.has("panel/shapes"); }},
+        {"view.layers", [](D &) {}, [](D &d, const B &) { return d.has("layer/mesh"); }},
+        {"view.log", [](D &) {}, [](D &d, const B &) { return d.has("panel/log"); }},
+        {"edit.history", [](D &) {}, [](D &d, const B &) { return d.has("panel/history"); }},
         {"view.rulers", [](D &) {}, [](D &d, const B &b) { return d.context().settings.rulers != b.settings.rulers; }},
         {"view.theme", [](D &) {}, [](D &d, const B &b) { return d.context().settings.theme != b.settings.theme; }},
         {"view.scale", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "scale"); }},

@@ -50,7 +50,7 @@ TEST_CASE("Bench: CPU time of a window at rest" * doctest::skip()) {
     driver.key('V');
     driver.key(key::kF5);
     for (const char *tab : {"log", "statistics", "histogram", "probe"}) {
-        driver.context().settings.tab = tab;
+        driver.showPanel(tab);
         driver.context().animate();
         rest(driver, "a million triangles and " + std::string(tab));
     }

@@ -1,5 +1,7 @@
 #include "tests/ui/driver.hpp"
 
+#include "ui/parts/shown_panels.hpp"
+
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 
@@ -57,9 +59,20 @@ void Driver::drain() {
 
 void Driver::unfoldLayers() {
     if (!has("layer/domain")) {
-        click("panel/layers");
-        settle();
+        showPanel("layers");
     }
+}
+
+void Driver::showPanel(std::string_view panel) {
+    const bool known = context().actions.run("panel." + std::string(panel), context());
+    const std::string message(panel);
+    CHECK_MESSAGE(known, "no panel " << message);
+    settle();
+}
+
+void Driver::workspace(WorkspaceKind kind) {
+    chooseWorkspace(context(), kind);
+    settle();
 }
 
 bool Driver::has(std::string_view widget) const {

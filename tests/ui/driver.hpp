@@ -33,8 +33,11 @@ class Driver {
     void until(const std::function<bool()> &condition);
     void frames(int count);
     bool has(std::string_view widget) const;
-    /// Unfolds the layers, which are folded in a low window at first.
+    /// Shows the switches of the layers.
     void unfoldLayers();
+    /// Shows a panel as its command does.
+    void showPanel(std::string_view panel);
+    void workspace(WorkspaceKind kind);
     /// Clicks the middle of a widget. Returns false, and fails a check, if it is not drawn or not enabled.
     bool click(std::string_view widget);
     bool hover(std::string_view widget);

@@ -65,14 +65,6 @@ class Draughtsman : public Driver {
         key(key::kEnter);
         settle();
     }
-    /// Collapses the panels above `panel`, so that it is visible.
-    void unfold(std::string_view panel) {
-        for (const char *id : {"layers", "inspector"}) {
-            if (panel != id && !folded(id)) {
-                click(std::string("panel/") + id);
-            }
-        }
-    }
     bool logHas(std::string_view code) {
         for (const MessageLog::Entry &entry : context().log.entries()) {
             if (entry.diagnostic.code == code) {
@@ -86,10 +78,6 @@ class Draughtsman : public Driver {
     static EditorSetup withoutSample(EditorSetup setup) {
         setup.sample = false;
         return setup;
-    }
-    bool folded(const std::string &panel) {
-        const char *inside = panel == "layers" ? "layer/domain" : "inspector/here"; // drawn only if unfolded
-        return !has(inside);
     }
 };
 

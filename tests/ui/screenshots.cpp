@@ -105,9 +105,7 @@ struct Shot {
 };
 
 std::vector<Shot> scenes() {
-    const auto panel = [](const char *id) {
-        return [name = std::string("panel/") + id](Driver &driver) { driver.click(name); };
-    };
+    const auto panel = [](const char *id) { return [id](Driver &driver) { driver.showPanel(id); }; };
     const auto action = [](const char *id) {
         return [id](Driver &driver) { driver.context().actions.run(id, driver.context()); };
     };
@@ -162,7 +160,7 @@ std::vector<Shot> scenes() {
              [](Driver &driver) {
                  driver.click("tool/select");
                  driver.context().selection.clear();
-                 driver.context().settings.folded["layers"] = false;
+                 driver.unfoldLayers();
              }},
             {"quality", [](Driver &driver) { showLayer(driver.context().layers, "quality", true); }},
             {"rulers", action("view.rulers")},
@@ -177,12 +175,12 @@ std::vector<Shot> scenes() {
             {"candidates",
              [](Driver &driver) {
                  driver.context().run.seek(60);
-                 driver.click("panel/candidates");
+                 driver.showPanel("candidates");
              }},
             {"histogram",
              [](Driver &driver) {
                  driver.context().run.seekEnd();
-                 driver.click("panel/histogram");
+                 driver.showPanel("histogram");
              }},
             {"probe", panel("probe")},
             {"adapt", panel("adapt")},

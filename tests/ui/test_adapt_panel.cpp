@@ -19,10 +19,9 @@ namespace {
 
 /// Opens the panel, high enough for its list of meshes.
 void openPanel(Driver &driver) {
-    driver.context().settings.tabsHeight = 420.0;
     driver.context().animate();
     driver.settle();
-    driver.click("panel/adapt");
+    driver.showPanel("adapt");
     driver.settle();
 }
 

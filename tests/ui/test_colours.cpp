@@ -50,6 +50,7 @@ struct ColouredSquare : MeshedSquare {
 TEST_CASE("Colours: quality and spacing exclude each other") {
     ColouredSquare driver;
     driver.platform().show(true); // this legend belongs to what is drawn
+    driver.workspace(WorkspaceKind::Size);
     REQUIRE(driver.visible("size"));
     driver.unfoldLayers();
     driver.settle();
@@ -136,7 +137,7 @@ TEST_CASE("Colours: the user can set the quality range in the histogram, and fit
     ColouredSquare driver;
     driver.unfoldLayers();
     driver.click("layer/quality");
-    driver.click("panel/histogram");
+    driver.showPanel("histogram");
     driver.settle();
     driver.click("histogram/from");
     driver.key('A', {Modifiers::kControl});
@@ -191,6 +192,7 @@ TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in 
     driver.key('V');
     driver.key(key::kEscape);
     showLayer(driver.context().layers, "lattice", false);
+    showLayer(driver.context().layers, "size", true);
     driver.moveTo({5, 5});
     for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
         driver.context().settings.theme = theme;

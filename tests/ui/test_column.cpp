@@ -1,55 +1,89 @@
 #include "tests/ui/edit_driver.hpp"
+#include "ui/shell/section_heights.hpp"
 
 #include <doctest/doctest.h>
 
-#include <map>
+#include <numeric>
 #include <string>
 
 namespace forefront::test {
 
-TEST_CASE(
-    "Column: in a low window the layers are folded, so that the inspector is seen whole; a choice is remembered") {
-    const TemporaryFolder place;
-    EditorSetup setup;
-    setup.settingsFolder = place.path;
-    {
-        Draughtsman driver(setup);
-        driver.rectangle({1, 1}, {9, 8});
-        driver.settle();
-        CHECK_FALSE(driver.has("layer/domain"));
-        const auto *button = driver.context().widgets.find("inspector/delete"); // the last row
-        REQUIRE(button != nullptr);
-        CHECK(button->visible);
-        CHECK((!button->clip || button->rect.y + button->rect.height <= button->clip->y + button->clip->height));
-        driver.platform().resize({1280, 1000}, 1.0);
-        driver.settle();
-        CHECK(driver.has("layer/domain"));
-        driver.platform().resize({1280, 1000}, 2.0);
-        driver.settle();
-        CHECK_FALSE(driver.has("layer/domain"));
-        driver.click("panel/layers");
-        driver.settle();
-        CHECK(driver.has("layer/domain"));
-    }
-    Draughtsman again(setup);
-    CHECK(again.has("layer/domain"));
+namespace {
+
+constexpr shell::SectionMeasures kMeasures{.heading = 28.0F, .gap = 10.0F, .lowest = 84.0F};
+
+} // namespace
+
+TEST_CASE("Column: low sections get their height, the others share what is left") {
+    std::vector<shell::Section> sections{{.content = 50.0F}, {.content = 900.0F}, {.content = 900.0F}};
+    const std::vector<float> heights = shell::sectionHeights(sections, kMeasures, 700.0F);
+    CHECK(heights[0] == 50.0F);
+    CHECK(heights[1] == heights[2]);
+    CHECK(std::accumulate(heights.begin(), heights.end(), 3.0F * 38.0F) == doctest::Approx(700.0));
+    CHECK(shell::sectionHeights(sections, kMeasures, 5000.0F) == std::vector<float>{50.0F, 900.0F, 900.0F});
 }
 
-TEST_CASE("Column: at twice the scale, a selection scrolls the inspector into view") {
-    Draughtsman driver({}, {1280, 800});
+TEST_CASE("Column: a section that a command has opened is whole before others grow") {
+    std::vector<shell::Section> sections{{.content = 900.0F}, {.first = true, .content = 400.0F}};
+    const std::vector<float> heights = shell::sectionHeights(sections, kMeasures, 700.0F);
+    CHECK(heights[1] == 400.0F);
+    CHECK(heights[0] == doctest::Approx(700.0 - 400.0 - 2.0 * 38.0));
+}
+
+TEST_CASE("Column: without room, the lower sections fold, except those that were opened") {
+    std::vector<shell::Section> sections(4, {.keepsOpen = false, .content = 300.0F});
+    sections[3].keepsOpen = true;
+    const std::vector<float> heights = shell::sectionHeights(sections, kMeasures, 330.0F);
+    CHECK(sections[0].open);
+    CHECK_FALSE(sections[1].open);
+    CHECK_FALSE(sections[2].open);
+    CHECK(sections[3].open);
+    CHECK(heights[1] == 0.0F);
+    CHECK(heights[3] >= 84.0F);
+}
+
+TEST_CASE("Column: a selected shape can be renamed without scrolling, in a low window too") {
+    Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.platform().resize({1280, 800}, 2.0);
     driver.key('V');
     driver.key(key::kEscape);
-    driver.unfoldLayers();
     driver.context().selection.shapes = {1};
-    driver.settle();
-    for (const char *row : {"inspector/what", "inspector/name"}) {
-        CAPTURE(row);
-        const auto *widget = driver.context().widgets.find(row);
-        REQUIRE(widget != nullptr);
-        CHECK(widget->visible);
+    for (const double height : {800.0, 600.0}) {
+        driver.platform().resize({1280, static_cast<int>(height)}, 1.0);
+        driver.settle();
+        for (const char *row : {"inspector/what", "inspector/name"}) {
+            CAPTURE(row);
+            const auto *widget = driver.context().widgets.find(row);
+            REQUIRE(widget != nullptr);
+            CHECK(widget->visible);
+        }
     }
+}
+
+TEST_CASE("Column: in a narrow window it opens over the canvas on demand") {
+    Draughtsman driver({}, {1280, 800});
+    const double docked = driver.canvas().width;
+    CHECK(driver.has("column"));
+    driver.platform().resize({1280, 800}, 2.0);
+    driver.settle();
+    CHECK_FALSE(driver.has("column"));
+    const PixelRect canvas = driver.canvas();
+    CHECK(canvas.width > docked); // more of the window than beside the column
+    driver.key(key::kTab);
+    driver.settle();
+    REQUIRE(driver.has("column"));
+    CHECK(driver.canvas() == canvas); // the drawing stays where it is
+    const PixelRect column = driver.context().widgets.find("column")->rect;
+    CHECK(column.overlaps(canvas));
+    CHECK_FALSE(driver.context().widgets.find("canvas/tools")->rect.overlaps(column));
+    driver.key(key::kTab);
+    driver.settle();
+    CHECK_FALSE(driver.has("column"));
+    driver.showPanel("spacing");
+    CHECK(driver.has("column"));
+    driver.platform().resize({1280, 800}, 1.0);
+    driver.settle();
+    CHECK(driver.canvas().width == docked);
 }
 
 TEST_CASE("Column: the names of layers do not reach into the next column") {
@@ -63,36 +97,6 @@ TEST_CASE("Column: the names of layers do not reach into the next column") {
             // The eye is 24 pixels wide; letters of the small font are at most 9 pixels wide, on average below 7.
             CHECK(eye->rect.width >=
                   (24.0 + 5.5 * static_cast<double>(std::string_view(slot.layer->name()).size())) * scale);
-        }
-    }
-}
-
-TEST_CASE("Column: the tabs stay under the pointer, whichever is chosen, and no row holds a single one") {
-    for (const double scale : {1.0, 2.0}) {
-        Driver driver({}, {1280, 800}, scale);
-        std::map<std::string, Pixel> places;
-        std::map<double, int> rows;
-        for (const auto &panel : driver.context().panels) {
-            if (panel->place() == PanelPlace::Tabbed) {
-                const std::string tab = std::string("panel/") + panel->id();
-                const auto *widget = driver.context().widgets.find(tab);
-                REQUIRE(widget != nullptr);
-                places[tab] = widget->rect.centre();
-                ++rows[widget->rect.y];
-            }
-        }
-        for (const auto &[y, count] : rows) {
-            CHECK(count >= 3);
-        }
-        for (const auto &chosen : places) {
-            driver.clickAt(chosen.second);
-            driver.settle();
-            CAPTURE(chosen.first);
-            CHECK("panel/" + driver.context().settings.tab == chosen.first);
-            for (const auto &[tab, place] : places) {
-                CAPTURE(tab);
-                CHECK(driver.context().widgets.find(tab)->rect.centre() == place);
-            }
         }
     }
 }

@@ -128,7 +128,7 @@ TEST_CASE("Checks: repair is offered only if there is something to repair") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}});
     driver.key(key::kEscape);
-    driver.click("panel/checks");
+    driver.showPanel("checks");
     driver.settle();
     CHECK(driver.has("checks/repair"));
     CHECK(driver.context().actions.find("edit.repair")->enabled(driver.context()));
@@ -228,7 +228,7 @@ TEST_CASE("Statistics: hovering the label or the value of a row shows its toolti
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key(key::kF5);
-    driver.click("panel/statistics");
+    driver.showPanel("statistics");
     driver.settle();
     REQUIRE(driver.has("statistics/Nb"));
     const PixelRect row = driver.context().widgets.find("statistics/Nb")->rect;
@@ -244,12 +244,11 @@ TEST_CASE("Forms: hovering the label of a field shows its tooltip") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     for (const char *field : {"spacing/size", "spacing/expression", "spacing/gradation", "meshing/keepboundary"}) {
         CAPTURE(field);
         if (std::string_view(field).starts_with("meshing")) {
-            driver.click("panel/spacing"); // folds it, so that the panel below comes into view
-            driver.settle();
+            driver.showPanel("meshing");
         }
         const PixelRect rect = driver.context().widgets.find(field)->rect;
         driver.moveTo({rect.x - 60.0, rect.centre().y});
@@ -271,12 +270,12 @@ TEST_CASE("Inspector: fields stay in place for any pointer position and text len
     driver.settle();
     REQUIRE(driver.has("inspector/name"));
     const PixelRect name = driver.context().widgets.find("inspector/name")->rect;
-    const PixelRect size = driver.context().widgets.find("panel/spacing")->rect;
+    const PixelRect size = driver.context().widgets.find("panel/parameters")->rect;
     for (const Vec2 place : {Vec2{1, 1}, {3, 2}, {7, 7}, {9, 9}}) {
         driver.moveToPlace(place);
         driver.settle();
         CHECK(driver.context().widgets.find("inspector/name")->rect == name);
-        CHECK(driver.context().widgets.find("panel/spacing")->rect == size);
+        CHECK(driver.context().widgets.find("panel/parameters")->rect == size);
     }
     driver.hover("inspector/name");
     driver.settle();

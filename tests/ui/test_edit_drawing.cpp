@@ -374,7 +374,7 @@ TEST_CASE("Inspector: naming one segment keeps the names of other shapes; the na
     CHECK(segmentTag(*driver.document().shapes[0], 0) == 2);
     CHECK(segmentTag(*driver.document().shapes[0], 1) == 1);
     CHECK(driver.document().shapes[1]->tag == 1);
-    driver.click("panel/names");
+    driver.showPanel("names");
     driver.click("names/boundary/1");
     driver.key('A', {Modifiers::kControl});
     driver.type("wall");

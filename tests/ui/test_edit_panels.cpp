@@ -72,7 +72,7 @@ TEST_CASE("Lock: undoing an unlock deselects the shape; the Names panel skips hi
     CHECK(driver.context().selection.empty());
     driver.key(key::kDelete);
     CHECK(driver.document().shapes.size() == 2);
-    driver.click("panel/names");
+    driver.showPanel("names");
     driver.settle();
     driver.click("names/boundary/1/select");
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
@@ -315,6 +315,7 @@ TEST_CASE("Polygon: as a spline through clicked points, or freehand with its cor
 
 TEST_CASE("Polygon: a freehand loop becomes smooth curves, or corners as chosen") {
     Draughtsman driver;
+    driver.context().snapping.toGrid = false; // the loop begins where the pointer is
     const auto draw = [&] {
         driver.key('P');
         const auto at = [&](int k) {

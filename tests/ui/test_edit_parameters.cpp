@@ -13,7 +13,7 @@ namespace {
 
 /// Adds a parameter in the table of the open panel.
 void addParameter(Draughtsman &driver, const std::string &name, const std::string &expression) {
-    driver.click("panel/parameters");
+    driver.showPanel("parameters");
     driver.settle();
     const std::string row = "parameters/" + std::to_string(driver.document().parameters.size());
     driver.click("parameters/add");
@@ -35,7 +35,7 @@ TEST_CASE("Parameters: fields accept expressions; a change updates all dependent
     driver.fill("inspector/radius", "2*r");
     CHECK(circleRadius(*driver.document().shapes[0]) == 3.0);
     CHECK(driver.document().formulas.at("shape/1/radius"_number) == "2*r");
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.fill("spacing/size", "gap");
     CHECK(*driver.document().spacing.size == doctest::Approx(0.5));
     driver.fill("spacing/expression", "gap + 0*x");
@@ -155,7 +155,7 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
 
 TEST_CASE("Parameters: a new one is named and given a value without the mouse") {
     Draughtsman driver;
-    driver.click("panel/parameters");
+    driver.showPanel("parameters");
     driver.click("parameters/add");
     driver.frames(2);
     driver.key('A', kControl);

@@ -83,7 +83,7 @@ TEST_CASE("Rectangle: the corner radius of the options rounds the next one; the 
     CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 1.5);
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(48.0 - 2.25 * (4.0 - std::numbers::pi)));
     driver.key('V');
-    driver.unfold("inspector");
+    driver.showPanel("inspector");
     driver.fill("inspector/cornerradius", "0.5");
     CHECK(driver.document().shapes[0]->as<RectangleForm>().radius == 0.5);
     driver.click("inspector/topath");

@@ -181,7 +181,7 @@ TEST_CASE("Sources: a first source refines automatic spacing near it, and the pa
     CHECK(at(near) < 0.5 * before);
     CHECK(at(besideSlit) == slit);
     CHECK(at(far) == away);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.click("spacing/keepautomatic");
     driver.settle();
     CHECK(driver.document().spacing.keepAutomatic == false);
@@ -213,7 +213,7 @@ TEST_CASE("Sources: the end size follows a parameter") {
 TEST_CASE("Spacing panel: size, limits and expression; an invalid expression is explained with its position") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.click("spacing/size");
     driver.type("0.5");
     driver.key(key::kEnter);
@@ -251,7 +251,7 @@ TEST_CASE("Inspector: fields do not move as the pointer approaches them") {
     driver.polygon({{3, 3}, {3.5, 3}, {3.5, 3.5}, {3, 3.5}});
     driver.key('V');
     driver.key(key::kEscape);
-    driver.settle();
+    driver.workspace(WorkspaceKind::Size);
     driver.moveToPlace({3.25, 2.95}); // "automatic: length of a segment of 'boundary_1' at ..." takes two lines
     driver.frames(3);
     const double over = driver.context().widgets.find("spacing/size")->rect.y;
@@ -269,7 +269,7 @@ TEST_CASE("Inspector: the runner-up of the node spacing stands below the winner,
     sized.spacing = {};
     sized.spacing.size = 1.0;
     driver.context().document.apply(std::move(sized), "Size");
-    driver.settle();
+    driver.workspace(WorkspaceKind::Size);
     driver.moveToPlace({3, 3});
     driver.frames(3);
     CHECK_FALSE(driver.has("inspector/runnerup")); // there is one rule
@@ -313,7 +313,7 @@ TEST_CASE("Checks: a self-crossing polygon is a fault with a location; Repair fi
     driver.settle();
     REQUIRE(driver.context().preview->faults.size() >= 1);
     REQUIRE(driver.context().preview->faults.front().at.has_value());
-    driver.click("panel/checks");
+    driver.showPanel("checks");
     driver.click("checks/goto/0");
     CHECK(distance(driver.context().view.camera.centre, *driver.context().preview->faults.front().at) < 2.0);
     driver.click("checks/repair");

@@ -79,7 +79,7 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
 TEST_CASE("Elements: a circle of a parameter keeps its number when the parameter changes, and after saving") {
     Draughtsman driver;
     driver.rectangle({0.5, 0.5}, {9.5, 9.5});
-    driver.click("panel/parameters");
+    driver.showPanel("parameters");
     driver.settle();
     driver.click("parameters/add");
     driver.settle();
@@ -188,7 +188,7 @@ TEST_CASE("Spacing: the number of elements per turn is a field") {
     Draughtsman driver;
     driver.key('C');
     driver.dragPlaces({5, 4}, {7, 4});
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.fill("spacing/perturn", "100");
     CHECK(driver.undoLabel() == "Change elements per turn");
     CHECK(edges(driver, 1) >= 100);
@@ -200,7 +200,7 @@ TEST_CASE("Spacing: the number of elements per turn is a field") {
 TEST_CASE("Spacing: the number of elements across narrow places is a field") {
     Draughtsman driver;
     driver.rectangle({1, 4}, {9, 5});
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.fill("spacing/size", "2");
     REQUIRE(driver.context().preview->spacing != nullptr);
     CHECK(driver.context().preview->spacing->at({5, 4.5}) == doctest::Approx(2.0));

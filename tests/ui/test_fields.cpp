@@ -10,7 +10,7 @@ namespace {
 struct SpacingForm : Draughtsman {
     SpacingForm() {
         rectangle({1, 1}, {9, 8});
-        unfold("spacing");
+        showPanel("spacing");
         click("spacing/size");
     }
     const SpacingSpec &spacing() { return document().spacing; }

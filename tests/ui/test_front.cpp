@@ -18,6 +18,7 @@ struct Stepping : Driver {
         Document document = *context().document.current();
         document.options.method = method;
         context().document.apply(std::move(document), "Method");
+        workspace(WorkspaceKind::Step);
         key(key::k2);
         settle();
         context().run.seek(run().known / 2);
@@ -262,7 +263,7 @@ TEST_CASE("Trace: a click sets a breakpoint at a place or at a cell of the grid"
 
 TEST_CASE("Candidates: the table lists them; a click on a row shows its numbers and highlights it on the canvas") {
     Stepping driver;
-    driver.click("panel/candidates");
+    driver.showPanel("candidates");
     driver.runUntil(hasRejection);
     driver.key('T');
     driver.settle();
@@ -272,7 +273,6 @@ TEST_CASE("Candidates: the table lists them; a click on a row shows its numbers 
     }
     const auto rejected = std::find_if(e.candidates.begin(), e.candidates.end(), isRejected);
     const auto row = static_cast<std::size_t>(rejected - e.candidates.begin());
-    driver.context().settings.tabsHeight = 400.0;
     driver.moveTo({5, 5});
     driver.settle();
     const auto before = driver.picture();

@@ -64,13 +64,13 @@ TEST_CASE("Glossary: links lead from one term to another, and from panels and le
     CHECK(driver.has("dialog/glossary/term/grid"));
     driver.key(key::kEscape);
     driver.settle();
-    driver.click("panel/steps");
+    driver.showPanel("steps");
     driver.settle();
     driver.click("steps/4");
     driver.settle();
     CHECK(driver.has("dialog/glossary/term/ideal-point"));
     driver.key(key::kEscape);
-    driver.click("panel/statistics");
+    driver.showPanel("statistics");
     driver.settle();
     driver.click("statistics/Nc");
     driver.settle();

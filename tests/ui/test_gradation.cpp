@@ -21,7 +21,7 @@ TEST_CASE(
     channel.nodes = {{1, 1}, {4, 1}, {4, 4.9}, {6, 4.9}, {6, 1}, {9, 1},
                      {9, 9}, {6, 9}, {6, 5.1}, {4, 5.1}, {4, 9}, {1, 9}};
     driver.context().document.apply(*addShape(driver.document(), channel), "Draw polygon");
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.context().settings.live = true;
     driver.settle();
     const auto rho = [&] { return driver.context().preview->spacing->at({3.5, 5}); };
@@ -61,7 +61,7 @@ TEST_CASE("Gradation: Esc takes back a drag of the slider") {
     driver.rectangle({1, 1}, {9, 9});
     driver.key('V');
     driver.key(key::kEscape);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.settle();
     driver.press(knobAt(driver, 0.6));
     driver.moveTo(knobAt(driver, 0.2));

@@ -223,7 +223,8 @@ TEST_CASE("Editor: a recorded session replays to the same picture") {
     Driver first;
     first.editor().input().startRecording();
     first.scroll(first.canvas().centre(), 3);
-    first.unfoldLayers();
+    first.click("canvas/layers");
+    first.settle();
     first.click("layer/size");
     first.click("menu/theme");
     first.settle();

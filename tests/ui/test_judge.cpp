@@ -50,7 +50,7 @@ void showValues(Draughtsman &driver, const MeshFields &made) {
     showLayer(driver.context().layers, "quality", true);
     showLayer(driver.context().layers, "mesh", false);
     driver.settle();
-    driver.click("panel/histogram");
+    driver.showPanel("histogram");
 }
 
 } // namespace
@@ -86,7 +86,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
             CHECK(driver.context().judgement->summary.mean == expected.mean);
             CHECK(driver.context().judgement->summary.percentiles == expected.percentiles);
         }
-        driver.click("panel/checks");
+        driver.showPanel("checks");
         driver.settle();
         CHECK(driver.has("checks/mesh/valid"));
         CHECK_FALSE(driver.document().shapes.empty()); // its outline
@@ -104,7 +104,7 @@ TEST_CASE("Judge: an invalid mesh is shown with its faults, and a file that hold
     openMesh(driver.context(), folder / "turned.msh");
     driver.settle();
     CHECK(hasErrors(driver.context().judgement->faults));
-    driver.click("panel/checks");
+    driver.showPanel("checks");
     driver.settle();
     CHECK(driver.has("checks/mesh/faulty"));
     CHECK(driver.has("checks/mesh/goto/0"));
@@ -269,7 +269,7 @@ TEST_CASE("Judge: values of elements in a file colour their elements, with histo
 
 TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its parts") {
     JudgedSquare driver;
-    driver.click("panel/histogram");
+    driver.showPanel("histogram");
     for (const Measure measure : {Measure::MinAngle, Measure::Length, Measure::Valence}) {
         CAPTURE(wordOf(measure));
         chooseMeasure(driver.context(), measure);
@@ -293,10 +293,7 @@ TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its
 
 TEST_CASE("Judge: limits can be edited in the checks panel, checked, undone and saved") {
     JudgedSquare driver;
-    driver.click("panel/checks");
-    driver.context().settings.tabsHeight = 500;
-    driver.context().animate();
-    driver.settle();
+    driver.workspace(WorkspaceKind::Judge);
     const auto set = [&](const char *field, const char *value) {
         driver.click(field);
         driver.key('A', {Modifiers::kControl});
@@ -359,8 +356,7 @@ TEST_CASE("Judge: setting a limit neither makes the mesh out of date nor meshes 
 
 TEST_CASE("Probe: hovering and clicking read values from elements, edges and nodes") {
     JudgedSquare driver;
-    driver.click("panel/probe");
-    driver.context().settings.tabsHeight = 300;
+    driver.showPanel("probe");
     driver.key('I');
     driver.settle();
     const std::size_t e = driver.mesh().elements.size() / 2;
@@ -423,7 +419,7 @@ TEST_CASE("Probe: every node lists its elements and says whether it is on the bo
 
 TEST_CASE("Probe: next and previous step through the worst parts, zoomed") {
     JudgedSquare driver;
-    driver.click("panel/probe");
+    driver.showPanel("probe");
     driver.settle();
     const double before = driver.context().view.camera.zoom;
     CHECK(driver.click("probe/next"));
@@ -442,8 +438,7 @@ TEST_CASE("Probe: next and previous step through the worst parts, zoomed") {
 
 TEST_CASE("Probe: a pinned node and a kept edge are in the next mesh") {
     JudgedSquare driver;
-    driver.click("panel/probe");
-    driver.context().settings.tabsHeight = 300;
+    driver.showPanel("probe");
     driver.key('I');
     driver.settle();
     const MeshEdge edge = driver.judgement().edges->edges[driver.innerEdge()];

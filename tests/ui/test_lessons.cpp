@@ -167,17 +167,18 @@ TEST_CASE("Lessons: the explanation of a task stays about the state in which it 
     CHECK(valueOf(LessonValue::Advance, questionState(learner.context())) == 65.0);
 }
 
-TEST_CASE("Lessons: a lesson opens again where it was left, and leaves layers and tab as they were") {
+TEST_CASE("Lessons: a lesson opens again where it was left, and leaves layers and workspace as they were") {
     const TemporaryFolder folder;
     const std::string id = "1-front";
     {
         Learner learner({.settingsFolder = folder.path});
         LayerSlot *const labels = learner.context().layer("labels");
         showLayer(learner.context().layers, "labels", true);
-        learner.context().settings.tab = "log";
+        learner.workspace(WorkspaceKind::Size);
         learner.click("lessons/" + id);
         learner.settle();
         CHECK_FALSE(labels->visible);
+        CHECK(learner.context().settings.workspace == WorkspaceKind::Step);
         learner.key(key::kPageDown);
         learner.settle();
         learner.key(key::kPageDown);
@@ -188,7 +189,7 @@ TEST_CASE("Lessons: a lesson opens again where it was left, and leaves layers an
         learner.click("lesson/list");
         learner.settle();
         CHECK(labels->visible);
-        CHECK(learner.context().settings.tab == "log");
+        CHECK(learner.context().settings.workspace == WorkspaceKind::Size);
         CHECK(learner.has("lessons/" + id + "/progress"));
     }
     {
@@ -200,7 +201,7 @@ TEST_CASE("Lessons: a lesson opens again where it was left, and leaves layers an
     }
     Learner last({.settingsFolder = folder.path}); // the one before was quit inside the lesson
     CHECK(last.context().layer("labels")->visible);
-    CHECK(last.context().settings.tab == "log");
+    CHECK(last.context().settings.workspace == WorkspaceKind::Size);
 }
 
 TEST_CASE("Lessons: pages set the scene again, whatever the learner did to it") {
@@ -412,14 +413,23 @@ TEST_CASE("Lessons: the rows of the statistics are those that a lesson may name"
     std::vector<std::string> known = highlightNames(author.context()).at("statistics");
     std::sort(known.begin(), known.end());
     CHECK(drawn == known);
-    for (const char *group : {"layer", "panel", "steps", "tool"}) {
-        author.context().settings.tab = "steps";
-        author.context().animate();
+    const auto names = highlightNames(author.context());
+    author.showPanel("steps");
+    for (const std::string &name : names.at("steps")) {
+        CHECK_MESSAGE(author.has(name), name);
+    }
+    author.showPanel("layers");
+    for (const std::string &name : names.at("layer")) {
+        CHECK_MESSAGE(author.has(name), name);
+    }
+    for (const std::string &name : names.at("panel")) {
+        author.showPanel(name.substr(std::string_view("panel/").size()));
+        CHECK_MESSAGE(author.has(name), name);
+    }
+    for (const std::string &name : names.at("tool")) {
+        author.context().tools.choose(name.substr(std::string_view("tool/").size()), author.context());
         author.settle();
-        const auto names = highlightNames(author.context());
-        for (const std::string &name : names.at(group)) {
-            CHECK_MESSAGE(author.has(name), name);
-        }
+        CHECK_MESSAGE(author.has(name), name);
     }
 }
 

@@ -188,7 +188,7 @@ TEST_CASE("Live: a mesh too large to follow a drag shows its progress and restar
     Document fine = driver.document();
     fine.spacing.size = 0.012; // beyond kQuietElements
     driver.context().document.apply(std::move(fine), "Fine");
-    driver.until([&] { return driver.run().state == RunState::Running && driver.has("canvas/progress"); });
+    driver.until([&] { return driver.run().state == RunState::Running && driver.has("status/progress"); });
     Document coarse = driver.document();
     coarse.spacing.size = 0.5;
     driver.context().document.apply(std::move(coarse), "Coarse");

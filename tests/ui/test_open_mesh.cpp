@@ -57,6 +57,7 @@ TEST_CASE("Open mesh: its colours end with it, unless the user chooses colours m
     for (const bool sizes : {true, false}) {
         CAPTURE(sizes);
         PlateReader driver;
+        driver.workspace(WorkspaceKind::Size);
         driver.unfoldLayers();
         const auto visible = [&](const char *layer) { return driver.context().layer(layer)->visible; };
         if (!sizes) {

@@ -243,7 +243,7 @@ TEST_CASE("Picture: undo and redo of a scale keep it in place on the screen") {
     CHECK(stays());
     driver.key('Y', {Modifiers::kControl});
     CHECK(stays());
-    driver.click("panel/history");
+    driver.showPanel("history");
     driver.settle();
     driver.click("history/1"); // the step that added it
     CHECK(pictureOf(driver).size.x == 400.0);

@@ -135,8 +135,7 @@ TEST_CASE("Brush: paint is cleared from the options strip and from the spacing p
         driver.settle();
         REQUIRE_FALSE(driver.document().spacing.paint.tiles.empty());
         if (inPanel) {
-            driver.unfold("spacing");
-            driver.settle();
+            driver.showPanel("spacing");
         }
         driver.click(inPanel ? "spacing/clearpaint" : "options/brush/clear");
         driver.settle();
@@ -150,6 +149,7 @@ TEST_CASE("Timeline: the slider of the speed makes the run faster towards the ri
     draw(driver, triangle());
     driver.key(key::kF5);
     driver.settle();
+    driver.workspace(WorkspaceKind::Step);
     const auto *const slider = driver.context().widgets.find("timeline/speed");
     REQUIRE(slider != nullptr);
     const PixelRect at = slider->rect;

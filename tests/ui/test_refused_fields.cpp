@@ -32,11 +32,11 @@ TEST_CASE("Refused fields: what a command refuses is told at the field of a pane
     expectRefused(driver, "inspector/cornerradius", "-1");
     expectRefused(driver, "inspector/size/y", "0");
     expectRefused(driver, "inspector/partsize", "-1");
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     expectRefused(driver, "spacing/size", "-1");
     CHECK(driver.logHas("bad-size"));
     expectRefused(driver, "spacing/maximum", "0");
-    driver.click("panel/checks");
+    driver.showPanel("checks");
     driver.settle();
     expectRefused(driver, "checks/min-angle", "91");
     CHECK(driver.logHas("bad-limit"));
@@ -45,7 +45,7 @@ TEST_CASE("Refused fields: what a command refuses is told at the field of a pane
 TEST_CASE("Refused fields: a command that fails after a field was committed is not told at the field") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.click("spacing/size");
     driver.type("0.5");
     driver.key('D', {Modifiers::kControl}); // commits the field, then runs

@@ -21,7 +21,7 @@ TEST_CASE("Rest: with a mesh, no panel, layer or lesson asks for frames while no
     };
     check("the mesh");
     for (const auto &panel : driver.context().panels) {
-        driver.context().settings.tab = panel->id();
+        driver.showPanel(panel->id());
         check(panel->id());
     }
     for (const LayerSlot &slot : driver.context().layers) {

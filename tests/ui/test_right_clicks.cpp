@@ -117,7 +117,7 @@ TEST_CASE("Right click: a source is renamed, duplicated and deleted from its row
     RightClicker user;
     user.twoFaces();
     user.source({6, 4});
-    user.unfold("spacing");
+    user.showPanel("spacing");
     user.settle();
     user.rightClick("spacing/source/0");
     CHECK(user.context().selection.sources == std::set<std::uint32_t>{0});
@@ -228,50 +228,50 @@ TEST_CASE("Right click: the button of a tool leads to its key; the bars offer pa
     CHECK(user.platform().clipboard().size() == 16);
 }
 
-TEST_CASE("Right click: tabs are hidden, shown and moved, and the settings keep that") {
+TEST_CASE("Right click: sections are hidden, shown, moved and pinned, and the settings keep that") {
     const TemporaryFolder place;
     EditorSetup setup;
     setup.settingsFolder = place.path;
+    const auto choose = [](Draughtsman &user, const std::string &panel, const std::string &command) {
+        const Pixel at = user.context().widgets.find("panel/" + panel)->rect.centre();
+        user.moveTo(at);
+        user.press(at, MouseButton::Right);
+        user.release(at, MouseButton::Right);
+        user.settle();
+        user.click("contextmenu/panel/" + command);
+        user.settle();
+    };
+    const auto top = [](Draughtsman &user, const std::string &panel) {
+        return user.context().widgets.find("panel/" + panel)->rect.y;
+    };
     {
         Draughtsman user(setup);
-        const auto rightClick = [&user](std::string_view tab) {
-            const Pixel at = user.context().widgets.find(tab)->rect.centre();
-            user.moveTo(at);
-            user.press(at, MouseButton::Right);
-            user.release(at, MouseButton::Right);
-            user.settle();
-        };
-        rightClick("panel/histogram");
-        user.click("contextmenu/tab/show/histogram");
-        user.settle();
-        CHECK_FALSE(user.has("panel/histogram"));
-        const double before = user.context().widgets.find("panel/candidates")->rect.x;
-        rightClick("panel/candidates");
-        user.click("contextmenu/tab/left");
-        user.settle();
-        CHECK(user.context().widgets.find("panel/candidates")->rect.x < before);
-        CHECK(user.context().widgets.find("panel/candidates")->rect.x <
-              user.context().widgets.find("panel/steps")->rect.x);
+        choose(user, "parameters", "hide");
+        CHECK_FALSE(user.has("panel/parameters"));
+        REQUIRE(top(user, "inspector") > top(user, "shapes"));
+        choose(user, "inspector", "up");
+        CHECK(top(user, "inspector") < top(user, "shapes"));
+        choose(user, "shapes", "pin");
     }
     Draughtsman again(setup);
-    CHECK_FALSE(again.has("panel/histogram"));
-    CHECK(again.context().widgets.find("panel/candidates")->rect.x <
-          again.context().widgets.find("panel/steps")->rect.x);
-    const Pixel at = again.context().widgets.find("panel/steps")->rect.centre();
-    again.moveTo(at);
-    again.press(at, MouseButton::Right);
-    again.release(at, MouseButton::Right);
-    again.settle();
-    again.click("contextmenu/tab/reset");
-    again.settle();
-    CHECK(again.has("panel/histogram"));
+    CHECK_FALSE(again.has("panel/parameters"));
+    CHECK(top(again, "inspector") < top(again, "shapes"));
+    again.workspace(WorkspaceKind::Judge);
+    CHECK(again.has("panel/shapes"));
+    CHECK_FALSE(again.has("panel/inspector"));
+    choose(again, "shapes", "pin");
+    CHECK_FALSE(again.has("panel/shapes"));
+    again.workspace(WorkspaceKind::Draw);
+    choose(again, "shapes", "reset");
+    CHECK(again.has("panel/parameters"));
+    CHECK(top(again, "inspector") > top(again, "shapes"));
 }
 
 TEST_CASE("Right click: fields are cut, copied and pasted, and a formula is replaced by its value") {
     RightClicker user;
     user.rectangle({1, 1}, {9, 8});
     user.context().document.apply(*setParameters(user.document(), {{"h", "0.4"}}), "Parameters");
-    user.unfold("spacing");
+    user.showPanel("spacing");
     user.settle();
     user.fill("spacing/size", "h/2");
     REQUIRE(user.document().formulas.at("spacing/size"_number) == "h/2");

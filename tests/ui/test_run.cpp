@@ -47,9 +47,9 @@ TEST_CASE("Run: the key 2 meshes the sample, and the panels show its figures") {
     CHECK(run.meshHash != 0);
     CHECK_FALSE(driver.context().run.outOfDate());
     CHECK(driver.has("status/counts"));
-    CHECK(driver.has("status/hash"));
-    driver.click("panel/statistics");
-    driver.click("panel/histogram");
+    driver.showPanel("statistics");
+    CHECK(driver.has("statistics/hash"));
+    driver.showPanel("histogram");
     driver.frames(2);
     CHECK(driver.has("histogram/39"));
 }
@@ -84,6 +84,7 @@ TEST_CASE("Run: after Home, . and , step forward and back through the same state
 
 TEST_CASE("Run: dragging the scrubber seeks") {
     Meshed driver;
+    driver.workspace(WorkspaceKind::Step);
     const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
     const double y = bar.centre().y;
     driver.drag({bar.x + bar.width - 8, y}, {bar.x + 0.5 * bar.width, y});
@@ -143,6 +144,7 @@ TEST_CASE("Run: stepping by events explains an advance from the base to the upda
 
 TEST_CASE("Run: each layer changes the canvas, and hiding it restores the canvas") {
     Meshed driver;
+    driver.workspace(WorkspaceKind::Step);
     driver.context().run.seek(driver.run().known / 2);
     driver.settle();
     // Zoom in on the current advance, so that even small marks change enough pixels.
@@ -195,7 +197,7 @@ TEST_CASE("Run: each layer changes the canvas, and hiding it restores the canvas
 
 TEST_CASE("Run: a bar of the histogram isolates its elements; a second click shows all") {
     Meshed driver;
-    driver.click("panel/histogram");
+    driver.showPanel("histogram");
     driver.moveTo({5, 5});
     driver.settle();
     const auto whole = driver.picture();
@@ -275,7 +277,7 @@ TEST_CASE("Run: a refused domain is reported with its location, and the log link
     driver.key(key::k2);
     driver.settle();
     CHECK(driver.run().state == RunState::Failed);
-    driver.click("panel/log");
+    driver.showPanel("log");
     driver.frames(3);
     std::string link;
     for (const auto &[name, widget] : driver.context().widgets.all()) {

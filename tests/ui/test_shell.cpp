@@ -102,10 +102,12 @@ TEST_CASE("Editor: the whole interface is inside the window at 1280x800, 1920x10
         driver.platform().resize(size, scale);
         driver.settle();
         CHECK(static_cast<double>(driver.context().scale) == scale);
+        driver.workspace(WorkspaceKind::Step);
         driver.unfoldLayers();
-        for (const char *name : {"canvas", "menu/File", "menu/Help", "tool/select", "layer/domain", "layer/mesh",
-                                 "panel/steps", "panel/histogram", "panel/log", "timeline/play", "timeline/scrubber",
-                                 "timeline/position", "status/pointer"}) {
+        for (const char *name :
+             {"canvas", "menu/File", "menu/Help", "workspace/Judge", "options", "tool/select", "layer/domain",
+              "layer/mesh", "panel/steps", "panel/candidates", "panel/statistics", "timeline/play", "timeline/scrubber",
+              "timeline/position", "status/pointer", "status/log"}) {
             CAPTURE(name);
             const auto *widget = driver.context().widgets.find(name);
             REQUIRE(widget != nullptr);
@@ -119,6 +121,7 @@ TEST_CASE("Editor: the whole interface is inside the window at 1280x800, 1920x10
 
 TEST_CASE("Editor: buttons grow with the scale") {
     Driver driver;
+    driver.workspace(WorkspaceKind::Step);
     const double before = driver.context().widgets.find("timeline/play")->rect.width;
     driver.context().settings.scale = 1.5;
     driver.settle();
@@ -144,24 +147,25 @@ TEST_CASE("Editor: the theme changes nearly every pixel except value colours, an
 
 TEST_CASE("Editor: Tab hides the panels and brings them back") {
     Driver driver;
-    driver.unfoldLayers();
     const double before = driver.canvas().width;
+    REQUIRE(driver.has("panel/shapes"));
     driver.key('R');
     driver.key(key::kTab);
     driver.settle();
     CHECK(driver.canvas().width > before + 200.0);
-    CHECK_FALSE(driver.has("layer/mesh"));
+    CHECK_FALSE(driver.has("panel/shapes"));
     // The tools, their options and the status stay where they were.
     CHECK(driver.has("status/pointer"));
     const PixelRect options = driver.context().widgets.find("options")->rect;
-    for (const shell::ToolSlot &slot : shell::toolSlots(driver.context().tools)) {
+    CHECK(options.y + options.height <= driver.canvas().y);
+    for (const shell::ToolSlot &slot : shell::toolSlots(driver.context())) {
         const PixelRect button = rectOfSlot(driver, slot);
         CHECK(button.x + button.width <= driver.canvas().x);
-        CHECK(button.x + button.width <= options.x);
+        CHECK(button.y >= options.y + options.height);
     }
     driver.click("menu/panels"); // the visible way to bring them back
     driver.settle();
-    CHECK(driver.has("layer/mesh"));
+    CHECK(driver.has("panel/shapes"));
     CHECK(driver.canvas().width == before);
 }
 
@@ -229,7 +233,7 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
                 for (const auto &[name, widget] : driver.context().widgets.all()) {
                     const bool legend = name.starts_with("canvas/legend/");
                     legends += legend ? 1 : 0;
-                    if (legend || name == "hints" || name == "options") {
+                    if (legend || name == "hints" || name == "canvas/tools") {
                         const std::string message = name;
                         CHECK_MESSAGE(!widget.rect.overlaps(drawing), message);
                     }
@@ -244,6 +248,8 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
     const std::pair<PixelSize, double> sizes[] = {{{800, 500}, 1.0}, {{1280, 800}, 2.0}, {{1100, 700}, 1.5}};
     Driver driver;
     driver.platform().show(true); // legends belong to what is drawn
+    driver.workspace(WorkspaceKind::Step);
+    showLayer(driver.context().layers, "size", true);
     driver.key(key::k2);
     driver.settle();
     Document changed = *driver.context().document.current();
@@ -259,7 +265,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
             const WidgetRegistry::Map &all = driver.context().widgets.all();
             const PixelRect canvas = driver.canvas();
             std::vector<std::pair<std::string, PixelRect>> plates;
-            for (const char *name : {"options", "canvas/plate", "hints", "canvas/news", "canvas/legend/size"}) {
+            for (const char *name : {"canvas/tools", "canvas/plate", "hints", "canvas/news", "canvas/legend/size"}) {
                 if (const auto found = all.find(name); found != all.end()) {
                     plates.emplace_back(name, found->second.rect);
                 }
@@ -276,7 +282,8 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
                     CHECK_MESSAGE((transient || !rect.overlaps(plates[j].second)), name << " over " << other);
                 }
             }
-            for (const shell::ToolSlot &slot : shell::toolSlots(driver.context().tools)) {
+            CHECK_FALSE(all.find("options")->second.rect.overlaps(canvas));
+            for (const shell::ToolSlot &slot : shell::toolSlots(driver.context())) {
                 const PixelRect button = rectOfSlot(driver, slot);
                 CHECK(button.x + button.width <= canvas.x);
                 CHECK(button.y + button.height <= canvas.y + canvas.height);
@@ -286,24 +293,25 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
         const auto rectOf = [&](const char *name) { return all.find(name)->second.rect; };
         CHECK_FALSE(rectOf("timeline/scrubber").overlaps(rectOf("timeline/position")));
         CHECK_FALSE(rectOf("timeline/scrubber").overlaps(rectOf("timeline/granularity/Layer")));
-        CHECK_FALSE(rectOf("menu/Help").overlaps(rectOf("menu/title")));
-        CHECK_FALSE(rectOf("menu/panels").overlaps(rectOf("menu/title")));
-        for (const char *tab :
-             {"panel/steps", "panel/histogram", "panel/statistics", "panel/checks", "panel/log", "panel/names"}) {
-            CHECK(within(rectOf(tab), each.first));
+        CHECK(rectOf("menu/Help").x + rectOf("menu/Help").width <= rectOf("workspace").x);
+        CHECK(rectOf("workspace").x + rectOf("workspace").width <= rectOf("menu/panels").x);
+        driver.showPanel("steps");
+        for (const char *heading : {"panel/steps", "panel/candidates", "panel/statistics"}) {
+            CHECK(within(rectOf(heading), each.first));
         }
     }
 }
 
 TEST_CASE("Editor: windows of any size are drawn and settle") {
     Driver driver;
-    const PixelSize sizes[] = {{1, 1}, {640, 60}, {640, 130}, {720, 140}, {90, 600}, {3000, 100}, {1280, 800}};
+    const PixelSize sizes[] = {{1, 1}, {640, 60}, {800, 102}, {800, 112}, {90, 600}, {3000, 90}, {1280, 800}};
     for (const PixelSize &size : sizes) {
         CAPTURE(size.width);
         CAPTURE(size.height);
         driver.platform().resize(size, 1.0);
         driver.settle();
-        CHECK(driver.has("splitter/column") == (size.height > 139)); // only if there is room between the bars
+        // Only if there is room between the bars, and beside the canvas.
+        CHECK(driver.has("splitter/column") == (size.height > 102 && size.width >= 760));
     }
 }
 
@@ -376,13 +384,17 @@ TEST_CASE("Editor: menus open on click, their neighbours on hover; Esc closes th
 TEST_CASE("Editor: shapes of one kind share a place in the strip, with the others in a flyout") {
     Driver driver;
     const ToolBox &box = driver.context().tools;
-    std::vector<std::size_t> placed;
-    for (const shell::ToolSlot &slot : shell::toolSlots(box)) {
-        placed.insert(placed.end(), slot.tools.begin(), slot.tools.end());
+    std::vector<std::string> placed;
+    for (const shell::ToolSlot &slot : shell::toolSlots(driver.context())) {
+        for (const std::size_t tool : slot.tools) {
+            placed.emplace_back(box.tools[tool]->id());
+        }
     }
     std::sort(placed.begin(), placed.end());
-    REQUIRE(placed.size() == box.tools.size());
-    CHECK(std::adjacent_find(placed.begin(), placed.end()) == placed.end());
+    const auto &preset = presetOf(WorkspaceKind::Draw).tools;
+    std::vector<std::string> wanted(preset.begin(), preset.end());
+    std::sort(wanted.begin(), wanted.end());
+    CHECK(placed == wanted); // each once
     CHECK(driver.has("tool/rectangle"));
     CHECK_FALSE(driver.context().widgets.find("tool/slot")->enabled); // behind it
     const PixelRect place = driver.context().widgets.find("tool/rectangle")->rect;

@@ -22,6 +22,7 @@ struct LongRun : Draughtsman {
         fine.spacing.size = 0.004;
         context().document.apply(std::move(fine), "Fine");
         settle();
+        workspace(WorkspaceKind::Mesh);
         key(key::kF5);
     }
     ~LongRun() {
@@ -36,20 +37,20 @@ struct LongRun : Draughtsman {
 
 TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
     LongRun driver;
-    driver.until([&] { return driver.has("canvas/progress") && driver.run().advance > 5000; });
+    driver.until([&] { return driver.has("run/progress") && driver.run().advance > 5000; });
     driver.frames(2);
-    const PixelRect cancel = driver.context().widgets.find("canvas/cancel")->rect;
-    const PixelRect progress = driver.context().widgets.find("canvas/progress")->rect;
+    const PixelRect cancel = driver.context().widgets.find("run/cancel")->rect;
+    const PixelRect progress = driver.context().widgets.find("run/progress")->rect;
     for (const char *option : {"options/tag", "options/snap/drawing", "options/snap/grid"}) {
         REQUIRE(driver.has(option));
         const PixelRect rect = driver.context().widgets.find(option)->rect;
         CHECK_FALSE(rect.overlaps(cancel));
         CHECK_FALSE(rect.overlaps(progress));
     }
-    driver.click("canvas/cancel");
+    driver.click("run/cancel");
     driver.settle();
     CHECK(driver.run().state == RunState::Cancelled);
-    CHECK_FALSE(driver.has("canvas/progress"));
+    CHECK_FALSE(driver.has("run/progress"));
 }
 
 TEST_CASE("SnapshotPace: snapshots that are slow to draw are drawn rarely during a run, and at once when it stops") {
@@ -67,7 +68,7 @@ TEST_CASE("SnapshotPace: snapshots that are slow to draw are drawn rarely during
 TEST_CASE("Timeline: a move and a release in one frame seek to the point of release") {
     Driver driver;
     driver.key(key::kF5);
-    driver.settle();
+    driver.workspace(WorkspaceKind::Step);
     const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
     const double y = bar.centre().y;
     driver.press({bar.x + bar.width - 8, y});
@@ -79,17 +80,27 @@ TEST_CASE("Timeline: a move and a release in one frame seek to the point of rele
     CHECK(std::abs(part - 0.25) < 0.03);
 }
 
-TEST_CASE("Status: the mesh hash is shown only with its mesh") {
+TEST_CASE("Status: the mesh hash can be copied only with its mesh") {
     Driver driver;
     driver.key(key::kF5);
     driver.settle();
-    CHECK(driver.has("status/hash"));
+    const auto offersHash = [&driver] {
+        const Pixel at = driver.context().widgets.find("status/pointer")->rect.centre();
+        driver.press(at, MouseButton::Right);
+        driver.release(at, MouseButton::Right);
+        driver.settle();
+        const bool offered = driver.has("contextmenu/status/hash");
+        driver.key(key::kEscape);
+        driver.settle();
+        return offered;
+    };
+    CHECK(offersHash());
     driver.key(key::kComma);
     driver.settle();
-    CHECK_FALSE(driver.has("status/hash"));
+    CHECK_FALSE(offersHash());
     driver.key(key::kPeriod);
     driver.settle();
-    CHECK(driver.has("status/hash"));
+    CHECK(offersHash());
 }
 
 TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
@@ -110,7 +121,7 @@ TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
 
 TEST_CASE("Notes: when the last shape is undone, the caption of its mesh goes, too") {
     Draughtsman driver;
-    driver.settle();
+    driver.workspace(WorkspaceKind::Step);
     const PixelRect caption = driver.context().widgets.find("timeline/caption")->rect;
     const auto empty = driver.picture();
     driver.rectangle({1, 1}, {9, 8});
@@ -126,6 +137,7 @@ TEST_CASE("Notes: when the last shape is undone, the caption of its mesh goes, t
 
 TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it again") {
     Draughtsman driver;
+    driver.workspace(WorkspaceKind::Step);
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({4, 4}, {12, 6});
     driver.settle();
@@ -189,6 +201,7 @@ TEST_CASE("Notes: if there are several faults, the message shows the first and c
 TEST_CASE("Timeline: a step is an advance in the fast method and an element in the classic one") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
+    driver.workspace(WorkspaceKind::Step);
     CHECK(driver.has("timeline/granularity/Advance"));
     driver.key(key::kPeriod);
     driver.settle();
@@ -210,6 +223,7 @@ TEST_CASE("Timeline: a step is an advance in the fast method and an element in t
 
 TEST_CASE("Tooltips: appear once the pointer rests; at the lower edge they appear above their widget") {
     Driver driver;
+    driver.workspace(WorkspaceKind::Step);
     driver.hover("timeline/granularity/Event");
     driver.frames(8);
     const auto early = driver.picture();
@@ -234,10 +248,11 @@ TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
     driver.platform().resize({1280, 900}, 1.0); // high enough for both panels without scrolling
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     for (const char *field : {"spacing/size", "spacing/expression", "spacing/minimum", "spacing/gradation",
                               "spacing/fromboundary", "meshing/method/Fast", "meshing/keepboundary", "meshing/grid"}) {
         CAPTURE(field);
+        driver.showPanel(std::string_view(field).substr(0, 7)); // spacing or meshing
         REQUIRE(driver.hover(field));
         driver.frames(40);
         REQUIRE(driver.has("tooltip"));
@@ -287,19 +302,19 @@ TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh
     const std::uint64_t before = driver.run().sequence;
     driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = true});
     driver.frames(1);
-    CHECK(driver.has("canvas/cancelling"));
-    CHECK_FALSE(driver.has("canvas/cancel"));
+    CHECK(driver.has("run/cancelling"));
+    CHECK_FALSE(driver.has("run/cancel"));
     CHECK(driver.run().sequence == before);
     driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = false});
     driver.settle();
     CHECK(driver.run().state == RunState::Cancelled);
-    CHECK_FALSE(driver.has("canvas/cancelling"));
+    CHECK_FALSE(driver.has("run/cancelling"));
     driver.key(key::kF5);
     // Wait for this run, and for a stage whose label will not change under the click.
     const auto advancing = [&] { return driver.run().state == RunState::Running && driver.run().advance > 20000; };
     driver.until(advancing);
     driver.frames(2);
-    driver.click("canvas/cancel");
+    driver.click("run/cancel");
     driver.until([&] { return driver.run().state == RunState::Cancelled; });
 }
 
@@ -330,7 +345,7 @@ TEST_CASE("Meshing panel: the options are part of the document, and undo restore
     driver.settle();
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
-    driver.unfold("meshing");
+    driver.showPanel("meshing");
     REQUIRE(driver.document().options.improve == ImproveLevel::Default);
     driver.click("meshing/improve/None");
     CHECK(driver.document().options.improve == ImproveLevel::None);
@@ -358,7 +373,7 @@ TEST_CASE("Panels: the hints of empty panels fit into the narrowest column") {
         const double right = driver.canvas().x + driver.canvas().width + width;
         for (const std::string panel : {"statistics", "histogram", "checks"}) {
             CAPTURE(panel);
-            driver.click("panel/" + panel);
+            driver.showPanel(panel);
             driver.frames(2);
             REQUIRE(driver.has(panel + "/empty"));
             const PixelRect text = driver.context().widgets.find(panel + "/empty")->rect;
@@ -379,7 +394,7 @@ TEST_CASE("Spacing panel: no field is cut off at the edge of the column") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     const PixelRect column = driver.context().widgets.find("spacing/size")->rect;
     const PixelRect lengths = driver.context().widgets.find("spacing/fromboundary")->rect;
     CHECK(lengths.x >= column.x - 1.0);

@@ -102,7 +102,7 @@ TEST_CASE("Log: a click anywhere on an entry with a place goes there") {
     Draughtsman driver;
     driver.context().log.add(
         Diagnostic{.severity = Severity::Warning, .code = "test", .message = "look here", .at = Vec2{3, 2}});
-    driver.click("panel/log");
+    driver.showPanel("log");
     driver.frames(3);
     const std::string name = "log/entry/" + std::to_string(driver.context().log.entries().back().number);
     REQUIRE(driver.has(name));
@@ -117,7 +117,7 @@ TEST_CASE("History: the panel lists the commands, and clicks move back and forwa
     driver.rectangle({0, 0}, {4, 4});
     driver.rectangle({1, 1}, {2, 2});
     driver.rectangle({5, 5}, {6, 6});
-    driver.click("panel/history");
+    driver.showPanel("history");
     driver.settle();
     CHECK(driver.context().document.history().size() == 4);
     driver.click("history/1");
@@ -268,14 +268,15 @@ TEST_CASE("Views: a file reopens with its last view, layers and panels") {
         driver.context().view.zoomAt({500, 300}, 7.0);
         driver.context().view.camera.centre = {1.25, 2.5};
         showLayer(driver.context().layers, "quality", true);
-        driver.click("panel/history");
+        driver.workspace(WorkspaceKind::Step);
         driver.key(key::kTab);
         driver.settle();
     }
     Draughtsman driver(setup);
     CHECK_FALSE(driver.context().view.panels);
+    CHECK(driver.context().settings.workspace == WorkspaceKind::Step);
+    driver.workspace(WorkspaceKind::Draw);
     CHECK(driver.context().layer("quality")->visible);
-    CHECK(driver.context().settings.tab == "history");
     REQUIRE(driver.editor().open(file));
     driver.settle();
     CHECK(driver.context().view.camera.centre == Vec2{1.25, 2.5});

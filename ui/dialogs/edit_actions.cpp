@@ -203,6 +203,15 @@ void addHistoryActions(ActionRegistry &actions) {
                  .enabled = [](const Shell &c) { return !redoLabel(c).empty(); },
                  .dynamic = [](const Shell &c) { return titleWith("Redo", redoLabel(c)); },
                  .repeats = true});
+    actions.add({.id = "edit.history",
+                 .menu = "Edit",
+                 .title = "History",
+                 .run =
+                     [](Shell &c) {
+                         c.plates.history = !c.plates.history;
+                         c.animate();
+                     },
+                 .checked = [](const Shell &c) { return c.plates.history; }});
 }
 
 bool hasPathNode(const Shell &context) {

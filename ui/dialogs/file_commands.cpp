@@ -200,7 +200,10 @@ void showDocument(Shell &context, const StampedDocument &read, const std::filesy
     const FileFormat *const format = allFormats().detect(file);
     const bool project = isProject(format);
     const std::vector<Sample> gallery = samples();
-    const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
+    std::error_code ignored;
+    const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) {
+        return std::filesystem::equivalent(s.path, file, ignored);
+    });
     // Saving must not overwrite a sample or an imported drawing.
     const bool own = project && sample == gallery.end();
     rememberView(context);
@@ -232,7 +235,8 @@ void rememberFile(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
     const std::vector<Sample> gallery = samples(); // which have a menu of their own
-    if (std::any_of(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == name; })) {
+    if (std::any_of(gallery.begin(), gallery.end(),
+                    [&](const Sample &s) { return std::filesystem::equivalent(s.path, name, ignored); })) {
         return;
     }
     std::vector<std::string> &recent = context.settings.recentFiles;
@@ -276,9 +280,27 @@ void newDocument(Shell &context) {
         c.run.clear();
         restoreColours(c);
         c.view.isolatedBin.reset();
+        c.plates.start = false; // the empty canvas was asked for
         c.view.fit({{0.0, 0.0}, {10.0, 10.0}});
         c.animate();
     });
+}
+
+void openFirstSample(Shell &context) {
+    const std::vector<Sample> gallery = samples();
+    if (gallery.empty()) {
+        context.log.add(Diagnostic{.severity = Severity::Warning,
+                                   .code = "no-assets",
+                                   .message = "samples not found",
+                                   .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
+        return;
+    }
+    ImportNotes notes;
+    if (const Result<StampedDocument> read = readStamped(gallery.front().path, &notes)) {
+        showOpened(context, *read, notes, gallery.front().path);
+    } else {
+        context.log.add(read.faults());
+    }
 }
 
 void openDocument(Shell &context) {

@@ -27,6 +27,8 @@ Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNot
 /// Runs `then` after asking whether to save unsaved changes.
 void afterUnsaved(Shell &context, std::function<void(Shell &)> then);
 void newDocument(Shell &context);
+/// Opens the first sample, without asking about unsaved changes; logs that there is none.
+void openFirstSample(Shell &context);
 /// Opens the file dialog.
 void openDocument(Shell &context);
 /// Opens a file after asking about unsaved changes. Other files than projects may be large: they are read first, as the

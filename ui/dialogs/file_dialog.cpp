@@ -29,11 +29,6 @@ std::string dateText(std::int64_t modified) {
     return std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M", &parts) > 0 ? buffer : std::string();
 }
 
-bool hasNotes(const FileRequest &request) {
-    return std::any_of(request.filters.begin(), request.filters.end(),
-                       [](const FileFilter &filter) { return !filter.note.empty(); });
-}
-
 /// Formats a fault in one line: the place in the file, the message, the advice.
 std::string lineOf(const Diagnostic &fault) {
     std::string text;
@@ -48,6 +43,7 @@ std::string lineOf(const Diagnostic &fault) {
 } // namespace
 
 FileDialog::FileDialog(FileRequest request) : request_(std::move(request)) {
+    browses_ = request_.presets.empty();
     std::error_code failed;
     std::filesystem::path folder = request_.folder;
     if (folder.empty() || !std::filesystem::is_directory(folder, failed)) {
@@ -315,74 +311,12 @@ std::string FileDialog::warning() const {
     return replaced_;
 }
 
-/// Width of each of the two buttons and the gap between them, in design pixels; the warning is to their left.
-constexpr float kButton = 108.0F, kButtonGap = 10.0F;
-constexpr float kNoteIndent = 72.0F; ///< of the note on the chosen format
-
-/// Returns the number of lines of the longest note, so that the dialog does not change with the chosen format.
-std::ptrdiff_t FileDialog::noteLines(const Shell &context, float width) const {
-    ImGui::PushFont(context.fonts.small);
-    std::ptrdiff_t most = 2;
-    for (const FileFilter &filter : request_.filters) {
-        const std::string lines = ui::wrapped(filter.note, width);
-        most = std::max(most, 1 + std::count(lines.begin(), lines.end(), '\n'));
-    }
-    ImGui::PopFont();
-    return most;
-}
-
-float FileDialog::bottomHeight(const Shell &context) const {
-    const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kButtonGap);
-    const float height = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
-    float more = std::max(0.0F, height - ImGui::GetTextLineHeight());
-    constexpr int kPlain = 84, kLine = 34;
-    const int lines =
-        (request_.extra ? request_.extraLines : 0) + (request_.presets.empty() ? 0 : 1) + (hasNotes(request_) ? 1 : 0);
-    if (hasNotes(request_)) {
-        const float width = ImGui::GetContentRegionMax().x - context.px(kNoteIndent);
-        more += static_cast<float>(noteLines(context, width) - 2) * context.fonts.small->FontSize;
-    }
-    return context.px(kPlain + lines * kLine) + more;
-}
-
 void FileDialog::useFilter(std::size_t filter) {
     request_.filter = filter;
     if (request_.saves) {
         request_.name = withExtension(request_.name, this->filter(), request_.filters);
     }
     enter(folder_);
-}
-
-/// Draws the buttons of the presets; the one whose filter is chosen is highlighted.
-void FileDialog::drawPresets(Shell &context) {
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, "For");
-    ImGui::SameLine(context.px(72));
-    ui::Flow flow(context, ImGui::GetContentRegionAvail().x, context.px(6));
-    for (const FilePreset &preset : request_.presets) {
-        flow.item(preset.id.c_str());
-        const bool here = preset.filter == filter().id;
-        if (ui::button(context, widget("preset/") + preset.id, preset.label,
-                       here ? ui::ButtonKind::Primary : ui::ButtonKind::Plain)) {
-            const auto wanted = std::find_if(request_.filters.begin(), request_.filters.end(),
-                                             [&](const FileFilter &f) { return f.id == preset.filter; });
-            useFilter(static_cast<std::size_t>(wanted - request_.filters.begin()));
-        }
-    }
-}
-
-void FileDialog::drawNote(Shell &context) {
-    const float width = ImGui::GetContentRegionMax().x - context.px(kNoteIndent);
-    const std::ptrdiff_t lines = noteLines(context, width);
-    ImGui::SetCursorPosX(context.px(kNoteIndent));
-    ImGui::PushFont(context.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
-    const float below = ImGui::GetCursorPosY() + static_cast<float>(lines) * ImGui::GetTextLineHeight();
-    ImGui::TextUnformatted(ui::wrapped(filter().note, width).c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-    ui::mark(context, widget("note"));
-    ImGui::SetCursorPosY(below + ImGui::GetStyle().ItemSpacing.y);
 }
 
 void FileDialog::drawName(Shell &context, bool &wanted) {
@@ -418,7 +352,10 @@ bool FileDialog::drawBottom(Shell &context) {
         drawPresets(context);
     }
     drawName(context, wanted);
-    if (hasNotes(request_)) {
+    if (!browses_) {
+        drawFolder(context);
+    }
+    if (hasNotes()) {
         drawNote(context);
     }
     const bool allowed = !request_.extra || request_.extra(context, filter());
@@ -454,6 +391,15 @@ bool FileDialog::draw(Shell &context) {
     if (!followReading(context)) {
         return false;
     }
+    const bool opened = browses_ && drawBrowser(context);
+    const bool stays = drawBottom(context);
+    if (opened && stays && !reading_ && (!request_.extra || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
+        return !choose(context);
+    }
+    return stays;
+}
+
+bool FileDialog::drawBrowser(Shell &context) {
     const float height = ImGui::GetContentRegionAvail().y - bottomHeight(context);
     ImGui::BeginChild("places", {context.px(134), height}, false, ImGuiWindowFlags_NoNav);
     drawPlaces(context);
@@ -470,11 +416,7 @@ bool FileDialog::draw(Shell &context) {
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     ImGui::EndGroup();
-    const bool stays = drawBottom(context);
-    if (opened && stays && !reading_ && (!request_.extra || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
-        return !choose(context);
-    }
-    return stays;
+    return opened;
 }
 
 } // namespace forefront

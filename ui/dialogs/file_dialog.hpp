@@ -60,7 +60,7 @@ class FileDialog : public Dialog {
     const char *id() const override { return request_.id.c_str(); }
     std::string title() const override { return request_.title; }
     float width() const override { return 680.0F; }
-    float height() const override { return 560.0F; }
+    float height() const override { return browses_ ? 560.0F : 0.0F; }
     /// While a file is read, Esc cancels that.
     bool closesOnEscape() const override { return !reading_; }
     bool draw(Shell &context) override;
@@ -78,6 +78,10 @@ class FileDialog : public Dialog {
     /// Returns true if a file was double-clicked.
     bool drawList(Shell &context);
     bool drawRow(Shell &context, const FileEntry &entry);
+    /// Draws the folders and the files. Returns true if a file was double-clicked.
+    bool drawBrowser(Shell &context);
+    /// Draws the folder of the file, and a button that shows the browser.
+    void drawFolder(Shell &context);
     bool drawBottom(Shell &context);
     void drawName(Shell &context, bool &wanted);
     void drawPresets(Shell &context);
@@ -99,7 +103,13 @@ class FileDialog : public Dialog {
     bool show(Shell &context, const Diagnostics &faults);
     /// Switches to the filter that the extension of a typed name belongs to.
     void followExtension(const std::string &name);
+    /// Returns true if a filter has a note.
+    bool hasNotes() const;
     std::string widget(const char *part) const { return "dialog/" + request_.id + "/" + part; }
+
+    /// Width of each of the two buttons and the gap between them, in design pixels; the warning is to their left.
+    static constexpr float kButton = 108.0F, kButtonGap = 10.0F;
+    static constexpr float kNoteIndent = 72.0F; ///< of the note on the chosen format, like the fields
 
     FileRequest request_;
     std::filesystem::path folder_;
@@ -110,6 +120,7 @@ class FileDialog : public Dialog {
     std::string replaced_;                         ///< says which files are replaced then
     bool focusName_ = true;
     bool entered_ = false; ///< Enter was pressed in this frame, outside all fields
+    bool browses_ = true;  ///< shows the folders and files; at first not if there are presets, which come first
     bool newFolder_ = false;
     std::string newFolderName_;
 };

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "ui/dialogs/thumbnails.hpp"
+#include "ui/dialogs/drawing_cards.hpp"
 #include "ui/parts/dialog.hpp"
-#include "ui/platform/assets.hpp"
-
-#include <vector>
 
 namespace forefront {
 
@@ -20,11 +17,7 @@ class GalleryDialog final : public Dialog {
     bool draw(Shell &context) override;
 
   private:
-    /// Returns true if the card was clicked. `width` in pixels.
-    bool drawCard(Shell &context, std::size_t sample, float width);
-
-    std::vector<Sample> samples_;
-    Thumbnails thumbnails_;
+    DrawingCards cards_;
 };
 
 } // namespace forefront

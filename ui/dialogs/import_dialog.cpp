@@ -78,6 +78,34 @@ std::vector<std::string> textsOf(const Diagnostics &diagnostics) {
     return texts;
 }
 
+/// Notes of one kind on what reading a file did.
+struct NoteGroup {
+    const char *id, *title;
+    std::vector<std::string> texts;
+};
+
+/// Returns true if a note says that something of the file is not in the drawing.
+bool leavesOut(const Diagnostic &note) {
+    const auto says = [&note](std::string_view words) { return note.message.find(words) != std::string::npos; };
+    return says("ignored") || says("left out") || says("not read");
+}
+
+/// Returns the notes in groups: what the user should look at, what is left out, what was changed.
+std::vector<NoteGroup> groupsOf(const Diagnostics &notes) {
+    NoteGroup ask{"ask", "Check", {}}, leftOut{"left-out", "Left out", {}}, changed{"changed", "Changed", {}};
+    for (const Diagnostic &note : notes) {
+        NoteGroup &group = note.severity != Severity::Note ? ask : leavesOut(note) ? leftOut : changed;
+        group.texts.push_back(withEditorHints(note.message, {}));
+    }
+    std::vector<NoteGroup> groups;
+    for (NoteGroup *group : {&ask, &leftOut, &changed}) {
+        if (!group->texts.empty()) {
+            groups.push_back(std::move(*group));
+        }
+    }
+    return groups;
+}
+
 /// Returns the height of small texts one below the other, in pixels.
 float heightOf(const Shell &context, const std::vector<std::string> &texts, float width) {
     ImGui::PushFont(context.fonts.small);
@@ -146,6 +174,7 @@ void ImportDialog::read(const Progress &progress) {
     options.progress = progress;
     Result<Reading> reading = repairs ? readRepaired(file_, options) : readAsItIs(file_, options);
     faults_ = reading ? Diagnostics() : reading.faults();
+    ++reads_;
     if (reading) {
         drawing_ = std::move(reading->drawing);
         notes_ = std::move(reading->notes);
@@ -173,16 +202,45 @@ void ImportDialog::readLayer(const std::string &name) {
     hasLines_ = contents_.lines && mixesLines(drawing_);
 }
 
-void ImportDialog::insert(Shell &context) const {
+void ImportDialog::preview(Shell &context) {
+    if (!start_) {
+        context.document.endStroke();
+        start_ = context.document.current();
+        selection_ = context.selection;
+        stroke_ = "import " + std::to_string(context.document.revision());
+    } else if (shownReads_ == reads_ && shownScale_ == scale_) {
+        return;
+    } else {
+        dismiss(context);
+    }
+    shownReads_ = reads_;
+    shownScale_ = scale_;
+    insertionNotes_.clear();
+    if (drawing_.shapes.empty() || !faults_.empty()) {
+        return;
+    }
     Insertion insertion;
-    context.document.apply(insertDrawing(*context.document.current(), drawing_, scale_, &insertion), "Import drawing");
+    context.document.apply(insertDrawing(*start_, drawing_, scale_, &insertion), "Import drawing", stroke_);
+    insertionNotes_ = std::move(insertion.notes);
     context.selection = std::move(insertion.added);
     context.actions.run("view.fit", context);
+    context.animate();
+}
+
+void ImportDialog::dismiss(Shell &context) {
+    if (start_ && context.document.current() != start_) {
+        context.document.abandonStroke(stroke_);
+        context.selection = selection_;
+    }
+}
+
+void ImportDialog::accept(Shell &context) {
+    context.document.endStroke();
     const std::size_t count = drawing_.shapes.size();
     context.log.announce(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
                          file_.filename().string());
     context.log.add(notes_);
-    context.log.add(insertion.notes);
+    context.log.add(insertionNotes_);
 }
 
 void ImportDialog::drawSizes(Shell &context) const {
@@ -193,7 +251,8 @@ void ImportDialog::drawSizes(Shell &context) const {
     ui::field(context, "Shapes", ui::count(drawing_.shapes.size()), kLabels);
     ui::field(context, "Nodes", ui::count(nodes), kLabels);
     ui::field(context, "Size in file", extent(boundsOf(drawing_), 1.0), kLabels);
-    ui::field(context, "Current drawing", extent(boundsOf(*context.document.current()), 1.0), kLabels);
+    ui::field(context, "Current drawing", extent(boundsOf(start_ ? *start_ : *context.document.current()), 1.0),
+              kLabels);
 }
 
 void ImportDialog::drawUnit(Shell &context) {
@@ -310,8 +369,12 @@ void ImportDialog::drawJoining(Shell &context) {
 /// Shows why the file cannot be read with the options, or what reading it changed; what does not fit is scrolled.
 void ImportDialog::drawReport(Shell &context) const {
     const float width = ImGui::GetContentRegionAvail().x;
-    const std::vector<std::string> faults = textsOf(faults_), notes = textsOf(notes_);
-    const float height = heightOf(context, faults, width) + heightOf(context, notes, width);
+    const std::vector<std::string> faults = textsOf(faults_);
+    const std::vector<NoteGroup> groups = groupsOf(notes_);
+    float height = heightOf(context, faults, width);
+    for (const NoteGroup &group : groups) {
+        height += heightOf(context, group.texts, width) + ImGui::GetFontSize() + 2.0F * ImGui::GetStyle().ItemSpacing.y;
+    }
     if (height <= 0.0F) {
         return;
     }
@@ -319,9 +382,14 @@ void ImportDialog::drawReport(Shell &context) const {
     for (const std::string &fault : faults) {
         ui::faultText(context, fault);
     }
-    for (std::size_t k = 0; k < notes.size(); ++k) {
-        ui::small(context, notes[k], true);
-        ui::mark(context, "dialog/importoptions/note/" + std::to_string(k));
+    std::size_t k = 0;
+    for (const NoteGroup &group : groups) {
+        ui::heading(context, std::string(group.title) + "  " + ui::count(group.texts.size()));
+        ui::mark(context, std::string("dialog/importoptions/group/") + group.id);
+        for (const std::string &text : group.texts) {
+            ui::small(context, text, true);
+            ui::mark(context, "dialog/importoptions/note/" + std::to_string(k++));
+        }
     }
     ImGui::EndChild();
     ui::mark(context, "dialog/importoptions/report");
@@ -335,17 +403,19 @@ bool ImportDialog::draw(Shell &context) {
     ImGui::Dummy({0, context.px(6)});
     drawMap(context);
     drawJoining(context);
+    preview(context);
     drawReport(context);
     ImGui::Dummy({0, context.px(8)});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(258));
     if (ui::button(context, "dialog/importoptions/cancel", "Cancel", ui::ButtonKind::Plain, true, 124.0F)) {
+        dismiss(context);
         return false;
     }
     ImGui::SameLine(0, context.px(10));
     const bool ready = !drawing_.shapes.empty() && faults_.empty();
     const bool ok = ui::button(context, "dialog/importoptions/ok", "Import", ui::ButtonKind::Primary, ready, 124.0F);
     if ((ok || enter) && ready && !ui::showsFault(context, "dialog/importoptions/")) {
-        insert(context);
+        accept(context);
         return false;
     }
     return true;

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/files/source/import_notes.hpp"
 #include "core/files/source/import_options.hpp"
-#include "ui/parts/dialog.hpp"
+#include "ui/parts/preview_dialog.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -16,15 +17,16 @@
 
 namespace forefront {
 
-/// Shows the size of a drawing read from a file, what reading it ignored and changed, and asks for its unit and weld
-/// tolerance, before adding it to the current drawing.
-class ImportDialog final : public Dialog {
+/// Shows a drawing read from a file in its place in the current drawing, its size, what reading it ignored and changed,
+/// and asks for its unit and weld tolerance, before adding it.
+class ImportDialog final : public PreviewDialog {
   public:
     /// Reads the file, on any thread. Faults: those of readDocument().
     static Result<std::unique_ptr<ImportDialog>> open(const std::filesystem::path &file, const Progress &progress);
 
     const char *id() const override { return "importoptions"; }
     std::string title() const override { return "Import " + file_.filename().string(); }
+    void dismiss(Shell &context) override;
     bool draw(Shell &context) override;
 
   private:
@@ -40,7 +42,9 @@ class ImportDialog final : public Dialog {
     void drawMap(Shell &context);
     void drawJoining(Shell &context);
     void drawReport(Shell &context) const;
-    void insert(Shell &context) const;
+    /// Shows the drawing as read last, selected, as part of a stroke that can be abandoned.
+    void preview(Shell &context);
+    void accept(Shell &context);
 
     std::filesystem::path file_;
     ImportOptions options_;
@@ -54,6 +58,13 @@ class ImportDialog final : public Dialog {
     Diagnostics notes_; ///< what reading ignored and changed
     Diagnostics faults_;
     double scale_ = 1.0;
+    int reads_ = 0;                         ///< how often the file was read
+    std::shared_ptr<const Document> start_; ///< before the preview; null: there was none yet
+    Selection selection_;                   ///< then
+    std::string stroke_;
+    Diagnostics insertionNotes_; ///< of the preview
+    int shownReads_ = 0;         ///< reads_ and scale_ of the preview
+    double shownScale_ = 0.0;
 };
 
 } // namespace forefront

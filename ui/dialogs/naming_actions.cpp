@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/dialogs/shape_actions.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 
 #include <imgui.h>
 
@@ -86,8 +87,7 @@ std::string sizeField(const Shell &context) {
 }
 
 void enterSize(Shell &context) {
-    context.view.panels = true;
-    context.settings.folded["inspector"] = false;
+    showPanel(context, "inspector");
     context.widgets.fields.request(sizeField(context));
     context.animate();
 }

@@ -2,6 +2,7 @@
 
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/fault_text.hpp"
+#include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 
@@ -13,7 +14,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kLabelWidth = 110.0; ///< width of the labels, in design pixels
+constexpr float kOperationField = 72.0F, kOperationButton = 84.0F; ///< in design pixels
 
 } // namespace
 
@@ -83,14 +84,18 @@ void OperationDialog::drawField(Shell &context, std::size_t index) {
     const OperationField &field = operation_.fields[index];
     const std::string name = widget(index);
     double &value = entries_.values[index];
-    ui::rowLabel(context, field.kind == OperationField::Kind::Flag ? "" : field.label, kLabelWidth);
+    if (field.kind != OperationField::Kind::Flag) {
+        ImGui::AlignTextToFramePadding();
+        ui::muted(context, field.label);
+        ImGui::SameLine(0, context.px(6));
+    }
     switch (field.kind) {
     case OperationField::Kind::Number:
-        ui::inputExpression(context, name, value, entries_.formulas[index]);
+        ui::inputExpression(context, name, value, entries_.formulas[index], kOperationField);
         break;
     case OperationField::Kind::Choice: {
         int choice = static_cast<int>(value);
-        ui::segmented(context, name, field.choices, choice);
+        ui::segmented(context, name, field.choices, choice, 84.0F * static_cast<float>(field.choices.size()));
         value = choice;
         break;
     }
@@ -106,15 +111,18 @@ void OperationDialog::drawField(Shell &context, std::size_t index) {
     }
 }
 
-void OperationDialog::drawRemarks(Shell &context) {
+void OperationDialog::drawRemarks(Shell &context, ui::Flow &flow) {
     const std::string name = std::string("dialog/") + operation_.id;
     if (!fault_.empty()) {
+        flow.item("fault");
         ui::faultText(context, fault_);
         ui::mark(context, name + "/fault");
     }
     const bool typed =
         std::any_of(shown_.formulas.begin(), shown_.formulas.end(), [](const auto &text) { return !text.empty(); });
     if (typed && !followed_) {
+        flow.item("once");
+        ImGui::AlignTextToFramePadding();
         ui::small(context, "Parameters are evaluated once here");
         ui::mark(context, name + "/once");
     }
@@ -122,13 +130,14 @@ void OperationDialog::drawRemarks(Shell &context) {
 
 bool OperationDialog::drawButtons(Shell &context, bool enter) {
     const std::string name = std::string("dialog/") + operation_.id;
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(218));
-    if (ui::button(context, name + "/cancel", "Cancel", ui::ButtonKind::Plain, true, 104.0F)) {
+    if (ui::button(context, name + "/cancel", "Cancel", ui::ButtonKind::Plain, true, kOperationButton)) {
         dismiss(context);
         return false;
     }
-    ImGui::SameLine(0, context.px(10));
-    const bool ok = ui::button(context, name + "/ok", "OK", ui::ButtonKind::Primary, fault_.empty(), 104.0F);
+    ui::tooltip(context, "Esc");
+    ImGui::SameLine(0, context.px(8));
+    const bool ok = ui::button(context, name + "/ok", "OK", ui::ButtonKind::Primary, fault_.empty(), kOperationButton);
+    ui::tooltip(context, "Enter");
     if (!ok && !enter) {
         return true;
     }
@@ -144,15 +153,23 @@ bool OperationDialog::drawButtons(Shell &context, bool enter) {
 
 bool OperationDialog::draw(Shell &context) {
     const bool enter = ui::enterPressed();
+    ui::Flow flow(context, ImGui::GetContentRegionAvail().x, context.px(14));
+    flow.item("title");
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(operation_.title);
+    ImGui::PopFont();
     for (std::size_t k = 0; k < operation_.fields.size(); ++k) {
+        flow.item(operation_.fields[k].id);
         drawField(context, k);
     }
     if (Entries entries = entriesBeingTyped(context); entries != shown_) {
         show(context, std::move(entries));
     }
-    drawRemarks(context);
-    ImGui::Dummy({0, context.px(6)});
-    return drawButtons(context, enter);
+    flow.item("buttons");
+    const bool stays = drawButtons(context, enter);
+    drawRemarks(context, flow);
+    return stays;
 }
 
 } // namespace forefront

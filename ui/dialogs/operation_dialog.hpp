@@ -13,6 +13,10 @@
 
 namespace forefront {
 
+namespace ui {
+class Flow;
+}
+
 /// A number, choice or switch that an operation asks for.
 struct OperationField {
     enum class Kind : std::uint8_t { Number, Choice, Flag };
@@ -38,15 +42,15 @@ struct Operation {
     std::function<bool(Document &, const Selection &, const std::vector<std::string> &)> follow{};
 };
 
-/// Asks for the numbers of an operation while the canvas previews its result, also for a number that is being typed.
-/// Cancel leaves the document and its history unchanged; OK is one undo step.
+/// Asks in the options bar for the numbers of an operation while the canvas previews its result, also for a number that
+/// is being typed. Cancel leaves the document and its history unchanged; OK is one undo step.
 class OperationDialog final : public PreviewDialog {
   public:
     OperationDialog(Operation operation, Shell &context);
 
     const char *id() const override { return operation_.id; }
     std::string title() const override { return operation_.title; }
-    float width() const override { return 340.0F; }
+    bool inOptionsBar() const override { return true; }
     void dismiss(Shell &context) override;
     bool draw(Shell &context) override;
 
@@ -59,7 +63,7 @@ class OperationDialog final : public PreviewDialog {
     };
 
     void drawField(Shell &context, std::size_t index);
-    void drawRemarks(Shell &context);
+    void drawRemarks(Shell &context, ui::Flow &flow);
     /// Draws Cancel and OK. Returns false to close the dialog.
     bool drawButtons(Shell &context, bool enter);
     /// Returns the contents of the fields, with the number that is being typed.

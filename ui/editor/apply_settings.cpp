@@ -1,17 +1,13 @@
 #include "ui/editor/apply_settings.hpp"
 
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 
 namespace forefront {
 
 void applySettings(Shell &context) {
     const Settings &settings = context.settings;
-    for (LayerSlot &slot : context.layers) {
-        const auto known = settings.layers.find(slot.layer->id());
-        if (known != settings.layers.end()) {
-            slot.visible = known->second;
-        }
-    }
+    showWorkspaceLayers(context);
     context.view.panels = settings.panels;
     context.snapping = settings.snapping;
     for (const auto &[action, keys] : settings.keys) {
@@ -22,18 +18,10 @@ void applySettings(Shell &context) {
 Settings settingsToSave(const Shell &context) {
     Settings settings = context.settings;
     const std::optional<OpenLesson> &lesson = context.lessons.open;
-    settings.layers.clear();
-    for (const LayerSlot &slot : context.layers) {
-        const bool coloured = context.coloursBefore && slot.layer->coloursByValue();
-        const bool visible = lesson     ? lesson->layersBefore.at(slot.layer->id())
-                             : coloured ? slot.layer->id() == *context.coloursBefore
-                                        : slot.visible;
-        if (visible != slot.layer->visibleAtStart()) {
-            settings.layers[slot.layer->id()] = visible;
-        }
-    }
+    settings.workspace = lesson ? lesson->workspaceBefore : settings.workspace;
+    settings.workspaces[static_cast<std::size_t>(settings.workspace)].layers =
+        changedLayers(settings.workspace, lesson ? lesson->layersBefore : chosenLayers(context));
     settings.panels = lesson ? lesson->panelsBefore : context.view.panels;
-    settings.tab = lesson ? lesson->tabBefore : settings.tab;
     settings.snapping = context.snapping;
     return settings;
 }

@@ -15,10 +15,12 @@
 #include "ui/layers/layers.hpp"
 #include "ui/panels/adapted_rounds.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/canvas.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/start_page.hpp"
 #include "ui/tools/make_tools.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
@@ -43,6 +45,7 @@ struct Editor::Parts {
     Shell context;
     Canvas canvas;
     CanvasInput canvasInput;
+    shell::StartPage startPage;
     FollowCamera follower;
     std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
     Settings savedSettings;
@@ -141,28 +144,21 @@ Editor::Editor(Platform &platform, EditorSetup options)
     parts_->savedSettings = c.settings;
     c.tools.tools = makeTools();
     for (auto &layer : makeLayers()) {
-        const bool visible = layer->visibleAtStart();
-        c.layers.push_back({std::move(layer), visible});
+        c.layers.push_back({std::move(layer), false});
     }
     c.panels = makePanels();
     addEditActions(c.actions);
     shell::addShellActions(c.actions);
     applySettings(c);
     c.tools.current().activate(c);
+    c.plates.start = parts_->options.startPage;
     if (parts_->options.judge) {
+        chooseWorkspace(c, WorkspaceKind::Judge);
         openMesh(c, parts_->options.file);
     } else if (!parts_->options.file.empty()) {
         openDocument(c, parts_->options.file);
     } else if (parts_->options.sample) {
-        const std::vector<Sample> gallery = samples();
-        if (gallery.empty()) {
-            c.log.add(Diagnostic{.severity = Severity::Warning,
-                                 .code = "no-assets",
-                                 .message = "samples not found",
-                                 .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
-        } else {
-            open(gallery.front().path);
-        }
+        openFirstSample(c);
     }
     if (!parts_->options.stateFolder.empty()) {
         parts_->recovery = std::make_unique<Recovery>(parts_->options.stateFolder);
@@ -393,16 +389,18 @@ void Editor::Parts::buildInterface() {
     }
     ui::markRect(context, "canvas", layout.canvas);
     shell::drawMenuBar(context, layout.menu);
+    shell::drawOptionsBar(context, layout.options);
     shell::drawToolStrip(context, layout.tools);
     shell::drawLessons(context, layout.lessons);
     shell::drawSides(context, layout.sides, layout.figures);
-    shell::drawColumn(context, layout.column);
     shell::drawTimeline(context, layout.timeline);
     shell::drawStatusBar(context, layout.status);
     shell::drawRulers(context, layout);
-    shell::drawToolOptions(context, layout.canvas);
-    shell::drawCanvasNotes(context, layout.canvas);
+    shell::drawCanvasNotes(context, layout.open);
     shell::drawLegendLimit(context);
+    startPage.draw(context, layout.open);
+    shell::drawPlates(context, layout);
+    shell::drawColumn(context, layout.column); // may lie over the canvas
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
     context.dialogs.draw(context);
@@ -482,8 +480,7 @@ void Editor::frame() {
     p.handleEvents(events);
     p.dropFlag();
     p.followDocument();
-    const bool cancelling = c.run.cancelling();
-    const bool busy = c.run.busy();
+    const bool cancelling = c.run.cancelling(), busy = c.run.busy();
     p.buildInterface();
     p.followFront(seconds);
     c.widgets.fields.committed.clear(); // commands that follow are not about it

@@ -18,6 +18,7 @@ struct EditorSetup {
     std::filesystem::path file;           ///< project or domain to open
     bool judge = false;                   ///< open `file` as a mesh to inspect, not as a drawing
     bool sample = true;                   ///< open the first sample if no file is given
+    bool startPage = false;               ///< otherwise, show the page with ways to begin
     std::filesystem::path stateFile;      ///< file that receives the state of each frame, for tests of the real window
 };
 

@@ -47,6 +47,7 @@ void writeStateFile(const std::filesystem::path &file, Editor &editor) {
     json.member("frame", editor.frames()).member("settled", editor.settled());
     json.member("tool", c.tools.current().id())
         .member("dialog", c.dialogs.top() != nullptr ? c.dialogs.top()->id() : "");
+    json.member("workspace", presetOf(c.settings.workspace).word);
     json.member("revision", c.document.revision()).member("shapes", c.document.current()->shapes.size());
     json.member("paintedTiles", c.document.current()->spacing.paint.tiles.size());
     json.member("dirty", c.document.dirty()).member("outOfDate", c.run.outOfDate());

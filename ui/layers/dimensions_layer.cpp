@@ -68,7 +68,6 @@ class DimensionsLayer final : public Layer {
   public:
     const char *id() const override { return "dimensions"; }
     const char *name() const override { return "Dimensions"; }
-    bool visibleAtStart() const override { return false; }
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
         if (revision_ != frame.revision) {

@@ -125,7 +125,6 @@ class GridLayer final : public Layer {
   public:
     const char *id() const override { return "grid"; }
     const char *name() const override { return "Grid cells"; }
-    bool visibleAtStart() const override { return false; }
     void request(SnapshotLayers &layers) const override {
         layers.cells = true;
         layers.explanation = true;

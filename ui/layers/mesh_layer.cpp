@@ -151,7 +151,6 @@ class QualityLayer final : public Layer {
   public:
     const char *id() const override { return "quality"; }
     const char *name() const override { return "Quality"; }
-    bool visibleAtStart() const override { return false; }
     bool coloursByValue() const override { return true; }
     void request(SnapshotLayers &layers) const override { layers.mesh = true; }
 

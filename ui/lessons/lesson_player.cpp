@@ -5,6 +5,7 @@
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/lessons/highlight_names.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/workspace/judging.hpp"
@@ -108,8 +109,25 @@ void showColours(Shell &context, const std::optional<LessonRange> &range) {
     }
 }
 
+/// Shows the panels that the page speaks of, and no others of other workspaces.
+void callPanels(Shell &context, const LessonPage &page) {
+    context.called.clear();
+    for (const LessonHighlight &highlight : page.highlights) {
+        const std::string &widget = highlight.widget;
+        const std::size_t slash = widget.find('/');
+        const std::string panel = widget.starts_with("panel/") ? widget.substr(slash + 1) : widget.substr(0, slash);
+        const Panel *const known = findPanel(context, panel);
+        if (known != nullptr && known->place() == PanelPlace::Column) {
+            showPanel(context, panel);
+        }
+    }
+    if (!page.panel.empty()) {
+        showPanel(context, page.panel);
+    }
+}
+
 void showPage(Shell &context) {
-    constexpr int kFramesToReveal = 4; // until the tab that the page opens is drawn, and scrolled
+    constexpr int kFramesToReveal = 4; // until the panel that the page shows is drawn, and scrolled
     OpenLesson &open = *context.lessons.open;
     const LessonPage &page = open.now();
     open.reply = OpenLesson::Reply::None;
@@ -129,10 +147,7 @@ void showPage(Shell &context) {
     if (page.layers) {
         showLayers(context, *page.layers);
     }
-    if (!page.panel.empty()) {
-        context.settings.tab = page.panel;
-        context.view.panels = true;
-    }
+    callPanels(context, page);
     showCamera(context, page.camera);
     showColours(context, page.range);
     rememberProgress(context);
@@ -151,9 +166,7 @@ Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &fil
         names.layers.emplace_back(slot.layer->id());
     }
     for (const auto &panel : context.panels) {
-        if (panel->place() == PanelPlace::Tabbed) {
-            names.panels.emplace_back(panel->id());
-        }
+        names.panels.emplace_back(panel->id());
     }
     names.widgets = highlightNames(context);
     names.document = [folder = file.parent_path()](const std::string &name) {
@@ -190,13 +203,14 @@ void openLesson(Shell &context, const LessonEntry &entry) {
         for (const LayerSlot &slot : c.layers) {
             open.layersBefore[slot.layer->id()] = slot.visible;
         }
-        open.tabBefore = c.settings.tab;
+        open.workspaceBefore = c.settings.workspace;
         open.panelsBefore = c.view.panels;
         open.coloursBefore = c.view;
         const LessonProgress &progress = c.settings.lessons[entry.id];
         const std::size_t last = entry.lesson->pages.size() - 1;
         const bool finished = progress.page >= last && progress.answered.size() >= questionsOf(*entry.lesson);
         open.page = finished ? 0 : std::min(progress.page, last);
+        chooseWorkspace(c, WorkspaceKind::Step);
         c.lessons.open = std::move(open);
         c.lessons.visible = true;
         showPage(c);
@@ -227,11 +241,13 @@ void closeLesson(Shell &context) {
     if (!context.lessons.open) {
         return;
     }
+    // While the lesson is open, its layers are not kept as the user's.
+    chooseWorkspace(context, context.lessons.open->workspaceBefore);
+    context.called.clear();
     const OpenLesson open = *std::exchange(context.lessons.open, std::nullopt);
     for (const auto &[layer, visible] : open.layersBefore) {
         showLayer(context.layers, layer, visible);
     }
-    context.settings.tab = open.tabBefore;
     context.view.panels = open.panelsBefore;
     context.view.following = false;
     if (open.coloursBefore != context.view) {
@@ -426,7 +442,7 @@ void checkHighlights(Shell &context, const LessonPage &page) {
 } // namespace
 
 void checkPage(Shell &context) {
-    constexpr int kFrames = 4; // until the tab that the page opens is drawn
+    constexpr int kFrames = 4; // until the panel that the page shows is drawn
     OpenLesson &open = *context.lessons.open;
     if (!open.settled || open.checked.contains(open.page) || context.dialogs.any()) {
         return;

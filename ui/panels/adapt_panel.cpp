@@ -27,7 +27,6 @@ class AdaptPanel final : public Panel {
   public:
     const char *id() const override { return "adapt"; }
     const char *title() const override { return "Adapt"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         drawField(context);

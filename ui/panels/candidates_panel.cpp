@@ -96,7 +96,6 @@ class CandidatesPanel final : public Panel {
   public:
     const char *id() const override { return "candidates"; }
     const char *title() const override { return "Candidates"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         const Moment moment = momentOf(context.run.now());

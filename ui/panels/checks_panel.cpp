@@ -4,6 +4,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/checks_summary.hpp"
 
 #include <imgui.h>
 
@@ -17,15 +18,16 @@ class ChecksPanel final : public Panel {
   public:
     const char *id() const override { return "checks"; }
     const char *title() const override { return "Checks"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
-        if (context.document.current()->shapes.empty()) {
+        const ChecksSummary summary = checksSummary(context);
+        if (summary.state == ChecksSummary::State::None) {
             ui::small(context, "The drawing is empty. Press P and click the corners of a polygon.", true);
             ui::mark(context, "checks/empty");
         } else {
-            drawDrawing(context);
+            drawSummary(context, summary);
         }
+        drawList(context, context.preview->faults);
         ui::heading(context, "Mesh limits");
         drawLimits(context);
     }
@@ -35,20 +37,17 @@ class ChecksPanel final : public Panel {
     }
 
   private:
-    static void drawDrawing(Shell &context) {
-        const Diagnostics &faults = context.preview->faults;
-        const auto errors = std::count_if(faults.begin(), faults.end(),
-                                          [](const Diagnostic &d) { return d.severity == Severity::Error; });
+    /// Draws the verdict of all checks in one line.
+    static void drawSummary(Shell &context, const ChecksSummary &summary) {
+        const bool violated = summary.state == ChecksSummary::State::Violated;
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? context.theme.bad : context.theme.good);
-        ImGui::TextUnformatted(errors > 0 ? icon::kError : icon::kCheck);
+        ImGui::PushStyleColor(ImGuiCol_Text, violated ? context.theme.bad : context.theme.good);
+        ImGui::TextUnformatted(violated ? icon::kError : icon::kCheck);
         ImGui::PopStyleColor();
         ImGui::SameLine();
-        ImGui::TextUnformatted(
-            errors > 0 ? (ui::count(static_cast<std::uint64_t>(errors)) + (errors == 1 ? " error" : " errors")).c_str()
-                       : "Ready to mesh");
-        ui::mark(context, "checks/summary");
-        if (anyRepairable(faults)) {
+        ui::wrappedText(summary.line);
+        ui::mark(context, violated ? "checks/violated" : "checks/summary");
+        if (anyRepairable(context.preview->faults)) {
             ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(78));
             if (ui::button(context, "checks/repair", "Repair", ui::ButtonKind::Primary, true, 78.0F)) {
                 context.actions.run("edit.repair", context);
@@ -56,7 +55,6 @@ class ChecksPanel final : public Panel {
             ui::tooltip(context, "Split segments where they cross, merge duplicates and drop parts outside the domain. "
                                  "The log reports every change.");
         }
-        drawList(context, faults);
     }
 
     static void drawList(Shell &context, const Diagnostics &faults) {

@@ -22,7 +22,6 @@ class HistogramPanel final : public Panel {
   public:
     const char *id() const override { return "histogram"; }
     const char *title() const override { return "Histogram"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         // Hold a reference, since choosing a measure must not change what the rest of the panel draws.
@@ -44,10 +43,9 @@ class HistogramPanel final : public Panel {
         ImGui::SameLine(0, context.px(6));
         drawRange(context, *judgement);
         drawSummary(context, *judgement);
-        const float axis = context.px(18);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const ImVec2 room = ImGui::GetContentRegionAvail();
-        const float height = std::max(context.px(30), room.y - axis - context.px(2));
+        const float height = context.px(110);
         drawBars(context, *judgement, at, {room.x, height});
         drawAxis(context, judgement->histogram, {at.x, at.y + height}, room.x);
     }

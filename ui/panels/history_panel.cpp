@@ -14,7 +14,7 @@ class HistoryPanel final : public Panel {
   public:
     const char *id() const override { return "history"; }
     const char *title() const override { return "History"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
+    PanelPlace place() const override { return PanelPlace::Menu; }
 
     void draw(Shell &context) override {
         const History &history = context.document.history();

@@ -1,5 +1,6 @@
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -17,7 +18,7 @@ class LayersPanel final : public Panel {
   public:
     const char *id() const override { return "layers"; }
     const char *title() const override { return "Layers"; }
-    bool foldsInLowWindow() const override { return true; }
+    PanelPlace place() const override { return PanelPlace::Canvas; }
 
     void draw(Shell &context) override {
         ImGui::PushFont(context.fonts.small);
@@ -53,12 +54,7 @@ class LayersPanel final : public Panel {
     }
 
     std::vector<ContextGroup> menu(Shell &) override {
-        return {{commandOf("defaults", "Default layers", [](Shell &c) {
-            for (const LayerSlot &slot : c.layers) {
-                showLayer(c.layers, slot.layer->id(), slot.layer->visibleAtStart());
-            }
-            c.coloursBefore.reset();
-        })}};
+        return {{commandOf("defaults", "Default layers of this workspace", showPresetLayers)}};
     }
 
   private:

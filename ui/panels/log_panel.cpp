@@ -13,7 +13,7 @@ class LogPanel final : public Panel {
   public:
     const char *id() const override { return "log"; }
     const char *title() const override { return "Log"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
+    PanelPlace place() const override { return PanelPlace::Drawer; }
 
     void draw(Shell &context) override {
         if (context.log.entries().empty()) {

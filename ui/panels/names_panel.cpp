@@ -15,7 +15,6 @@ class NamesPanel final : public Panel {
   public:
     const char *id() const override { return "names"; }
     const char *title() const override { return "Names"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         const std::shared_ptr<const Document> document = context.document.current();

@@ -24,7 +24,6 @@ class ParametersPanel final : public Panel {
   public:
     const char *id() const override { return "parameters"; }
     const char *title() const override { return "Parameters"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         if (revision_ != context.document.revision()) {

@@ -20,7 +20,6 @@ class ProbePanel final : public Panel {
   public:
     const char *id() const override { return "probe"; }
     const char *title() const override { return "Probe"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         const std::shared_ptr<const Judgement> judgement = context.judgement;

@@ -80,7 +80,6 @@ class ShapesPanel final : public Panel {
   public:
     const char *id() const override { return "shapes"; }
     const char *title() const override { return "Shapes"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
     void draw(Shell &context) override;
 
   private:

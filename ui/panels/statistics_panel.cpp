@@ -35,7 +35,6 @@ class StatisticsPanel final : public Panel {
   public:
     const char *id() const override { return "statistics"; }
     const char *title() const override { return "Statistics"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         const SessionSnapshot &run = context.run.now();
@@ -112,8 +111,9 @@ class StatisticsPanel final : public Panel {
         cell(context, "forced", ui::count(w.forced), "Elements made from existing nodes only, to close the front");
         cell(context, "improve", timeText(run.secondsImprove), "CPU time spent swapping edges and smoothing");
         cell(context, "hash",
-             run.meshHash != 0 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
-                               : std::string("\xe2\x80\x93"),
+             run.meshHash != 0 && run.advance == run.known
+                 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
+                 : std::string("\xe2\x80\x93"),
              "Two meshes are identical bit for bit if and only if their hashes are equal");
     }
 };

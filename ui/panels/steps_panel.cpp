@@ -128,7 +128,6 @@ class StepsPanel final : public Panel {
   public:
     const char *id() const override { return "steps"; }
     const char *title() const override { return "Steps"; }
-    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
         const SessionSnapshot &run = context.run.now();

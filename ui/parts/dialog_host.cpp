@@ -25,6 +25,52 @@ void placeDialog(const Dialog &dialog, const PixelRect *last, float margin) {
     ImGui::SetNextWindowPos({middle, std::min(static_cast<float>(last->y), lowest)}, ImGuiCond_Always, {0.5F, 0.0F});
 }
 
+/// Places the next window over the options bar. It grows if its content needs more than one row.
+void placeInBar(const WidgetContext &context) {
+    const WidgetRegistry::Widget *const bar = context.widgets.find("options");
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float y = bar != nullptr ? static_cast<float>(bar->rect.y) : 0.0F;
+    const float height = bar != nullptr ? static_cast<float>(bar->rect.height) : 0.0F;
+    ImGui::SetNextWindowPos({0.0F, y});
+    ImGui::SetNextWindowSize({size.x, 0.0F});
+    ImGui::SetNextWindowSizeConstraints({size.x, height}, {size.x, std::max(height, size.y - y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(5)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+}
+
+/// Places the next window of a dialog over the window.
+void placeOnCanvas(const WidgetContext &context, const Dialog &dialog, const std::string &name, bool preview) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float margin = context.px(24);
+    const float width = std::min(context.px(static_cast<double>(dialog.width())), size.x - margin);
+    const float height = std::min(context.px(static_cast<double>(dialog.height())), size.y - margin);
+    if (preview) {
+        ImGui::SetNextWindowPos({std::min(context.px(64), size.x - margin / 2 - width), context.px(88)});
+    } else {
+        const WidgetRegistry::Widget *const last = context.widgets.find(name);
+        placeDialog(dialog, last == nullptr ? nullptr : &last->rect, margin);
+    }
+    const float lowest = preview ? std::max(context.px(120), size.y - margin - context.px(64)) : size.y - margin;
+    ImGui::SetNextWindowSize({width, dialog.height() > 0.0F ? height : 0.0F});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, lowest});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(22), context.px(18)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(10));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+}
+
+/// Draws the title of a dialog and the button that closes it. Returns true if that was pressed.
+bool drawTitleRow(WidgetContext &context, const Dialog &dialog, const std::string &name) {
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted(dialog.title().c_str());
+    ImGui::PopFont();
+    ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
+    const bool closed =
+        ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false, dialog.closesOnEscape(), 26.0F);
+    ImGui::Dummy({0, context.px(4)});
+    return closed;
+}
+
 } // namespace
 
 void DialogHost::closeAll() {
@@ -47,24 +93,11 @@ void DialogHost::dismissPreviews(Shell &context) {
 
 void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &keep) {
     Dialog &dialog = *stack_[level];
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
     const std::string title = dialog.title() + "###dialog" + dialog.id();
     const std::string name = std::string("dialog/") + dialog.id();
-    const float margin = context.px(24);
-    const float width = std::min(context.px(static_cast<double>(dialog.width())), size.x - margin);
-    const float height = std::min(context.px(static_cast<double>(dialog.height())), size.y - margin);
     auto *const preview = dynamic_cast<PreviewDialog *>(&dialog);
-    if (preview != nullptr) {
-        ImGui::SetNextWindowPos({std::min(context.px(64), size.x - margin / 2 - width), context.px(48)});
-    } else {
-        const WidgetRegistry::Widget *const last = context.widgets.find(name);
-        placeDialog(dialog, last == nullptr ? nullptr : &last->rect, margin);
-    }
-    ImGui::SetNextWindowSize({width, dialog.height() > 0.0F ? height : 0.0F});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - margin});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(22), context.px(18)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(10));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool inBar = preview != nullptr && preview->inOptionsBar();
+    inBar ? placeInBar(context) : placeOnCanvas(context, dialog, name, preview != nullptr);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
     ImGui::PushStyleColor(ImGuiCol_PopupBg, context.theme.popup);
     if (!ImGui::IsPopupOpen(title.c_str())) {
@@ -73,13 +106,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
     if (ImGui::BeginPopupModal(title.c_str(), nullptr,
                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav)) {
-        ImGui::PushFont(context.fonts.title);
-        ImGui::TextUnformatted(dialog.title().c_str());
-        ImGui::PopFont();
-        ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
-        const bool closed = ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false,
-                                           dialog.closesOnEscape(), 26.0F);
-        ImGui::Dummy({0, context.px(4)});
+        const bool closed = !inBar && drawTitleRow(context, dialog, name);
         const bool isTop = level + 1 == keep.size();
         const bool escape = isTop && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
                             !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);

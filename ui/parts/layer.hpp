@@ -63,7 +63,8 @@ struct LayerFrame {
     Colour area(Colour colour) const;
 };
 
-/// A layer of the canvas. To add one, write its file and add a line to makeLayers(). Layers are drawn in the order of
+/// A layer of the canvas. To add one, write its file, add a line to makeLayers(), and list it in the presets of the
+/// workspaces that show it. Layers are drawn in the order of
 /// makeLayers(): first the still parts of all (see drawStill()), then their live parts, then their overlays.
 class Layer {
   public:
@@ -71,7 +72,6 @@ class Layer {
     /// Returns the stable name of the layer; its switch is the widget "layer/ID".
     virtual const char *id() const = 0;
     virtual const char *name() const = 0;
-    virtual bool visibleAtStart() const { return true; }
     /// Returns true if the layer colours the domain or its elements by a value. At most one such layer is visible at a
     /// time, so that colours never mix and always match the legend.
     virtual bool coloursByValue() const { return false; }

@@ -9,24 +9,23 @@ namespace forefront {
 
 struct Shell;
 
-/// Position of a panel in the right column.
+/// Where a panel is shown.
 enum class PanelPlace : std::uint8_t {
-    Stacked, ///< one above the other, each with its own heading
-    Tabbed   ///< a tab of the group at the bottom
+    Column, ///< a section of the column at the right, in the workspaces that list it
+    Canvas, ///< over the upper right corner of the canvas, opened by a button there
+    Drawer, ///< along the lower edge of the canvas, opened from the status bar
+    Menu    ///< below the menu bar, opened from the Edit menu
 };
 
-/// A part of the right column. To add one, write its file and add a line to makePanels().
+/// A part of the window with its own heading. To add one, write its file, add a line to makePanels(), and list it in
+/// the presets of the workspaces that show it.
 class Panel {
   public:
     virtual ~Panel() = default;
-    /// Returns the stable name of the panel; its heading (or tab) is the widget "panel/ID".
+    /// Returns the stable name of the panel; its heading is the widget "panel/ID".
     virtual const char *id() const = 0;
     virtual const char *title() const = 0;
-    virtual PanelPlace place() const { return PanelPlace::Stacked; }
-    /// Returns the height of a stacked panel in design pixels; 0: as high as its content.
-    virtual double height() const { return 0.0; }
-    /// Returns true if a stacked panel is folded in a low window until the user unfolds it.
-    virtual bool foldsInLowWindow() const { return false; }
+    virtual PanelPlace place() const { return PanelPlace::Column; }
     /// Draws the content with Dear ImGui and ui/widgets/widgets.hpp; the width is ImGui::GetContentRegionAvail().x.
     virtual void draw(Shell &context) = 0;
     /// Returns the commands of the panel for a right click that no row of it has handled.

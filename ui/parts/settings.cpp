@@ -103,17 +103,34 @@ LessonProgress lessonIn(const JsonValue &json) {
     return progress;
 }
 
+/// Reads the members of an object that are true or false.
+void readFlags(const JsonValue &json, const char *name, std::map<std::string, bool> &to) {
+    forMembers(json, name, [&to](const std::string &key, const JsonValue &value) {
+        if (value.is(JsonKind::True) || value.is(JsonKind::False)) {
+            to[key] = value.is(JsonKind::True);
+        }
+    });
+}
+
+/// Reads the workspace and what the user changed in each.
+void readWorkspaces(const JsonValue &json, Settings &settings) {
+    settings.workspace = workspaceOf(textIn(json, "workspace")).value_or(settings.workspace);
+    const std::vector<std::string> pinned = textsIn(json, "pinned", 100);
+    settings.pinned = {pinned.begin(), pinned.end()};
+    forMembers(json, "workspaces", [&settings](const std::string &word, const JsonValue &value) {
+        const std::optional<WorkspaceKind> kind = workspaceOf(word);
+        if (kind && value.is(JsonKind::Object)) {
+            WorkspaceChanges &changes = settings.workspaces[static_cast<std::size_t>(*kind)];
+            readFlags(value, "panels", changes.panels);
+            readFlags(value, "folded", changes.folded);
+            readFlags(value, "layers", changes.layers);
+            changes.order = textsIn(value, "order", 100);
+        }
+    });
+}
+
 /// Reads the members that are objects. Entries of another type are left out.
 void readMaps(const JsonValue &json, Settings &settings) {
-    const auto flags = [&json](const char *name, auto &to) {
-        forMembers(json, name, [&](const std::string &key, const JsonValue &value) {
-            if (value.is(JsonKind::True) || value.is(JsonKind::False)) {
-                to[key] = value.is(JsonKind::True);
-            }
-        });
-    };
-    flags("layers", settings.layers);
-    flags("folded", settings.folded);
     forMembers(json, "keys", [&](const std::string &action, const JsonValue &keys) {
         if (keys.is(JsonKind::String)) {
             settings.keys[action] = keys.string();
@@ -179,15 +196,15 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     const JsonValue json = parsed->root();
     settings.theme = textIn(json, "theme") == "light" ? ThemeKind::Light : ThemeKind::Dark;
     settings.scale = numberIn(json, "scale", settings.scale, 0.75, 3.0);
-    settings.panelWidth = numberIn(json, "panelWidth", settings.panelWidth, 240.0, 640.0);
-    settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, kMinTabs, kMaxTabs);
+    if (const auto width = sizeIn(json, "columnWidth")) {
+        settings.panelWidth = std::clamp(*width, kMinPanelWidth, kMaxPanelWidth);
+    }
     settings.hints = boolIn(json, "hints", settings.hints);
     settings.rulers = boolIn(json, "rulers", settings.rulers);
     settings.reduceMotion = boolIn(json, "reduceMotion", settings.reduceMotion);
     settings.live = boolIn(json, "live", settings.live);
     settings.liveBudget = numberIn(json, "liveBudget", settings.liveBudget, kMinLiveBudget, kMaxLiveBudget);
     settings.panels = boolIn(json, "panels", settings.panels);
-    settings.tab = textIn(json, "tab");
     settings.exportFormat = textIn(json, "exportFormat");
     settings.newMethod = choiceIn(json, "newMethod", settings.newMethod);
     settings.newImprove = choiceIn(json, "newImprove", settings.newImprove);
@@ -201,31 +218,54 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.newPerTurn = sizeIn(json, "newPerTurn", true);
     settings.newAcross = sizeIn(json, "newAcross", true);
     readMaps(json, settings);
-    const std::vector<std::string> hidden = textsIn(json, "hiddenTabs", 100);
-    settings.hiddenTabs = {hidden.begin(), hidden.end()};
-    settings.tabOrder = textsIn(json, "tabOrder", 100);
+    readWorkspaces(json, settings);
     settings.recentFiles = textsIn(json, "recentFiles", 12);
     settings.window = placeIn(json);
     return settings;
 }
 
+namespace {
+
+template <class Map>
+void writeMap(JsonWriter &json, const char *name, const Map &entries) {
+    json.key(name).beginObject();
+    for (const auto &[key, value] : entries) {
+        json.member(key, value);
+    }
+    json.endObject();
+}
+
+void writeWorkspaces(JsonWriter &json, const Settings &settings) {
+    json.member("workspace", presetOf(settings.workspace).word);
+    json.key("pinned").values(settings.pinned).key("workspaces").beginObject();
+    for (const WorkspaceKind kind : kWorkspaceKinds) {
+        const WorkspaceChanges &changes = settings.workspaces[static_cast<std::size_t>(kind)];
+        if (changes == WorkspaceChanges()) {
+            continue;
+        }
+        json.key(presetOf(kind).word).beginObject();
+        writeMap(json, "panels", changes.panels);
+        writeMap(json, "folded", changes.folded);
+        writeMap(json, "layers", changes.layers);
+        json.key("order").values(changes.order).endObject();
+    }
+    json.endObject();
+}
+
+} // namespace
+
 void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     JsonWriter json(JsonWriter::Layout::Indented);
-    const auto map = [&json](const char *name, const auto &entries) {
-        json.key(name).beginObject();
-        for (const auto &[key, value] : entries) {
-            json.member(key, value);
-        }
-        json.endObject();
-    };
     json.beginObject();
     json.member("theme", settings.theme == ThemeKind::Light ? "light" : "dark").member("scale", settings.scale);
-    json.member("panelWidth", settings.panelWidth).member("tabsHeight", settings.tabsHeight);
+    if (settings.panelWidth) {
+        json.member("columnWidth", *settings.panelWidth);
+    }
     json.member("hints", settings.hints).member("rulers", settings.rulers);
     json.member("reduceMotion", settings.reduceMotion);
     json.member("live", settings.live).member("liveBudget", settings.liveBudget);
-    json.member("panels", settings.panels).member("tab", settings.tab);
-    json.key("hiddenTabs").values(settings.hiddenTabs).key("tabOrder").values(settings.tabOrder);
+    json.member("panels", settings.panels);
+    writeWorkspaces(json, settings);
     json.member("exportFormat", settings.exportFormat);
     json.member("newMethod", wordOf(settings.newMethod)).member("newImprove", wordOf(settings.newImprove));
     json.member("snapToDrawing", settings.snapping.toDrawing).member("snapToGrid", settings.snapping.toGrid);
@@ -238,9 +278,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
             json.member(name, *number);
         }
     }
-    map("keys", settings.keys);
-    map("layers", settings.layers);
-    map("folded", settings.folded);
+    writeMap(json, "keys", settings.keys);
     json.key("views").beginObject();
     for (const auto &[name, view] : settings.views) {
         json.key(name).values(std::array{view.centre.x, view.centre.y, view.zoom});

@@ -6,7 +6,9 @@
 #include "ui/platform/platform.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/workspace/view/snapping.hpp"
+#include "ui/workspace/view/workspaces.hpp"
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -35,8 +37,7 @@ struct LessonProgress {
 struct Settings {
     ThemeKind theme = ThemeKind::Dark;
     double scale = 1.0;                ///< interface scale set by the user, 0.75 to 3; multiplies the monitor's scale
-    double panelWidth = 304.0;         ///< width of the right column, design pixels
-    double tabsHeight = 220.0;         ///< height of the tabs at its bottom, design pixels
+    std::optional<double> panelWidth;  ///< width of the right column, design pixels; not set: by the window's
     bool hints = true;                 ///< show the hint strip
     bool rulers = false;               ///< show rulers along the canvas
     bool reduceMotion = false;         ///< changes are shown at once
@@ -45,12 +46,10 @@ struct Settings {
     std::optional<WindowPlace> window; ///< position when the program last ended
     std::vector<std::string> recentFiles;
     std::map<std::string, SavedView> views; ///< last view of each recent file
-    std::map<std::string, bool> layers;     ///< visibility by id, of those that differ from the default
-    std::map<std::string, bool> folded;     ///< panels that the user folded or unfolded, by id
     bool panels = true;                     ///< show the right column
-    std::string tab;                        ///< id of the panel shown in the tabs; empty: the first
-    std::set<std::string> hiddenTabs;       ///< ids of panels without a tab
-    std::vector<std::string> tabOrder;      ///< ids of panels; others follow them
+    WorkspaceKind workspace = WorkspaceKind::Draw;
+    std::array<WorkspaceChanges, kWorkspaceKinds.size()> workspaces; ///< by kind
+    std::set<std::string> pinned;                                    ///< ids of panels shown in all workspaces
     Snapping snapping;
     Method newMethod = Method::Fast; ///< of new documents, like the next
     ImproveLevel newImprove = ImproveLevel::Default;
@@ -63,8 +62,8 @@ struct Settings {
     friend bool operator==(const Settings &, const Settings &) = default;
 };
 
-/// Range of Settings::tabsHeight.
-inline constexpr double kMinTabs = 90.0, kMaxTabs = 900.0;
+/// Range of Settings::panelWidth.
+inline constexpr double kMinPanelWidth = 240.0, kMaxPanelWidth = 640.0;
 /// Range of Settings::liveBudget.
 inline constexpr double kMinLiveBudget = 1e3, kMaxLiveBudget = 1e6;
 /// Range of Snapping::reach.

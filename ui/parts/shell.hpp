@@ -40,6 +40,16 @@ struct ToolBox {
     std::uint64_t loads_ = 0; ///< see DocumentStore::loads()
 };
 
+/// What is open over the canvas for now.
+struct Plates {
+    bool start = false;   ///< the page with ways to begin, while the canvas is empty
+    bool layers = false;  ///< the switches of the layers
+    bool log = false;     ///< the drawer of the log
+    bool history = false; ///< the list of the history
+    bool options = false; ///< options of the tool that do not fit into their bar
+    bool column = false;  ///< the column, in a window too narrow to dock it
+};
+
 /// The workspace and the parts of the window around it. Handed to tools, panels, dialogs and actions; owned by Editor.
 struct Shell : Workspace {
     Settings settings;
@@ -53,8 +63,12 @@ struct Shell : Workspace {
     /// Id of the layer that coloured the canvas before showMeshColours(), or empty for none; absent: it is not in
     /// force.
     std::optional<std::string> coloursBefore;
-    bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
-    ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
+    std::vector<std::string> called; ///< ids of panels that something has asked for, see showPanel()
+    std::string revealedPanel;       ///< id of the panel to scroll to; empty: none
+    Plates plates;
+    std::uint64_t logSeen = 0; ///< number of the last entry of the log that was seen in its drawer
+    bool contextMenu = false;  ///< a tool asks for the menu of the selection at the pointer
+    ContextMenu menu;          ///< see contextMenu; panels and tools can open other ones
     Naming naming;
     SideBySide sides{background}; ///< runs with other grids or the other method
     bool quit = false;            ///< end the program after this frame

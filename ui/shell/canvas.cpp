@@ -346,7 +346,8 @@ void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const La
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
     painter.keepInside(context.view.camera.viewport);
     for (const auto &[name, widget] : context.widgets.all()) {
-        const bool plate = name == "options" || name == "hints" || name == "canvas/plate" || name == "canvas/news" ||
+        const bool plate = name == "canvas/tools" || name.starts_with("plate/") || name == "hints" ||
+                           name == "canvas/plate" || name == "canvas/news" || name == "run" ||
                            name.starts_with("canvas/legend/");
         if (plate) {
             painter.reserve(widget.rect);

@@ -100,34 +100,31 @@ float roomOfPlates(const WidgetContext &context, const PixelRect &canvas) {
     return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
 }
 
-/// Returns the top of the plate at the right: beside the tool options if it fits there, else below them. Uses the
-/// rectangles of the last frame.
-double topOfNotes(const WidgetContext &context, const PixelRect &canvas) {
-    const double gap = 12.0 * static_cast<double>(context.scale);
-    const WidgetRegistry::Widget *const options = context.widgets.find("options");
+/// Returns the upper right corner of the plate: left of the buttons in the corner of the canvas if it fits there, else
+/// below them. Uses the rectangles of the last frame.
+Pixel cornerOfNotes(const WidgetContext &context, const PixelRect &canvas) {
+    const double gap = 12.0 * static_cast<double>(context.scale), right = canvas.x + canvas.width - gap;
+    const WidgetRegistry::Widget *const buttons = context.widgets.find("canvas/tools");
     const WidgetRegistry::Widget *const plate = context.widgets.find("canvas/plate");
     const double width = plate != nullptr ? plate->rect.width : 0.4 * canvas.width;
-    const bool beside =
-        options == nullptr || options->rect.x + options->rect.width + 2.0 * gap + width <= canvas.x + canvas.width;
-    return beside ? canvas.y + gap : options->rect.y + options->rect.height + 0.5 * gap;
-}
-
-bool working(const SessionSnapshot &run) {
-    return run.state == RunState::Preparing || run.state == RunState::Improving ||
-           (run.state == RunState::Running && run.progress > 0.0 && !run.playing);
+    if (buttons == nullptr) {
+        return {right, canvas.y + gap};
+    }
+    const bool beside = buttons->rect.x - 1.5 * gap - width >= canvas.x;
+    return beside ? Pixel{buttons->rect.x - 0.5 * gap, canvas.y + gap}
+                  : Pixel{right, buttons->rect.y + buttons->rect.height + 0.5 * gap};
 }
 
 void drawOutOfDate(Shell &context, const PixelRect &canvas) {
-    if (working(context.run.now()) || context.run.cancelling() || context.task.busy()) {
-        return; // the progress plate is there
+    if (isMeshing(context) || context.run.cancelling() || context.task.busy()) {
+        return; // the progress is shown
     }
     const RunState state = context.run.now().state;
     if (!context.run.outOfDate() || state == RunState::Empty || state == RunState::Failed) {
         return; // there is no mesh
     }
-    const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
-                      0.0F);
+    const Pixel corner = cornerOfNotes(context, canvas);
+    const Plate plate(context, "##outofdate", corner.x, corner.y, 1.0F, 0.0F);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
     const bool preview = context.run.preview() && context.run.shownRevision() == context.run.meshRevision();
@@ -154,34 +151,62 @@ void drawBar(WidgetContext &context, double progress) {
     ui::muted(context, ui::format("%2.0f %%", 100.0 * std::clamp(progress, 0.0, 1.0)));
 }
 
-void drawProgress(Shell &context, const PixelRect &canvas) {
-    const SessionSnapshot &run = context.run.now();
-    const bool reading = context.task.busy(), cancelling = !reading && context.run.cancelling();
-    if (!reading && !working(run) && !cancelling) {
+/// Draws the progress of reading a file.
+void drawTask(Shell &context, const PixelRect &canvas) {
+    if (!context.task.busy()) {
         return;
     }
-    const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##progress", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
-                      0.0F);
+    const Pixel corner = cornerOfNotes(context, canvas);
+    const Plate plate(context, "##task", corner.x, corner.y, 1.0F, 0.0F);
     {
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("stage");
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(reading             ? context.task.name().c_str()
-                               : cancelling        ? "cancelling\xe2\x80\xa6"
+        ImGui::TextUnformatted(context.task.name().c_str());
+        ui::mark(context, "canvas/task");
+        flow.item("bar");
+        drawBar(context, context.task.fraction());
+        flow.item("cancel");
+        if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
+            context.actions.run("run.cancel", context);
+        }
+    }
+    ui::markWindow(context, "canvas/plate");
+}
+
+/// Draws the bar of a run in the workspace Mesh; in others, the status bar has its progress.
+void drawRunBar(Shell &context, const PixelRect &canvas) {
+    const bool cancelling = context.run.cancelling();
+    if (context.settings.workspace != WorkspaceKind::Mesh || context.task.busy() ||
+        (!isMeshing(context) && !cancelling)) {
+        return;
+    }
+    const SessionSnapshot &run = context.run.now();
+    const double below = bandsOf(context, canvas).bottom * static_cast<double>(context.scale);
+    const Plate plate(context, "##run", canvas.centre().x, canvas.y + canvas.height - below, 0.5F, 1.0F);
+    {
+        ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
+        flow.item("stage");
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(cancelling          ? "cancelling\xe2\x80\xa6"
                                : run.stage.empty() ? "working"
                                                    : run.stage.c_str());
-        ui::mark(context, reading ? "canvas/task" : cancelling ? "canvas/cancelling" : "canvas/progress");
+        ui::mark(context, cancelling ? "run/cancelling" : "run/progress");
         if (!cancelling) {
             flow.item("bar");
-            drawBar(context, reading ? context.task.fraction() : run.progress);
+            drawBar(context, run.progress);
+            if (run.quality.elements > 0) {
+                flow.item("elements");
+                ImGui::AlignTextToFramePadding();
+                ui::muted(context, ui::count(run.quality.elements) + " triangles");
+            }
             flow.item("cancel");
-            if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
+            if (ui::button(context, "run/cancel", "Cancel  Esc")) {
                 context.actions.run("run.cancel", context);
             }
         }
     }
-    ui::markWindow(context, "canvas/plate");
+    ui::markWindow(context, "run");
 }
 
 /// Formats "FILE, line N: MESSAGE", without the parts that are unknown.
@@ -285,10 +310,17 @@ void drawNews(Shell &context, const PixelRect &canvas) {
 
 } // namespace
 
+bool isMeshing(const Workspace &context) {
+    const SessionSnapshot &run = context.run.now();
+    return run.state == RunState::Preparing || run.state == RunState::Improving ||
+           (run.state == RunState::Running && run.progress > 0.0 && !run.playing);
+}
+
 void drawCanvasNotes(Shell &context, const PixelRect &canvas) {
     drawHints(context, canvas);
     drawOutOfDate(context, canvas);
-    drawProgress(context, canvas);
+    drawTask(context, canvas);
+    drawRunBar(context, canvas);
     drawNews(context, canvas);
 }
 

@@ -1,4 +1,6 @@
+#include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/section_heights.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -6,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,8 @@ namespace forefront::shell {
 
 namespace {
 
-/// Draws an edge that can be dragged. Returns the distance dragged in this frame, in pixels along its normal.
-float splitter(WidgetContext &context, const char *name, const PixelRect &rect, bool vertical) {
+/// Draws an upright edge that can be dragged. Returns the distance dragged in this frame, in pixels.
+float splitter(WidgetContext &context, const char *name, const PixelRect &rect) {
     // Dear ImGui clips at half of the padding, which would hide the edge.
     const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};
     ImGui::PushClipRect(corner, {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)},
@@ -26,71 +27,112 @@ float splitter(WidgetContext &context, const char *name, const PixelRect &rect, 
     ui::mark(context, name);
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (lit) {
-        ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-        const ImVec2 middle{(min.x + max.x) / 2, (min.y + max.y) / 2};
-        const float half = context.px(1);
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            vertical ? ImVec2(middle.x - half, min.y) : ImVec2(min.x, middle.y - half),
-            vertical ? ImVec2(middle.x + half, max.y) : ImVec2(max.x, middle.y + half),
-            fade(context.theme.accent, 0.8));
+        const float middle = (min.x + max.x) / 2, half = context.px(1);
+        ImGui::GetWindowDrawList()->AddRectFilled({middle - half, min.y}, {middle + half, max.y},
+                                                  fade(context.theme.accent, 0.8));
     }
     ImGui::PopClipRect();
-    if (!ImGui::IsItemActive()) {
-        return 0.0F;
-    }
-    return vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+    return ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta.x : 0.0F;
 }
 
-/// Returns true if the user folded a panel, or if it leaves its room to others in a low window; lessons point at it.
-bool isFolded(const Shell &context, const Panel &panel) {
-    constexpr double kLowWindow = 900.0; // design pixels
-    const double height = context.platform.framebufferSize().height / static_cast<double>(context.scale);
-    const auto chosen = context.settings.folded.find(panel.id());
-    if (chosen != context.settings.folded.end()) {
-        return chosen->second;
-    }
-    return panel.foldsInLowWindow() && height < kLowWindow && !context.lessons.visible;
-}
+constexpr double kSectionHeading = 28.0, kSectionGap = 10.0, kLowestSection = 84.0, kColumnPad = 12.0; // design pixels
 
-/// Draws the heading of a panel, which folds it. Returns true if the panel is unfolded.
-bool panelHeading(Shell &context, const Panel &panel) {
+/// Draws the heading of a section, which folds it.
+void sectionHeading(Shell &context, const Panel &panel, bool open) {
     const std::string name = std::string("panel/") + panel.id();
-    const bool folded = isFolded(context, panel);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = context.px(22);
+    const float width = ImGui::GetContentRegionAvail().x, height = context.px(kSectionHeading);
     if (ImGui::InvisibleButton(name.c_str(), {width, height})) {
-        context.settings.folded[panel.id()] = !folded;
+        setFolded(context, panel.id(), open);
     }
     const bool hovered = ImGui::IsItemHovered();
     ui::mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float pad = context.px(kColumnPad);
+    list.AddLine({at.x - pad, at.y}, {at.x + width + pad, at.y}, context.theme.line);
     ImGui::PushFont(context.fonts.heading);
     const float y = at.y + (height - ImGui::GetFontSize()) / 2;
-    const Colour colour = hovered ? context.theme.text : context.theme.muted;
-    list.AddText({at.x - context.px(2), y}, colour, folded ? icon::kRight : icon::kDown);
+    list.AddText({at.x - context.px(2), y}, hovered ? context.theme.text : context.theme.muted, open ? icon::kDown : icon::kRight);
     list.AddText({at.x + context.px(18), y}, context.theme.text, panel.title());
+    if (context.settings.pinned.contains(panel.id())) {
+        const float mark = ImGui::CalcTextSize(icon::kPin).x;
+        list.AddText({at.x + width - mark, y}, context.theme.muted, icon::kPin);
+    }
     ImGui::PopFont();
-    return !folded;
 }
 
-/// Opens the menu of a panel for a right click between `top` and `bottom`, unless a row of it has opened its own.
-void panelMenu(Shell &context, Panel &panel, float top, float bottom) {
+/// Returns switches that add the panels of the column to this workspace or remove them.
+ContextGroup panelSwitches(const Shell &context) {
+    ContextGroup group{headingOf(std::string("Panels in ") + presetOf(context.settings.workspace).name)};
+    for (const auto &panel : context.panels) {
+        if (panel->place() == PanelPlace::Column) {
+            const std::string id = panel->id();
+            const bool on = belongsHere(context, id);
+            group.push_back(
+                switchOf("panel/show/" + id, panel->title(), on, [id, on](Shell &c) { setShown(c, id, !on); }));
+        }
+    }
+    return group;
+}
+
+/// Returns the commands on the section of a panel itself.
+ContextGroup sectionCommands(const Shell &context, const std::vector<Panel *> &panels, std::size_t index, bool open) {
+    const std::string id = panels[index]->id();
+    const bool pinned = context.settings.pinned.contains(id);
+    const auto swap = [](std::string from, std::string before) {
+        return [from = std::move(from), before = std::move(before)](Shell &c) { movePanel(c, from, before); };
+    };
+    ContextGroup group;
+    group.push_back(
+        commandOf("panel/fold", open ? "Fold" : "Unfold", [id, open](Shell &c) { setFolded(c, id, open); }));
+    group.push_back(switchOf("panel/pin", "Show in all workspaces", pinned, [id, pinned](Shell &c) {
+        pinned ? static_cast<void>(c.settings.pinned.erase(id)) : static_cast<void>(c.settings.pinned.insert(id));
+        c.animate();
+    }));
+    if (index > 0) {
+        group.push_back(commandOf("panel/up", "Move up", swap(id, panels[index - 1]->id())));
+    }
+    if (index + 1 < panels.size()) {
+        group.push_back(commandOf("panel/down", "Move down", swap(panels[index + 1]->id(), id)));
+    }
+    group.push_back(commandOf("panel/hide", "Hide", [id](Shell &c) { setShown(c, id, false); }));
+    return group;
+}
+
+ContextGroup columnCommands() {
+    return {commandOf("panel/reset", "Reset panels of this workspace",
+                      [](Shell &c) {
+                          changesOf(c).panels.clear();
+                          changesOf(c).folded.clear();
+                          changesOf(c).order.clear();
+                          c.called.clear();
+                          c.animate();
+                      }),
+            actionOf("view.panels")};
+}
+
+/// Returns true if the right button was clicked between `top` and `bottom`, and no row there has opened a menu.
+bool asksForMenu(const Shell &context, float top, float bottom) {
     const float y = ImGui::GetMousePos().y;
-    const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Right) && y >= top && y < bottom &&
-                         ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
-    if (!clicked || context.menu.opens || context.widgets.fields.clicked) {
-        return;
+    return ImGui::IsMouseClicked(ImGuiMouseButton_Right) && y >= top && y < bottom &&
+           ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && !context.menu.opens &&
+           !context.widgets.fields.clicked;
+}
+
+/// Opens the menu of a section: on its heading that of the column too, else the commands of its panel first.
+void openSectionMenu(Shell &context, const std::vector<Panel *> &panels, std::size_t index, bool open, bool onHeading) {
+    std::vector<ContextGroup> groups = panels[index]->menu(context);
+    ContextGroup own = sectionCommands(context, panels, index, open);
+    if (onHeading) {
+        groups.insert(groups.begin(), std::move(own));
+        groups.push_back(panelSwitches(context));
+        groups.push_back(columnCommands());
+    } else {
+        own.push_back(actionOf("view.panels"));
+        groups.push_back(std::move(own));
     }
-    std::vector<ContextGroup> groups = panel.menu(context);
-    ContextGroup own;
-    if (panel.place() == PanelPlace::Stacked) {
-        const bool folded = isFolded(context, panel);
-        own.push_back(commandOf("fold", folded ? "Unfold" : "Fold",
-                                [id = std::string(panel.id()), folded](Shell &c) { c.settings.folded[id] = !folded; }));
-    }
-    own.push_back(actionOf("view.panels"));
-    groups.push_back(std::move(own));
     context.menu.open(std::move(groups));
 }
 
@@ -118,233 +160,83 @@ int keyOf(const Selection &selection) {
     return static_cast<int>(key % 1'000'000'007U);
 }
 
-/// Scrolls to the inspector, which is drawn next, when something else is selected and there is room for little else.
-void showSelection(const Shell &context, float height) {
-    constexpr double kLowStack = 300.0; // design pixels
+/// Shows the inspector when something else is selected.
+void followSelection(Shell &context) {
     int &seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("selection"), 0);
     const int now = keyOf(context.selection);
-    if (now != seen && !context.selection.empty() && height < context.px(kLowStack)) {
-        ImGui::SetScrollFromPosY(ImGui::GetCursorScreenPos().y - ImGui::GetWindowPos().y, 0.0F);
+    if (now != seen && !context.selection.empty() && belongsHere(context, "inspector") &&
+        !isFolded(context, "inspector")) {
+        context.revealedPanel = "inspector";
     }
     seen = now;
 }
 
-void drawStacked(Shell &context, float height) {
-    ImGui::BeginChild("stacked", {0, height}, false, ImGuiWindowFlags_NoNav);
-    bool first = true;
-    for (const auto &panel : context.panels) {
-        if (panel->place() != PanelPlace::Stacked) {
-            continue;
+/// Draws the content of a panel in `height` pixels and returns its whole height.
+float drawContent(Shell &context, Panel &panel, float height, float known) {
+    const bool whole = known <= height + 1.0F;
+    ImGui::BeginChild(panel.id(), {0, height}, false,
+                      ImGuiWindowFlags_NoNav |
+                          (whole ? ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar : 0));
+    panel.draw(context);
+    const float used = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+    return used;
+}
+
+/// Returns the sections of the panels; the heights of their contents are those of the last frame.
+std::vector<Section> sectionsOf(const Shell &context, const std::vector<Panel *> &panels) {
+    ImGuiStorage &storage = *ImGui::GetStateStorage();
+    std::vector<Section> sections;
+    for (const Panel *panel : panels) {
+        const auto &folded = changesOf(context).folded;
+        const bool called =
+            std::find(context.called.begin(), context.called.end(), panel->id()) != context.called.end();
+        sections.push_back({.open = !isFolded(context, panel->id()),
+                            .keepsOpen = called || folded.contains(panel->id()) || context.revealedPanel == panel->id(),
+                            .first = called,
+                            .content = storage.GetFloat(ImGui::GetID(panel->id()))});
+    }
+    return sections;
+}
+
+void drawSections(Shell &context) {
+    followSelection(context);
+    const std::vector<Panel *> panels = columnPanels(context);
+    std::vector<Section> sections = sectionsOf(context, panels);
+    const SectionMeasures measures{context.px(kSectionHeading), context.px(kSectionGap), context.px(kLowestSection)};
+    const std::vector<float> heights = sectionHeights(sections, measures, ImGui::GetContentRegionAvail().y);
+    float y = 0.0F;
+    for (std::size_t k = 0; k < panels.size(); ++k) {
+        ImGui::SetCursorPosY(y);
+        const float top = ImGui::GetCursorScreenPos().y, below = top + measures.heading;
+        if (context.revealedPanel == panels[k]->id()) {
+            ImGui::SetScrollFromPosY(top - ImGui::GetWindowPos().y, 0.0F);
+            context.revealedPanel.clear();
+            context.animate();
         }
-        ImGui::PushID(panel->id());
-        if (!first) {
-            ImGui::Dummy({0, context.px(2)});
-            const ImVec2 at = ImGui::GetCursorScreenPos();
-            ImGui::GetWindowDrawList()->AddLine({at.x - context.px(12), at.y},
-                                                {at.x + ImGui::GetContentRegionAvail().x + context.px(12), at.y},
-                                                context.theme.line);
-            ImGui::Dummy({0, context.px(1)});
-        }
-        first = false;
-        if (std::string_view(panel->id()) == "inspector") {
-            showSelection(context, height);
-        }
-        const float top = ImGui::GetCursorScreenPos().y;
-        if (panelHeading(context, *panel)) {
-            if (panel->height() > 0.0) {
-                ImGui::BeginChild("content", {0, context.px(panel->height())}, false, ImGuiWindowFlags_NoNav);
-                panel->draw(context);
-                ImGui::EndChild();
-            } else {
-                panel->draw(context);
-            }
-        }
-        panelMenu(context, *panel, top, ImGui::GetCursorScreenPos().y);
+        ImGui::PushID(panels[k]->id());
+        sectionHeading(context, *panels[k], sections[k].open);
         ImGui::PopID();
-    }
-    ImGui::EndChild();
-}
-
-/// Returns the panels with tabs, hidden or not, in the order that the user gave them.
-std::vector<Panel *> orderedTabs(const Shell &context) {
-    std::vector<Panel *> tabs;
-    for (const auto &panel : context.panels) {
-        if (panel->place() == PanelPlace::Tabbed) {
-            tabs.push_back(panel.get());
-        }
-    }
-    const std::vector<std::string> &order = context.settings.tabOrder;
-    std::stable_sort(tabs.begin(), tabs.end(), [&order](const Panel *a, const Panel *b) {
-        return std::find(order.begin(), order.end(), a->id()) < std::find(order.begin(), order.end(), b->id());
-    });
-    return tabs;
-}
-
-/// Returns the panels whose tabs are shown. A hidden one is shown while something has chosen it, such as a lesson.
-std::vector<Panel *> tabsOf(const Shell &context) {
-    std::vector<Panel *> tabs = orderedTabs(context);
-    std::erase_if(tabs, [&context](const Panel *tab) {
-        return context.settings.hiddenTabs.contains(tab->id()) && tab->id() != context.settings.tab;
-    });
-    return tabs.empty() ? orderedTabs(context) : tabs;
-}
-
-/// Returns the index of the panel shown in the tabs.
-std::size_t chosenTab(const Shell &context, const std::vector<Panel *> &tabs) {
-    const auto last =
-        std::find_if(tabs.begin(), tabs.end(), [&](const Panel *tab) { return tab->id() == context.settings.tab; });
-    return last == tabs.end() ? 0 : static_cast<std::size_t>(last - tabs.begin());
-}
-
-/// Moves a tab in front of another one.
-void moveTab(Shell &context, const std::string &from, const std::string &before) {
-    std::vector<std::string> order;
-    for (const Panel *tab : orderedTabs(context)) {
-        if (tab->id() == before) {
-            order.push_back(from);
-        }
-        if (tab->id() != from) {
-            order.emplace_back(tab->id());
-        }
-    }
-    context.settings.tabOrder = std::move(order);
-}
-
-/// Opens the menu of the tab at an index: it hides or moves the tab, and shows or hides others.
-void openTabMenu(Shell &context, const std::vector<Panel *> &tabs, std::size_t index) {
-    const std::string id = tabs[index]->id();
-    const auto swap = [](std::string from, std::string before) {
-        return [from = std::move(from), before = std::move(before)](Shell &c) { moveTab(c, from, before); };
-    };
-    ContextGroup own, shown{headingOf("Tabs")};
-    if (index > 0) {
-        own.push_back(commandOf("tab/left", "Move left", swap(id, tabs[index - 1]->id())));
-    }
-    if (index + 1 < tabs.size()) {
-        own.push_back(commandOf("tab/right", "Move right", swap(tabs[index + 1]->id(), id)));
-    }
-    for (const Panel *tab : orderedTabs(context)) {
-        const std::string other = tab->id();
-        const bool on = !context.settings.hiddenTabs.contains(other);
-        if (on && tabs.size() == 1) {
-            continue; // the last one stays
-        }
-        shown.push_back(switchOf("tab/show/" + other, tab->title(), on, [other, on](Shell &c) {
-            on ? static_cast<void>(c.settings.hiddenTabs.insert(other))
-               : static_cast<void>(c.settings.hiddenTabs.erase(other));
-            c.settings.tab = on && c.settings.tab == other ? std::string() : c.settings.tab;
-        }));
-    }
-    ContextGroup reset{commandOf("tab/reset", "Show all tabs",
-                                 [](Shell &c) {
-                                     c.settings.hiddenTabs.clear();
-                                     c.settings.tabOrder.clear();
-                                 }),
-                       actionOf("view.panels")};
-    context.menu.open({std::move(own), std::move(shown), std::move(reset)});
-}
-
-/// Divides tabs of these widths into as few rows as fit into `room`, of about equal width. Returns the first tab of
-/// each row, and the number of tabs.
-std::vector<std::size_t> rowsOf(const std::vector<float> &widths, float room) {
-    const auto divide = [&widths](float limit) {
-        std::vector<std::size_t> firsts{0};
-        float used = 0.0F;
-        for (std::size_t i = 0; i < widths.size(); ++i) {
-            if (used > 0.0F && used + widths[i] > limit) {
-                firsts.push_back(i);
-                used = 0.0F;
+        y += measures.heading;
+        if (sections[k].open) {
+            ImGui::SetCursorPosY(y);
+            const float used = drawContent(context, *panels[k], heights[k], sections[k].content);
+            if (std::abs(used - sections[k].content) > 0.5F) {
+                ImGui::GetStateStorage()->SetFloat(ImGui::GetID(panels[k]->id()), used);
+                context.animate();
             }
-            used += widths[i];
+            y += heights[k] + measures.gap;
         }
-        firsts.push_back(widths.size());
-        return firsts;
-    };
-    const std::size_t fewest = divide(room).size();
-    float low = 0.0F, high = room; // bisect for the narrowest rows; else the last one may hold a single tab
-    for (int k = 0; k < 12; ++k) {
-        const float middle = (low + high) / 2.0F;
-        (divide(middle).size() <= fewest ? high : low) = middle;
-    }
-    return divide(high);
-}
-
-/// Draws a tab. Returns true if it was clicked.
-bool drawTab(Shell &context, const Panel &tab, const PixelRect &rect, bool chosen) {
-    const std::string name = std::string("panel/") + tab.id();
-    const ImVec2 min{static_cast<float>(rect.x), static_cast<float>(rect.y)};
-    const ImVec2 max{min.x + static_cast<float>(rect.width), min.y + static_cast<float>(rect.height)};
-    ImGui::SetCursorScreenPos(min);
-    const bool clicked =
-        ImGui::InvisibleButton(name.c_str(), {static_cast<float>(rect.width), static_cast<float>(rect.height)});
-    const bool hovered = ImGui::IsItemHovered();
-    ui::mark(context, name);
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    const Theme &theme = context.theme;
-    list.AddRectFilled(min, max,
-                       chosen    ? theme.pressed
-                       : hovered ? theme.hovered
-                                 : theme.raised,
-                       context.px(3), ImDrawFlags_RoundCornersTop);
-    if (chosen) {
-        list.AddRectFilled({min.x, max.y - context.px(2)}, max, theme.accent);
-    }
-    const ImVec2 size = ImGui::CalcTextSize(tab.title());
-    list.AddText({std::round((min.x + max.x - size.x) / 2), std::round((min.y + max.y - size.y) / 2)},
-                 chosen || hovered ? theme.text : theme.muted, tab.title());
-    return clicked;
-}
-
-/// Draws the tabs in rows that are filled, and returns the index of the chosen one.
-std::size_t drawTabRows(Shell &context, const std::vector<Panel *> &tabs) {
-    std::size_t chosen = chosenTab(context, tabs);
-    ImGui::PushFont(context.fonts.small);
-    constexpr double kLowTabs = 200.0; // design pixels; the rows of headings leave room to the tab
-    const bool low = ImGui::GetContentRegionAvail().y < context.px(kLowTabs);
-    const float height = context.px(low ? 15 : 22), gap = context.px(1);
-    std::vector<float> widths;
-    widths.reserve(tabs.size());
-    for (const Panel *tab : tabs) {
-        widths.push_back(ImGui::CalcTextSize(tab->title()).x + context.px(3) + gap);
-    }
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x + gap;
-    const std::vector<std::size_t> rows = rowsOf(widths, room);
-    float y = at.y;
-    for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
-        const auto first = widths.begin() + static_cast<std::ptrdiff_t>(rows[row]);
-        const auto last = widths.begin() + static_cast<std::ptrdiff_t>(rows[row + 1]);
-        const float wider = (room - std::accumulate(first, last, 0.0F)) / static_cast<float>(last - first);
-        float x = at.x;
-        for (std::size_t i = rows[row]; i < rows[row + 1]; ++i) {
-            const float width = std::max(widths[i] + wider - gap, 1.0F);
-            if (drawTab(context, *tabs[i], {x, y, width, height}, chosen == i)) {
-                chosen = i;
-                context.settings.tab = tabs[i]->id();
-            }
-            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-                openTabMenu(context, tabs, i);
-            }
-            x += width + gap;
+        const float bottom = top + (sections[k].open ? measures.heading + heights[k] + measures.gap : measures.heading);
+        if (asksForMenu(context, top, bottom)) {
+            openSectionMenu(context, panels, k, sections[k].open, ImGui::GetMousePos().y < below);
         }
-        y += height + gap;
     }
-    ImGui::PopFont();
-    ImGui::SetCursorScreenPos({at.x, y + gap});
-    return chosen;
-}
-
-void drawTabs(Shell &context) {
-    const std::vector<Panel *> tabs = tabsOf(context);
-    if (tabs.empty()) {
-        return;
+    ImGui::SetCursorPosY(y);
+    ImGui::Dummy({0, 0});
+    if (asksForMenu(context, ImGui::GetItemRectMin().y, 1e9F)) {
+        context.menu.open({panelSwitches(context), columnCommands()});
     }
-    const std::size_t chosen = drawTabRows(context, tabs);
-    ImGui::BeginChild("tabcontent", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    tabs[chosen]->draw(context);
-    const float top = ImGui::GetWindowPos().y;
-    panelMenu(context, *tabs[chosen], top, top + ImGui::GetWindowHeight());
-    ImGui::EndChild();
 }
 
 } // namespace
@@ -353,35 +245,20 @@ void drawColumn(Shell &context, const PixelRect &rect) {
     if (rect.width < 1.0 || rect.height < 1.0) {
         return; // hidden, or the window is too low for anything between the bars
     }
-    beginRegion("##column", rect, context.theme.panel, context.px(12), context.px(6));
+    beginRegion("##column", rect, context.theme.panel, context.px(kColumnPad), 0);
     const float edge = static_cast<float>(rect.x);
+    ImGui::BeginChild("sections", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    drawSections(context);
+    ImGui::EndChild();
+    ui::markWindow(context, "column");
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
                                         {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     const double scale = static_cast<double>(context.scale);
-    // In a low window the panels above the tabs keep nearly half of the column. The height is the same for all tabs, so
-    // that they stay under the pointer that chooses one.
-    const double limit =
-        std::min(rect.height - 80.0 * scale, std::max(0.56 * rect.height, rect.height - 240.0 * scale));
-    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, limit));
-    const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
-    drawStacked(context, stacked);
-    const double splitY = rect.y + rect.height - tabs - 5.0 * scale;
-    const float line = static_cast<float>(splitY + 3.0 * scale);
-    ImGui::GetWindowDrawList()->AddLine({edge, line}, {edge + static_cast<float>(rect.width), line},
-                                        context.theme.line);
-    const float dragged =
-        splitter(context, "splitter/tabs", {rect.x + 6 * scale, splitY, rect.width - 6 * scale, 6.0 * scale}, false);
-    if (dragged != 0.0F) {
-        context.settings.tabsHeight =
-            std::clamp(tabs / scale - static_cast<double>(dragged) / scale, kMinTabs, kMaxTabs);
+    const float wider = splitter(context, "splitter/column", {rect.x, rect.y, 6.0 * scale, rect.height});
+    if (wider != 0.0F) {
+        context.settings.panelWidth =
+            std::clamp((rect.width - static_cast<double>(wider)) / scale, kMinPanelWidth, kMaxPanelWidth);
     }
-    ImGui::SetCursorScreenPos({edge + context.px(12), line + context.px(3)});
-    ImGui::BeginChild("tabs", {static_cast<float>(rect.width) - context.px(24), 0}, false, ImGuiWindowFlags_NoNav);
-    drawTabs(context);
-    ImGui::EndChild();
-    const float wider = splitter(context, "splitter/column", {rect.x, rect.y, 6.0 * scale, rect.height}, true);
-    context.settings.panelWidth =
-        std::clamp(context.settings.panelWidth - static_cast<double>(wider) / scale, 240.0, 640.0);
     ImGui::End();
 }
 

@@ -11,13 +11,28 @@ namespace forefront::shell {
 
 namespace {
 
-constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
+constexpr double kMenuHeight = 40, kOptionsHeight = 36, kTimelineHeight = 78, kStatusHeight = 26;
 constexpr double kLessonWidth = 330;
+constexpr double kNarrow = 760; ///< width of a window that has no room for the column beside the canvas
 constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
 constexpr double kRuler = 20;
 constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
 
+/// Returns the width of the column for a window of this width; design pixels.
+double columnWidth(const Settings &settings, double window) {
+    constexpr double kShare = 0.211, kLeast = 304.0, kMost = 360.0;
+    return settings.panelWidth.value_or(std::round(std::clamp(kShare * window, kLeast, kMost)));
+}
+
 } // namespace
+
+bool columnFloats(const Shell &context) {
+    return context.platform.framebufferSize().width < static_cast<double>(context.px(kNarrow));
+}
+
+bool columnShown(const Shell &context) {
+    return columnFloats(context) ? context.plates.column : context.view.panels;
+}
 
 Layout layOut(const Shell &context) {
     const PixelSize size = context.platform.framebufferSize();
@@ -26,21 +41,27 @@ Layout layOut(const Shell &context) {
     Layout layout;
     layout.menu = {0, 0, width, px(kMenuHeight)};
     const double status = px(kStatusHeight);
-    const double timeline = px(kTimelineHeight + (context.view.runPlot ? kPlotHeight : 0.0));
+    const bool steps = context.settings.workspace == WorkspaceKind::Step;
+    const double timeline = steps ? px(kTimelineHeight + (context.view.runPlot ? kPlotHeight : 0.0)) : 0.0;
     layout.status = {0, height - status, width, status};
     layout.timeline = {0, height - status - timeline, width, timeline};
-    const double top = layout.menu.height, middle = std::max(0.0, layout.timeline.y - top);
+    layout.options = {0, layout.menu.height, width, px(kOptionsHeight)};
+    const double top = layout.menu.height + layout.options.height;
+    const double middle = std::max(0.0, layout.timeline.y - top);
     const double tools = px(stripOf(context, middle).width());
     // In a narrow window the canvas keeps more than half of the remaining width.
     const double widest = std::max(px(kMinColumn), 0.45 * (width - tools));
-    const double column =
-        context.view.panels ? std::min({px(context.settings.panelWidth), widest, std::max(0.0, 0.6 * (width - tools))})
-                            : 0.0;
+    const double wanted = px(columnWidth(context.settings, width / static_cast<double>(context.scale)));
+    const bool floats = columnFloats(context);
+    const double shown = floats ? std::min(wanted, 0.9 * (width - tools))
+                                : std::min({wanted, widest, std::max(0.0, 0.6 * (width - tools))});
+    const double beside = columnShown(context) ? shown : 0.0; // the column covers what is behind it
+    const double column = floats ? 0.0 : beside;
     layout.tools = {0, top, tools, middle};
     const double lessons =
         context.lessons.visible ? std::min(px(kLessonWidth), std::max(0.0, 0.5 * (width - tools - column))) : 0.0;
     layout.lessons = {tools, top, lessons, middle};
-    layout.column = {width - column, top, column, middle};
+    layout.column = {width - beside, top, beside, middle};
     const double room = std::max(1.0, width - tools - lessons - column);
     const auto views = static_cast<double>(context.sides.views());
     const auto compared = static_cast<double>(context.sides.visible ? context.sides.size() : 0);
@@ -50,6 +71,9 @@ Layout layOut(const Shell &context) {
     const double canvasHeight = std::max(1.0, middle - figures);
     const double ruler = context.settings.rulers ? px(kRuler) : 0.0, left = tools + lessons;
     layout.canvas = {left + ruler, top + ruler, std::max(1.0, canvas - ruler), std::max(1.0, canvasHeight - ruler)};
+    const double covered = floats ? beside : 0.0;
+    layout.open = layout.canvas;
+    layout.open.width = std::max(1.0, std::min(layout.canvas.width, width - covered - layout.canvas.x));
     layout.rulerX = {left + ruler, top, layout.canvas.width, ruler};
     layout.rulerY = {left, top + ruler, ruler, layout.canvas.height};
     layout.sides = {tools + lessons + canvas, top, room - canvas, canvasHeight};

@@ -1,3 +1,4 @@
+#include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -38,8 +39,7 @@ ContextGroup measureGroup(const Shell &context) {
 
 ContextGroup limitsGroup(const Shell &context) {
     ContextGroup group{commandOf("limits", "Colour limits\xe2\x80\xa6", [](Shell &c) {
-        c.view.panels = true;
-        c.settings.tab = "histogram";
+        showPanel(c, "histogram");
         c.widgets.fields.request("histogram/from");
     })};
     const View &view = context.view;

@@ -2,6 +2,8 @@
 
 #include "ui/parts/shell.hpp"
 
+#include <string>
+
 namespace forefront::shell {
 
 /// Registers the actions of tools, view, run and help.
@@ -11,10 +13,15 @@ void addLessonActions(ActionRegistry &actions);
 
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
-    PixelRect menu, tools, lessons, canvas, sides, figures, column, timeline, status;
+    PixelRect menu, options, tools, lessons, canvas, sides, figures, column, timeline, status;
+    PixelRect open;           ///< the part of the canvas that the column does not cover
     PixelRect rulerX, rulerY; ///< above the canvas and left of it; empty if hidden
 };
 Layout layOut(const Shell &context);
+/// Returns true if the window is too narrow for the column beside the canvas: it opens over the canvas on demand.
+bool columnFloats(const Shell &context);
+/// Returns true if the column is shown, beside the canvas or over it.
+bool columnShown(const Shell &context);
 
 /// The arrangement of the tool buttons; design pixels.
 struct Strip {
@@ -53,7 +60,11 @@ bool openLegendMenu(Shell &context, Pixel pixel);
 /// Lets the user drag the limit in the legend of the quality.
 void drawLegendLimit(Shell &context);
 void drawToolStrip(Shell &context, const PixelRect &rect);
-void drawToolOptions(Shell &context, const PixelRect &canvas);
+/// Draws the bar with the options of the active tool, and the drawer below its right end for what does not fit.
+void drawOptionsBar(Shell &context, const PixelRect &rect);
+/// Draws the button that shows the layers over the upper right corner of the canvas, and what is open of their
+/// switches, the log at the lower edge and the history below the menu bar.
+void drawPlates(Shell &context, const Layout &layout);
 void drawColumn(Shell &context, const PixelRect &rect);
 /// Draws the lessons, or the page of the open one, and outlines the widgets that it points to.
 void drawLessons(Shell &context, const PixelRect &rect);
@@ -61,10 +72,14 @@ void drawLessons(Shell &context, const PixelRect &rect);
 void drawHighlights(Shell &context);
 /// Draws the runs beside the one on the canvas, and a table of their work below.
 void drawSides(Shell &context, const PixelRect &views, const PixelRect &table);
+/// Returns one line on the state of the run: how to begin, what the current advance does, why a run failed.
+std::string stateText(const Shell &context);
 void drawTimeline(Shell &context, const PixelRect &rect);
 /// Draws the rulers along the canvas, with marks at the coordinates of the pointer, if they are shown.
 void drawRulers(Shell &context, const Layout &layout);
 void drawStatusBar(Shell &context, const PixelRect &rect);
+/// Returns true while a mesh is made at full speed.
+bool isMeshing(const Workspace &context);
 /// Draws the hint strip, the out-of-date badge, the progress and the newest message over the canvas.
 void drawCanvasNotes(Shell &context, const PixelRect &canvas);
 

@@ -1,4 +1,4 @@
-#include "ui/platform/assets.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
 
 namespace forefront::shell {
 
@@ -81,15 +84,14 @@ std::string titleText(const Workspace &context) {
     return title;
 }
 
-/// Draws the title of the document, centred in the bar if menus and icons leave room, and shortened if it does not
-/// fit.
+/// Draws the title of the document in the middle between two places, shortened if it does not fit.
 void drawTitle(Workspace &context, const PixelRect &rect, float from, float to) {
     const std::string title = titleText(context);
     const ImVec2 size = ImGui::CalcTextSize(title.c_str());
     if (to - from < std::min(size.x, context.px(48))) {
         return;
     }
-    const float x = std::clamp((static_cast<float>(rect.width) - size.x) / 2, from, std::max(from, to - size.x));
+    const float x = std::max(from, (from + to - size.x) / 2);
     const float y = (static_cast<float>(rect.height) - size.y) / 2;
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
     ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {x, y}, {to, y + size.y}, to, to, title.c_str(), nullptr,
@@ -98,15 +100,67 @@ void drawTitle(Workspace &context, const PixelRect &rect, float from, float to) 
     ui::markRect(context, "menu/title", {x, y, std::min(size.x, to - x), size.y});
 }
 
+/// Draws the switch between the workspaces, in the middle of the bar if the menus leave room. Returns its right end.
+float drawWorkspaces(Shell &context, const PixelRect &rect, float from, float to) {
+    std::array<const char *, kWorkspaceKinds.size()> names{}, tips{};
+    std::array<std::string, kWorkspaceKinds.size()> texts;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const WorkspacePreset &preset = presetOf(kWorkspaceKinds[k]);
+        const Action *const action = context.actions.find(std::string("workspace.") + preset.word);
+        names[k] = preset.name;
+        texts[k] = preset.about;
+        if (action != nullptr && !action->shortcuts.empty()) {
+            texts[k] += " (" + toString(action->shortcuts.front()) + ")";
+        }
+        tips[k] = texts[k].c_str();
+    }
+    constexpr double kMostSwitch = 380.0, kLeastSwitch = 250.0; // design pixels
+    const bool narrow = to - from < context.px(kLeastSwitch);
+    const float width = narrow ? std::max(1.0F, std::min(to - from, context.px(84)))
+                               : std::clamp((to - from) * 0.6F, context.px(kLeastSwitch), context.px(kMostSwitch));
+    const float x = std::max(from, std::min((static_cast<float>(rect.width) - width) / 2, to - width));
+    ImGui::SetCursorPos({x, (static_cast<float>(rect.height) - ImGui::GetFrameHeight()) / 2});
+    int chosen = static_cast<int>(context.settings.workspace);
+    if (narrow ? ui::combo(context, "workspace", names, chosen, width / context.scale)
+               : ui::segmented(context, "workspace", names, chosen, width / context.scale, tips)) {
+        chooseWorkspace(context, static_cast<WorkspaceKind>(chosen));
+    }
+    ui::markRect(context, "workspace", {static_cast<double>(x), rect.y, static_cast<double>(width), rect.height});
+    return x + width;
+}
+
+constexpr double kExportButton = 84.0; // design pixels
+
+/// Draws the button at the right end of the bar that exports the mesh.
+void drawExport(Shell &context, const PixelRect &rect) {
+    const Action *const action = context.actions.find("file.export");
+    const bool enabled = action != nullptr && (!action->enabled || action->enabled(context));
+    ImGui::SetCursorPosY((static_cast<float>(rect.height) - ImGui::GetFrameHeight()) / 2);
+    if (ui::button(context, "menu/export", "Export", ui::ButtonKind::Primary, enabled,
+                   static_cast<float>(kExportButton))) {
+        context.actions.run("file.export", context);
+    }
+    ui::tooltip(context, "Export the mesh (Ctrl+E)");
+}
+
 void drawRightEnd(Shell &context, const PixelRect &rect) {
     const float width = static_cast<float>(rect.width), menus = ImGui::GetCursorPosX() + context.px(12);
-    const float icon = context.px(26), icons = width - context.px(10) - 4 * icon - 3 * context.px(4);
-    drawTitle(context, rect, menus, icons - context.px(12));
+    const float icon = context.px(26);
+    const float icons = width - context.px(10) - 4 * icon - 3 * context.px(4);
+    float end = icons - context.px(8);
+    if (constexpr double kWideBar = 1100.0; rect.width >= static_cast<double>(context.px(kWideBar))) {
+        end -= context.px(kExportButton);
+        ImGui::SetCursorPosX(end);
+        drawExport(context, rect);
+        end -= context.px(8);
+    }
+    const float used = drawWorkspaces(context, rect, menus, end);
+    drawTitle(context, rect, used + context.px(14), end - context.px(4));
     ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
-    const bool shown = context.view.panels;
-    if (ui::iconButton(context, "menu/panels", icon::kPanels, shown ? "Hide panels (Tab)" : "Show panels (Tab)", !shown,
-                       true, 26.0F)) {
+    const bool shown = columnShown(context);
+    if (ui::iconButton(context, "menu/panels", icon::kPanels, shown ? "Hide panels (Tab)" : "Show panels (Tab)",
+                       !shown, true, 26.0F)) {
         context.actions.run("view.panels", context);
     }
     ImGui::SameLine();

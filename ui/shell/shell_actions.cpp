@@ -2,7 +2,9 @@
 #include "core/engine/mesh/placed_cell.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/scale_dialog.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/shell/command_palette.hpp"
 #include "ui/shell/help_dialogs.hpp"
@@ -10,6 +12,8 @@
 #include "ui/shell/tool_actions.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 
 namespace forefront {
 
@@ -68,11 +72,30 @@ void addInterfaceActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kTab, kNoModifiers}},
                  .run =
                      [](Shell &c) {
-                         c.view.panels = !c.view.panels;
+                         bool &shown = shell::columnFloats(c) ? c.plates.column : c.view.panels;
+                         shown = !shown;
                          c.animate();
                      },
-                 .checked = [](const Shell &c) { return c.view.panels; },
+                 .checked = [](const Shell &c) { return shell::columnShown(c); },
                  .separatorBefore = true});
+    actions.add({.id = "view.layers",
+                 .menu = "View",
+                 .title = "Layers",
+                 .run =
+                     [](Shell &c) {
+                         c.plates.layers = !c.plates.layers;
+                         c.animate();
+                     },
+                 .checked = [](const Shell &c) { return c.plates.layers; }});
+    actions.add({.id = "view.log",
+                 .menu = "View",
+                 .title = "Log",
+                 .run =
+                     [](Shell &c) {
+                         c.plates.log = !c.plates.log;
+                         c.animate();
+                     },
+                 .checked = [](const Shell &c) { return c.plates.log; }});
     actions.add({.id = "view.rulers",
                  .menu = "View",
                  .title = "Rulers",
@@ -104,6 +127,26 @@ void addInterfaceActions(ActionRegistry &actions) {
                  .title = "Show hints",
                  .run = [](Shell &c) { c.settings.hints = !c.settings.hints; },
                  .checked = [](const Shell &c) { return c.settings.hints; }});
+}
+
+/// Adds the commands that choose a workspace, and those that show a panel.
+void addWorkspaceActions(ActionRegistry &actions) {
+    for (std::size_t k = 0; k < kWorkspaceKinds.size(); ++k) {
+        const WorkspaceKind kind = kWorkspaceKinds[k];
+        actions.add({.id = std::string("workspace.") + presetOf(kind).word,
+                     .menu = "View",
+                     .title = std::string("Workspace: ") + presetOf(kind).name,
+                     .shortcuts = {{key::k0 + 1 + static_cast<int>(k), kControl}},
+                     .run = [kind](Shell &c) { chooseWorkspace(c, kind); },
+                     .checked = [kind](const Shell &c) { return c.settings.workspace == kind; },
+                     .separatorBefore = k == 0});
+    }
+    for (const auto &panel : makePanels()) {
+        actions.add({.id = std::string("panel.") + panel->id(),
+                     .menu = "",
+                     .title = std::string("Panel: ") + panel->title(),
+                     .run = [id = std::string(panel->id())](Shell &c) { showPanel(c, id); }});
+    }
 }
 
 bool canMesh(const Workspace &context) {
@@ -148,6 +191,7 @@ void travel(Shell &context, const std::function<void(RunControl &)> &move) {
         context.log.announce("An opened mesh has no run to step through; press 2 to mesh its outline");
         return;
     }
+    chooseWorkspace(context, WorkspaceKind::Step); // which has the timeline
     context.view.isolatedBin.reset();
     move(context.run);
 }
@@ -272,6 +316,7 @@ void shell::addShellActions(ActionRegistry &actions) {
     shell::addToolActions(actions);
     addCameraActions(actions);
     addInterfaceActions(actions);
+    addWorkspaceActions(actions);
     addRunActions(actions);
     addTimelineActions(actions);
     addPlaceActions(actions);

@@ -1,11 +1,15 @@
 #include "core/engine/base/hash.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/checks_summary.hpp"
 #include "ui/workspace/mesh/element_words.hpp"
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,41 +18,73 @@ namespace forefront::shell {
 
 namespace {
 
-/// Lays out the cells of the status bar from left to right, with hairlines between them.
+/// Lays out the cells of the status bar from its left end, with hairlines between them, or from its right end.
 class Cells {
   public:
-    Cells(Shell &context, const PixelRect &rect) : context_(context), rect_(rect), x_(rect.x) {}
+    Cells(Shell &context, const PixelRect &rect)
+        : context_(context), rect_(rect), left_(rect.x), right_(rect.x + rect.width) {}
 
-    /// Adds a cell at least `minWidth` design pixels wide, so that changing digits do not move the next ones.
+    /// Adds a cell at the left, at least `minWidth` design pixels wide, so that changing digits do not move the next
+    /// ones. What reaches into the cells at the right is cut; add those first.
     void add(const std::string &name, const std::string &text, Colour colour, double minWidth = 0.0) {
-        const double scale = static_cast<double>(context_.scale);
-        const double pad = 10.0 * scale;
-        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-        const double width = std::max(static_cast<double>(size.x), minWidth * scale) + 2.0 * pad;
-        ImDrawList &list = *ImGui::GetWindowDrawList();
-        if (x_ > rect_.x) {
-            list.AddLine({static_cast<float>(x_), static_cast<float>(rect_.y + 6.0 * scale)},
-                         {static_cast<float>(x_), static_cast<float>(rect_.y + rect_.height - 6.0 * scale)},
-                         context_.theme.line);
+        const double width =
+            std::min(std::max(widthOf(text), minWidth * scale() + 2.0 * pad()), std::max(0.0, right_ - left_));
+        if (left_ > rect_.x) {
+            ImGui::GetWindowDrawList()->AddLine(
+                {static_cast<float>(left_), static_cast<float>(rect_.y + 6.0 * scale())},
+                {static_cast<float>(left_), static_cast<float>(rect_.y + rect_.height - 6.0 * scale())},
+                context_.theme.line);
         }
-        list.AddText({static_cast<float>(x_ + pad),
-                      static_cast<float>(rect_.y + (rect_.height - static_cast<double>(size.y)) / 2.0)},
-                     colour, text.c_str());
-        last_ = {x_, rect_.y, width, rect_.height};
-        ui::markRect(context_, "status/" + name, last_);
-        x_ += width;
+        place(name, text, colour, left_, width);
+        left_ += width;
     }
+    /// Adds a cell at the right, left of those before, with a dot of another colour if there is room. Returns false if
+    /// there is none.
+    bool addRight(const std::string &name, const std::string &text, Colour colour, std::optional<Colour> dot = {}) {
+        const double room = dot ? 14.0 * scale() : 0.0;
+        const double width = widthOf(text) - pad() + room;
+        if (right_ - width < left_) {
+            return false;
+        }
+        right_ -= width;
+        if (dot) {
+            ImGui::GetWindowDrawList()->AddCircleFilled({static_cast<float>(right_ + 0.5 * pad() + 4.0 * scale()),
+                                                         static_cast<float>(rect_.y + 0.5 * rect_.height)},
+                                                        context_.px(4), *dot);
+        }
+        place(name, text, colour, right_, width, 0.5 * pad() + room);
+        return true;
+    }
+    /// Returns true if the last cell was clicked.
     bool clicked(const char *name) const {
         ImGui::SetCursorScreenPos({static_cast<float>(last_.x), static_cast<float>(last_.y)});
         return ImGui::InvisibleButton(name, {static_cast<float>(last_.width), static_cast<float>(last_.height)});
     }
-    double at() const { return x_; }
 
   private:
+    double scale() const { return static_cast<double>(context_.scale); }
+    double pad() const { return 10.0 * scale(); }
+    double widthOf(const std::string &text) const {
+        return static_cast<double>(ImGui::CalcTextSize(text.c_str()).x) + 2.0 * pad();
+    }
+    void place(const std::string &name, const std::string &text, Colour colour, double x, double width,
+               std::optional<double> indent = {}) {
+        const double height = static_cast<double>(ImGui::GetFontSize());
+        last_ = {x, rect_.y, width, rect_.height};
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        list.PushClipRect({static_cast<float>(x), static_cast<float>(rect_.y)},
+                          {static_cast<float>(x + width), static_cast<float>(rect_.y + rect_.height)}, true);
+        list.AddText({static_cast<float>(x + indent.value_or(pad())),
+                      static_cast<float>(rect_.y + (rect_.height - height) / 2.0)},
+                     colour, text.c_str());
+        list.PopClipRect();
+        ui::markRect(context_, "status/" + name, last_);
+    }
+
     Shell &context_;
     PixelRect rect_;
     PixelRect last_;
-    double x_;
+    double left_, right_;
 };
 
 std::string pointerText(const View &view) {
@@ -66,73 +102,154 @@ std::uint64_t roundedTo2(double count) {
     return static_cast<std::uint64_t>(std::round(count / unit) * unit);
 }
 
-/// Adds the figures of the mesh, and the predicted number of elements if that is more informative.
-void addMesh(Cells &cells, Shell &context) {
-    const Theme &theme = context.theme;
+/// Adds the progress of a run, and a button that cancels it. In the workspace Mesh it has a bar of its own.
+bool addProgress(Cells &cells, Shell &context) {
+    const bool cancelling = context.run.cancelling();
+    if (context.settings.workspace == WorkspaceKind::Mesh || (!isMeshing(context) && !cancelling)) {
+        return false;
+    }
     const SessionSnapshot &run = context.run.now();
-    const double predicted = context.preview->estimatedElements;
-    if (run.quality.elements > 0) {
-        cells.add("counts", elementsInShort(run.quality) + "   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
-                  theme.text, 100);
-        cells.clicked("counts");
-        const bool counted = run.quality.kinds != MeshQuality{}.kinds; // not while the mesh is being made
-        ui::tooltip(context, counted
-                                 ? elementsInWords(run.quality.kinds) + ", " + ui::count(run.quality.nodes) + " nodes"
-                                 : "Triangles and nodes");
-        cells.add(
-            "quality",
-            ui::format("\xce\xb1 %.3f   min\xe2\x88\xa0 %.1f\xc2\xb0", run.quality.alphaMean, run.quality.minAngle),
-            theme.text, 120);
-        cells.clicked("quality");
-        ui::tooltip(context, run.complete && run.advance < run.known
-                                 ? "Mean shape factor and smallest angle so far; the mesh is improved at the end"
-                                 : "Mean shape factor and smallest angle");
+    if (cancelling) {
+        cells.add("cancelling", "Cancelling\xe2\x80\xa6", context.theme.text);
+        return true;
     }
-    const bool differs = run.quality.elements == 0 || context.run.preview() || context.run.outOfDate();
-    if (predicted > 0.0 && differs) {
-        cells.add("estimate", "about " + ui::count(roundedTo2(predicted)) + " \xe2\x96\xb3", theme.muted, 100);
-        cells.clicked("estimate");
-        ui::tooltip(context, "Predicted number of triangles, within about 10 %");
+    cells.add("progress",
+              ui::format("%2.0f %%  ", 100.0 * std::clamp(run.progress, 0.0, 1.0)) +
+                  (run.stage.empty() ? "working" : run.stage),
+              context.theme.text, 150);
+    cells.add("cancel", "Cancel  Esc", context.theme.accent);
+    if (cells.clicked("cancel")) {
+        context.actions.run("run.cancel", context);
     }
-    if (run.complete && run.meshHash != 0 && run.advance == run.known) {
-        cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted, 92);
-        if (cells.clicked("hash")) {
-            context.platform.setClipboard(toHex(run.meshHash));
-            context.log.announce("Copied mesh hash " + toHex(run.meshHash));
-        }
-        ui::tooltip(context, "Meshes with the same hash are identical bit for bit. Click to copy.");
+    return true;
+}
+
+/// Adds one line on the state of the run where no timeline says it.
+void addState(Cells &cells, Shell &context) {
+    if (addProgress(cells, context) || context.settings.workspace == WorkspaceKind::Step) {
+        return;
+    }
+    const SessionSnapshot &run = context.run.now();
+    const bool failed = run.state == RunState::Failed && !context.run.outOfDate();
+    if (const std::string text = stateText(context); !text.empty()) {
+        cells.add("state", text, failed ? context.theme.bad : context.theme.muted);
     }
 }
 
-void addFaults(Cells &cells, Shell &context) {
+/// What the mesh is to the drawing, in the words and the colour of its chip.
+struct MeshChip {
+    std::string text;
+    Colour colour;
+    const char *tip;
+};
+
+MeshChip meshChip(const Shell &context) {
+    const Theme &theme = context.theme;
+    const SessionSnapshot &run = context.run.now();
+    if (run.state == RunState::Failed && !context.run.outOfDate()) {
+        return {"meshing failed", theme.bad, "Click to mesh again"};
+    }
+    if (run.quality.elements == 0) {
+        return {"not meshed", theme.muted, "Click to mesh (2)"};
+    }
+    if (context.run.showsFile()) {
+        return {"mesh of a file", theme.muted, "A mesh read from a file, unchanged"};
+    }
+    if (context.run.outOfDate()) {
+        return {"out of date, press 2", theme.warn, "The drawing has changed; click to mesh it again"};
+    }
+    if (context.run.preview()) {
+        return {"coarse preview", theme.warn, "Live meshing shows a coarser mesh; click to make the whole one"};
+    }
+    return context.settings.live ? MeshChip{"meshed live", theme.good, "The mesh follows every change of the drawing"}
+                                 : MeshChip{"up to date", theme.good, "The mesh is that of the drawing"};
+}
+
+void addMeshChip(Cells &cells, Shell &context) {
+    if (context.document.current()->shapes.empty() && context.run.now().mesh == nullptr) {
+        return;
+    }
+    const MeshChip chip = meshChip(context);
+    if (!cells.addRight("mesh", chip.text, context.theme.muted, chip.colour)) {
+        return;
+    }
+    if (cells.clicked("mesh") && !context.run.showsFile()) {
+        context.actions.run("run.mesh", context);
+    }
+    ui::tooltip(context, chip.tip);
+}
+
+/// Adds the figures of the mesh, and the predicted number of elements if that is more informative.
+void addFigures(Cells &cells, Shell &context) {
+    const SessionSnapshot &run = context.run.now();
+    if (run.quality.elements > 0) {
+        if (cells.addRight("quality", ui::format("min angle %.1f\xc2\xb0", run.quality.minAngle),
+                           context.theme.muted)) {
+            cells.clicked("quality");
+            ui::tooltip(context,
+                        run.complete && run.advance < run.known
+                            ? "Smallest angle so far; the mesh is improved at the end"
+                            : ui::format("Smallest angle; the mean shape factor is %.3f", run.quality.alphaMean));
+        }
+        if (cells.addRight("counts", elementsInShort(run.quality), context.theme.text)) {
+            cells.clicked("counts");
+            const bool counted = run.quality.kinds != MeshQuality{}.kinds; // not while the mesh is being made
+            const bool whole = run.complete && run.meshHash != 0 && run.advance == run.known;
+            ui::tooltip(context, (counted ? elementsInWords(run.quality.kinds) : std::string("Triangles")) + ", " +
+                                     ui::count(run.quality.nodes) + " nodes" +
+                                     (whole ? "; hash " + toHex(run.meshHash).substr(0, 8) : std::string()));
+        }
+    }
+    const double predicted = context.preview->estimatedElements;
+    const bool differs = run.quality.elements == 0 || context.run.preview() || context.run.outOfDate();
+    if (predicted > 0.0 && differs &&
+        cells.addRight("estimate", "about " + ui::count(roundedTo2(predicted)) + " triangles", context.theme.muted)) {
+        cells.clicked("estimate");
+        ui::tooltip(context, "Predicted number of triangles, within about 10 %");
+    }
+}
+
+/// Adds the verdict of the checks; a click leads to them.
+void addChecks(Cells &cells, Shell &context) {
     const std::size_t faults = context.preview->faults.size();
-    if (faults > 0) {
-        cells.add("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), context.theme.warn);
+    if (faults > 0 &&
+        cells.addRight("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), context.theme.warn)) {
         if (cells.clicked("faults")) {
             context.actions.run("view.firstFault", context);
         }
         ui::tooltip(context, toString(context.preview->faults.front()) + "\nClick to go there");
     }
+    const ChecksSummary summary = checksSummary(context);
+    const bool violated = summary.state == ChecksSummary::State::Violated;
+    if (summary.brief.empty() ||
+        !cells.addRight("checks", summary.brief, violated ? context.theme.text : context.theme.muted,
+                        violated ? context.theme.bad : context.theme.good)) {
+        return;
+    }
+    if (cells.clicked("checks")) {
+        chooseWorkspace(context, WorkspaceKind::Judge);
+        showPanel(context, "checks");
+    }
+    ui::tooltip(context, summary.line + "\nClick to see all checks");
 }
 
-/// Draws the hint of the current tool at the right if there is room, with the hint on typing if that fits too.
-void drawHint(const Cells &cells, const Shell &context, const PixelRect &rect) {
-    std::string hint = context.tools.current().statusText(context);
-    const std::string typing = context.tools.current().typingHint(context);
-    if (!hint.empty() && !typing.empty()) {
-        const std::string both = hint + ". " + typing;
-        const double room = rect.x + rect.width - cells.at() - 8.0 - static_cast<double>(context.px(12));
-        hint = static_cast<double>(ImGui::CalcTextSize(both.c_str()).x) < room ? both : hint;
+/// Adds the badge of the log: the number of warnings and errors since it was last open.
+void addLog(Cells &cells, Shell &context) {
+    const auto &entries = context.log.entries();
+    if (context.plates.log && !entries.empty()) {
+        context.logSeen = entries.back().number;
     }
-    if (!hint.empty()) {
-        const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
-        const double x = rect.x + rect.width - static_cast<double>(size.x) - 12.0 * static_cast<double>(context.scale);
-        if (x > cells.at() + 8.0) {
-            ImGui::GetWindowDrawList()->AddText(
-                {static_cast<float>(x), static_cast<float>(rect.y + (rect.height - static_cast<double>(size.y)) / 2.0)},
-                context.theme.muted, hint.c_str());
-        }
+    const auto news = std::count_if(entries.begin(), entries.end(), [&](const MessageLog::Entry &entry) {
+        return entry.number > context.logSeen && entry.diagnostic.severity != Severity::Note;
+    });
+    const std::string text = news > 0 ? "Log  " + std::to_string(news) : "Log";
+    if (!cells.addRight("log", text, news > 0 ? context.theme.warn : context.theme.muted)) {
+        return;
     }
+    if (cells.clicked("log")) {
+        context.actions.run("view.log", context);
+    }
+    ui::tooltip(context, context.plates.log ? "Hide the log" : "Show the log");
 }
 
 /// Returns the menu of the status bar.
@@ -145,7 +262,7 @@ std::vector<ContextGroup> statusMenu(const Shell &context) {
         copies.push_back(copyCommand("status/quality", "Copy shape factor and smallest angle",
                                      ui::format("%.6g\t%.6g", run.quality.alphaMean, run.quality.minAngle)));
     }
-    if (run.complete && run.meshHash != 0) {
+    if (run.complete && run.meshHash != 0 && run.advance == run.known) {
         copies.push_back(copyCommand("status/hash", "Copy mesh hash", toHex(run.meshHash)));
     }
     return {std::move(copies), actionsOf({"view.firstFault"}),
@@ -165,9 +282,11 @@ void drawStatusBar(Shell &context, const PixelRect &rect) {
     ImGui::PushFont(context.fonts.small);
     Cells cells(context, rect);
     cells.add("pointer", pointerText(context.view), context.theme.muted, 150);
-    addMesh(cells, context);
-    addFaults(cells, context);
-    drawHint(cells, context, rect);
+    addLog(cells, context);
+    addFigures(cells, context);
+    addMeshChip(cells, context);
+    addChecks(cells, context);
+    addState(cells, context);
     ImGui::PopFont();
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
         context.menu.open(statusMenu(context));

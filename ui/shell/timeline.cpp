@@ -164,7 +164,10 @@ std::string invitation(const Workspace &context) {
                : "Press 2 to mesh, or Space to watch the front advance.";
 }
 
-std::string captionText(const Shell &context, const SessionSnapshot &run) {
+} // namespace
+
+std::string stateText(const Shell &context) {
+    const SessionSnapshot &run = context.run.now();
     if (context.run.cancelling()) {
         return "Cancelling\xe2\x80\xa6";
     }
@@ -211,6 +214,8 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
     return {};
 }
 
+namespace {
+
 std::string positionText(const SessionSnapshot &run) {
     std::string text = ui::count(run.advance) + " / " + ui::count(run.known);
     if (!run.complete && run.known > 0) {
@@ -235,7 +240,7 @@ void drawCaptionRow(Shell &context, const PixelRect &rect, float top) {
     }
     ImGui::SameLine(0, context.px(4));
     drawBreakpointsButton(context);
-    const std::string words = captionText(context, run);
+    const std::string words = stateText(context);
     const bool fault = run.state == RunState::Failed && !context.run.outOfDate();
     const bool stopped = run.stop.has_value() || run.birth.has_value();
     ImGui::SetCursorScreenPos({context.px(14), top});
@@ -252,6 +257,9 @@ void drawCaptionRow(Shell &context, const PixelRect &rect, float top) {
 } // namespace
 
 void drawTimeline(Shell &context, const PixelRect &rect) {
+    if (rect.height < 1.0) {
+        return;
+    }
     beginRegion("##timeline", rect, context.theme.panel, context.px(10), context.px(8));
     const float y = static_cast<float>(rect.y);
     ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);

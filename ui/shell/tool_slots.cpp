@@ -1,5 +1,7 @@
 #include "ui/shell/tool_slots.hpp"
 
+#include "ui/parts/shown_panels.hpp"
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -24,7 +26,8 @@ const std::vector<std::vector<SlotIds>> &groups() {
 
 } // namespace
 
-std::vector<ToolSlot> toolSlots(const ToolBox &box) {
+std::vector<ToolSlot> toolSlots(const Shell &context) {
+    const ToolBox &box = context.tools;
     std::vector<ToolSlot> slots;
     std::vector<bool> placed(box.tools.size());
     for (const std::vector<SlotIds> &group : groups()) {
@@ -35,8 +38,11 @@ std::vector<ToolSlot> toolSlots(const ToolBox &box) {
                 const auto found = std::find_if(box.tools.begin(), box.tools.end(),
                                                 [id](const auto &tool) { return tool->id() == id; });
                 if (found != box.tools.end()) {
-                    slot.tools.push_back(static_cast<std::size_t>(found - box.tools.begin()));
-                    placed[slot.tools.back()] = true;
+                    const auto index = static_cast<std::size_t>(found - box.tools.begin());
+                    placed[index] = true;
+                    if (isInStrip(context, **found)) {
+                        slot.tools.push_back(index);
+                    }
                 }
             }
             if (!slot.tools.empty()) {
@@ -46,7 +52,7 @@ std::vector<ToolSlot> toolSlots(const ToolBox &box) {
         }
     }
     for (std::size_t k = 0; k < placed.size(); ++k) {
-        if (!placed[k]) {
+        if (!placed[k] && isInStrip(context, *box.tools[k])) {
             slots.push_back({{k}});
         }
     }

@@ -135,7 +135,7 @@ double Strip::width() const {
 }
 
 Strip stripOf(const Shell &context, double height) {
-    const std::vector<ToolSlot> slots = toolSlots(context.tools);
+    const std::vector<ToolSlot> slots = toolSlots(context);
     const auto count = static_cast<int>(slots.size());
     const auto lines = std::count_if(slots.begin(), slots.end(), [](const ToolSlot &slot) { return slot.begins; });
     const double room = height / static_cast<double>(context.scale) - 2.0 * kPadY + kGap;
@@ -156,7 +156,7 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
     const Strip strip = stripOf(context, rect.height);
     beginRegion("##tools", rect, context.theme.panel, context.px(kPadX), context.px(kPadY));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kGap), context.px(kGap)));
-    const std::vector<ToolSlot> slots = toolSlots(context.tools);
+    const std::vector<ToolSlot> slots = toolSlots(context);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     for (std::size_t i = 0; i < slots.size(); ++i) {
         if (i % static_cast<std::size_t>(strip.columns) != 0) {

@@ -195,6 +195,9 @@ constexpr std::array kShapes = {
     IconShape{.text = icon::kFolder, .meaning = "Folder", .stroke = "M3 15.5V4.5H8L10 6.8H17V15.5Z"},
     IconShape{.text = icon::kFile, .meaning = "File", .stroke = "M5 2.8H11.5L15 6.3V17.2H5ZM11.5 2.8V6.3H15"},
     IconShape{.text = icon::kUp, .meaning = "Up", .stroke = "M10 16V4.5M5.5 9L10 4.5L14.5 9"},
+    IconShape{.text = icon::kPin,
+              .meaning = "In all workspaces",
+              .stroke = "M7 3.5H13M8 3.5V8.5L5.5 11.5H14.5L12 8.5V3.5M10 11.5V17"},
 };
 
 } // namespace

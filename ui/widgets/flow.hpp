@@ -2,14 +2,18 @@
 
 #include "ui/widgets/widget_context.hpp"
 
+struct ImGuiStorage;
+
 namespace forefront::ui {
 
 /// Lays out items side by side and starts a new row when the next one no longer fits. An item is everything drawn until
 /// the next one begins; its width is taken from the last frame.
 class Flow {
   public:
-    /// `room` is the width of a row, `gap` the distance between items, in pixels.
-    Flow(WidgetContext &context, float room, float gap) : context_(context), room_(room), gap_(gap) {}
+    /// `room` is the width of a row, `gap` the distance between items, in pixels. With `overflow`, there is a single
+    /// row, and what does not fit into it goes to the window of Dear ImGui with that name, one item below the other.
+    Flow(WidgetContext &context, float room, float gap, const char *overflow = nullptr)
+        : context_(context), room_(room), gap_(gap), overflow_(overflow) {}
     ~Flow() { end(); }
     Flow(const Flow &) = delete;
     Flow &operator=(const Flow &) = delete;
@@ -17,14 +21,24 @@ class Flow {
     /// Begins an item; its name is unique among those of the window.
     void item(const char *name);
     float room() const { return room_; }
+    /// Returns the width of the row so far, in pixels.
+    float used() const { return used_; }
+    /// Returns true if the items begun so far do not all fit into the row of a flow with overflow.
+    bool overflows() const { return overflows_; }
+    /// Ends the last item; the next thing drawn is none.
+    void finish() { end(); }
 
   private:
+    void beginInRow();
     void end();
 
     WidgetContext &context_;
     float room_, gap_;
-    float used_ = 0.0F;      ///< width of the row so far
-    unsigned int begun_ = 0; ///< key under which Dear ImGui stores the width of the current item; 0: none
+    const char *overflow_;
+    bool overflows_ = false;
+    float used_ = 0.0F;              ///< width of the row so far
+    ImGuiStorage *widths_ = nullptr; ///< of the items of a single row; null: that of the current window
+    unsigned int begun_ = 0;         ///< key under which Dear ImGui stores the width of the current item; 0: none
 };
 
 } // namespace forefront::ui

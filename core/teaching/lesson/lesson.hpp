@@ -89,7 +89,7 @@ struct LessonPage {
     std::optional<ImproveLevel> improve; ///< instead of that of the document
     LessonPosition position;
     std::optional<std::vector<std::string>> layers; ///< ids of the visible layers; not set: as they are
-    std::string panel;                              ///< id of the tab to show; empty: as it is
+    std::string panel;                              ///< id of the panel to show; empty: as it is
     LessonCamera camera;
     std::optional<LessonRange> range;        ///< not set: it fits the mesh
     std::vector<LessonHighlight> highlights; ///< on this page only

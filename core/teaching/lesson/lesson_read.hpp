@@ -18,7 +18,7 @@ inline constexpr int kLessonVersion = 1;
 /// The names that a lesson may refer to.
 struct LessonNames {
     std::vector<std::string> layers; ///< ids of layers; empty: any name is accepted
-    std::vector<std::string> panels; ///< ids of tabs; empty: any name is accepted
+    std::vector<std::string> panels; ///< ids of panels; empty: any name is accepted
     /// Names of widgets, grouped by the prefix before their first '/'; with any other prefix, every name is accepted.
     std::map<std::string, std::vector<std::string>> widgets;
     /// Reads the document with this name, a path relative to the lesson; empty: documents are not read.

@@ -1,6 +1,7 @@
 #include "ui/tools/look/probe_tool.hpp"
 
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -88,7 +89,7 @@ std::vector<ContextGroup> ProbeTool::menu(Shell &context, Vec2) {
             "follow", "Follow the pointer", [](Shell &c) { c.probe.chosen.reset(); }, "Esc"));
     }
     group.push_back(actionOf("run.worst"));
-    group.push_back(commandOf("histogram", "Show the histogram", [](Shell &c) { c.settings.tab = "histogram"; }));
+    group.push_back(commandOf("histogram", "Show the histogram", [](Shell &c) { showPanel(c, "histogram"); }));
     return {group};
 }
 

@@ -1,6 +1,7 @@
 #include "ui/tools/look/trace_tool.hpp"
 
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -53,6 +54,7 @@ void TraceTool::click(Vec2 place, Shell &context) {
     Breakpoints breakpoints = context.run.breakpoints();
     switch (context.view.traceMode) {
     case TraceMode::Birth:
+        chooseWorkspace(context, WorkspaceKind::Step);
         context.view.isolatedBin.reset();
         context.run.seekBirth(place, context.view.camera.length(kReach * static_cast<double>(context.scale)));
         return;

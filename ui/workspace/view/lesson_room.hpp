@@ -3,6 +3,7 @@
 #include "core/engine/session/snapshot.hpp"
 #include "core/teaching/lesson/lesson.hpp"
 #include "ui/workspace/view/view.hpp"
+#include "ui/workspace/view/workspaces.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +44,7 @@ struct OpenLesson {
     std::shared_ptr<const SessionSnapshot> arrived; ///< the run at the position of the page; null: not yet
     std::shared_ptr<const SessionSnapshot> done;    ///< the run in which the task was done; null: not yet
     std::map<std::string, bool> layersBefore;       ///< visible layers, restored at the end
-    std::string tabBefore;
+    WorkspaceKind workspaceBefore = WorkspaceKind::Draw;
     bool panelsBefore = true;
     ColourChoice coloursBefore;
 

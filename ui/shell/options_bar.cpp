@@ -1,0 +1,130 @@
+#include "ui/shell/main_window.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <string>
+
+namespace forefront::shell {
+
+namespace {
+
+constexpr const char *kOverflow = "##moreoptions";
+constexpr double kOptionGap = 14.0, kBarPad = 12.0; // design pixels
+
+/// Draws the icon and the name of the active tool.
+void drawToolName(Shell &context, const Tool &tool, const PixelRect &rect) {
+    const float y = static_cast<float>(rect.height);
+    ImGui::SetCursorPos({context.px(kBarPad), (y - ImGui::GetFontSize()) / 2});
+    ImGui::PushFont(context.fonts.heading);
+    ImGui::TextUnformatted((std::string(tool.icon()) + "   " + tool.name()).c_str());
+    ImGui::PopFont();
+    ui::mark(context, "options/tool");
+    ImGui::SameLine(0, context.px(kOptionGap));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float middle = static_cast<float>(rect.y) + y / 2, half = context.px(8);
+    ImGui::GetWindowDrawList()->AddLine({at.x, middle - half}, {at.x, middle + half}, context.theme.line);
+    ImGui::SameLine(0, context.px(kOptionGap));
+}
+
+/// Begins the window for the options that do not fit into the bar. It is out of sight while it is closed, since its
+/// fields can be filled by keys; then it opens.
+void placeOverflow(Shell &context, const PixelRect &rect) {
+    const bool open = context.plates.options;
+    const float right = static_cast<float>(rect.x + rect.width), below = static_cast<float>(rect.y + rect.height);
+    const float hidden = -4.0F * static_cast<float>(rect.width);
+    ImGui::SetNextWindowPos({open ? right - context.px(kBarPad) : hidden, below + context.px(4)}, ImGuiCond_Always,
+                            {1.0F, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(10)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
+    ImGui::Begin(kOverflow, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    if (open) {
+        ui::markWindow(context, "options/rest");
+    }
+    const ImGuiWindow *const active = ImGui::GetCurrentContext()->ActiveIdWindow;
+    if (!open && active != nullptr && active->RootWindow == ImGui::GetCurrentWindow()) {
+        context.plates.options = true;
+        context.animate();
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+}
+
+/// Draws the button that opens and closes the drawer of options. A press outside of the drawer closes it.
+void drawOverflowButton(Shell &context, const PixelRect &rect) {
+    ImGui::SetCursorPos({static_cast<float>(rect.width) - context.px(kBarPad + 28), context.px(5)});
+    if (ui::iconButton(context, "options/more", "\xe2\x80\xa6", "More options", context.plates.options, true, 26.0F)) {
+        context.plates.options = !context.plates.options;
+        context.animate();
+    }
+    const WidgetRegistry::Widget *const drawer = context.widgets.find("options/rest");
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    const bool outside = drawer != nullptr && !drawer->rect.contains({pointer.x, pointer.y}) &&
+                         !ImGui::IsItemHovered() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && outside) {
+        context.plates.options = false;
+        context.animate();
+    }
+}
+
+/// Draws what a click does where there is room for it, after the options.
+void drawHint(const Shell &context, const Tool &tool, float room) {
+    std::string hint = tool.statusText(context);
+    const std::string typing = tool.typingHint(context);
+    const auto widthOf = [](const std::string &text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    if (!hint.empty() && !typing.empty() && widthOf(hint + ". " + typing) < room) {
+        hint += ". " + typing;
+    }
+    if (!hint.empty() && widthOf(hint) < room) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+        ImGui::TextUnformatted(hint.c_str());
+        ImGui::PopStyleColor();
+    }
+}
+
+} // namespace
+
+void drawOptionsBar(Shell &context, const PixelRect &rect) {
+    Tool &tool = context.tools.current();
+    placeOverflow(context, rect);
+    beginRegion("##options", rect, context.theme.panel, context.px(kBarPad), 0);
+    drawToolName(context, tool, rect);
+    const float row = (static_cast<float>(rect.height) - ImGui::GetFrameHeight()) / 2;
+    ImGui::SetCursorPosY(row);
+    const float left = ImGui::GetCursorPosX();
+    const float room = std::max(1.0F, static_cast<float>(rect.width) - left - context.px(kBarPad + 36));
+    bool overflows = false;
+    float used = 0.0F;
+    ImGui::BeginGroup();
+    if (tool.hasOptions(context)) {
+        ui::Flow flow(context, room, context.px(kOptionGap), kOverflow);
+        tool.drawOptions(context, flow);
+        flow.finish();
+        overflows = flow.overflows();
+        used = flow.used();
+    }
+    ImGui::EndGroup();
+    if (overflows) {
+        drawOverflowButton(context, rect);
+    } else {
+        context.plates.options = false;
+        const float gap = used > 0.0F ? context.px(24) : 0.0F;
+        ImGui::SetCursorPos({left + used + gap, row});
+        drawHint(context, tool, room - used - gap);
+    }
+    const float y = static_cast<float>(rect.y + rect.height) - 1.0F;
+    ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);
+    ui::markWindow(context, "options");
+    ImGui::End();
+}
+
+} // namespace forefront::shell

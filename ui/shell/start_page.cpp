@@ -1,0 +1,161 @@
+#include "ui/shell/start_page.hpp"
+
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/lessons/lesson_player.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+namespace forefront::shell {
+
+namespace {
+
+constexpr double kPageWidth = 720.0; // design pixels
+constexpr std::size_t kPageCards = 3, kPageSamples = 6;
+
+/// Returns true while there is nothing else to see on the canvas, and nothing is being made.
+bool nothingYet(const Shell &context) {
+    const Document &document = *context.document.current();
+    return document.shapes.empty() && !document.picture && !context.run.showsFile() && !context.lessons.open;
+}
+
+std::vector<DrawingCards::Card> recentCards(const std::vector<std::string> &files) {
+    std::vector<DrawingCards::Card> cards;
+    for (const std::string &file : files) {
+        const std::filesystem::path path(file);
+        std::error_code ignored;
+        if (cards.size() < kPageCards && std::filesystem::is_regular_file(path, ignored)) {
+            cards.push_back({path.stem().string(), file, path});
+        }
+    }
+    return cards;
+}
+
+void drawButtons(Shell &context) {
+    const struct {
+        const char *name, *label;
+        ui::ButtonKind kind;
+        const char *action;
+    } buttons[] = {{"start/new", "New  R", ui::ButtonKind::Primary, "tool.rectangle"},
+                   {"start/open", "Open\xe2\x80\xa6", ui::ButtonKind::Plain, "file.open"},
+                   {"start/trace", "Trace a picture\xe2\x80\xa6", ui::ButtonKind::Plain, "file.addPicture"},
+                   {"start/import", "Import\xe2\x80\xa6", ui::ButtonKind::Plain, "file.import"}};
+    for (const auto &button : buttons) {
+        if (ui::button(context, button.name, button.label, button.kind, true, 160.0F)) {
+            context.actions.run(button.action, context);
+        }
+        ImGui::SameLine(0, context.px(8));
+    }
+    ImGui::NewLine();
+}
+
+void drawLessonLinks(Shell &context) {
+    listLessons(context);
+    if (context.lessons.list.empty()) {
+        return;
+    }
+    ImGui::Dummy({0, context.px(4)});
+    ui::heading(context, "Learn");
+    const LessonEntry *chosen = nullptr;
+    for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
+        const LessonEntry &entry = context.lessons.list[k];
+        if (k % 2 == 1) {
+            ImGui::SameLine(context.px(kPageWidth / 2));
+        }
+        if (ui::link(context, "start/lesson/" + entry.id, std::to_string(k + 1) + "  " + entry.lesson->title)) {
+            chosen = &entry;
+        }
+        ui::tooltip(context, entry.lesson->about);
+    }
+    if (chosen != nullptr) {
+        openLesson(context, LessonEntry(*chosen));
+    }
+}
+
+} // namespace
+
+void StartPage::drawCards(Shell &context) {
+    if (!samples_) {
+        std::vector<DrawingCards::Card> cards = sampleCards();
+        cards.resize(std::min(cards.size(), kPageSamples));
+        samples_ = std::make_unique<DrawingCards>(context.background, std::move(cards));
+    }
+    if (!recent_ || recentFiles_ != context.settings.recentFiles) {
+        recentFiles_ = context.settings.recentFiles;
+        recent_ = std::make_unique<DrawingCards>(context.background, recentCards(recentFiles_));
+    }
+    std::filesystem::path chosen;
+    if (!recent_->all().empty()) {
+        ImGui::Dummy({0, context.px(4)});
+        ui::heading(context, "Continue");
+        if (const std::optional<std::size_t> card = recent_->draw(context, "start/recent/", kPageCards)) {
+            chosen = recent_->all()[*card].path;
+        }
+    }
+    if (!samples_->all().empty()) {
+        ImGui::Dummy({0, context.px(4)});
+        ui::heading(context, "Samples");
+        if (const std::optional<std::size_t> card = samples_->draw(context, "start/sample/", kPageCards)) {
+            chosen = samples_->all()[*card].path;
+        }
+    }
+    if (!chosen.empty()) {
+        openDocument(context, chosen);
+    }
+}
+
+void StartPage::drawContent(Shell &context) {
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted("Start a drawing");
+    ImGui::PopFont();
+    ImGui::Dummy({0, context.px(2)});
+    drawButtons(context);
+    drawCards(context);
+    drawLessonLinks(context);
+}
+
+void StartPage::draw(Shell &context, const PixelRect &canvas) {
+    if (!context.plates.start) {
+        return;
+    }
+    if (!nothingYet(context)) {
+        context.plates.start = false;
+        samples_.reset();
+        recent_.reset();
+        return;
+    }
+    if (std::string_view(context.tools.current().id()) != "select" || context.task.busy()) {
+        return;
+    }
+    const double scale = static_cast<double>(context.scale), margin = 56.0 * scale;
+    const double width = std::min((kPageWidth + 48.0) * scale, canvas.width - 24.0 * scale);
+    const double height = canvas.height - 2.0 * margin;
+    if (width < 1.0 || height < 1.0) {
+        return;
+    }
+    ImGui::SetNextWindowPos({static_cast<float>(canvas.centre().x), static_cast<float>(canvas.y + margin)},
+                            ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowSizeConstraints({static_cast<float>(width), 0.0F},
+                                        {static_cast<float>(width), static_cast<float>(height)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(24), context.px(20)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
+    ImGui::Begin("##start", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    drawContent(context);
+    ui::markWindow(context, "start");
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+}
+
+} // namespace forefront::shell

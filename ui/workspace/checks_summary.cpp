@@ -1,0 +1,57 @@
+#include "ui/workspace/checks_summary.hpp"
+
+#include "core/engine/mesh/limits.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/workspace.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+using State = ChecksSummary::State;
+
+std::string counted(std::size_t number, const char *one, const char *several) {
+    return ui::count(number) + ' ' + (number == 1 ? one : several);
+}
+
+/// Returns a violated limit with the worst value: "minimum angle 32.9° < 34°".
+std::string violationText(const LimitVerdict &verdict) {
+    const LimitInfo &info = limitInfo(verdict.limit);
+    return std::string(info.name) + ' ' + valueText(verdict.limit, verdict.worst) + (info.isMinimum ? " < " : " > ") +
+           valueText(verdict.limit, verdict.bound);
+}
+
+ChecksSummary limitsSummary(const std::vector<LimitVerdict> &verdicts) {
+    const auto violated = [](const LimitVerdict &verdict) { return verdict.broken > 0; };
+    const auto broken = static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(), violated));
+    if (broken > 0) {
+        const auto first = std::find_if(verdicts.begin(), verdicts.end(), violated);
+        const std::string brief = counted(broken, "limit fails", "limits fail");
+        return {State::Violated, brief + (broken == 1 ? ": " : ", first ") + violationText(*first), brief};
+    }
+    const auto judged = static_cast<std::size_t>(
+        std::count_if(verdicts.begin(), verdicts.end(), [](const LimitVerdict &verdict) { return verdict.met(); }));
+    return judged == 0 ? ChecksSummary{State::Ready, "Ready to mesh", {}}
+                       : ChecksSummary{State::Met, counted(judged, "limit met", "limits met"),
+                                       counted(judged, "limit met", "limits met")};
+}
+
+} // namespace
+
+ChecksSummary checksSummary(const Workspace &context) {
+    const Diagnostics &faults = context.preview->faults;
+    const auto errors = static_cast<std::size_t>(std::count_if(
+        faults.begin(), faults.end(), [](const Diagnostic &fault) { return fault.severity == Severity::Error; }));
+    if (errors > 0) {
+        const std::string brief = counted(errors, "error", "errors");
+        return {State::Violated, brief + " in the drawing", brief};
+    }
+    if (context.run.now().mesh == nullptr && context.document.current()->shapes.empty()) {
+        return {};
+    }
+    return limitsSummary(context.judgement->verdicts);
+}
+
+} // namespace forefront

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace forefront {
+
+struct Workspace;
+
+/// The result of all checks: of the drawing, and of the mesh against the limits that the user has set.
+struct ChecksSummary {
+    enum class State : std::uint8_t {
+        None,    ///< nothing to check
+        Ready,   ///< the drawing has no faults, and no limits are checked
+        Met,     ///< the mesh meets all limits
+        Violated ///< the drawing has faults, or the mesh violates a limit
+    };
+    State state = State::None;
+    std::string line;  ///< "1 limit fails: minimum angle 32.9° < 34°"
+    std::string brief; ///< for the status bar: "1 limit fails"; empty: nothing was checked
+};
+
+ChecksSummary checksSummary(const Workspace &context);
+
+} // namespace forefront

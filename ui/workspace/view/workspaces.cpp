@@ -1,0 +1,62 @@
+#include "ui/workspace/view/workspaces.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+using Ids = std::string_view;
+
+constexpr std::array<Ids, 4> kDrawPanels{"shapes", "inspector", "parameters", "names"};
+constexpr std::array<Ids, 1> kDrawFolded{"names"};
+constexpr std::array<Ids, 14> kDrawTools{"select", "polygon", "polyline", "rectangle", "circle", "ellipse", "regular",
+                                         "slot",   "arc",     "point",    "trim",      "region", "measure", "picture"};
+constexpr std::array<Ids, 9> kDrawLayers{"domain",  "boundary", "faults",  "marks", "mesh",
+                                         "lattice", "picture",  "regions", "labels"};
+
+constexpr std::array<Ids, 3> kSizePanels{"inspector", "spacing", "parameters"};
+constexpr std::array<Ids, 1> kSizeFolded{"parameters"};
+constexpr std::array<Ids, 8> kSizeTools{"select", "source", "gradient", "brush",
+                                        "eraser", "region", "measure",  "picture"};
+constexpr std::array<Ids, 9> kSizeLayers{"domain",  "boundary", "faults", "marks", "lattice",
+                                         "picture", "labels",   "mesh",   "size"};
+
+constexpr std::array<Ids, 3> kMeshPanels{"meshing", "statistics", "names"};
+constexpr std::array<Ids, 1> kMeshFolded{"names"};
+constexpr std::array<Ids, 4> kMeshTools{"select", "region", "probe", "trace"};
+// The front shows how far a run has come.
+constexpr std::array<Ids, 8> kMeshLayers{"domain",  "boundary", "faults", "marks",
+                                         "picture", "regions",  "mesh",   "front"};
+
+constexpr std::array<Ids, 3> kStepPanels{"steps", "candidates", "statistics"};
+constexpr std::array<Ids, 1> kStepFolded{"statistics"};
+constexpr std::array<Ids, 5> kStepTools{"select", "trace", "probe", "guess", "measure"};
+constexpr std::array<Ids, 9> kStepLayers{"domain", "boundary", "faults",     "marks", "picture",
+                                         "mesh",   "front",    "candidates", "tests"};
+
+constexpr std::array<Ids, 4> kJudgePanels{"checks", "histogram", "probe", "adapt"};
+constexpr std::array<Ids, 1> kJudgeFolded{"adapt"};
+constexpr std::array<Ids, 4> kJudgeTools{"select", "probe", "trace", "measure"};
+constexpr std::array<Ids, 7> kJudgeLayers{"domain", "boundary", "faults", "marks", "picture", "mesh", "quality"};
+
+constexpr std::array<WorkspacePreset, 5> kPresets{
+    {{"draw", "Draw", "Shapes, names and parameters", kDrawPanels, kDrawFolded, kDrawTools, kDrawLayers},
+     {"size", "Size", "Element sizes and sources", kSizePanels, kSizeFolded, kSizeTools, kSizeLayers},
+     {"mesh", "Mesh", "Method and figures of the mesh", kMeshPanels, kMeshFolded, kMeshTools, kMeshLayers},
+     {"step", "Step", "The advancing front, step by step", kStepPanels, kStepFolded, kStepTools, kStepLayers},
+     {"judge", "Judge", "Limits, quality and worst elements", kJudgePanels, kJudgeFolded, kJudgeTools, kJudgeLayers}}};
+
+} // namespace
+
+const WorkspacePreset &presetOf(WorkspaceKind kind) {
+    return kPresets[static_cast<std::size_t>(kind)];
+}
+
+std::optional<WorkspaceKind> workspaceOf(std::string_view word) {
+    const auto found = std::find_if(kWorkspaceKinds.begin(), kWorkspaceKinds.end(),
+                                    [word](WorkspaceKind kind) { return presetOf(kind).word == word; });
+    return found == kWorkspaceKinds.end() ? std::nullopt : std::optional(*found);
+}
+
+} // namespace forefront
