@@ -130,7 +130,9 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     }
     json.endArray();
     json.member("alpha_mean", q.alphaMean).member("alpha_geometric_mean", q.alphaGeometricMean);
-    json.member("alpha_min", q.alphaMin).member("flat_elements", q.flat).member("delta_mean", report.hasSpacing ? q.deltaMean : unknown);
+    json.member("alpha_min", q.alphaMin)
+        .member("flat_elements", q.flat)
+        .member("delta_mean", report.hasSpacing ? q.deltaMean : unknown);
     json.member("delta_area_mean", report.hasSpacing ? q.deltaAreaMean : unknown);
     json.member("min_angle_deg", q.minAngle).member("max_angle_deg", q.maxAngle);
     json.member("min_angle_elsewhere_deg", report.sharp.minAngleElsewhere);
