@@ -51,10 +51,10 @@ void main() {
     float t = clamp((shade - range.x) / (range.y - range.x), 0.0, 1.0);
     float contour = contourHere((shade - range.x) / (range.y - range.x));
     t = cyclic == 1 ? (mod(shade - 1.0, 8.0) + 0.5) / 8.0 : t;
-    float texel = t * (255.0 / 256.0) + 0.5 / 256.0;
+    int texel = int(t * 255.0 + 0.5); // software rendering gains from texels without filter
     bool mapped = coloured == 1 && known;
-    vec4 fill = mapped ? vec4(texture(map, vec2(texel, 0.25)).rgb, 1.0) : face;
-    vec4 ink = mapped && edge.a > 0.0 ? vec4(texture(map, vec2(texel, 0.75)).rgb, 1.0) : edge;
+    vec4 fill = mapped ? vec4(texelFetch(map, ivec2(texel, 0), 0).rgb, 1.0) : face;
+    vec4 ink = mapped && edge.a > 0.0 ? vec4(texelFetch(map, ivec2(texel, 1), 0).rgb, 1.0) : edge;
     fill.rgb = mapped ? mix(fill.rgb, vec3(0.04, 0.06, 0.09), contour) : fill.rgb;
     if (mapped && (shade < badBelow || shade > badAbove)) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;
