@@ -79,7 +79,7 @@ ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform), context_(ImG
     io.GetClipboardTextFn = readClipboard;
     io.SetClipboardTextFn = writeClipboard;
     io.ClipboardUserData = &platform_;
-    // io.KeyRepeatDelay = 1e30F; // only the keyboard repeats keys: a slow frame must not count as a key held down
+    io.KeyRepeatDelay = 1e30F; // only the keyboard repeats keys: a slow frame must not count as a key held down
     mapKeys(io);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -118,7 +118,7 @@ void ImGuiBridge::feed(const InputEvent &event) {
         if (event.code >= 0 && event.code < IM_ARRAYSIZE(io.KeysDown)) {
             io.KeysDown[event.code] = event.pressed;
             if (event.pressed && event.repeated) {
-                ; // pressed anew
+                io.KeysDownDuration[event.code] = -1.0F; // pressed anew
             }
         }
         io.KeyCtrl = io.KeysDown[key::kLeftControl] || io.KeysDown[key::kRightControl];

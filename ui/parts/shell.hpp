@@ -4,6 +4,7 @@
 #include "ui/background/file_watch.hpp"
 #include "ui/parts/action.hpp"
 #include "ui/parts/context_menu.hpp"
+#include "ui/parts/menu_keys.hpp"
 #include "ui/parts/dialog.hpp"
 #include "ui/parts/layer.hpp"
 #include "ui/parts/naming.hpp"
@@ -54,6 +55,7 @@ struct Shell : Workspace {
     std::optional<std::string> coloursBefore;
     bool contextMenu = false; ///< a tool asks for the menu of the selection at the pointer
     ContextMenu menu;         ///< see contextMenu; panels and tools can open other ones
+    MenuKeys menuKeys;
     Naming naming;
     SideBySide sides{background}; ///< runs with other grids or the other method
     bool quit = false;            ///< end the program after this frame
