@@ -84,7 +84,7 @@ TEST_CASE("Refused fields: the text, the caret and the focus stay, and the next 
     CHECK(driver.context().selection.size() == 1); // Ctrl+A did not select anything
 }
 
-TEST_CASE("Refused fields: Tab stays, a shortcut and a click on the canvas wait; a second click gives the text up") {
+TEST_CASE("Refused fields: Tab stays, a shortcut and a click on the canvas wait; one more click gives the text up") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
@@ -102,10 +102,13 @@ TEST_CASE("Refused fields: Tab stays, a shortcut and a click on the canvas wait;
     driver.key('D', kControl); // would duplicate the rectangle
     stays();
     CHECK(driver.document().shapes.size() == 1);
+    driver.key(key::kEscape);
+    driver.click("spacing/size");
+    driver.type("-1");
     driver.clickPlace({-1, -1}); // would select nothing
     stays();
     CHECK(driver.context().selection.size() == 1);
-    driver.clickPlace({-1, -1});
+    driver.clickPlace({-1, -1}); // the fault has been seen
     CHECK_FALSE(driver.context().widgets.fields.entry.has_value());
     CHECK_FALSE(driver.has("spacing/size/fault"));
     CHECK_FALSE(driver.document().spacing.size.has_value());
