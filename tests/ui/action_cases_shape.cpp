@@ -213,7 +213,14 @@ std::vector<ActionCase> visibilityCases() {
 }
 
 std::vector<ActionCase> operationCases() {
-    return {{"edit.union", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 28); }},
+    return {{"edit.combine", drawOverlap,
+             [](D &d, const B &) {
+                 const bool previewed = d.context().dialogs.any() && shapesOf(d) == 1 && same(areaOf(d), 28);
+                 d.click("dialog/combine/cancel");
+                 d.settle();
+                 return previewed && shapesOf(d) == 2;
+             }},
+            {"edit.union", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 28); }},
             {"edit.difference", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 12); }},
             {"edit.intersection", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 4); }},
             {"edit.exclusion", drawOverlap, [](D &d, const B &) { return same(areaOf(d), 24); }},

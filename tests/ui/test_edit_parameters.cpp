@@ -72,16 +72,17 @@ TEST_CASE("Parameters: faults are shown beside the row and the field, and the dr
     Draughtsman driver;
     addParameter(driver, "r", "1");
     driver.fill("parameters/0/expression", "2*r");
-    CHECK(driver.has("parameters/0/fault"));
+    CHECK(driver.has("parameters/0/expression/fault"));
     CHECK(driver.document().parameters[0].expression == "1");
     driver.fill("parameters/0/expression", "2*");
-    CHECK(driver.has("parameters/0/fault"));
+    CHECK(driver.has("parameters/0/expression/fault"));
     driver.fill("parameters/0/expression", "2");
-    CHECK_FALSE(driver.has("parameters/0/fault"));
+    CHECK_FALSE(driver.has("parameters/0/expression/fault"));
     CHECK(driver.document().parameters[0].expression == "2");
     driver.fill("parameters/0/name", "sin");
-    CHECK(driver.has("parameters/0/fault"));
+    CHECK(driver.has("parameters/0/name/fault"));
     CHECK(driver.document().parameters[0].name == "r");
+    driver.key(key::kEscape);
 
     driver.rectangle({1, 1}, {5, 5});
     driver.key('V');

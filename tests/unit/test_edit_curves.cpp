@@ -1,6 +1,7 @@
 #include "core/drawing/commands/combine_shapes.hpp"
 #include "core/drawing/commands/join_segments.hpp"
 #include "core/drawing/commands/repair_drawing.hpp"
+#include "core/drawing/commands/transform.hpp"
 #include "core/drawing/document/equality.hpp"
 #include "core/drawing/domain/chain_shape.hpp"
 #include "core/drawing/domain/document_domain.hpp"
@@ -22,10 +23,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 
 using namespace forefront;
 using namespace forefront::edit_test;
@@ -385,6 +388,37 @@ TEST_CASE("joinToSegments: a line that ends on a curve divides it there") {
     CHECK(joined.shapes[0]->nodes[2] == on);
     CHECK(validate(toDomain(joined)).empty());
     CHECK(areaOf(*joined.shapes[0]) == doctest::Approx(areaOf(sail())));
+}
+
+TEST_CASE("A rectangle with rounded corners: sides and arcs have tags of their own, which a quarter turn keeps in place") {
+    Shape box = roundedBox(1.0);
+    CHECK(taggedSegments(box) == 8);
+    box.segmentTags = {1, 2, 3, 4};
+    CHECK(segmentTagsOf(box) == std::vector<std::int32_t>{1, 2, 3, 4, 1, 2, 3, 4});
+    const Document tagged = *setSegmentTag(documentOf({box}), {{1, 5}}, 9);
+    CHECK(tagged.shapes[0]->segmentTags == std::vector<std::int32_t>{1, 2, 3, 4, 1, 9, 3, 4});
+    const Result<Document> read = parseProject(projectText(tagged), "box.forefront");
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    CHECK(read->shapes[0]->segmentTags == tagged.shapes[0]->segmentTags);
+    const auto tagsByPlace = [](const Shape &shape, const PlaneMap &map) {
+        std::map<std::pair<long, long>, std::int32_t> tags;
+        const Outline outline = outlineOf(shape);
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            const Vec2 middle = map(outline.curve(k).point(0.5));
+            tags[{std::lround(1e6 * middle.x), std::lround(1e6 * middle.y)}] = segmentTag(shape, outline.part(k));
+        }
+        return tags;
+    };
+    const PlaneMap still = PlaneMap::translation({});
+    for (const PlaneMap &map : {PlaneMap::rotation(90.0, {1, 2}), PlaneMap::rotation(180.0, {1, 2}),
+                                PlaneMap::rotation(270.0, {1, 2}), PlaneMap::reflection(90.0, {1, 2}),
+                                PlaneMap::reflection(45.0, {1, 2})}) {
+        CAPTURE(map.u.x);
+        CAPTURE(map.u.y);
+        const Document mapped = *transformSelection(tagged, selected({1}), map);
+        CHECK(mapped.shapes[0]->is<RectangleForm>());
+        CHECK(tagsByPlace(*mapped.shapes[0], still) == tagsByPlace(*tagged.shapes[0], map));
+    }
 }
 
 TEST_CASE("joinToSegments: a line from side to side of a rounded rectangle divides just these sides") {

@@ -69,6 +69,7 @@ void show(Shell &context, const std::shared_ptr<const Picture> &picture) {
     context.document.apply(std::move(next), old ? "Replace background picture" : "Add background picture");
     std::string note = noteFor(*picture, old);
     if (!old && std::exchange(context.snapping.toGrid, false)) {
+        context.snapping.offForPicture = true;
         note += ". Snapping to the grid is off for tracing";
     }
     showLayer(context.layers, "picture", true);
@@ -117,6 +118,10 @@ void openDropped(Shell &context, const std::filesystem::path &file) {
 }
 
 void followPicture(Shell &context) {
+    if (context.snapping.offForPicture && !context.document.current()->picture) {
+        context.snapping.toGrid = true; // there is nothing left to trace
+        context.snapping.offForPicture = false;
+    }
     context.pictures.follow(*context.document.current(), context.document.loads());
     Diagnostics news;
     if (context.pictures.refresh(news)) {

@@ -108,6 +108,13 @@ bool drawMeshLine(Shell &context, bool &asked) {
     return true;
 }
 
+/// Returns the name of a document without the extension of the file that it is, or that it was read from.
+std::string baseName(const DocumentStore &document) {
+    const std::filesystem::path title(document.title());
+    const bool ofFile = !document.path().empty() || !allFormats().withExtensionOf(title).empty();
+    return ofFile ? title.stem().string() : title.string();
+}
+
 /// Returns the programs with a button.
 std::vector<FilePreset> solverPresets() {
     std::vector<FilePreset> presets;
@@ -204,8 +211,7 @@ void exportMesh(Shell &context, std::string_view proposed) {
     request.filter = last != request.filters.end() ? static_cast<std::size_t>(last - request.filters.begin()) : 0;
     const std::filesystem::path &document = context.document.path();
     request.folder = document.parent_path();
-    request.name = (document.empty() ? context.document.title() : document.stem().string()) +
-                   request.filters[request.filter].extensions.front();
+    request.name = baseName(context.document) + request.filters[request.filter].extensions.front();
     request.writes = [](const std::filesystem::path &file, const FileFilter &filter) {
         return filesOfMesh(file, filter.id);
     };

@@ -1,5 +1,6 @@
 #include "ui/dialogs/file_dialog.hpp"
 
+#include "core/engine/base/letter_case.hpp"
 #include "core/files/files.hpp"
 #include "core/files/source/source.hpp"
 #include "ui/parts/shell.hpp"
@@ -154,7 +155,7 @@ bool FileDialog::drawRow(Shell &context, const FileEntry &entry) {
     const std::string label = std::string(entry.folder ? icon::kFolder : icon::kFile) + "   " + entry.name;
     const std::string detail =
         entry.folder ? dateText(entry.modified) : fileSizeText(entry.size) + "    " + dateText(entry.modified);
-    const bool pressed = ui::selectable(context, name, label, !entry.folder && entry.name == request_.name, detail);
+    const bool pressed = ui::selectable(context, name, label, entry.name == request_.name, detail);
     const bool twice = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (pressed && !entry.folder) {
         suggest(entry.name);
@@ -162,8 +163,45 @@ bool FileDialog::drawRow(Shell &context, const FileEntry &entry) {
     return twice || (pressed && entry.folder);
 }
 
+void FileDialog::typeAhead(Shell &context) {
+    constexpr double kPause = 1.0; // seconds, after which a new name begins
+    const double now = context.platform.now();
+    if (request_.saves || entries_.empty() || ui::typing().active || reading_) {
+        return;
+    }
+    const auto chosen = std::find_if(entries_.begin(), entries_.end(),
+                                     [&](const FileEntry &entry) { return entry.name == request_.name; });
+    auto next = entries_.end();
+    if (ImGui::IsKeyPressed(key::kDown)) {
+        next = chosen == entries_.end() ? entries_.begin() : std::min(chosen + 1, entries_.end() - 1);
+    } else if (ImGui::IsKeyPressed(key::kUp)) {
+        next = chosen == entries_.end() || chosen == entries_.begin() ? entries_.begin() : chosen - 1;
+    }
+    const ImVector<ImWchar> &typed = ImGui::GetIO().InputQueueCharacters;
+    for (const ImWchar letter : typed) {
+        typed_ = now - typedAt_ > kPause ? std::string() : typed_;
+        typedAt_ = now;
+        if (letter >= ' ' && letter < 0x80) {
+            typed_ += static_cast<char>(letter);
+        }
+    }
+    if (!typed.empty() && !typed_.empty()) {
+        next = std::find_if(entries_.begin(), entries_.end(), [&](const FileEntry &entry) {
+            return lowerCase(entry.name).starts_with(lowerCase(typed_));
+        });
+    }
+    if (next != entries_.end()) {
+        suggest(next->name);
+        const float row = context.px(26) + ImGui::GetStyle().ItemSpacing.y;
+        const float at = row * static_cast<float>(next - entries_.begin());
+        ImGui::SetScrollY(std::max(0.0F, at - 0.5F * ImGui::GetWindowHeight()));
+        context.animate();
+    }
+}
+
 bool FileDialog::drawList(Shell &context) {
     bool opened = false;
+    typeAhead(context);
     if (entries_.empty()) {
         ImGui::SetCursorPos({context.px(10), context.px(8)});
         ui::muted(context, "No files of this kind here");

@@ -77,6 +77,9 @@ class FileDialog : public Dialog {
     void drawPath(Shell &context);
     /// Returns true if a file was double-clicked.
     bool drawList(Shell &context);
+    /// Chooses the file or folder whose name begins with what is typed while no field has the focus, or the next one for
+    /// an arrow key.
+    void typeAhead(Shell &context);
     bool drawRow(Shell &context, const FileEntry &entry);
     /// Draws the folders and the files. Returns true if a file was double-clicked.
     bool drawBrowser(Shell &context);
@@ -123,6 +126,8 @@ class FileDialog : public Dialog {
     bool browses_ = true;  ///< shows the folders and files; at first not if there are presets, which come first
     bool newFolder_ = false;
     std::string newFolderName_;
+    std::string typed_;     ///< beginning of a name, see typeAhead()
+    double typedAt_ = -1e9; ///< time of its last letter
 };
 
 } // namespace forefront

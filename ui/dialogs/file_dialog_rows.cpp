@@ -55,6 +55,7 @@ void FileDialog::drawPresets(Shell &context) {
             const auto wanted = std::find_if(request_.filters.begin(), request_.filters.end(),
                                              [&](const FileFilter &f) { return f.id == preset.filter; });
             useFilter(static_cast<std::size_t>(wanted - request_.filters.begin()));
+            focusName_ = true; // the name is what is typed next
         }
     }
 }

@@ -152,7 +152,7 @@ void compare(Shell &context, const std::filesystem::path &file, const Outcome &o
                 context.log.add(found);
                 const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
                 if (!ours.empty() && !ours.overlaps(context.sides.mesh()->mesh().bounds())) {
-                    context.log.announce(name + " lies outside the mesh on the canvas; zoom out to see both");
+                    context.log.refuse(name + " lies outside the mesh on the canvas; zoom out to see both");
                 }
                 context.animate();
             });

@@ -54,7 +54,7 @@ bool replacedWhileReading(Shell &context, const std::filesystem::path &file, std
     if (context.document.loads() == loads) {
         return false;
     }
-    context.log.announce(file.filename().string() + " is not shown: another document was opened while it was read");
+    context.log.refuse(file.filename().string() + " is not shown: another document was opened while it was read");
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/dialogs/clipboard_actions.hpp"
+#include "ui/dialogs/combine_action.hpp"
 #include "ui/dialogs/operation_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -309,6 +310,7 @@ void addShapeOperations(ActionRegistry &actions) {
                      .enabled = [](const Shell &c) { return canCombine(*c.document.current(), c.selection); },
                      .separatorBefore = entry.operation == ShapeOperation::Union});
     }
+    addCombineAction(actions);
 }
 
 /// Returns the ids of all shapes that satisfy `wanted`.

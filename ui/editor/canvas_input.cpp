@@ -46,7 +46,7 @@ void CanvasInput::dispatch(const InputEvent &event, Shell &context) {
         key(event, context);
         break;
     case InputKind::Text:
-        if (!ui::typing().active && !context.dialogs.any()) {
+        if (!ui::typing().active && !context.dialogs.any() && !context.menuKeys.open) {
             offer({.kind = CanvasEvent::Kind::Text, .character = static_cast<char32_t>(event.code)}, context);
         }
         break;
@@ -114,7 +114,7 @@ void CanvasInput::button(const InputEvent &event, Shell &context) {
         return;
     }
     if (ui::typing().active) {
-        context.widgets.fields.leave(); // it commits its text before anything else is selected
+        context.widgets.fields.leave(FieldFocus::Leave::Click); // it commits its text before anything is selected
         waitingPress_ = event;
         return;
     }
@@ -173,19 +173,58 @@ void CanvasInput::fieldKey(const InputEvent &event, Shell &context) {
         return;
     }
     if (context.actions.knows(shortcut) && !event.repeated) {
-        context.widgets.fields.leave();
+        context.widgets.fields.leave(FieldFocus::Leave::Shortcut);
         waiting_ = shortcut;
     }
 }
 
+/// Opens a menu of the bar for its letter with Alt, or the first one for F10. Returns false for other keys. A field
+/// commits its text first, and keeps the focus if that is refused.
+bool CanvasInput::openMenu(const InputEvent &event, Shell &context) {
+    const bool leftAlt = ImGui::GetIO().KeysDown[key::kLeftAlt]; // the right one types characters on many keyboards
+    const bool letter = modifiers_ == kAlt && leftAlt && event.code >= 'A' && event.code <= 'Z';
+    const bool first = modifiers_.none() && event.code == key::kF1 + 9;
+    if (!event.pressed || event.repeated || (!letter && !first)) {
+        return false;
+    }
+    if (letter && context.actions.canRun({event.code, modifiers_}, context)) {
+        return false;
+    }
+    waitingMenu_ = first ? 'F' : static_cast<char>(event.code);
+    if (ui::typing().active) {
+        context.widgets.fields.leave(FieldFocus::Leave::Shortcut);
+    }
+    return true;
+}
+
+/// Handles a key while a menu is open, which owns the keyboard. Dear ImGui handles the arrow keys within it and Esc.
+void CanvasInput::menuKey(const InputEvent &event, Shell &context) {
+    if (!event.pressed) {
+        return;
+    }
+    MenuKeys &keys = context.menuKeys;
+    if (event.code == key::kLeft || event.code == key::kRight) {
+        keys.step = event.code == key::kRight ? 1 : -1;
+    } else if (event.code >= 'A' && event.code <= 'Z' && !modifiers_.control()) {
+        keys.letter = static_cast<char>(event.code);
+    }
+    context.animate();
+}
+
 void CanvasInput::runWaiting(Shell &context) {
-    if (const std::optional<Shortcut> shortcut = std::exchange(waiting_, std::nullopt)) {
+    // Nothing follows a text that was refused: the user is still in its field.
+    const bool stays = context.widgets.fields.travelling();
+    if (const std::optional<Shortcut> shortcut = std::exchange(waiting_, std::nullopt); shortcut && !stays) {
         context.actions.runShortcut(*shortcut, false, context);
         context.animate();
     }
     if (const std::optional<InputEvent> press = std::exchange(waitingPress_, std::nullopt);
-        press && !ui::typing().active) {
+        press && !stays && !ui::typing().active) {
         button(*press, context);
+    }
+    if (const char menu = std::exchange(waitingMenu_, 0); menu != 0 && !stays) {
+        context.menuKeys.mnemonic = menu;
+        context.animate();
     }
 }
 
@@ -205,6 +244,7 @@ void CanvasInput::showTool(Shell &context) {
 
 void CanvasInput::endFrame(Shell &context) {
     runWaiting(context);
+    context.menuKeys.open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) && !context.dialogs.any();
     context.tools.followDocument(context);
     showTool(context);
 }
@@ -224,6 +264,13 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
     if (context.dialogs.any()) {
         return;
     }
+    if (openMenu(event, context)) {
+        return;
+    }
+    if (context.menuKeys.open) {
+        menuKey(event, context);
+        return;
+    }
     if (ui::typing().active) {
         fieldKey(event, context);
         return;
@@ -238,12 +285,10 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
     if (event.code == key::kEscape && ImGui::IsAnyItemActive()) {
         return; // it cancels the drag of a slider
     }
-    if (event.code == key::kEscape && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
-        ImGui::ClosePopupToLevel(0, true);
-        return;
-    }
-    if (!offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context)) {
-        context.actions.runShortcut({event.code, modifiers_}, event.repeated, context);
+    const bool used = offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context) ||
+                      context.actions.runShortcut({event.code, modifiers_}, event.repeated, context);
+    if (!used && event.code == key::kEscape) {
+        context.probe.chosen.reset(); // such as the worst element, shown with any tool
     }
 }
 

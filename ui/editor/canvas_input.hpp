@@ -35,6 +35,8 @@ class CanvasInput {
     void scroll(const InputEvent &event, Shell &context);
     void key(const InputEvent &event, Shell &context);
     void fieldKey(const InputEvent &event, Shell &context);
+    bool openMenu(const InputEvent &event, Shell &context);
+    void menuKey(const InputEvent &event, Shell &context);
     void spaceKey(const InputEvent &event, Shell &context);
     bool offer(CanvasEvent event, Shell &context) const;
     int countClicks(const InputEvent &event, Shell &context);
@@ -46,6 +48,7 @@ class CanvasInput {
     std::optional<MouseButton> held_; ///< button pressed on the canvas, held for the tool
     bool spaceDown_ = false, spaceUsed_ = false;
     std::optional<Shortcut> waiting_;        ///< runs once the text field is left
+    char waitingMenu_ = 0;                   ///< letter of the menu that opens once the text field is left; 0: none
     std::optional<InputEvent> waitingPress_; ///< click on the canvas, handled once the text field is left
     Pixel clickPixel_{};
     double clickTime_ = -1.0;

@@ -77,6 +77,7 @@ struct Editor::Parts {
     void handleEvents(const std::vector<InputEvent> &events);
     void buildInterface();
     void showTitle();
+    bool inputWaits() const;
     std::vector<InputEvent> takeInput();
     void recordFrame(double begin, bool cancelling, bool busy);
     void rememberSettings();
@@ -200,7 +201,7 @@ bool Editor::settled() const {
 double Editor::sleepSeconds() const {
     const Shell &c = parts_->context;
     const double untilTurn = parts_->untilTurn();
-    if (c.redraw > 0 || c.widgets.fields.travelling() || !parts_->input.empty() || parts_->input.replaying()) {
+    if (c.redraw > 0 || parts_->inputWaits() || !parts_->input.empty() || parts_->input.replaying()) {
         return std::max(0.0, untilTurn);
     }
     constexpr double kUntilWorkerRests = 0.002; // the worker reports its result just before it becomes idle
@@ -426,9 +427,16 @@ void Editor::Parts::rememberSettings() {
     }
 }
 
-/// Returns the input of this frame; none while a field that is to receive it takes the focus.
+/// Returns true while a field, dialog or menu that is to receive the next input is about to appear or to take the focus.
+bool Editor::Parts::inputWaits() const {
+    const bool naming = context.naming.thing && !context.naming.inPanel && context.naming.frames == 0;
+    return context.widgets.fields.travelling() || context.dialogs.opening() || context.menu.opens ||
+           context.menuKeys.mnemonic != 0 || naming;
+}
+
+/// Returns the input of this frame; none while it must wait, so that no key reaches another widget than it is meant for.
 std::vector<InputEvent> Editor::Parts::takeInput() {
-    if (context.widgets.fields.travelling()) {
+    if (inputWaits()) {
         return {};
     }
     return input.takeFrame([this](const InputEvent &event) { return keySharesFrame(event); });

@@ -3,6 +3,7 @@
 #include "ui/platform/platform.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
@@ -49,6 +50,22 @@ void mapKeys(ImGuiIO &io) {
     io.KeyMap[ImGuiKey_Z] = 'Z';
 }
 
+/// Returns true while a menu or a list is open, not only dialogs.
+bool menuIsOpen() {
+    const ImVector<ImGuiPopupData> &open = ImGui::GetCurrentContext()->OpenPopupStack;
+    return !open.empty() && open.back().Window != nullptr && (open.back().Window->Flags & ImGuiWindowFlags_Modal) == 0;
+}
+
+/// Lets the arrow keys move through an open menu, and Enter run the chosen item.
+void feedMenu(ImGuiIO &io) {
+    const bool open = menuIsOpen();
+    io.ConfigFlags = open ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
+                          : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+    if (open && (io.KeysDown[key::kEnter] || io.KeysDown[key::kKeypadEnter])) {
+        io.NavInputs[ImGuiNavInput_Activate] = 1.0F;
+    }
+}
+
 } // namespace
 
 ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform), context_(ImGui::CreateContext()) {
@@ -62,6 +79,7 @@ ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform), context_(ImG
     io.GetClipboardTextFn = readClipboard;
     io.SetClipboardTextFn = writeClipboard;
     io.ClipboardUserData = &platform_;
+    io.KeyRepeatDelay = 1e30F; // only the keyboard repeats keys: a slow frame must not count as a key held down
     mapKeys(io);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -99,6 +117,9 @@ void ImGuiBridge::feed(const InputEvent &event) {
     case InputKind::Key:
         if (event.code >= 0 && event.code < IM_ARRAYSIZE(io.KeysDown)) {
             io.KeysDown[event.code] = event.pressed;
+            if (event.pressed && event.repeated) {
+                io.KeysDownDuration[event.code] = -1.0F; // pressed anew
+            }
         }
         io.KeyCtrl = io.KeysDown[key::kLeftControl] || io.KeysDown[key::kRightControl];
         io.KeyShift = io.KeysDown[key::kLeftShift] || io.KeysDown[key::kRightShift];
@@ -127,6 +148,7 @@ void ImGuiBridge::beginFrame(std::span<const InputEvent> events, double elapsedS
     for (const InputEvent &event : events) {
         feed(event);
     }
+    feedMenu(io);
     const PixelSize size = platform_.framebufferSize();
     io.DisplaySize = {static_cast<float>(std::max(size.width, 1)), static_cast<float>(std::max(size.height, 1))};
     io.DisplayFramebufferScale = {1.0F, 1.0F};

@@ -15,6 +15,7 @@ struct FrameChanges {
     bool sharedKey = false; ///< only keys that may share a frame have changed
     Pixel pointer{};
     std::optional<Pixel> wheelAt; ///< where the pointer was when the wheel first turned
+    std::optional<int> pressed;   ///< the key that was pressed, if it may not share the frame
 
     /// Returns true if `event` must wait for the next frame. A move after a button change would shift the click; two
     /// changes of a button or key would hide each other; text belongs to the key before it. Wheel notches add up, and
@@ -37,6 +38,12 @@ struct FrameChanges {
         }
     }
 
+    /// Returns true if a key that is held down repeats once more in this frame. More than one repetition a frame would
+    /// wait in the queue, and the key would act on after its release.
+    bool repeatsAgain(const InputEvent &event) const {
+        return event.kind == InputKind::Key && event.pressed && event.repeated && pressed == event.code;
+    }
+
     void note(const InputEvent &event, bool shares) {
         if (event.kind == InputKind::MouseMove) {
             pointer = Pixel(event.x, event.y);
@@ -47,6 +54,9 @@ struct FrameChanges {
         button = button || event.kind == InputKind::MouseButton;
         scrolled = scrolled || event.kind == InputKind::Scroll;
         key = key || (event.kind == InputKind::Key && !shares);
+        if (event.kind == InputKind::Key && event.pressed && !shares) {
+            pressed = event.code;
+        }
         sharedKey = sharedKey || (event.kind == InputKind::Key && shares);
         text = text || event.kind == InputKind::Text;
     }
@@ -68,6 +78,10 @@ std::vector<InputEvent> InputQueue::takeFrame(const SharesFrame &sharesFrame) {
     FrameChanges changes{.pointer = pointer_};
     while (!events_.empty()) {
         const bool shares = sharesFrame && events_.front().kind == InputKind::Key && sharesFrame(events_.front());
+        if (!shares && changes.repeatsAgain(events_.front())) {
+            events_.pop_front();
+            continue;
+        }
         if (changes.conflicts(events_.front(), shares)) {
             break;
         }

@@ -43,7 +43,8 @@ class InputQueue {
     using SharesFrame = std::function<bool(const InputEvent &)>;
 
     void push(InputEvent event);
-    /// Takes the events of this frame: the longest prefix of the queue in which no change hides another.
+    /// Takes the events of this frame: the longest prefix of the queue in which no change hides another. Drops what a
+    /// key that is held down repeats within the frame.
     std::vector<InputEvent> takeFrame(const SharesFrame &sharesFrame = {});
     bool empty() const { return events_.empty(); }
 

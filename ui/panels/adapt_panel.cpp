@@ -1,3 +1,4 @@
+#include "core/engine/spacing/parts/expression/expression.hpp"
 #include "ui/panels/adapted_rounds.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/panels.hpp"
@@ -55,9 +56,22 @@ class AdaptPanel final : public Panel {
                                 "that file; then recompute the values on it.");
         if (choice == 0) {
             form::label(context, "f(x, y)");
-            ui::entry(context, "adapt/expression", expression_, "atan(20*(x*x+y*y-1))");
+            std::string typed = expression_;
+            if (ui::inputName(context, "adapt/expression", typed, "atan(20*(x*x+y*y-1))")) {
+                enterExpression(context, typed);
+            }
         }
         usesValues_ = choice > 0;
+    }
+
+    void enterExpression(Shell &context, const std::string &typed) {
+        const NamedValues &names = context.document.current()->spacing.names;
+        const Result<ExpressionProgram> compiled = compileExpression(typed, names);
+        if (!compiled && !typed.empty()) {
+            ui::refuseEntry(context, "adapt/expression", compiled.faults(), compiled.faults().front().message);
+        } else {
+            expression_ = typed;
+        }
     }
 
     static void drawSize(Shell &context, const char *name, std::optional<double> &size, const char *hint) {

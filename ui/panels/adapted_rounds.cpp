@@ -31,7 +31,7 @@ void logEnd(Shell &context) {
     }
     if (!now.faults.empty()) {
         if (made > 0) {
-            context.log.announce("Adapting ended early; " + text);
+            context.log.refuse("Adapting ended early; " + text);
         }
         return;
     }

@@ -2,6 +2,7 @@
 
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/part_lengths.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/geometry/path_curve.hpp"
@@ -10,7 +11,9 @@
 #include "ui/workspace/edit_state.hpp"
 #include "ui/workspace/number_field.hpp"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -150,14 +153,41 @@ void geometryRows(Shell &context, const Shape &shape) {
     }
     ui::field(context, "Length", ui::number(lengthOf(shape), 5), form::kLabel);
     if (isClosed(shape)) {
-        ui::field(context, "Area", ui::number(areaOf(shape), 5), form::kLabel);
+        const double area = areaOf(shape);
+        const bool large = area >= 1e5 && area < 1e15; // its digits are grouped
+        ui::field(context, "Area", large ? ui::count(static_cast<std::uint64_t>(std::llround(area))) : ui::number(area, 5),
+                  form::kLabel);
     }
 }
+
+namespace {
+
+/// Draws the length of a straight part or of an arc of a rectangle with rounded corners, and the number that sets it.
+void roundedSegmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
+    ui::field(context, "Length", ui::number(partLengths(shape)[ref.segment].length, 5), form::kLabel);
+    if (isRoundedCorner(shape, ref.segment)) {
+        ui::field(context, "Radius", ui::number(shape.as<RectangleForm>().radius, 5), form::kLabel);
+        return;
+    }
+    const bool across = ref.segment % 2 == 0;
+    const Vec2 extent = boundsOf(shape).size();
+    double side = across ? extent.x : extent.y;
+    if (form::number(context, "inspector/length", across ? "Width" : "Height", side,
+                     addressOf(shape, across ? Quantity::Width : Quantity::Height))) {
+        context.applyCommand(setSegmentLength(*context.document.current(), ref, side), "Change length");
+    }
+}
+
+} // namespace
 
 void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     const Document &document = *context.document.current();
     const Outline outline = outlineOf(shape);
     const bool rectangle = shape.is<RectangleForm>();
+    if (rectangle && outline.segmentCount() > 4) {
+        roundedSegmentRows(context, shape, ref);
+        return;
+    }
     if (!rectangle && outline.isCurved(ref.segment)) {
         const Curve curve = outline.curve(ref.segment);
         const std::optional<double> bend = isPath(shape) ? radiusOf(curve) : std::nullopt;

@@ -260,7 +260,10 @@ void InspectorPanel::drawNodeKind(Shell &context, const Shape &shape, NodeRef re
 void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     const Document &document = *context.document.current();
     const Shape *shape = findShape(document, ref.shape);
-    inspectorHeading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
+    const bool corner = isRoundedCorner(*shape, ref.segment);
+    inspectorHeading(context, (corner ? "Rounded corner " + std::to_string(ref.segment - 3)
+                                      : "Segment " + std::to_string(ref.segment + 1)) +
+                                  " of " + displayName(*shape));
     boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
     partSizeRow(context, segmentTag(*shape, ref.segment));
     elementCountRow(context, std::set{ref});
@@ -270,10 +273,11 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     segmentRows(context, *shape, ref);
     const Outline outline = outlineOf(*shape);
     const bool curved = isPath(*shape) && outline.isCurved(ref.segment);
-    const std::vector<Vec2> handles = handlesOf(*shape);
-    const Vec2 middle = shape->is<RectangleForm>()
-                            ? midpoint(handles[ref.segment], handles[(ref.segment + 1) % handles.size()])
-                            : outline.curve(ref.segment).point(0.5);
+    std::size_t segment = 0; // of the outline
+    while (segment + 1 < outline.segmentCount() && outline.part(segment) != ref.segment) {
+        ++segment;
+    }
+    const Vec2 middle = outline.curve(segment).point(0.5);
     if (ui::button(context, "inspector/split", "Insert node")) {
         context.applyCommand(insertNode(document, ref, middle), "Insert node");
     }

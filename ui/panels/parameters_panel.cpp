@@ -5,6 +5,7 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -18,8 +19,7 @@ namespace {
 
 constexpr float kName = 72.0F, kValue = 64.0F, kRemove = 24.0F, kGap = 6.0F; ///< of a row, in design pixels
 
-/// The table of the parameters. An invalid expression stays in its row, with the fault below it, until it is corrected
-/// or the document changes.
+/// The table of the parameters. An invalid name or expression stays in its field until it is corrected.
 class ParametersPanel final : public Panel {
   public:
     const char *id() const override { return "parameters"; }
@@ -59,7 +59,7 @@ class ParametersPanel final : public Panel {
     }
 
     struct Row {
-        Parameter shown; ///< the row may show an invalid expression that the document does not have
+        Parameter shown;
         std::optional<double> value;
         std::string fault;
     };
@@ -85,12 +85,12 @@ class ParametersPanel final : public Panel {
             openMenu(context, index);
         }
         const float rest = ImGui::GetContentRegionAvail().x / context.scale - kName - kValue - kRemove - 3.0F * kGap;
-        if (std::string typed = row.shown.name; ui::entry(context, name + "/name", typed, "name", kName, true)) {
+        if (std::string typed = row.shown.name; ui::inputName(context, name + "/name", typed, "name", kName, true)) {
             rename(context, index, typed);
         }
         ImGui::SameLine(0, context.px(kGap));
         if (std::string typed = row.shown.expression;
-            ui::entry(context, name + "/expression", typed, "0.5 or 2*r", std::max(rest, 40.0F))) {
+            ui::inputName(context, name + "/expression", typed, "0.5 or 2*r", std::max(rest, 40.0F))) {
             change(context, index, typed);
         }
         ImGui::SameLine(0, context.px(kGap));
@@ -139,13 +139,11 @@ class ParametersPanel final : public Panel {
     }
 
     void change(Shell &context, std::size_t index, const std::string &expression) {
-        rows_[index].shown.expression = expression;
         std::vector<Parameter> parameters = context.document.current()->parameters;
         parameters[index].expression = expression;
         const std::string fault = parameterStates(parameters)[index].fault;
         if (!fault.empty()) {
-            rows_[index].fault = fault;
-            context.animate();
+            refuse(context, index, error("bad-parameter", fault));
             return;
         }
         finish(context, index, setParameters(*context.document.current(), std::move(parameters)), "Change parameter");
@@ -155,14 +153,25 @@ class ParametersPanel final : public Panel {
         finish(context, index, removeParameter(*context.document.current(), index), "Remove parameter");
     }
 
-    /// Applies a change, or shows below the row why it is impossible.
+    /// Refuses what was entered into a field of the row, or shows below the row why a command is impossible.
+    void refuse(Shell &context, std::size_t index, const Diagnostics &faults) {
+        const std::string row = "parameters/" + std::to_string(index), &field = context.widgets.fields.committed;
+        const Diagnostic &fault = faults.front();
+        const std::string reason = fault.message + (fault.code == "parameter-in-use" ? "; " + fault.advice : "");
+        if (field.starts_with(row + '/')) {
+            ui::refuseEntry(context, field, faults, reason);
+        } else {
+            rows_[index].fault = reason;
+        }
+        context.animate();
+    }
+
     void finish(Shell &context, std::size_t index, Result<Document> next, const char *label) {
         if (next) {
             rows_[index].fault.clear();
             context.applyCommand(std::move(next), label);
         } else {
-            const Diagnostic &fault = next.faults().front();
-            rows_[index].fault = fault.message + (fault.code == "parameter-in-use" ? "; " + fault.advice : "");
+            refuse(context, index, next.faults());
         }
         context.animate();
     }

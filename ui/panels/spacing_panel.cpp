@@ -1,11 +1,14 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
+#include "core/engine/spacing/parts/expression/expression.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/gradation_row.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -65,13 +68,28 @@ void drawExpressionFault(WidgetContext &context, const Diagnostic &fault, const 
     ImGui::PopFont();
 }
 
+/// Makes a typed expression the spacing, unless it cannot be compiled.
+void enterExpression(Shell &context, const std::string &typed) {
+    const Document &document = *context.document.current();
+    if (!trimmed(typed).empty()) {
+        if (const Result<ExpressionProgram> compiled = compileExpression(typed, document.spacing.names); !compiled) {
+            const Diagnostic &fault = compiled.faults().front();
+            ui::refuseEntry(context, "spacing/expression", compiled.faults(),
+                            fault.column > 0 ? "column " + std::to_string(fault.column) + ": " + fault.message
+                                             : fault.message);
+            return;
+        }
+    }
+    context.document.apply(setExpression(document, typed), "Change expression");
+}
+
 void SpacingPanel::drawExpression(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     const std::string expression = document->spacing.expression.value_or(std::string());
     std::string typed = expression;
     form::label(context, "Expression");
-    if (ui::entry(context, "spacing/expression", typed, "0.1 + 0.2*abs(x)")) {
-        context.document.apply(setExpression(*document, typed), "Change expression");
+    if (ui::inputName(context, "spacing/expression", typed, "0.1 + 0.2*abs(x)")) {
+        enterExpression(context, typed);
     }
     ui::rowTooltip(context, "Node spacing \xcf\x81 as a function of x and y. Where several parts give a spacing, the "
                             "smallest applies.");

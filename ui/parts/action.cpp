@@ -134,6 +134,13 @@ std::vector<const Action *> ActionRegistry::conflicts(const Action &action) cons
     return found;
 }
 
+bool ActionRegistry::canRun(Shortcut shortcut, const Shell &context) const {
+    return std::any_of(actions_.begin(), actions_.end(), [&](const Action &action) {
+        return std::find(action.shortcuts.begin(), action.shortcuts.end(), shortcut) != action.shortcuts.end() &&
+               (!action.enabled || action.enabled(context));
+    });
+}
+
 bool ActionRegistry::runShortcut(Shortcut shortcut, bool repeated, Shell &context) const {
     for (const Action &action : actions_) {
         const bool matches =

@@ -55,6 +55,8 @@ class ActionRegistry {
     const std::vector<Action> &all() const { return actions_; }
     /// Runs the enabled action with this shortcut. Returns false if there is none.
     bool runShortcut(Shortcut shortcut, bool repeated, Shell &context) const;
+    /// Returns true if an action that is enabled now has this shortcut.
+    bool canRun(Shortcut shortcut, const Shell &context) const;
     /// Returns true if an action has this shortcut, enabled or not.
     bool knows(Shortcut shortcut) const;
     /// Returns true if a shortcut with this key repeats while held.

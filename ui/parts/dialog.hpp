@@ -29,6 +29,8 @@ class DialogHost {
     /// Returns the dialog on top, or null.
     const Dialog *top() const { return stack_.empty() ? nullptr : stack_.back().get(); }
     bool any() const { return !stack_.empty() || !opening_.empty(); }
+    /// Returns true while a dialog waits to be drawn for the first time.
+    bool opening() const { return !opening_.empty() || !appeared_; }
     void closeAll();
     /// Withdraws and closes every preview; call it before another document replaces the current one.
     void dismissPreviews(Shell &context);
@@ -41,6 +43,7 @@ class DialogHost {
     std::vector<std::unique_ptr<Dialog>> stack_;
     std::vector<std::unique_ptr<Dialog>> opening_;
     std::vector<const Dialog *> dismissed_; ///< in stack_, to be closed
+    bool appeared_ = true;                  ///< all of stack_ were drawn with their size
 };
 
 } // namespace forefront

@@ -77,6 +77,7 @@ void DialogHost::closeAll() {
     stack_.clear();
     opening_.clear();
     dismissed_.clear();
+    appeared_ = true;
 }
 
 void DialogHost::dismissPreviews(Shell &context) {
@@ -116,6 +117,7 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
         if (preview != nullptr && !dismissed && (escape || closed)) {
             preview->dismiss(context);
         }
+        appeared_ = appeared_ && !ImGui::IsWindowAppearing();
         if (!ImGui::IsWindowAppearing()) { // its size is known
             ui::markWindow(context, name);
         }
@@ -146,6 +148,7 @@ void DialogHost::draw(Shell &context) {
     ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg] =
         ImGui::ColorConvertU32ToFloat4(dims ? context.theme.dim : Colour());
     const std::size_t count = stack_.size();
+    appeared_ = true;
     std::vector<bool> keep(count, true);
     if (count > 0) {
         drawFrom(0, context, keep);

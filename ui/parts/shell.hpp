@@ -4,6 +4,7 @@
 #include "ui/background/file_watch.hpp"
 #include "ui/parts/action.hpp"
 #include "ui/parts/context_menu.hpp"
+#include "ui/parts/menu_keys.hpp"
 #include "ui/parts/dialog.hpp"
 #include "ui/parts/layer.hpp"
 #include "ui/parts/naming.hpp"
@@ -69,6 +70,7 @@ struct Shell : Workspace {
     std::uint64_t logSeen = 0; ///< number of the last entry of the log that was seen in its drawer
     bool contextMenu = false;  ///< a tool asks for the menu of the selection at the pointer
     ContextMenu menu;          ///< see contextMenu; panels and tools can open other ones
+    MenuKeys menuKeys;
     Naming naming;
     SideBySide sides{background}; ///< runs with other grids or the other method
     bool quit = false;            ///< end the program after this frame

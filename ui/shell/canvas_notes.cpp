@@ -254,6 +254,14 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
             context.view.goTo(*diagnostic.at, context.platform.now());
         }
     }
+    const bool meets = diagnostic.code == "crossing-segments" || diagnostic.code == "overlapping-segments";
+    const Action *const combine = meets ? context.actions.find("edit.combine") : nullptr;
+    if (combine != nullptr && combine->enabled(context)) {
+        flow.item("combine");
+        if (ui::button(context, "canvas/error/combine", "Combine\xe2\x80\xa6")) {
+            context.actions.run("edit.combine", context);
+        }
+    }
     if (repairable(diagnostic) && anyRepairable(context.preview->faults)) {
         flow.item("repair");
         if (ui::button(context, "canvas/error/repair", "Repair")) {

@@ -1,4 +1,5 @@
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/menu_choice.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -27,6 +28,7 @@ void ownItem(Shell &context, const ContextItem &item) {
     ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted);
     const bool chosen = ImGui::MenuItem(item.own.title.c_str(), item.own.detail.c_str(), item.checked);
     ImGui::PopStyleColor();
+    noteMenuItem(context, item.own.title, true);
     ui::mark(context, name);
     ImGui::PopID();
     if (chosen) {
@@ -127,6 +129,7 @@ void drawContextMenu(Shell &context) {
         ui::markWindow(context, "contextmenu");
         menu.running = true;
         drawItems(context);
+        endMenuItems(context);
         menu.running = false;
         ImGui::EndPopup();
     }

@@ -135,7 +135,7 @@ void addLessonActions(ActionRegistry &actions) {
                          c.sides.close();
                          c.sides.visible = !shown;
                          if (c.sides.visible && c.run.outOfDate()) {
-                             c.log.announce("The drawing has changed since it was meshed; mesh it again to compare");
+                             c.log.refuse("The drawing has changed since it was meshed; mesh it again to compare");
                          }
                          c.animate();
                      },

@@ -1,5 +1,6 @@
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/menu_choice.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -10,12 +11,14 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace forefront::shell {
 
 namespace {
 
 constexpr std::array<const char *, 7> kMenus{"File", "Edit", "Shape", "View", "Mesh", "Learn", "Help"};
+constexpr std::string_view kMnemonics = "FESVMNH"; ///< letters that open the menus with Alt; Alt+L unlocks shapes
 
 } // namespace
 
@@ -29,6 +32,7 @@ void actionItem(Shell &context, const Action &action, std::string_view prefix) {
     ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted); // the colour of the shortcut, not of the item
     const bool chosen = ImGui::MenuItem(title.c_str(), shortcut.c_str(), checked, enabled);
     ImGui::PopStyleColor();
+    noteMenuItem(context, title, enabled);
     ui::mark(context, name, enabled);
     ImGui::PopID();
     if (chosen) {
@@ -40,6 +44,9 @@ void submenu(Shell &context, const Action &action, std::string_view prefix) {
     const std::vector<MenuEntry> entries = action.entries(context);
     const std::string name = std::string(prefix) + action.id;
     const bool open = ImGui::BeginMenu(action.title.c_str(), !entries.empty());
+    if (!open) {
+        noteMenuItem(context, action.title, !entries.empty(), true);
+    }
     ui::mark(context, name, !entries.empty());
     if (!open) {
         return;
@@ -51,6 +58,7 @@ void submenu(Shell &context, const Action &action, std::string_view prefix) {
         ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted);
         chosen = ImGui::MenuItem(entry.title.c_str(), entry.detail.c_str()) ? &entry : chosen;
         ImGui::PopStyleColor();
+        noteMenuItem(context, entry.title, true);
         ui::mark(context, id);
         ImGui::PopID();
     }
@@ -74,6 +82,46 @@ void drawMenu(Shell &context, const char *menu) {
         first = false;
         action.entries ? submenu(context, action) : actionItem(context, action);
     }
+    endMenuItems(context);
+}
+
+std::string popupOf(const char *menu) {
+    return std::string("##menu") + menu;
+}
+
+/// Returns the menu that a key opens: by its letter, or beside the open one; null if there is none.
+const char *menuByKey(MenuKeys &keys) {
+    const char mnemonic = std::exchange(keys.mnemonic, 0);
+    const int step = std::exchange(keys.step, 0);
+    if (const std::size_t at = kMnemonics.find(mnemonic); mnemonic != 0 && at != std::string_view::npos) {
+        return kMenus[at];
+    }
+    const bool intoSubmenu = step > 0 && keys.onSubmenu;
+    if (step == 0 || intoSubmenu || ImGui::GetCurrentContext()->OpenPopupStack.Size != 1) {
+        return nullptr;
+    }
+    for (std::size_t k = 0; k < kMenus.size(); ++k) {
+        if (ImGui::IsPopupOpen(popupOf(kMenus[k]).c_str())) {
+            return kMenus[(k + kMenus.size() + static_cast<std::size_t>(step)) % kMenus.size()];
+        }
+    }
+    return nullptr;
+}
+
+/// Underlines the letter of a menu while Alt is held.
+void underlineMnemonic(const char *menu, char mnemonic) {
+    if (!ImGui::GetIO().KeyAlt) {
+        return;
+    }
+    const std::string_view title = menu;
+    const auto at = std::find_if(title.begin(), title.end(), [mnemonic](char letter) {
+        return letter == mnemonic || letter - 'a' + 'A' == mnemonic;
+    });
+    const float from = ImGui::GetItemRectMin().x + ImGui::GetStyle().FramePadding.x;
+    const float left = from + ImGui::CalcTextSize(title.data(), at).x;
+    const float right = from + ImGui::CalcTextSize(title.data(), at + 1).x;
+    const float y = ImGui::GetItemRectMax().y - ImGui::GetStyle().FramePadding.y;
+    ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 std::string titleText(const Workspace &context) {
@@ -185,8 +233,9 @@ void drawMenuBar(Shell &context, const PixelRect &rect) {
     beginRegion("##menubar", rect, context.theme.panel, context.px(10), 0);
     const float height = static_cast<float>(rect.height);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(9), context.px(4)));
-    for (const char *menu : kMenus) {
-        const std::string popup = std::string("##menu") + menu;
+    const char *const byKey = menuByKey(context.menuKeys);
+    for (const char *const &menu : kMenus) {
+        const std::string popup = popupOf(menu);
         const bool open = ImGui::IsPopupOpen(popup.c_str());
         ImGui::SetCursorPosY((height - ImGui::GetFrameHeight()) / 2);
         const std::string name = std::string("menu/") + menu;
@@ -194,12 +243,15 @@ void drawMenuBar(Shell &context, const PixelRect &rect) {
         const bool pressed = ImGui::Button(menu);
         ImGui::PopStyleColor();
         ui::mark(context, name);
+        underlineMnemonic(menu, kMnemonics[static_cast<std::size_t>(&menu - kMenus.data())]);
         const ImVec2 corner{ImGui::GetItemRectMin().x, static_cast<float>(rect.y + rect.height)};
         // Once a menu is open, its neighbours open as the pointer passes over them.
         const bool slides = !open && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) &&
                             ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
-        if (pressed || slides) {
+        if (pressed || slides || byKey == menu) {
             ImGui::OpenPopup(popup.c_str());
+            context.menuKeys.highlights = byKey == menu;
+            context.animate();
         }
         ImGui::SetNextWindowPos(corner);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(6), context.px(6)));

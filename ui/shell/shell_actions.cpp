@@ -1,5 +1,4 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
-#include "core/engine/mesh/placed_cell.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/scale_dialog.hpp"
 #include "ui/panels/panels.hpp"
@@ -10,6 +9,7 @@
 #include "ui/shell/help_dialogs.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/tool_actions.hpp"
+#include "ui/workspace/judging.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -188,7 +188,7 @@ void addRunActions(ActionRegistry &actions) {
 /// Steps through the run, unless the mesh shown is from a file, which has no run.
 void travel(Shell &context, const std::function<void(RunControl &)> &move) {
     if (context.run.showsFile()) {
-        context.log.announce("An opened mesh has no run to step through; press 2 to mesh its outline");
+        context.log.refuse("An opened mesh has no run to step through; press 2 to mesh its outline");
         return;
     }
     chooseWorkspace(context, WorkspaceKind::Step); // which has the timeline
@@ -262,8 +262,15 @@ void addPlaceActions(ActionRegistry &actions) {
                  .title = "Go to the worst element",
                  .run =
                      [](Shell &c) {
-                         const SessionSnapshot &s = c.run.now();
-                         c.view.goTo(PlacedCell(s.mesh->view(), index(s.quality.worst)).centre(), c.platform.now());
+                         const Judgement &judgement = *c.judgement;
+                         const bool ranked = judgement.of.mesh == c.run.now().mesh && !judgement.worst.empty();
+                         const MeshPart part = infoOf(judgement.of.measure).part;
+                         if (ranked && (part == MeshPart::Elements || judgement.edges)) {
+                             goToRank(c, 0);
+                         } else {
+                             goToPart(c, {MeshPart::Elements, static_cast<std::uint32_t>(
+                                                                  index(c.run.now().quality.worst))});
+                         }
                      },
                  .enabled =
                      [](const Shell &c) {

@@ -7,6 +7,7 @@ namespace forefront {
 namespace {
 
 constexpr int kMaxFrames = 8; ///< that a request waits for its field
+constexpr int kAskAgain = 3;  ///< frames after which Dear ImGui is asked for the focus again
 
 } // namespace
 
@@ -22,7 +23,8 @@ void FieldFocus::tabInto(unsigned group, bool back) {
 
 void FieldFocus::request(std::string_view name) {
     wanted_ = name;
-    asked_ = false;
+    next_.clear();
+    asked_ = 0;
     framesLeft_ = kMaxFrames;
 }
 
@@ -33,9 +35,38 @@ void FieldFocus::gotFocus(std::string_view name) {
 }
 
 bool FieldFocus::takes(std::string_view name) {
-    const bool now = !wanted_.empty() && wanted_ == name && !asked_;
-    asked_ = asked_ || now;
-    return now;
+    if (!wants(name) || --asked_ > 0) {
+        return false;
+    }
+    asked_ = kAskAgain;
+    return true;
+}
+
+void FieldFocus::commit(Entry what, bool tookFocus) {
+    committed = what.name;
+    commit_ = std::move(what);
+    tookFocus_ = tookFocus;
+}
+
+void FieldFocus::refuse(std::string_view name) {
+    if (!commit_ || commit_->name != name) {
+        return;
+    }
+    refused_ = {*std::exchange(commit_, std::nullopt), !tookFocus_};
+    if (refused_->returns) { // also from the next field, if Tab was pressed
+        tabbed_.reset();
+        wanted_.clear();
+    }
+}
+
+const FieldFocus::Refused *FieldFocus::refused(std::string_view name) const {
+    return refused_ && refused_->entry.name == name ? &*refused_ : nullptr;
+}
+
+void FieldFocus::forgive(std::string_view name) {
+    if (refused(name) != nullptr) {
+        refused_.reset();
+    }
 }
 
 bool FieldFocus::inSight(std::string_view name) const {
@@ -60,17 +91,33 @@ void FieldFocus::endFrame() {
     if (--framesToReplace_ <= 0) {
         replaced_.clear();
     }
-    leaving_ = false;
+    leaving_ = Leave::No;
+    commit_.reset();
     if (entry && !inSight(entry->name)) {
         entry.reset(); // its field is gone
+    }
+    if (refused_ && !inSight(refused_->entry.name)) {
+        refused_.reset();
     }
     if (--framesLeft_ <= 0) {
         wanted_.clear();
     }
+    replaceMissing();
     if (!inSight(held_)) {
         held_.clear();
     }
     followTab();
+}
+
+/// If the field that Tab leads to has gone, because the text just committed changed the form, requests the next one.
+void FieldFocus::replaceMissing() {
+    if (wanted_.empty() || next_.empty() || inSight(wanted_)) {
+        return;
+    }
+    const auto next = std::find_if(next_.begin(), next_.end(), [this](const std::string &name) { return inSight(name); });
+    if (next != next_.end()) {
+        request(std::string(*next));
+    }
 }
 
 /// Requests the focus for the next field of the group, or its first or last one if none has it.
@@ -91,7 +138,13 @@ void FieldFocus::followTab() {
     }
     if (!fields.empty()) {
         const std::size_t next = from ? at + 1 : 0, previous = from ? at + fields.size() - 1 : fields.size() - 1;
-        request(fields[(back_ ? previous : next) % fields.size()]);
+        const std::size_t step = back_ ? fields.size() - 1 : 1;
+        std::size_t to = (back_ ? previous : next) % fields.size();
+        request(fields[to]);
+        for (std::size_t k = 1; k < fields.size(); ++k) {
+            to = (to + step) % fields.size();
+            next_.push_back(fields[to]);
+        }
     }
 }
 

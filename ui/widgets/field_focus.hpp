@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,8 +16,9 @@ class FieldFocus {
     /// The text being typed; it takes effect when the field is left.
     struct Entry {
         std::string name;
-        std::string initial; ///< text of the field when it was entered
+        std::string initial; ///< text of the field when it was entered; Esc restores it
         std::string text;
+        std::string hint{}; ///< shown in place of an empty text
     };
 
     void beginFrame() {
@@ -43,15 +45,35 @@ class FieldFocus {
     /// Returns the switch that has the focus; empty: none.
     const std::string &held() const { return held_; }
     /// Returns true while the focus is moving to a field. Input must wait for it, or keys would be taken for shortcuts.
-    bool travelling() const { return !wanted_.empty(); }
+    bool travelling() const { return !wanted_.empty() || (refused_ && refused_->returns); }
+    /// Returns true if the field is to take the focus.
+    bool wants(std::string_view name) const { return !wanted_.empty() && wanted_ == name; }
 
-    /// Makes the field with the focus commit its text and give up the focus.
-    void leave() { leaving_ = true; }
-    bool leaving() const { return leaving_; }
+    /// Why the field with the focus is to commit its text and give up the focus.
+    enum class Leave : std::uint8_t { No, Shortcut, Click };
+    void leave(Leave why) { leaving_ = why; }
+    Leave leaving() const { return leaving_; }
 
     std::optional<Entry> entry;
     /// The field whose text was last committed in this frame; empty: none, or the widgets of the frame are drawn.
     std::string committed;
+    /// Records what a field commits in this frame, in case it is refused. `tookFocus`: another widget has the focus.
+    void commit(Entry what, bool tookFocus);
+
+    /// A text that was refused. Its field goes on showing it, and the old value stays in effect.
+    struct Refused {
+        Entry entry;
+        bool returns = false; ///< its field is about to take the focus back
+    };
+    /// Refuses the text that the field `name` committed in this frame: the field keeps it and, unless the user went on
+    /// to another widget, the focus and the caret. Does nothing if the field has committed nothing.
+    void refuse(std::string_view name);
+    /// Returns the refused text that the field shows; null if there is none.
+    const Refused *refused(std::string_view name) const;
+    /// Reports that the field of the refused text has the focus again.
+    void returned() { refused_->returns = false; }
+    /// Forgets the refused text of the field; it shows its value again.
+    void forgive(std::string_view name);
 
     /// A field that was clicked with the right button, for the menu that opens there.
     struct Clicked {
@@ -75,6 +97,7 @@ class FieldFocus {
 
     bool inSight(std::string_view name) const;
     void followTab();
+    void replaceMissing();
 
     std::vector<Field> order_; ///< fields of this frame as they were drawn
     std::optional<std::string> tabbed_;
@@ -82,12 +105,16 @@ class FieldFocus {
     bool back_ = false;
     std::string held_;
     std::string wanted_;   ///< empty: none
-    bool asked_ = false;   ///< Dear ImGui was asked to give it the focus
+    int asked_ = 0;        ///< frames until Dear ImGui may be asked again to give it the focus
     int framesLeft_ = 0;   ///< frames until the request is dropped
+    std::vector<std::string> next_; ///< fields that take its place if it is no longer drawn
+    std::optional<Refused> refused_;
+    std::optional<Entry> commit_; ///< in this frame
+    bool tookFocus_ = false;      ///< another widget had the focus when it was committed
     std::string replaced_; ///< field that gets another text; empty: none
     std::string with_;
     int framesToReplace_ = 0;
-    bool leaving_ = false;
+    Leave leaving_ = Leave::No;
 };
 
 } // namespace forefront

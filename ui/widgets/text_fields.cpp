@@ -61,11 +61,34 @@ void noteRightClick(FieldFocus &fields, std::string_view name, const std::string
 }
 
 struct Drawn {
-    bool returned = false; ///< returned by Dear ImGui
-    bool replaced = false; ///< a command of the menu of the field has given it another text
-    bool held = false;     ///< the field had the focus in the last frame, so its text was typed
-    bool holds = false;    ///< the field has the focus now
+    bool returned = false;  ///< returned by Dear ImGui
+    bool replaced = false;  ///< a command of the menu of the field has given it another text
+    bool held = false;      ///< the field had the focus in the last frame, so its text was typed
+    bool holds = false;     ///< the field has the focus now
+    bool abandoned = false; ///< Esc, or a second click elsewhere, gave up its text
 };
+
+/// Forgets the undo history of a field that was left: its changes now belong to the history of the document. Not of one
+/// that takes the focus back, with its caret.
+void forgetLeft(ImGuiID id, bool returns) {
+    ImGuiInputTextState *const state = ImGui::GetInputTextState(id);
+    if (state != nullptr && ImGui::GetActiveID() != id && !returns) {
+        state->ID = 0;
+    }
+}
+
+/// Gives the focus back to a field that lost it in the last frame, with its caret and its undo history. Returns false if
+/// Dear ImGui has forgotten them meanwhile.
+bool takeBack(ImGuiID id) {
+    if (ImGui::GetInputTextState(id) == nullptr) {
+        return false;
+    }
+    ImGuiWindow *const window = ImGui::GetCurrentWindow();
+    ImGui::SetActiveID(id, window);
+    ImGui::SetFocusID(id, window);
+    ImGui::FocusWindow(window);
+    return true;
+}
 
 bool tabPressed() {
     return ImGui::IsKeyPressed(key::kTab) && !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyAlt;
@@ -78,7 +101,22 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
     ImGui::PushID(name.data(), name.data() + name.size());
     const ImGuiID id = ImGui::GetID("##text");
     ImGui::SetNextItemWidth(width < 0.0F ? -1.0F : context.px(static_cast<double>(width)));
-    if (focus || fields.takes(name)) {
+    const FieldFocus::Refused *const refused = fields.refused(name);
+    const bool returns = refused != nullptr && refused->returns;
+    forgetLeft(id, returns);
+    if (returns) {
+        if (takeBack(id)) {
+            fields.entry = refused->entry;
+        } else {
+            fields.request(name);
+        }
+        fields.returned();
+        context.animate();
+    }
+    if (focus) {
+        fields.request(name);
+    }
+    if (fields.takes(name)) {
         ImGui::SetKeyboardFocusHere();
         context.animate();
     }
@@ -105,19 +143,18 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
         if (tab) {
             fields.tab(name, ImGui::GetIO().KeyShift);
         }
-        if (tab || fields.leaving()) {
+        if (tab || fields.leaving() != FieldFocus::Leave::No) {
             ImGui::ClearActiveID();
             context.animate();
         }
-    }
-    // Forget the undo history of a field that was left: its changes now belong to the history of the document.
-    if (ImGuiInputTextState *state = ImGui::GetInputTextState(id); state != nullptr && ImGui::GetActiveID() != id) {
-        state->ID = 0;
     }
     drawn.holds = ImGui::GetActiveID() == id;
     if (drawn.holds) {
         drawFocus(context);
     }
+    const bool again = fields.leaving() == FieldFocus::Leave::Click && refused != nullptr && fields.entry &&
+                       fields.entry->text == refused->entry.text;
+    drawn.abandoned = drawn.held && !drawn.holds && (again || ImGui::IsKeyPressed(key::kEscape, false));
     return drawn;
 }
 
@@ -133,21 +170,32 @@ bool inputText(WidgetContext &context, std::string_view name, std::string &value
 
 bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
            bool selectAll) {
+    FieldFocus &fields = context.widgets.fields;
     const std::string before = value;
+    if (const FieldFocus::Refused *const refused = fields.refused(name)) {
+        if (refused->entry.initial == before) {
+            value = refused->entry.text;
+        } else {
+            fields.forgive(name); // it shows another value
+        }
+    }
     const Drawn drawn = drawField(context, name, value, hint, width,
                                   selectAll ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None, false);
-    std::optional<FieldFocus::Entry> &being = context.widgets.fields.entry;
+    std::optional<FieldFocus::Entry> &being = fields.entry;
     const bool mine = being && being->name == name;
     if (drawn.replaced) {
-        const bool changed = value != (mine ? being->initial : before);
+        const std::string initial = mine ? being->initial : before;
         if (mine) {
             being.reset();
         }
-        return changed;
+        fields.forgive(name);
+        fields.commit({std::string(name), initial, value, std::string(hint)}, true);
+        return value != initial;
     }
     if (drawn.holds) {
         if (!mine) {
-            being = {std::string(name), before, value};
+            const FieldFocus::Refused *const refused = fields.refused(name);
+            being = {std::string(name), refused != nullptr ? refused->entry.initial : before, value, std::string(hint)};
         }
         being->text = std::exchange(value, before);
         return false;
@@ -157,14 +205,28 @@ bool entry(WidgetContext &context, std::string_view name, std::string &value, st
         return false;
     }
     // If another widget took the focus, the field was not drawn as active and shows the text from before.
-    value = drawn.held ? value : being->text;
-    const bool changed = value != being->initial;
-    being.reset();
-    value = changed ? value : before;
+    FieldFocus::Entry typed = *std::exchange(being, std::nullopt);
+    typed.text = drawn.abandoned ? typed.initial : drawn.held ? value : typed.text;
+    const bool changed = typed.text != typed.initial;
+    fields.forgive(name);
+    value = changed ? typed.text : before;
     if (changed) {
-        context.widgets.fields.committed = name;
+        // A widget that is clicked may be drawn later in this frame; a click on the canvas waits for the outcome.
+        const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && fields.leaving() != FieldFocus::Leave::Click;
+        fields.commit(std::move(typed), clicked || ImGui::IsAnyItemActive());
     }
     return changed;
+}
+
+bool showsEdited(const WidgetContext &context, std::string_view name, float width) {
+    const FieldFocus &fields = context.widgets.fields;
+    if ((fields.entry && fields.entry->name == name) || fields.wants(name) || fields.refused(name) != nullptr) {
+        return true;
+    }
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const float room = width < 0.0F ? ImGui::GetContentRegionAvail().x : context.px(static_cast<double>(width));
+    const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    return pressed && ImGui::IsMouseHoveringRect(min, {min.x + room, min.y + ImGui::GetFrameHeight()});
 }
 
 void startTabbing(WidgetContext &context) {

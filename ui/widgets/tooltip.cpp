@@ -59,6 +59,10 @@ void show(WidgetContext &context, std::string_view text, const PixelRect &widget
     const float wrap = context.px(kWrap);
     const ImVec2 pad(context.px(kPadX), context.px(kPadY));
     const PixelRect place = placeOf(context, text, widget);
+    const WidgetRegistry::Widget *const note = context.widgets.find("fieldnote");
+    if (note != nullptr && note->rect.overlaps(place)) {
+        return; // what is wrong with a field matters more than what it means
+    }
     ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
     ImGui::BeginTooltip();
@@ -102,6 +106,7 @@ void faultNote(WidgetContext &context, std::string_view text, bool fault) {
     list.AddRect(from, to, edge, context.px(4));
     const std::string lines = wrapped(text, context.px(kWrap));
     list.AddText({from.x + context.px(kPadX), from.y + context.px(kPadY)}, edge, lines.c_str());
+    markRect(context, "fieldnote", place);
 }
 
 void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text) {

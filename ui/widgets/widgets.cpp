@@ -1,5 +1,6 @@
 #include "ui/widgets/widgets.hpp"
 
+#include "core/engine/base/number_text.hpp"
 #include "ui/widgets/field_frame.hpp"
 #include "ui/widgets/text_wrap.hpp"
 
@@ -7,6 +8,8 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -456,6 +459,16 @@ std::string number(double value, int digits) {
         text.erase(text.find_last_not_of('.') + 1);
     }
     return text;
+}
+
+std::string editedNumber(double value) {
+    const double size = std::abs(value);
+    if (value != 0.0 && !(size >= 1e-4 && size < 1e15)) {
+        return exactText(value);
+    }
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    return {text.data(), end.ptr};
 }
 
 std::string mean(double value) {

@@ -65,8 +65,7 @@ struct SelectionFilter {
 struct EditState {
     /// Tags of the next boundaries and constraints drawn, as chosen by the user; absent: see tagOfNext().
     std::optional<std::int32_t> boundaryTag, constraintTag;
-    double brushRadius = 0.0; ///< domain units; 0: derived from the view on first use
-    PenMode penMode = PenMode::Corners;
+    double brushRadius = 0.0; ///< domain units; 0: not set by the user, follows the view
     ArcMode arcMode = ArcMode::Points;
     FreehandPath freehandPath = FreehandPath::Smooth;
     double freehandTolerance = 0.0; ///< maximum distance from the stroke, domain units; 0: two pixels
@@ -74,7 +73,7 @@ struct EditState {
     DabMode brushMode = DabMode::Set;
     double brushStrength = 1.0; ///< see Dab, in (0, 1]
     double brushFalloff = 0.3;  ///< fraction of the radius over which a dab fades, in [0, 1]
-    double brushSpacing = 0.0;  ///< painted ρ; 0: derived from the current ρ on first use
+    double brushSpacing = 0.0;  ///< painted ρ; 0: not set by the user, follows the present ρ
     SourceShape sourceShape = SourceShape::Point;
     double sourceSize = 0.0;             ///< 0: derived from ρ under the pointer
     std::optional<double> sourceEndSize; ///< of a line, at its second end; absent: the same

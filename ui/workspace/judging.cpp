@@ -7,9 +7,11 @@
 #include "ui/workspace/workspace.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 
 namespace forefront {
 
@@ -257,6 +259,35 @@ std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double re
     return MeshPick{MeshPart::Elements, element};
 }
 
+namespace {
+
+/// Says beside a part what the measure is there, its number and its place; in full even for large coordinates.
+void drawPlate(CanvasPainter &painter, const Workspace &context, const Judgement &judgement, const MeshPick &pick) {
+    const bool measured = judgement.info.part == pick.part && pick.index < judgement.values.size();
+    if (pick.part == MeshPart::Edges && !judgement.edges) {
+        return;
+    }
+    constexpr std::array<const char *, 3> kParts{"element", "edge", "node"};
+    const Vec2 at = placeOf(judgement, pick.part, pick.index);
+    const int decimals = std::clamp(
+        static_cast<int>(std::ceil(1.0 - std::log10(context.view.camera.length(1.0)))), 0, 12);
+    const std::string where = std::string(kParts[static_cast<std::size_t>(pick.part)]) + ' ' +
+                              std::to_string(pick.index) +
+                              ui::format(" at (%.*f, %.*f)", decimals, at.x, decimals, at.y);
+    const Colour plate = fade(context.theme.popup, 0.95);
+    double y = 14.0;
+    if (measured) {
+        painter.label(at, {16.0, y}, judgement.name + ' ' + valueText(judgement, judgement.values[pick.index], 4),
+                      context.theme.text, plate, context.fonts.strong);
+        painter.nameLabel("probe/plate/value");
+        y += 24.0;
+    }
+    painter.label(at, {16.0, y}, where, context.theme.muted, plate, context.fonts.small);
+    painter.nameLabel("probe/plate/place");
+}
+
+} // namespace
+
 void drawProbe(CanvasPainter &painter, const Workspace &context) {
     const Probe &probe = context.probe;
     const Judgement &judgement = *context.judgement;
@@ -275,6 +306,10 @@ void drawProbe(CanvasPainter &painter, const Workspace &context) {
         mark(probe.hovered, context.theme.text, 1.5);
     }
     mark(probe.chosen, context.theme.accent, 3.0);
+    const std::optional<MeshPick> told = probe.chosen ? probe.chosen : probe.active ? probe.hovered : std::nullopt;
+    if (told) {
+        drawPlate(painter, context, judgement, *told);
+    }
 }
 
 std::string measureText(Measure measure, double value, int digits) {

@@ -63,8 +63,11 @@ std::string formulaAt(const Workspace &context, const FieldAddress &address) {
 /// Says beside a field that cannot follow parameters that it has used them, if the text names any.
 void remarkOnce(Workspace &context, std::string_view name, const std::string &text) {
     if (usesNames(text)) {
-        context.fieldFault = {std::string(name), "parameters are evaluated now; later changes do not apply",
-                              context.document.revision(), ImGui::GetFrameCount(), true};
+        context.fieldFault = {.field = std::string(name),
+                              .text = "parameters are evaluated now; later changes do not apply",
+                              .revision = context.document.revision(),
+                              .frame = ImGui::GetFrameCount(),
+                              .note = true};
         context.animate();
     }
 }
@@ -88,17 +91,32 @@ void keepFormula(Workspace &context, std::string_view name, const FieldAddress &
     }
 }
 
-/// Shows the fault of the field that was just drawn, until the document changes, another text is typed or the mouse is
-/// pressed.
+/// Returns true once the fault of a field no longer concerns its text: another was typed, or the document or what is
+/// selected has changed. A text that the field does not keep is also answered by a click.
+bool answered(const Workspace &context, const FieldFault &fault) {
+    const FieldFocus &fields = context.widgets.fields;
+    const FieldFocus::Refused *const refused = fields.refused(fault.field);
+    const bool typing = fields.entry && fields.entry->name == fault.field;
+    const bool moved = fault.revision != context.document.revision() || fault.selection != context.selection;
+    if (fault.keepsText) {
+        return moved || refused == nullptr || (typing && fields.entry->text != refused->entry.text);
+    }
+    const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    return (!fault.note && moved) || (ImGui::GetFrameCount() > fault.frame + 1 &&
+                                      (clicked || (fields.entry && fields.entry->text != fields.entry->initial)));
+}
+
+/// Shows the fault of the field that was just drawn, until it is answered.
 void drawFault(Workspace &context, std::string_view name) {
     FieldFault &fault = context.fieldFault;
     if (fault.field != name) {
         return;
     }
-    const std::optional<FieldFocus::Entry> &typing = context.widgets.fields.entry;
-    const bool answered = ImGui::GetFrameCount() > fault.frame + 1 &&
-                          (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || (typing && typing->text != typing->initial));
-    if (answered || (!fault.note && fault.revision != context.document.revision())) {
+    if (answered(context, fault)) {
+        const bool typing = context.widgets.fields.entry && context.widgets.fields.entry->name == name;
+        if (!typing) {
+            context.widgets.fields.forgive(name);
+        }
         fault = {};
         return;
     }
@@ -118,10 +136,16 @@ void offerValue(Workspace &context, std::string_view name, const std::string &fo
     }
 }
 
+/// Returns a number as a field shows it: rounded, or in full while it is edited, so that nothing is lost.
+std::string shownNumber(const WidgetContext &context, std::string_view name, double value, float width) {
+    return showsEdited(context, name, width) ? editedNumber(value) : number(value, 6);
+}
+
 /// Draws the field. Returns the new text when one was committed.
-std::optional<std::string> drawEntry(Workspace &context, std::string_view name, const std::string &plain,
+std::optional<std::string> drawEntry(Workspace &context, std::string_view name, std::optional<double> value,
                                      const char *hint, float width, const FieldAddress &address) {
     const std::string formula = formulaAt(context, address);
+    const std::string plain = value ? shownNumber(context, name, *value, width) : std::string();
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, hint, width, true);
     offerValue(context, name, formula, plain);
@@ -145,8 +169,21 @@ bool take(Workspace &context, std::string_view name, const std::string &typed, d
 } // namespace
 
 void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason) {
-    context.log.add(faults);
-    context.fieldFault = {std::string(name), std::move(reason), context.document.revision(), ImGui::GetFrameCount()};
+    context.log.keep(faults);
+    FieldFocus &fields = context.widgets.fields;
+    fields.refuse(name);
+    const FieldFocus::Refused *const refused = fields.refused(name);
+    if (refused != nullptr) {
+        const FieldFocus::Entry &entry = refused->entry;
+        const std::string &old = entry.initial.empty() ? entry.hint : entry.initial;
+        reason += old.empty() ? "" : "; still " + old;
+    }
+    context.fieldFault = {.field = std::string(name),
+                          .text = std::move(reason),
+                          .revision = context.document.revision(),
+                          .frame = ImGui::GetFrameCount(),
+                          .keepsText = refused != nullptr,
+                          .selection = context.selection};
     context.animate();
 }
 
@@ -174,9 +211,9 @@ bool showsFault(const Workspace &context, std::string_view prefix) {
 
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
                 const FieldAddress &addressY) {
-    std::optional<std::string> x = drawEntry(context, name + "/x", number(value.x, 6), "", width, addressX);
+    std::optional<std::string> x = drawEntry(context, name + "/x", value.x, "", width, addressX);
     ImGui::SameLine(0, context.px(6));
-    std::optional<std::string> y = drawEntry(context, name + "/y", number(value.y, 6), "", width, addressY);
+    std::optional<std::string> y = drawEntry(context, name + "/y", value.y, "", width, addressY);
     const std::string both = x ? *x : y.value_or("");
     if (const std::size_t comma = separatingComma(both); comma != std::string::npos) {
         const std::string field = name + (x ? "/x" : "/y");
@@ -235,14 +272,14 @@ bool checkWhole(Workspace &context, std::string_view name, double value, double 
 }
 
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const FieldAddress &address) {
-    const std::optional<std::string> typed = drawEntry(context, name, number(value, 6), "", width, address);
+    const std::optional<std::string> typed = drawEntry(context, name, value, "", width, address);
     return typed && take(context, name, *typed, value, address);
 }
 
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width, const FieldAddress &address) {
     const std::optional<std::string> typed =
-        drawEntry(context, name, value ? number(*value, 6) : std::string(), hint, width, address);
+        drawEntry(context, name, value, hint, width, address);
     if (!typed) {
         return false;
     }
@@ -257,7 +294,7 @@ bool inputOptional(Workspace &context, std::string_view name, std::optional<doub
 }
 
 bool inputExpression(Workspace &context, std::string_view name, double &value, std::string &formula, float width) {
-    const std::string plain = number(value, 6);
+    const std::string plain = shownNumber(context, name, value, width);
     std::string typed = formula.empty() ? plain : formula;
     const bool committed = entry(context, name, typed, "", width, true);
     offerValue(context, name, formula, plain);
@@ -282,7 +319,10 @@ bool inputName(Workspace &context, std::string_view name, std::string &value, st
 
 std::optional<std::string> inputChecked(Workspace &context, std::string_view name, const std::string &shown,
                                         float width) {
-    return drawEntry(context, name, shown, "", width, {});
+    std::string typed = shown;
+    const bool committed = entry(context, name, typed, "", width, true);
+    drawFault(context, name);
+    return committed ? std::optional(typed) : std::nullopt;
 }
 
 } // namespace forefront::ui

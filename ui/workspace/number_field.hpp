@@ -23,7 +23,8 @@ using FieldAddress = std::optional<NumberAddress>;
 /// says that the parameters in a typed expression are used only once.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const FieldAddress &address = {});
-/// Reports an entry that cannot be used beside its field, as `reason`, and in the log.
+/// Refuses the text that the field has just committed: the field keeps it with the focus, the old value stays in
+/// effect, `reason` is shown beside the field, and the log has the faults.
 void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason);
 /// Reports faults in the log, and the first one beside the field that was last committed in this frame, if any.
 void refuseCommand(Workspace &context, const Diagnostics &faults);

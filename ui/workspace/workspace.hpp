@@ -34,6 +34,8 @@ struct FieldFault {
     std::uint64_t revision = 0; ///< of the document
     int frame = 0;              ///< in which it was typed
     bool note = false;          ///< the text is no fault, but a remark
+    bool keepsText = false;     ///< the field goes on showing the refused text
+    Selection selection{};      ///< at that time; fields show what is selected
 };
 
 /// The open document with its view and selection, and everything computed from it.

@@ -27,11 +27,7 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
             if (shape == nullptr || selection.shapes.contains(segment.shape)) {
                 continue;
             }
-            const auto count = std::max(1U, static_cast<std::uint32_t>(handleCount(*shape)));
-            const bool whole = isRound(*shape) || shape->is<SlotForm>();
-            for (std::uint32_t k = 0; k < (whole ? count : 2); ++k) {
-                handles[segment.shape].insert((segment.segment + k) % count);
-            }
+            handles[segment.shape].merge(handlesOfPart(*shape, segment.segment));
         }
     }
     return handles;

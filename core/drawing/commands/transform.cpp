@@ -10,6 +10,7 @@
 #include "core/engine/spacing/spec/source_box.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -26,11 +27,19 @@ constexpr std::size_t kMaxNewNodes = 1000000; ///< in all copies together
 
 /// Maps a rectangle whose image is one. A quarter turn exchanges its sides: the first one runs along x.
 void mapRectangle(Shape &shape, const PlaneMap &map) {
+    if (!shape.segmentTags.empty()) {
+        shape.segmentTags = segmentTagsOf(shape);
+    }
+    const std::vector<std::int32_t> tags = shape.segmentTags;
     shape.nodes = {map(shape.nodes[0]), map(shape.nodes[1])};
     shape.as<RectangleForm>().radius *= std::sqrt(std::fabs(map.determinant()));
     shape.cuts.clear();
     if (map.u.x == 0.0) {
-        std::reverse(shape.segmentTags.begin(), shape.segmentTags.end());
+        // The last side comes first; the arcs at the second and fourth corner change places, as these corners do.
+        constexpr std::array<std::size_t, 8> kBefore{3, 2, 1, 0, 6, 5, 4, 7};
+        for (std::size_t k = 0; k < shape.segmentTags.size(); ++k) {
+            shape.segmentTags[k] = tags[kBefore[k]];
+        }
         auto second = shape.nodeSizes.extract(1), fourth = shape.nodeSizes.extract(3);
         for (auto *const corner : {&second, &fourth}) {
             if (!corner->empty()) {

@@ -34,7 +34,7 @@ void tidyCurves(std::vector<Curve> &curves, const Outline &outline) {
 /// per segment, from node to node, or none if all are straight.
 void tidy(Shape &shape) {
     if (!shape.segmentTags.empty()) {
-        shape.segmentTags.resize(taggedSegments(shape), shape.tag);
+        shape.segmentTags = segmentTagsOf(shape);
     }
     if (std::all_of(shape.segmentTags.begin(), shape.segmentTags.end(),
                     [&](std::int32_t tag) { return tag == shape.tag; })) {
@@ -245,6 +245,9 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
         if (isRound(shape) || segment.segment >= taggedSegments(shape)) {
             return noSuch("segment");
         }
+        if (isRoundedCorner(shape, segment.segment)) {
+            return error("not-possible", "the length of a rounded corner follows from its radius", "change the radius");
+        }
         if (!shape.is<RectangleForm>() && outlineOf(shape).isCurved(segment.segment)) {
             return isPath(shape)
                        ? error("not-possible", "the length of a curved segment follows from its handles",
@@ -374,7 +377,7 @@ Result<Document> setSegmentTag(const Document &document, const std::set<SegmentR
         ids.insert(segment.shape);
     }
     return changeShapes(document, ids, [&](Shape &shape) -> Status {
-        shape.segmentTags.resize(taggedSegments(shape), shape.tag);
+        shape.segmentTags = segmentTagsOf(shape);
         for (auto ref = segments.lower_bound({shape.id, 0}); ref != segments.end() && ref->shape == shape.id; ++ref) {
             if (ref->segment >= shape.segmentTags.size()) {
                 return noSuch("segment");

@@ -14,6 +14,8 @@ namespace {
 /// Tolerance of the chords of paths for contains(), relative to their size.
 constexpr double kFineChords = 1e-4;
 
+constexpr std::size_t kSides = 4; ///< of a rectangle
+
 } // namespace
 
 std::size_t taggedSegments(const Shape &shape) {
@@ -23,13 +25,44 @@ std::size_t taggedSegments(const Shape &shape) {
             const bool loop = path.closed && (n > 2 || !path.curves.empty());
             return loop ? n : n - std::min<std::size_t>(n, 1);
         },
-        [](const RectangleForm &) { return std::size_t{4}; }, [](const CircleForm &) { return std::size_t{1}; },
+        [](const RectangleForm &rectangle) { return rectangle.radius > 0.0 ? 2 * kSides : kSides; },
+        [](const CircleForm &) { return std::size_t{1}; },
         [](const PointForm &) { return std::size_t{0}; }, [](const EllipseForm &) { return std::size_t{1}; },
         [](const SlotForm &) { return std::size_t{4}; });
 }
 
 std::int32_t segmentTag(const Shape &shape, std::size_t part) {
-    return part < shape.segmentTags.size() && !isRound(shape) ? shape.segmentTags[part] : shape.tag;
+    const std::vector<std::int32_t> &tags = shape.segmentTags;
+    if (isRoundedCorner(shape, part) && tags.size() == kSides) {
+        part -= kSides; // older drawings have a tag for each side with the arc after it
+    }
+    return part < tags.size() && !isRound(shape) ? tags[part] : shape.tag;
+}
+
+std::vector<std::int32_t> segmentTagsOf(const Shape &shape) {
+    std::vector<std::int32_t> tags(taggedSegments(shape));
+    for (std::size_t part = 0; part < tags.size(); ++part) {
+        tags[part] = segmentTag(shape, part);
+    }
+    return tags;
+}
+
+bool isRoundedCorner(const Shape &shape, std::size_t part) {
+    return shape.is<RectangleForm>() && part >= kSides && part < 2 * kSides;
+}
+
+std::set<std::uint32_t> handlesOfPart(const Shape &shape, std::uint32_t part) {
+    const auto count = std::max(1U, static_cast<std::uint32_t>(handleCount(shape)));
+    std::set<std::uint32_t> handles;
+    if (isRoundedCorner(shape, part)) {
+        handles.insert((part + 1) % count);
+        return handles;
+    }
+    const bool whole = isRound(shape) || shape.is<SlotForm>();
+    for (std::uint32_t k = 0; k < (whole ? count : 2); ++k) {
+        handles.insert((part + k) % count);
+    }
+    return handles;
 }
 
 std::vector<Vec2> handlesOf(const Shape &shape) {

@@ -3,6 +3,7 @@
 #include "core/drawing/document/document.hpp"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,11 +63,19 @@ Chords chordsOf(const Shape &shape, const Outline &outline, double circleToleran
 /// sagitta within `tolerance`·radius.
 std::size_t circleCorners(double tolerance);
 
-/// Returns the number of parts that can have their own tag: 4 for a rectangle (its sides) or a slot, 1 for a circle or
-/// an ellipse, else the number of segments of the outline.
+/// Returns the number of parts that can have their own tag: 4 for a rectangle (its sides), 8 if its corners are rounded
+/// (the sides, then the arc after each), 4 for a slot, 1 for a circle or an ellipse, else the number of segments of the
+/// outline.
 std::size_t taggedSegments(const Shape &shape);
-/// Returns the tag of a part; see taggedSegments().
+/// Returns the tag of a part; see taggedSegments(). If only the sides of a rounded rectangle have tags, as in drawings of
+/// older versions, an arc has the tag of the side before it.
 std::int32_t segmentTag(const Shape &shape, std::size_t part);
+/// Returns the tags of all parts.
+std::vector<std::int32_t> segmentTagsOf(const Shape &shape);
+/// Returns true for an arc at a corner of a rectangle.
+bool isRoundedCorner(const Shape &shape, std::size_t part);
+/// Returns the handles that move with a part: its ends, the corner of an arc, or all of a shape without ends.
+std::set<std::uint32_t> handlesOfPart(const Shape &shape, std::uint32_t part);
 
 /// Returns the points that can be dragged: the nodes, the four corners of a rectangle; centre and point of a circle,
 /// centre and the ends of both semi-axes of an ellipse; both centres of a slot and the middle of its left side.

@@ -50,7 +50,7 @@ Outline rectangleOutline(const Shape &shape) {
         }
         outline.nodes.push_back(end);
         outline.curves.push_back(Curve::arc(corner - way + next, -1.0 * next, way, 0.0, 0.5 * std::numbers::pi));
-        outline.parts.push_back(k);
+        outline.parts.push_back(4 + k);
     }
     return outline;
 }

@@ -55,11 +55,11 @@ Vec2 PenTool::fitted(Vec2 at) {
 }
 
 std::string_view PenTool::ownLetters() const {
-    return state_->penMode == PenMode::Corners ? "AL" : "";
+    return mode_ == PenMode::Corners ? "AL" : "";
 }
 
 bool PenTool::ownKey(int key, Shell &context) {
-    if (state_->penMode != PenMode::Corners || (key != 'A' && key != 'L')) {
+    if (mode_ != PenMode::Corners || (key != 'A' && key != 'L')) {
         return false;
     }
     segment_ = key == 'L' ? PenSegment::Line : isTangent() ? PenSegment::Through : PenSegment::Tangent;

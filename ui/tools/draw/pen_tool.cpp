@@ -128,7 +128,7 @@ void PenTool::smoothStroke(Shell &context, bool loop) {
 }
 
 void PenTool::release(Vec2 at, bool away, Shell &context) {
-    if (state_->penMode != PenMode::Freehand) {
+    if (mode_ != PenMode::Freehand) {
         return;
     }
     if (away || hand_.size() >= 3) { // a loop may end where it began
@@ -139,7 +139,7 @@ void PenTool::release(Vec2 at, bool away, Shell &context) {
 }
 
 void PenTool::place(Vec2 at, Shell &context) {
-    if (state_->penMode == PenMode::Freehand) {
+    if (mode_ == PenMode::Freehand) {
         cancel();
         path_ = {{at, {}}};
         hand_ = {at};
@@ -175,13 +175,13 @@ void PenTool::place(Vec2 at, Shell &context) {
 }
 
 void PenTool::pull(Vec2 to) {
-    if (state_->penMode == PenMode::Freehand) {
+    if (mode_ == PenMode::Freehand) {
         if (hand_.empty() || hand_.back() != place_) {
             hand_.push_back(place_);
         }
         return;
     }
-    if (state_->penMode == PenMode::Spline || drawsArc()) {
+    if (mode_ == PenMode::Spline || drawsArc()) {
         return; // the curve follows from its points alone
     }
     path_.back().arm = to - path_.back().at;
@@ -212,7 +212,7 @@ void PenTool::commit(Shell &context, bool closed) {
     Shape shape;
     PathForm &path = shape.path();
     path.closed = closed;
-    if (state_->penMode == PenMode::Spline && path_.size() > 2) {
+    if (mode_ == PenMode::Spline && path_.size() > 2) {
         path.curves = splineOf(closed);
     }
     const std::size_t segments = path.curves.empty() ? path_.size() - (closed ? 0 : 1) : 0;
@@ -307,7 +307,7 @@ bool PenTool::redo(Shell &context) {
 void PenTool::drawPath(CanvasPainter &painter, const Shell &context) const {
     const Theme &theme = context.theme;
     painter.polyline(hand_, false, theme.selection, 2.0);
-    const bool smooth = state_->penMode == PenMode::Spline && path_.size() > 2;
+    const bool smooth = mode_ == PenMode::Spline && path_.size() > 2;
     for (const Curve &curve : smooth ? splineOf(false) : std::vector<Curve>()) {
         painter.curve(curve, theme.selection, 2.0);
     }
@@ -361,7 +361,7 @@ void PenTool::drawSketch(CanvasPainter &painter, Shell &context) {
 void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("pen");
     const float width = std::min(220.0F, flow.room() / context.scale);
-    if (state_->penMode == PenMode::Corners && !path_.empty()) { // another way of drawing would drop the path
+    if (mode_ == PenMode::Corners && !path_.empty()) { // another way of drawing would drop the path
         if (ui::segmented(context, "options/segment", segment_, width)) {
             middle_.reset();
         }
@@ -369,14 +369,14 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
                     "The next segment, by keys: L for a line, A for an arc that is tangent to the segment before "
                     "it, A again for an arc through a point");
     } else {
-        if (ui::segmented(context, "options/pen", state_->penMode, width)) {
+        if (ui::segmented(context, "options/pen", mode_, width)) {
             cancel();
         }
         ui::tooltip(context,
                     "Corners: click for corners, drag for curves; A while drawing: arcs. Spline: a smooth curve "
                     "through the points that you click. Freehand: draw by dragging.");
     }
-    if (state_->penMode == PenMode::Freehand) {
+    if (mode_ == PenMode::Freehand) {
         flow.item("freehand");
         ui::segmented(context, "options/freehand", state_->freehandPath, std::min(150.0F, flow.room() / context.scale));
         ui::tooltip(context, "Smooth: your stroke becomes curves, with corners where it turns sharply. Corners: it "
@@ -393,15 +393,15 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
 }
 
 std::string PenTool::statusText(const Shell &) const {
-    if (state_->penMode == PenMode::Freehand) {
+    if (mode_ == PenMode::Freehand) {
         return kind_ == ShapeKind::Polygon ? "Drag to draw an outline freehand; release to close it"
                                            : "Drag to draw a line freehand";
     }
-    if (state_->penMode == PenMode::Spline && !path_.empty() && !(kind_ == ShapeKind::Polygon && canClose())) {
+    if (mode_ == PenMode::Spline && !path_.empty() && !(kind_ == ShapeKind::Polygon && canClose())) {
         return "Click the next point of the curve, or type distance, Tab, angle, or a position such as 4,3. "
                "Enter: finish, Backspace: remove the last point";
     }
-    if (path_.empty() && state_->penMode == PenMode::Spline) {
+    if (path_.empty() && mode_ == PenMode::Spline) {
         return "Click the points of a smooth curve, or type x, Tab, y. Enter: finish";
     }
     if (path_.empty()) {

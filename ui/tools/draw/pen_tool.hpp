@@ -76,7 +76,7 @@ class PenTool final : public DrawingTool {
     /// Returns the segment between two nodes.
     static Curve segment(const Node &from, const Node &to);
     bool anyCurved() const;
-    bool drawsArc() const { return state_->penMode == PenMode::Corners && segment_ != PenSegment::Line; }
+    bool drawsArc() const { return mode_ == PenMode::Corners && segment_ != PenSegment::Line; }
     /// Returns the direction in which the path ends; none before its first segment.
     std::optional<Vec2> heading() const;
     /// Returns true if the next click places a point on the next arc, not its end.
@@ -107,6 +107,7 @@ class PenTool final : public DrawingTool {
     PenSegment segment_ = PenSegment::Line; ///< the next one
     std::optional<Vec2> middle_;            ///< a point on the next arc
     std::vector<Node> path_;
+    PenMode mode_ = PenMode::Corners; ///< of this tool alone: a freehand outline says nothing about lines
     std::vector<Vec2> hand_;      ///< pointer positions while drawing freehand
     std::vector<Node> undone_;    ///< nodes removed by undo, newest last
     std::vector<Node> discarded_; ///< path dropped by Esc, which undo brings back until anything is drawn

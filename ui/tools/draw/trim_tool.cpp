@@ -70,7 +70,7 @@ std::optional<TrimTool::Change> TrimTool::changeAt(Vec2 place, Shell &context) {
 void TrimTool::apply(const Change &change, Shell &context) const {
     const Document &document = *context.document.current();
     if (change.curves.empty()) {
-        context.log.announce(change.fault);
+        context.log.refuse(change.fault);
         return;
     }
     context.selection.drop({change.shape}); // its nodes and segments get other numbers

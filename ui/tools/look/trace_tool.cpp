@@ -48,7 +48,7 @@ bool TraceTool::handle(const CanvasEvent &event, Shell &context) {
 
 void TraceTool::click(Vec2 place, Shell &context) {
     if (context.run.showsFile()) {
-        context.log.announce("An opened mesh has no run to trace; mesh the drawing first");
+        context.log.refuse("An opened mesh has no run to trace; mesh the drawing first");
         return;
     }
     Breakpoints breakpoints = context.run.breakpoints();

@@ -55,22 +55,18 @@ const char *BrushTool::icon() const {
     return erases_ ? icon::kEraser : icon::kBrush;
 }
 
-void BrushTool::settle(Shell &context, bool forDisplay) {
-    if (forDisplay && (context.view.fitPending || context.preview->revision != context.document.revision())) {
-        return;
-    }
-    if (!(state_->brushRadius > 0.0)) {
-        state_->brushRadius = EditState::twoDigits(EditState::reach(context, 36.0));
-    }
-    if (!(state_->brushSpacing > 0.0)) {
-        const Box2 box = boundsOf(*context.document.current());
-        const double rho = spacingAt(context, box.empty() ? Vec2{} : box.centre());
-        state_->brushSpacing = EditState::twoDigits(rho > 0.0 ? 0.4 * rho : 0.25 * state_->brushRadius);
-    }
+double BrushTool::radius(const Shell &context) const {
+    return state_->brushRadius > 0.0 ? state_->brushRadius : EditState::twoDigits(EditState::reach(context, 36.0));
 }
 
-void BrushTool::activate(Shell &context) {
-    settle(context);
+double BrushTool::spacing(const Shell &context) const {
+    if (state_->brushSpacing > 0.0) {
+        return state_->brushSpacing;
+    }
+    const Box2 box = boundsOf(*context.document.current());
+    const Vec2 middle = box.empty() ? context.view.camera.centre : box.centre();
+    const double rho = spacingAt(context, pointer_ ? *pointer_ : middle);
+    return EditState::twoDigits(rho > 0.0 ? 0.4 * rho : 0.25 * radius(context));
 }
 
 void BrushTool::deactivate(Shell &) {
@@ -84,9 +80,10 @@ void BrushTool::forget(Shell &context) {
 }
 
 void BrushTool::scale(double factor, bool spacing, Shell &context) {
-    settle(context);
-    double &value = spacing && sets() ? state_->brushSpacing : state_->brushRadius;
-    value = std::clamp(EditState::twoDigits(value * factor), 1e-9, 1e12);
+    const bool changesSpacing = spacing && sets();
+    double &value = changesSpacing ? state_->brushSpacing : state_->brushRadius;
+    const double now = changesSpacing ? this->spacing(context) : radius(context);
+    value = std::clamp(EditState::twoDigits(now * factor), 1e-9, 1e12);
 }
 
 bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
@@ -101,7 +98,9 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
     switch (event.kind) {
     case Kind::Press:
         if (event.button == MouseButton::Left) {
-            settle(context);
+            // From the first stroke on they stay, or strokes over painted places would get finer and finer.
+            state_->brushSpacing = strokeSpacing_ = spacing(context);
+            state_->brushRadius = strokeRadius_ = radius(context);
             stroke_ = state_->newStroke();
             last_.reset();
             around_ = context.preview->spacing ? remembered(context.preview->spacing) : std::function<double(Vec2)>();
@@ -119,7 +118,7 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
         return true;
     case Kind::Release:
         if (!stroke_.empty() && !changed_ && !erases() && !sets()) {
-            context.log.announce("Nothing changed: the drawing has no element sizes yet");
+            context.log.refuse("Nothing changed: the drawing has no element sizes yet");
         }
         stroke_.clear();
         return true;
@@ -172,9 +171,8 @@ void BrushTool::stroke(Vec2 to, Shell &context) {
     if (!painted.replaces && !erases() && around_) {
         painted = replacing(painted, around_); // of an older version; from now on the brush can enlarge sizes, too
     }
-    const double radius = state_->brushRadius;
     const Vec2 from = last_.value_or(to);
-    const double pace = kPace * radius;
+    const double pace = kPace * strokeRadius_;
     const int dabs = last_ ? std::clamp(static_cast<int>(distance(from, to) / pace), 0, kMaxDabs) : 1;
     if (dabs == 0) {
         return; // too short; the next movement continues from the same place
@@ -192,7 +190,7 @@ void BrushTool::stroke(Vec2 to, Shell &context) {
 }
 
 Dab BrushTool::dabAt(Vec2 place) const {
-    Dab dab{.centre = place, .radius = state_->brushRadius, .spacing = state_->brushSpacing};
+    Dab dab{.centre = place, .radius = strokeRadius_, .spacing = strokeSpacing_};
     dab.mode = erases() ? DabMode::Erase : state_->brushMode;
     dab.hardness = 1.0 - state_->brushFalloff;
     dab.strength = state_->brushStrength;
@@ -220,23 +218,23 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     if (!pointer_) {
         return;
     }
-    settle(context, true);
     const Theme &theme = context.theme;
-    painter.circle(*pointer_, state_->brushRadius, fade(theme.canvas, 0.7), 3.5);
-    painter.circle(*pointer_, state_->brushRadius, theme.brush, 1.75);
+    const double ring = stroke_.empty() ? radius(context) : strokeRadius_;
+    painter.circle(*pointer_, ring, fade(theme.canvas, 0.7), 3.5);
+    painter.circle(*pointer_, ring, theme.brush, 1.75);
     if (!erases()) {
-        painter.dashedCircle(*pointer_, (1.0 - state_->brushFalloff) * state_->brushRadius, fade(theme.brush, 0.6),
+        painter.dashedCircle(*pointer_, (1.0 - state_->brushFalloff) * ring, fade(theme.brush, 0.6),
                              1.0);
     }
-    std::string text = "r=" + ui::number(state_->brushRadius, 3);
+    std::string text = "r=" + ui::number(ring, 3);
     if (!erases_ && !sets()) {
         text += "  " + std::string(wordOf(state_->brushMode));
     } else if (sets()) {
-        text += "  \xcf\x81=" + ui::number(state_->brushSpacing, 3);
+        text += "  \xcf\x81=" + ui::number(stroke_.empty() ? spacing(context) : strokeSpacing_, 3);
     }
     // Beside the ring, but no farther away than its width on the screen.
     const double beside =
-        std::min(0.71 * state_->brushRadius * context.view.camera.zoom / painter.scale(), 160.0) + 8.0;
+        std::min(0.71 * ring * context.view.camera.zoom / painter.scale(), 160.0) + 8.0;
     painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
 }
 
@@ -264,15 +262,19 @@ void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
 }
 
 void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
-    settle(context, true);
-    drawSizeOption(context, flow, "options/brush/radius", "Radius", state_->brushRadius,
-                   "Brush radius. Also [ and ], or Ctrl + wheel.");
+    if (double shown = radius(context); drawSizeOption(context, flow, "options/brush/radius", "Radius", shown,
+                                                       "Brush radius. Also [ and ], or Ctrl + wheel.")) {
+        state_->brushRadius = shown;
+    }
     if (!erases_) {
         drawModes(context, flow);
     }
     if (sets()) {
-        drawSizeOption(context, flow, "options/brush/spacing", "Spacing \xcf\x81", state_->brushSpacing,
-                       "Element size to paint. Also Shift + [ and ], or Shift + wheel.");
+        if (double shown = spacing(context);
+            drawSizeOption(context, flow, "options/brush/spacing", "Spacing \xcf\x81", shown,
+                           "Element size to paint. Also Shift + [ and ], or Shift + wheel.")) {
+            state_->brushSpacing = shown;
+        }
     }
     flow.item("clear");
     const bool painted = !context.document.current()->spacing.paint.tiles.empty();

@@ -20,7 +20,6 @@ class BrushTool final : public Tool {
     const char *icon() const override;
     int key() const override { return erases_ ? 'E' : 'B'; }
     CursorShape cursor() const override { return CursorShape::Crosshair; }
-    void activate(Shell &context) override;
     void deactivate(Shell &context) override;
     void forget(Shell &context) override;
     bool handle(const CanvasEvent &event, Shell &context) override;
@@ -42,15 +41,17 @@ class BrushTool final : public Tool {
     const char *label() const;
     void drawModes(Shell &context, ui::Flow &flow);
     void scale(double factor, bool spacing, Shell &context);
-    /// Derives radius and spacing that the user has not set from the view and the current spacing; for display only
-    /// once both belong to the current document.
-    void settle(Shell &context, bool forDisplay = false);
+    /// Returns the radius that the user has set, or one that suits the view.
+    double radius(const Shell &context) const;
+    /// Returns the spacing that the user has set, or one finer than the present spacing under the pointer.
+    double spacing(const Shell &context) const;
 
     std::shared_ptr<EditState> state_;
     bool erases_;
     std::optional<Vec2> pointer_, last_;
     std::string stroke_;                   ///< key of the stroke in progress; empty: none
     std::function<double(Vec2)> around_{}; ///< spacing when the stroke began; empty: none
+    double strokeRadius_ = 0.0, strokeSpacing_ = 0.0; ///< of the stroke in progress
     bool changed_ = false;                 ///< the stroke has changed the paint
 };
 

@@ -123,7 +123,7 @@ void GradientTool::paintSelection(Shell &context, const SizeSource &gradient) {
         box.add(boundsOf(*area));
     }
     if (areas.empty()) {
-        context.log.announce("Nothing changed: select closed shapes first, or apply the gradient everywhere");
+        context.log.refuse("Nothing changed: select closed shapes first, or apply the gradient everywhere");
         return;
     }
     const std::optional<GradedSources> field =

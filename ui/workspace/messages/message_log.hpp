@@ -49,7 +49,11 @@ class MessageLog {
     }
     /// Logs the outcome of a command and shows it on the canvas, where the user could not see it otherwise.
     void announce(std::string message) { push({.severity = Severity::Note, .message = std::move(message)}, true, {}); }
-    /// Logs faults that a dialog already shows.
+    /// Logs why a command did nothing and shows it on the canvas, as a warning.
+    void refuse(std::string message) {
+        add(Diagnostic{.severity = Severity::Warning, .code = "refused", .message = std::move(message)});
+    }
+    /// Logs faults that a dialog or field already shows.
     void keep(const Diagnostics &diagnostics) {
         for (const Diagnostic &diagnostic : diagnostics) {
             push(diagnostic, false, {});

@@ -6,6 +6,7 @@ namespace forefront {
 struct Snapping {
     bool toDrawing = true;   ///< nodes and segments
     bool toGrid = true;      ///< the drawing lattice
+    bool offForPicture = false; ///< toGrid was switched off when a background picture was added
     double gridStep = 0.0;   ///< of the grid, domain units; 0: it follows the zoom
     double reach = 9.0;      ///< design pixels
     double angleStep = 15.0; ///< of directions with Shift, degrees

@@ -1,0 +1,236 @@
+#include "tests/ui/typist.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+
+namespace forefront::test {
+
+namespace {
+
+using Entry = std::function<void(Typist &)>;
+
+/// Types the same with fast and with slow frames, and expects the same drawing.
+void expectSame(const char *what, const Entry &entry) {
+    CAPTURE(what);
+    Typist fast(false), slow(true);
+    entry(fast);
+    entry(slow);
+    const std::string wanted = fast.drawing();
+    CHECK(slow.drawing() == wanted);
+    CHECK(slow.context().tools.current().id() == std::string(fast.context().tools.current().id()));
+    CHECK(slow.context().dialogs.any() == fast.context().dialogs.any());
+}
+
+void enter(Typist &typist, std::string_view text) {
+    typist.write(text);
+    typist.tap(key::kEnter);
+}
+
+void tabbed(Typist &typist, std::string_view text) {
+    typist.write(text);
+    typist.tap(key::kTab);
+}
+
+/// A rectangle of 6 by 5, drawn with typed numbers.
+void typedRectangle(Typist &typist) {
+    typist.write("r");
+    tabbed(typist, "1");
+    enter(typist, "2");
+    tabbed(typist, "6");
+    enter(typist, "5");
+}
+
+} // namespace
+
+TEST_CASE("Slow frames: shapes drawn with typed numbers") {
+    expectSame("rectangle", typedRectangle);
+    expectSame("circle", [](Typist &typist) {
+        typist.write("c");
+        tabbed(typist, "11");
+        enter(typist, "12");
+        enter(typist, "3");
+        typist.write("v");
+    });
+    expectSame("polygon", [](Typist &typist) {
+        typist.write("p");
+        enter(typist, "1,1");
+        tabbed(typist, "4");
+        enter(typist, "30");
+        enter(typist, "x3");
+        enter(typist, "y6");
+        typist.tap(key::kBackspace);
+        enter(typist, "@-2,1");
+        typist.tap(key::kEnter);
+    });
+    expectSame("slot", [](Typist &typist) {
+        typist.write("u");
+        enter(typist, "1,1");
+        tabbed(typist, "4");
+        enter(typist, "0");
+        enter(typist, "1");
+    });
+}
+
+TEST_CASE("Slow frames: the numbers of a shape in its panel") {
+    expectSame("circle", [](Typist &typist) {
+        typist.write("c");
+        enter(typist, "5,5");
+        enter(typist, "2");
+        typist.write("v");
+        typist.touch("inspector/centre/x");
+        tabbed(typist, "11");
+        tabbed(typist, "12");
+        enter(typist, "3");
+        typist.write("v");
+    });
+    expectSame("name", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("v");
+        typist.touch("inspector/name");
+        tabbed(typist, "plate");
+        tabbed(typist, "3");
+        tabbed(typist, "4");
+        typist.tap(key::kTab, kShift);
+        typist.tap(key::kTab, kShift);
+        enter(typist, "7");
+    });
+}
+
+TEST_CASE("Slow frames: a size line, drawn and then changed in its panel") {
+    expectSame("line", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("s");
+        typist.touch("options/source/shape/Line");
+        enter(typist, "2,3");
+        enter(typist, "5,5");
+        typist.write("v");
+        typist.touch("inspector/b/x");
+        tabbed(typist, "4");
+        tabbed(typist, "4.5");
+        tabbed(typist, "0.08");
+        tabbed(typist, "0.02");
+        typist.tap(key::kEnter);
+    });
+}
+
+TEST_CASE("Slow frames: fields of the spacing, parameters and tool options") {
+    expectSame("spacing", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.unfold("spacing");
+        typist.touch("spacing/size");
+        tabbed(typist, "0.5");
+        tabbed(typist, "0.2+0.1*x");
+        tabbed(typist, "0.125");
+        enter(typist, "2");
+    });
+    expectSame("parameters", [](Typist &typist) {
+        typist.touch("panel/parameters");
+        typist.touch("parameters/add");
+        tabbed(typist, "width");
+        enter(typist, "2*3");
+    });
+    expectSame("options", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("b");
+        typist.touch("options/brush/radius");
+        tabbed(typist, "0.7");
+        enter(typist, "0.05");
+        typist.finish();
+        typist.dragPlaces({3, 3}, {4, 4});
+    });
+}
+
+TEST_CASE("Slow frames: names, sizes and commands that open a field") {
+    expectSame("name of a shape", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("v");
+        typist.tap(key::kF1 + 1);
+        enter(typist, "plate");
+        typist.tap('F', kShift);
+        enter(typist, "0.25");
+        typist.write("r");
+    });
+    expectSame("name of a segment", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("v");
+        typist.finish();
+        typist.clickPlace({3, 2});
+        typist.clickPlace({3, 2});
+        typist.tap(key::kF1 + 1);
+        enter(typist, "wall");
+        typist.tap('T', kShift);
+        enter(typist, "7");
+    });
+    expectSame("palette", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.tap('P', kControl);
+        enter(typist, "duplicate");
+        typist.tap('P', kControl);
+        enter(typist, "convert to path");
+        typist.write("c");
+        enter(typist, "1,1");
+        enter(typist, "0.5");
+    });
+    expectSame("operation", [](Typist &typist) {
+        typedRectangle(typist);
+        typist.write("v");
+        typist.tap('P', kControl);
+        enter(typist, "linear array");
+        enter(typist, "3");
+        typist.write("r");
+    });
+}
+
+TEST_CASE("Slow frames: the dialog for the file name") {
+    const TemporaryFolder place;
+    for (const bool slow : {false, true}) {
+        CAPTURE(slow);
+        Typist typist(slow);
+        typedRectangle(typist);
+        typist.tap('S', {Modifiers::kControl | Modifiers::kShift});
+        typist.tap('A', kControl);
+        enter(typist, (place.path / (slow ? "b" : "a")).string());
+        typist.write("c");
+        typist.finish();
+        CHECK(std::filesystem::exists(place.path / (slow ? "b.forefront" : "a.forefront")));
+        CHECK_FALSE(typist.context().dialogs.any());
+        CHECK(typist.context().tools.current().id() == std::string("circle"));
+    }
+}
+
+TEST_CASE("InputQueue: a held key repeats at most once a frame, and not after its release") {
+    InputQueue queue;
+    queue.push({.kind = InputKind::Key, .code = key::kBackspace, .pressed = true});
+    for (int k = 0; k < 9; ++k) {
+        queue.push({.kind = InputKind::Key, .code = key::kBackspace, .pressed = true, .repeated = true});
+    }
+    queue.push({.kind = InputKind::Key, .code = key::kBackspace});
+    CHECK(queue.takeFrame().size() == 1);
+    CHECK(queue.takeFrame().size() == 1);
+    CHECK(queue.empty());
+}
+
+TEST_CASE("Fields: a key that is held down repeats as the keyboard says, not as long as a frame lasts") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.click("inspector/name");
+    driver.type("abcdef");
+    driver.platform().setFrameSeconds(0.3);
+    InputQueue &input = driver.editor().input();
+    input.push({.kind = InputKind::Key, .code = key::kBackspace, .pressed = true});
+    driver.frames(4); // the release comes late
+    input.push({.kind = InputKind::Key, .code = key::kBackspace});
+    driver.frames(2);
+    input.push({.kind = InputKind::Key, .code = key::kBackspace, .pressed = true});
+    driver.frames(1);
+    input.push({.kind = InputKind::Key, .code = key::kBackspace, .pressed = true, .repeated = true});
+    driver.frames(1);
+    input.push({.kind = InputKind::Key, .code = key::kBackspace});
+    driver.frames(1);
+    driver.key(key::kEnter);
+    CHECK(driver.document().shapes[0]->name == "abc");
+}
+
+} // namespace forefront::test
