@@ -49,7 +49,7 @@ TEST_CASE("Pen: freehand of the polygon tool does not stay on for the polyline t
     CHECK(driver.document().shapes[0]->nodes.size() == 2);
     driver.key('P');
     driver.settle();
-    CHECK(driver.has("options/freehand")); // it stays on for its own tool
+    CHECK(driver.has("options/freehand/Smooth")); // it stays on for its own tool
 }
 
 TEST_CASE("Brush: its size and radius come from the drawing at the first stroke, not from an earlier view") {
