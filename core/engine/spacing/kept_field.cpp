@@ -93,7 +93,7 @@ Result<std::shared_ptr<const SpacingField>> KeptField::raise(std::shared_ptr<con
 
 /// Returns true if the size asked for is reached nowhere around a long segment, in the parts of the domain beside it.
 bool KeptField::isCrowded(std::size_t item, const InsideTest &inside) const {
-    constexpr int kCells = 24; ///< in each direction
+    constexpr int kCells = 24;       ///< in each direction
     constexpr double kAround = 3.0;  ///< lengths of the segment
     constexpr double kBeside = 0.05; ///< the same
     constexpr double kReached = 1.5; ///< times the size asked for
