@@ -34,6 +34,7 @@
 /// | find boundary parts and interfaces | forefront::edgesWithTag, forefront::edgeSides |
 /// | check a mesh | forefront::verify, forefront::verifyAgainst |
 /// | measure its quality | forefront::measureQuality, forefront::measureValues, forefront::checkLimits |
+/// | find elements above the maximum area of a region | forefront::largeElements |
 /// | adapt a mesh to a field | forefront::adaptMesh |
 /// | read and write meshes | forefront::readMesh, forefront::writeMesh, forefront::checkElements |
 /// | read drawings, maps and projects; repair a domain | drawing.hpp, in Forefront::drawing |
@@ -51,6 +52,7 @@
 #include "core/engine/base/version.hpp"
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/domain/validate.hpp"
+#include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/mesh_access.hpp"

@@ -110,9 +110,19 @@ bool hasConstraints(const Domain &domain) {
                        [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; });
 }
 
+/// In the outline of a mesh, edges without a tag get one. Gives it to the same edges of a mesh that is compared with
+/// such an outline. A mesh without any tags is compared without them.
+void tagLikeAnOutline(Mesh &mesh, const Input &domain) {
+    const FileFormat *const format = domain.format();
+    if (format != nullptr && format->readsMesh && !mesh.edges.empty()) {
+        const std::vector<TaggedEdge> untagged = untaggedEdges(mesh);
+        mesh.edges.insert(mesh.edges.end(), untagged.begin(), untagged.end());
+    }
+}
+
 /// Returns the differences between a mesh and the domain it was made from.
-Diagnostics checkAgainst(const MeshView &mesh, const MeshNumbers &numbers, const CheckArguments &arguments,
-                         Input &input) {
+Diagnostics checkAgainst(Mesh mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
+    tagLikeAnOutline(mesh, input);
     arguments.drawing.applyTo(input.options);
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options);
     if (!file) {

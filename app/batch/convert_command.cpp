@@ -9,7 +9,7 @@
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/triangulated.hpp"
-#include "core/files/common/names.hpp"
+#include "core/files/common/dropped_fields.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 
@@ -53,20 +53,13 @@ struct ConvertArguments {
 
 /// Prints a note with the names of the values that no output holds.
 void noteDroppedFields(const MeshFields &read, const Input &file) {
-    std::vector<std::string> names;
-    for (const NamedFields *fields : {&read.fields, &read.elementFields}) {
-        for (const auto &[name, values] : *fields) {
-            names.push_back(name);
-        }
-    }
-    if (names.empty()) {
-        return;
-    }
-    constexpr std::size_t kListed = 8;
     Diagnostic note;
     note.severity = Severity::Note;
-    note.code = "dropped-fields";
-    note.message = "values of nodes and elements are left out: " + listed(names, kListed);
+    note.code = kDroppedFields;
+    note.message = droppedFields(read);
+    if (note.message.empty()) {
+        return;
+    }
     note.file = file.path.string();
     printFaults({note});
 }

@@ -82,6 +82,8 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
                                     "improve the element shapes: none (fastest; leave the mesh as the front made it), "
                                     "default, or best (slower; also adds and removes interior nodes)")
             ->type_name("LEVEL");
+    app.add_flag("--verify", arguments.verify,
+                 "check the finished mesh against its domain, as check --domain does, before it is written");
     app.add_flag_callback(
            "--no-improve", [&arguments] { arguments.improve = ImproveLevel::None; }, "the same as --improve none")
         ->excludes(improve);

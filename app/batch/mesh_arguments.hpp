@@ -34,6 +34,7 @@ struct MeshArguments {
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;
+    bool verify = false;
     bool repair = false;
     DrawingArguments drawing;
     bool strict = false;

@@ -14,6 +14,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 
@@ -128,6 +129,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
         options.gridRows = arguments.gridRows;
     }
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
+    options.verify = arguments.verify;
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
@@ -276,6 +278,7 @@ int runMesh(const MeshArguments &arguments) {
         printFaults(unusedOptions(arguments, *job, *outcome->spacing));
     }
     printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
+    printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
     const RunReport report = reportOf(*outcome, job->options);
     faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {

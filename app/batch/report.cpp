@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <sys/resource.h>
 
 namespace forefront {
@@ -61,6 +62,7 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
         report.sharp = sharpCorners(mesh, kSharpCorner);
     }
     report.hash = meshHash(mesh);
+    report.hasSpacing = spacing != nullptr;
     return report;
 }
 
@@ -112,6 +114,7 @@ void addKinds(const MeshQuality &quality, JsonWriter &json) {
 
 void addFigures(const MeshReport &report, JsonWriter &json) {
     const MeshQuality &q = report.quality;
+    const double unknown = std::numeric_limits<double>::quiet_NaN(); // null
     json.member("nodes", q.nodes).member("elements", q.elements).member("area", q.area);
     json.member("parts", report.extent.parts).member("holes", report.extent.holes);
     json.key("regions").beginArray();
@@ -127,8 +130,10 @@ void addFigures(const MeshReport &report, JsonWriter &json) {
     }
     json.endArray();
     json.member("alpha_mean", q.alphaMean).member("alpha_geometric_mean", q.alphaGeometricMean);
-    json.member("alpha_min", q.alphaMin).member("flat_elements", q.flat).member("delta_mean", q.deltaMean);
-    json.member("delta_area_mean", q.deltaAreaMean);
+    json.member("alpha_min", q.alphaMin)
+        .member("flat_elements", q.flat)
+        .member("delta_mean", report.hasSpacing ? q.deltaMean : unknown);
+    json.member("delta_area_mean", report.hasSpacing ? q.deltaAreaMean : unknown);
     json.member("min_angle_deg", q.minAngle).member("max_angle_deg", q.maxAngle);
     json.member("min_angle_elsewhere_deg", report.sharp.minAngleElsewhere);
     addKinds(q, json);

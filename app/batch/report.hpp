@@ -22,6 +22,7 @@ struct MeshReport {
     MeshExtent extent;
     SharpCorners sharp; ///< corners of the domain below kSharpCorner; empty for an invalid mesh
     std::uint64_t hash = 0;
+    bool hasSpacing = false; ///< the conformity to a spacing was measured
 };
 
 /// Statistics of a finished run.

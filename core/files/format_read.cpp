@@ -1,4 +1,5 @@
 #include "core/engine/mesh/mesh_domain.hpp"
+#include "core/files/common/dropped_fields.hpp"
 #include "core/files/format.hpp"
 #include "core/files/read_file.hpp"
 
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <string>
 #include <utility>
 
 // Reading files through a list of formats.
@@ -49,13 +51,28 @@ bool readsDomain(const Format &format) {
     return format.canReadDomain();
 }
 
+/// Reads a mesh whose values are of no use, and notes which values there are.
+Result<Mesh> meshAlone(const Format &format, const SourceText &source) {
+    if (format.readFields == nullptr) {
+        return format.readMesh(source);
+    }
+    Result<MeshFields> file = format.readFields(source);
+    if (!file) {
+        return file.faults();
+    }
+    if (const std::string dropped = droppedFields(*file); !dropped.empty()) {
+        source.note(kDroppedFields, dropped, 0);
+    }
+    return std::move(file->mesh);
+}
+
 } // namespace
 
 Result<DomainFile> domainFrom(const Format &format, const SourceText &source) {
     if (format.readDomain != nullptr) {
         return format.readDomain(source);
     }
-    const auto mesh = format.readMesh(source);
+    const auto mesh = meshAlone(format, source);
     if (!mesh) {
         return mesh.faults();
     }

@@ -1128,14 +1128,27 @@ class Refusing(Case):
         self.assertIn("lone.msh: error: element 7: min", done.stderr)
         self.assertIn("lone.msh: error: edge 11-13: ", done.stderr)
 
+    def test_check_accepts_a_mesh_with_few_tagged_edges_as_its_own_domain(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.3")
+        lines = self.read("plate.msh").splitlines()
+        count = lines.index("$Elements") + 1
+        tagged = [line for line in lines if re.fullmatch(r"\d+ 1 2 1 .*", line)]
+        kept = [line for line in lines if line not in tagged[1:]]
+        kept[count] = str(int(lines[count]) - len(tagged) + 1)
+        self.write("few.msh", "\n".join(kept) + "\n")
+        self.assertGreater(len(tagged), 4)
+        self.call("check", "few.msh", "--domain", "few.msh")
+        self.call("mesh", "few.msh", "-o", "again.msh", "--verify")
+        self.call("check", "few.msh", "--domain", "plate.poly", code=1)  # there, all edges have tags
+
     def test_check_writes_statistics(self):
         given = self.stats("plate.poly", "-o", "plate.msh", "--size", "0.5")
         self.call("check", "plate.msh", "--stats", "check.json")
         checked = json.loads(self.read("check.json"))
         self.assertTrue(checked.pop("valid"))
         self.assertEqual(checked.pop("limits"), [])
-        self.assertEqual(checked["delta_mean"], 0.0) # no spacing is given
-        self.assertEqual(checked["delta_area_mean"], 0.0)
+        self.assertIsNone(checked["delta_mean"])  # no spacing is given
+        self.assertIsNone(checked["delta_area_mean"])
         del checked["delta_mean"], checked["delta_area_mean"]
         run = {"front_mean", "neighbours_mean", "tests_mean", "cells_mean", "candidates_mean", "forced_mean", "improve",
                "seconds_prepare", "seconds_mesh", "seconds_improve", "peak_bytes"}

@@ -6,6 +6,7 @@
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/workspace/judging.hpp"
+#include "ui/workspace/mesh/element_words.hpp"
 
 #include <doctest/doctest.h>
 
@@ -80,6 +81,27 @@ TEST_CASE("Cells: meshes of quadrilaterals and of second order open with their f
         }
     }
     CHECK(opened >= 12);
+}
+
+TEST_CASE("Cells: the status bar counts triangles with their sign, and other elements in words") {
+    const auto shortOf = [](const Mesh &mesh) { return elementsInShort(measureQuality(mesh, nullptr)); };
+    const Mesh triangles = samples::sampleMesh(CellKind::Triangle6);
+    const Mesh quadrilaterals = samples::sampleMesh(CellKind::Quadrilateral8), mixed = samples::mixedSample();
+    const auto number = [](const Mesh &mesh) { return std::to_string(mesh.elementCount()); };
+    CHECK(shortOf(triangles) == number(triangles) + " \xe2\x96\xb3");
+    CHECK(shortOf(quadrilaterals) == number(quadrilaterals) + " elements");
+    CHECK(shortOf(mixed) == number(mixed) + " elements");
+    MeshQuality growing; // of a mesh that is being made, whose kinds are not counted
+    growing.elements = 234;
+    CHECK(elementsInShort(growing) == "234 \xe2\x96\xb3");
+    CHECK(elementsInWords(measureQuality(mixed, nullptr).kinds) == elementsInWords(mixed));
+    // A cell of words is wider than one of signs for as many elements.
+    const auto width = [](CellKind kind) {
+        CellViewer driver(samples::gridOfCells(30, 30, [=](std::size_t, std::size_t) { return kind; }));
+        REQUIRE(driver.has("status/counts"));
+        return driver.context().widgets.find("status/counts")->rect.width;
+    };
+    CHECK(width(CellKind::Quadrilateral8) > width(CellKind::Triangle6));
 }
 
 TEST_CASE("Cells: the edges of elements are drawn, the lines that split them for drawing are not") {

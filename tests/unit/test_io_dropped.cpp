@@ -77,6 +77,42 @@ TEST_CASE("MSH: time steps and fields that are not read are noted") {
     CHECK(notesOn(readMshSpacing, kNodes2 + triangle + data("T")).empty());
 }
 
+TEST_CASE("Meshes as domains: values of nodes and elements are left out, with a note in every format that has them") {
+    const std::string head = kNodes2 + "$Elements\n2\n1 2 2 7 1 1 2 3\n2 2 2 7 1 1 3 4\n$EndElements\n";
+    const std::string msh = head + "$NodeData\n1\n\"heat\"\n1\n0\n3\n0\n1\n4\n1 1\n2 1\n3 2\n4 2\n$EndNodeData\n"
+                                   "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n2\n1 3\n2 4\n$EndElementData\n";
+    const std::string vtk =
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0\n"
+        "1 0 0\n0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\nPOINT_DATA 3\nSCALARS heat double 1\n"
+        "LOOKUP_TABLE default\n1\n2\n3\nCELL_DATA 1\nSCALARS flux double 1\nLOOKUP_TABLE default\n3\n";
+    const std::string vtu =
+        "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
+        "NumberOfCells=\"1\"><PointData>"
+        "<DataArray type=\"Float64\" Name=\"heat\">1 2 3</DataArray></PointData><CellData><DataArray type=\"Float64\" "
+        "Name=\"flux\">3</DataArray></CellData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">0 0 0 1 0 "
+        "0 0 1 "
+        "0</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\">0 1 2</DataArray><DataArray "
+        "type=\"Int32\" Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" "
+        "Name=\"types\">5</DataArray></Cells></Piece>"
+        "</UnstructuredGrid></VTKFile>";
+    const auto notesOf = [](const std::string &name, const std::string &text) {
+        ImportNotes notes;
+        const Result<DomainFile> read = readDomain(MemoryFile{text, name}, {}, &notes);
+        REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+        CHECK(read->domain.segments.size() >= 3);
+        std::string list;
+        for (const ImportNote &note : notes.entries()) {
+            list += note.code + ": " + note.message + '\n';
+        }
+        return list;
+    };
+    const std::string expected = "dropped-fields: values of nodes and elements are left out: 'heat', 'flux'\n";
+    CHECK(notesOf("msh2", msh) == expected);
+    CHECK(notesOf("vtk", vtk) == expected);
+    CHECK(notesOf("vtu", vtu) == expected);
+    CHECK(notesOf("msh2", head).empty());
+}
+
 TEST_CASE("Abaqus: elements outside every set share no tag with a set") {
     const std::string nodes = "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n";
     Result<Mesh> mesh = error("unread", "not read yet");

@@ -7,6 +7,7 @@
 #include "core/files/common/cell_grid.hpp"
 #include "core/files/files.hpp"
 #include "core/files/png/png.hpp"
+#include "core/files/png/png_pixels.hpp"
 #include "core/files/text/base64.hpp"
 #include "tests/support/png_sample.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -78,6 +79,37 @@ TEST_CASE("PNG: colours become their luminance, those of a palette too") {
     checkNear(greysOf(pngFile(indexed)), {0.2126, 0.7152, 0.0722, 0.2});
     indexed.transparency = std::string("\xff\0", 2);
     checkNear(greysOf(pngFile(indexed)), {0.2126, kNoGrey, 0.0722, 0.2});
+}
+
+TEST_CASE("PNG: the colours and opacities of every kind, also interlaced, and faults") {
+    const auto coloursIn = [](const std::string &file) {
+        PngDecoder decoder(file);
+        REQUIRE(decoder.open());
+        return coloursOf(decoder).value_or(Bytes{});
+    };
+    CHECK(coloursIn(greyPng(2, 1, {0, 51})) == Bytes{0, 0, 0, 255, 51, 51, 51, 255});
+    CHECK(coloursIn(pngFile({.columns = 1, .depth = 16, .bytes = {0, 0x80, 7}})) == Bytes{0x80, 0x80, 0x80, 255});
+    CHECK(coloursIn(pngFile({.columns = 2, .colour = 4, .bytes = {0, 51, 255, 9, 1}})) ==
+          Bytes{51, 51, 51, 255, 9, 9, 9, 1});
+    CHECK(coloursIn(pngFile({.columns = 2, .colour = 2, .bytes = {0, 1, 2, 3, 4, 5, 6}})) ==
+          Bytes{1, 2, 3, 255, 4, 5, 6, 255});
+    CHECK(coloursIn(pngFile({.columns = 1, .colour = 6, .bytes = {0, 1, 2, 3, 4}})) == Bytes{1, 2, 3, 4});
+    PngSample indexed{.columns = 2, .depth = 2, .colour = 3, .bytes = {0, 0x10}};
+    indexed.palette = std::string("\xff\1\2\3\xfe\4", 6);
+    indexed.transparency = std::string("\x80", 1);
+    CHECK(coloursIn(pngFile(indexed)) == Bytes{255, 1, 2, 128, 3, 254, 4, 255});
+    const Bytes passes{0, 0, 0, 20, 0, 2, 22, 0, 10, 0, 12, 0, 1, 11, 21}; // see below
+    const Bytes interlaced = coloursIn(pngFile({.columns = 3, .rows = 3, .interlaced = true, .bytes = passes}));
+    REQUIRE(interlaced.size() == 36);
+    for (std::size_t k = 0; k < 9; ++k) {
+        CHECK(interlaced[4 * k] == 10 * (k % 3) + k / 3);
+        CHECK(interlaced[4 * k + 3] == 255);
+    }
+    const std::string cut = greyPng(2, 1, {0, 51});
+    PngDecoder decoder(std::string_view(cut).substr(0, cut.size() - 20));
+    REQUIRE(decoder.open());
+    CHECK_FALSE(coloursOf(decoder).has_value());
+    CHECK(std::string(decoder.fault()) != "");
 }
 
 TEST_CASE("PNG: filters, interlacing and compression with its own codes are undone") {

@@ -297,6 +297,36 @@ TEST_CASE("SpacingField: a steep expression is limited by the gradation formula 
     }
 }
 
+TEST_CASE("SpacingField: the foot of a steep slope is found on folds along the cells of the search, too") {
+    struct Fold {
+        const char *text;
+        double (*expected)(Vec2);
+    };
+    constexpr double kSlope = 0.5; // that an expression is limited to
+    const Fold folds[] = {
+        {"max(0.01, 5*abs(x - 0.5))",
+         [](Vec2 p) { return 0.01 + kSlope * std::max(0.0, std::fabs(p.x - 0.5) - 0.002); }},
+        {"0.01 + 5*abs(y - 0.25)", [](Vec2 p) { return 0.01 + kSlope * std::fabs(p.y - 0.25); }},
+        {"0.01 + 5*abs(x - 0.25) + 3*abs(y - 0.75)",
+         [](Vec2 p) {
+             return 0.01 + kSlope * distance(p, {0.25, 0.75});
+         }},
+    };
+    const Domain domain = rectangle(1, 1, 1, 1);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(0.0, 1.0);
+    for (const auto &[text, expected] : folds) {
+        CAPTURE(text);
+        SpacingSpec spec;
+        spec.expression = text;
+        const auto field = fieldOf(spec, domain);
+        for (int n = 0; n < 200; ++n) {
+            const Vec2 p{place(random), place(random)};
+            CHECK(field->at(p) == doctest::Approx(expected(p)).epsilon(0.03));
+        }
+    }
+}
+
 TEST_CASE("SpacingField: the gradation limits the difference between any two places") {
     SpacingSpec spec;
     spec.expression = "0.2 + 0.15*sin(5*x) + (y > 6 ? 0.7 : 0)";

@@ -1,5 +1,8 @@
 #include "ui/canvas/picture.hpp"
 
+#include "core/files/png/png_decoder.hpp"
+#include "core/files/png/png_pixels.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -7,6 +10,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <new>
+#include <optional>
 #include <stb_image.h>
 #include <string>
 #include <sys/stat.h>
@@ -53,32 +57,35 @@ Result<File> openPicture(const std::filesystem::path &path) {
     return file;
 }
 
-Diagnostics damaged(const std::filesystem::path &file) {
-    const char *const reason = stbi_failure_reason();
+Diagnostics damaged(const std::filesystem::path &file, const char *reason) {
     return fault(file, "bad-picture",
                  "cannot decode picture " + nameOf(file) + ": the file is damaged or incomplete (" +
                      (reason != nullptr ? reason : "unknown reason") + ")",
                  "open it in another program and save it as PNG or JPEG");
 }
 
-/// Returns true if a file begins like a PNG or JPEG file; stb_image also accepts formats that nobody expects here.
-bool isPngOrJpeg(std::FILE *file) {
+enum class PictureKind : std::uint8_t { Png, Jpeg, Other };
+
+/// Returns the kind of a file by its beginning; stb_image also accepts formats that nobody expects here.
+PictureKind kindOf(std::FILE *file) {
     constexpr std::array<unsigned char, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     constexpr std::array<unsigned char, 3> kJpeg{0xff, 0xd8, 0xff};
     std::array<unsigned char, 8> head{};
     const std::size_t count = std::fread(head.data(), 1, head.size(), file);
     std::rewind(file);
-    return (count == head.size() && head == kPng) ||
-           (count >= kJpeg.size() && std::equal(kJpeg.begin(), kJpeg.end(), head.begin()));
+    if (count == head.size() && head == kPng) {
+        return PictureKind::Png;
+    }
+    return count >= kJpeg.size() && std::equal(kJpeg.begin(), kJpeg.end(), head.begin()) ? PictureKind::Jpeg
+                                                                                         : PictureKind::Other;
 }
 
-/// Returns the size in the header of a PNG file; empty for other files. The decoder refuses to tell a size that it
-/// cannot decode.
+/// Returns the size in the header of a PNG file; empty if that is cut.
 PixelSize pngSize(std::FILE *file) {
     std::array<unsigned char, 24> head{};
     const std::size_t count = std::fread(head.data(), 1, head.size(), file);
     std::rewind(file);
-    if (count < head.size() || head[0] != 0x89) {
+    if (count < head.size()) {
         return {};
     }
     const auto number = [&](std::size_t at) {
@@ -89,18 +96,23 @@ PixelSize pngSize(std::FILE *file) {
     return {number(16), number(20)};
 }
 
+/// Returns the size in the header of a JPEG file; empty if that cannot be read.
+PixelSize jpegSize(std::FILE *file) {
+    PixelSize size;
+    int channels = 0;
+    return stbi_info_from_file(file, &size.width, &size.height, &channels) != 0 ? size : PixelSize{};
+}
+
 /// Checks a file and returns its size; afterwards it is at its start again.
 Result<PixelSize> checkedSize(const std::filesystem::path &path, std::FILE *file) {
-    if (!isPngOrJpeg(file)) {
+    const PictureKind kind = kindOf(file);
+    if (kind == PictureKind::Other) {
         return fault(path, "bad-picture", nameOf(path) + " is not a picture; expected a PNG or JPEG file",
                      "open it in another program and save it as PNG or JPEG");
     }
-    PixelSize size = pngSize(file);
-    int channels = 0;
-    const bool huge = static_cast<double>(size.width) * size.height > kMaxPicturePixels;
-    if (!huge &&
-        (stbi_info_from_file(file, &size.width, &size.height, &channels) == 0 || size.width < 1 || size.height < 1)) {
-        return damaged(path);
+    const PixelSize size = kind == PictureKind::Png ? pngSize(file) : jpegSize(file);
+    if (size.width < 1 || size.height < 1) {
+        return damaged(path, kind == PictureKind::Png ? "no size" : stbi_failure_reason());
     }
     if (static_cast<double>(size.width) * size.height > kMaxPicturePixels) {
         return fault(path, "large-picture",
@@ -139,6 +151,37 @@ void halve(Picture &picture) {
     picture.rgba = std::move(half);
 }
 
+/// Decodes the pixels of a PNG file into a picture of its size.
+Diagnostics readPng(std::FILE *file, Picture &picture) {
+    std::string bytes;
+    std::array<char, 65536> block{};
+    for (std::size_t count = 0; (count = std::fread(block.data(), 1, block.size(), file)) > 0;) {
+        bytes.append(block.data(), count);
+    }
+    PngDecoder decoder(bytes);
+    std::optional<std::vector<std::uint8_t>> colours = decoder.open() ? coloursOf(decoder) : std::nullopt;
+    if (!colours) {
+        return damaged(picture.file, decoder.fault());
+    }
+    picture.columns = static_cast<int>(decoder.columns());
+    picture.rows = static_cast<int>(decoder.rows());
+    picture.rgba = std::move(*colours);
+    return {};
+}
+
+/// Decodes the pixels of a JPEG file into a picture of its size.
+Diagnostics readJpeg(std::FILE *file, Picture &picture) {
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
+        stbi_load_from_file(file, &picture.columns, &picture.rows, &channels, 4), stbi_image_free);
+    if (!pixels) {
+        return damaged(picture.file, stbi_failure_reason());
+    }
+    const std::size_t count = static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
+    picture.rgba.assign(pixels.get(), pixels.get() + 4 * count);
+    return {};
+}
+
 } // namespace
 
 bool isPictureName(const std::filesystem::path &file) {
@@ -164,15 +207,12 @@ Result<std::shared_ptr<const Picture>> readPicture(const std::filesystem::path &
         return size.faults();
     }
     Picture picture{.file = path, .stamp = stamp, .size = *size};
-    int channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
-        stbi_load_from_file(file->get(), &picture.columns, &picture.rows, &channels, 4), stbi_image_free);
-    if (!pixels) {
-        return damaged(path);
-    }
     try {
-        const std::size_t count = static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
-        picture.rgba.assign(pixels.get(), pixels.get() + 4 * count);
+        const bool png = kindOf(file->get()) == PictureKind::Png;
+        if (Diagnostics faults = png ? readPng(file->get(), picture) : readJpeg(file->get(), picture);
+            !faults.empty()) {
+            return faults;
+        }
         while (std::max(picture.columns, picture.rows) > kMaxSide) {
             halve(picture);
         }

@@ -1,6 +1,7 @@
 #include "core/engine/base/hash.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/mesh/element_words.hpp"
 
 #include <imgui.h>
 
@@ -71,11 +72,13 @@ void addMesh(Cells &cells, Shell &context) {
     const SessionSnapshot &run = context.run.now();
     const double predicted = context.preview->estimatedElements;
     if (run.quality.elements > 0) {
-        cells.add("counts",
-                  ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
+        cells.add("counts", elementsInShort(run.quality) + "   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
                   theme.text, 100);
         cells.clicked("counts");
-        ui::tooltip(context, "Triangles and nodes");
+        const bool counted = run.quality.kinds != MeshQuality{}.kinds; // not while the mesh is being made
+        ui::tooltip(context, counted
+                                 ? elementsInWords(run.quality.kinds) + ", " + ui::count(run.quality.nodes) + " nodes"
+                                 : "Triangles and nodes");
         cells.add(
             "quality",
             ui::format("\xce\xb1 %.3f   min\xe2\x88\xa0 %.1f\xc2\xb0", run.quality.alphaMean, run.quality.minAngle),
@@ -137,7 +140,7 @@ std::vector<ContextGroup> statusMenu(const Shell &context) {
     const SessionSnapshot &run = context.run.now();
     ContextGroup copies;
     if (run.quality.elements > 0) {
-        copies.push_back(copyCommand("status/counts", "Copy numbers of triangles and nodes",
+        copies.push_back(copyCommand("status/counts", "Copy numbers of elements and nodes",
                                      std::to_string(run.quality.elements) + '\t' + std::to_string(run.quality.nodes)));
         copies.push_back(copyCommand("status/quality", "Copy shape factor and smallest angle",
                                      ui::format("%.6g\t%.6g", run.quality.alphaMean, run.quality.minAngle)));

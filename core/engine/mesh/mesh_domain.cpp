@@ -43,6 +43,8 @@ class MeshOutline {
         domain_.regionNames = mesh_.regionNames;
         return std::move(domain_);
     }
+    /// Returns the edges that run() gave a tag.
+    std::vector<TaggedEdge> takeUntagged() { return std::move(untagged_); }
 
   private:
     struct Tagged {
@@ -134,11 +136,11 @@ class MeshOutline {
         } else if (!outer && opposite_[h] < h) {
             return;
         }
-        addSegment(a, b,
-                   tagged  ? tags_[found].tag
-                   : outer ? outerTag_
-                           : interfaceTag_,
-                   outer ? SegmentRole::Boundary : SegmentRole::Constraint,
+        const std::int32_t tag = tagged ? tags_[found].tag : outer ? outerTag_ : interfaceTag_;
+        if (!tagged) {
+            untagged_.push_back({a, b, tag, sides_.middleOf(h)});
+        }
+        addSegment(a, b, tag, outer ? SegmentRole::Boundary : SegmentRole::Constraint,
                    tagged ? stretchOf(tags_[found], a, b, sides_.middleOf(h)) : parabola(a, b, sides_.middleOf(h)));
     }
 
@@ -221,6 +223,7 @@ class MeshOutline {
     std::vector<bool> tagged_;           ///< per node of the mesh: it is on an edge with a tag
     std::vector<Tagged> tags_;
     std::vector<bool> used_;
+    std::vector<TaggedEdge> untagged_;
     std::int32_t outerTag_ = 1;     ///< for outer edges without a tag
     std::int32_t interfaceTag_ = 2; ///< for interfaces without a tag
     std::vector<HalfEdge> opposite_;
@@ -236,6 +239,12 @@ Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress) {
         return error("empty-domain", "the mesh has neither elements nor lines that could bound a domain");
     }
     return MeshOutline(mesh, progress).run();
+}
+
+std::vector<TaggedEdge> untaggedEdges(const MeshView &mesh) {
+    MeshOutline outline(mesh, {});
+    const Result<Domain> domain = outline.run();
+    return domain ? outline.takeUntagged() : std::vector<TaggedEdge>();
 }
 
 } // namespace forefront

@@ -5,6 +5,8 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 
+#include <vector>
+
 namespace forefront {
 
 /// Returns the domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges
@@ -12,5 +14,8 @@ namespace forefront {
 /// interfaces without a tag the next one. An edge of 3 nodes follows the parabola through its middle node, unless that
 /// is closer to the chord than a millionth of its length. Errors: empty-domain, "cancelled".
 Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress = {});
+
+/// Returns the outer edges and interfaces of a mesh that carry no tag, with the tags that domainOfMesh() gives them.
+std::vector<TaggedEdge> untaggedEdges(const MeshView &mesh);
 
 } // namespace forefront

@@ -47,6 +47,9 @@ struct MeshingOptions {
     /// when the front exceeds it by a quarter. At most kMaxElements.
     std::uint64_t maxElements = kDefaultMaxElements;
 
+    /// Check the finished mesh against its domain, as verifyAgainst() does. Faults end the run.
+    bool verify = false;
+
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };
 

@@ -24,12 +24,16 @@ namespace {
 bool improves(const MeshingOptions &options) {
     return options.improve != ImproveLevel::None;
 }
+bool verifies(const MeshingOptions &options) {
+    return options.verify;
+}
 
 } // namespace
 
 std::span<const Stage> stagesAfterFront() {
     static constexpr std::array kStages = {Stage{StageTime::Improve, improveStage, improves},
-                                           Stage{StageTime::Mesh, blocksStage}};
+                                           Stage{StageTime::Mesh, blocksStage},
+                                           Stage{StageTime::Improve, verifyStage, verifies}};
     return kStages;
 }
 

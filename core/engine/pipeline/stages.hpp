@@ -32,6 +32,8 @@ Status frontStage(MeshingState &state, const Progress &progress);
 Status improveStage(MeshingState &state, const Progress &progress);
 /// Makes the mesh of blocks, to which the triangles move.
 Status blocksStage(MeshingState &state, const Progress &progress);
+/// Checks the mesh of blocks against the domain. Faults: those of verifyAgainst().
+Status verifyStage(MeshingState &state, const Progress &progress);
 
 /// The stages before the front, those that make it, and those after it, in order. A front may also be made step by
 /// step, between the first and the last.

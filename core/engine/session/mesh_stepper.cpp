@@ -105,7 +105,7 @@ bool MeshStepper::seek(std::uint64_t position, const Progress &progress) {
 
 bool MeshStepper::finish(const Progress &progress) {
     return guarded(run_, [&](Run &run) {
-        return run.complete(run.travel().reachEnd(), progress) && (run.improved() || run.improve(progress));
+        return run.complete(run.travel().reachEnd(), progress) && (run.improved() || run.improve(progress).empty());
     });
 }
 

@@ -214,8 +214,13 @@ void SessionWorker::arrive() {
 
 void SessionWorker::improveMesh() {
     const Progress progress = progressInto(RunState::Improving, mailbox_.beginBlocking(Blocking::Improving));
-    const bool done = run_->improve(progress);
+    Status faults = run_->improve(progress);
     mailbox_.endBlocking();
+    const bool done = faults.empty();
+    if (!done && !progress.cancelled()) {
+        fail(std::move(faults));
+        return;
+    }
     improvementStopped_ = !done;
     rest(done ? RunState::Finished : RunState::Paused);
 }

@@ -16,15 +16,15 @@ Diagnostics SteppedRun::excess() const {
     return exceeds ? stoppedFront(prepared_, job_->options) : Diagnostics{};
 }
 
-bool SteppedRun::improve(const Progress &progress) {
+Status SteppedRun::improve(const Progress &progress) {
     MeshingState state{.job = *job_, .prepared = prepared_};
     state.triangles = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
-    if (!runStages(stagesAfterFront(), state, progress).empty()) {
-        return false;
+    if (Status faults = runStages(stagesAfterFront(), state, progress); !faults.empty()) {
+        return faults;
     }
     secondsImprove_ = state.improvement.seconds;
     keepFinal(std::move(state.mesh));
-    return true;
+    return {};
 }
 
 void SteppedRun::keepFinal(Mesh mesh) {

@@ -24,8 +24,9 @@ class SteppedRun {
     Diagnostics excess() const;
     /// Returns true once improve() has made the final mesh.
     bool improved() const { return finalMesh_ != nullptr; }
-    /// Makes the final mesh from the front's, which must be complete. Returns false if it was cancelled.
-    bool improve(const Progress &progress);
+    /// Makes the final mesh from the front's, which must be complete. Returns the faults that the stages
+    /// after the front found, or "cancelled".
+    Status improve(const Progress &progress);
 
     /// Fills in everything that follows from the run at its position. `resting`: it does not move, so that slower
     /// figures are computed as well.

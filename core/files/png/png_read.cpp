@@ -2,8 +2,8 @@
 #include "core/files/common/cell_grid.hpp"
 #include "core/files/png/png.hpp"
 #include "core/files/png/png_decoder.hpp"
+#include "core/files/png/png_pass.hpp"
 
-#include <png.h>
 #include <string>
 
 namespace forefront {
@@ -72,22 +72,6 @@ class PixelRow {
     std::vector<std::uint8_t> row_;
 };
 
-/// The pixels of one pass over a picture: every `stepX`-th column and every `stepY`-th row.
-struct Pass {
-    std::size_t columns = 0, rows = 0, x = 0, y = 0, stepX = 1, stepY = 1;
-
-    Pass(const PngDecoder &decoder, int pass) : columns(decoder.columns()), rows(decoder.rows()) {
-        if (decoder.passes() > 1) {
-            x = PNG_PASS_START_COL(pass);
-            y = PNG_PASS_START_ROW(pass);
-            stepX = PNG_PASS_COL_OFFSET(pass);
-            stepY = PNG_PASS_ROW_OFFSET(pass);
-            columns = PNG_PASS_COLS(columns, pass);
-            rows = columns == 0 ? 0 : PNG_PASS_ROWS(rows, pass);
-        }
-    }
-};
-
 Diagnostics badPicture(const SourceText &source, const PngDecoder &decoder) {
     return {faultAt(source, decoder.offset(), "bad-picture",
                     std::string("cannot decode the picture: ") + decoder.fault(), kSaveAgain)};
@@ -97,7 +81,7 @@ Diagnostics readPixels(PngDecoder &decoder, const SourceText &source, GreyPictur
     GreyMeans means(picture);
     PixelRow row(decoder);
     for (int number = 0; number < decoder.passes(); ++number) {
-        const Pass pass(decoder, number);
+        const PngPass pass(decoder, number);
         for (std::size_t j = 0; j < pass.rows; ++j) {
             if (source.options.progress.cancelled()) {
                 return cancelled("reading");

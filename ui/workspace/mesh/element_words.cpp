@@ -2,7 +2,7 @@
 
 #include "ui/widgets/widgets.hpp"
 
-#include <array>
+#include <algorithm>
 
 namespace forefront {
 
@@ -11,11 +11,16 @@ std::string elementsInWords(const MeshView &mesh) {
     for (const MeshView::Block &block : mesh.blocks()) {
         counts[static_cast<std::size_t>(block.kind)] += block.size();
     }
+    return elementsInWords(counts);
+}
+
+std::string elementsInWords(const std::array<std::size_t, wordsOf<CellKind>().size()> &counts) {
     std::string kinds;
-    std::size_t different = 0;
+    std::size_t different = 0, total = 0;
     for (const CellKind kind : kElementKinds) {
         if (const std::size_t count = counts[static_cast<std::size_t>(kind)]; count > 0) {
             const CellTraits &traits = traitsOf(kind);
+            total += count;
             kinds +=
                 (different++ == 0 ? "" : ", ") + ui::count(count) + ' ' + (count == 1 ? traits.name : traits.plural);
         }
@@ -23,7 +28,14 @@ std::string elementsInWords(const MeshView &mesh) {
     if (different == 1) {
         return kinds;
     }
-    return ui::count(mesh.elementCount()) + " elements" + (kinds.empty() ? "" : " (" + kinds + ')');
+    return ui::count(total) + " elements" + (kinds.empty() ? "" : " (" + kinds + ')');
+}
+
+std::string elementsInShort(const MeshQuality &quality) {
+    const bool others = std::any_of(kElementKinds.begin(), kElementKinds.end(), [&quality](CellKind kind) {
+        return traitsOf(kind).corners != 3 && quality.kinds[static_cast<std::size_t>(kind)] > 0;
+    });
+    return ui::count(quality.elements) + (others ? " elements" : " \xe2\x96\xb3");
 }
 
 } // namespace forefront

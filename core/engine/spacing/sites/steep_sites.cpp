@@ -58,6 +58,7 @@ class SlopeSearch {
         double minimum = std::numeric_limits<double>::infinity();
         double maximum = 0.0;
         double change = 0.0;
+        Vec2 upwards; ///< sum of the gradients
     };
     static Slopes slopesOf(const Samples &v, double half) {
         Slopes slopes;
@@ -65,6 +66,7 @@ class SlopeSearch {
             const double dx = 0.5 * (v[n + 1] - v[n] + v[n + 4] - v[n + 3]) / half;
             const double dy = 0.5 * (v[n + 3] - v[n] + v[n + 4] - v[n + 1]) / half;
             const double slope = std::sqrt(dx * dx + dy * dy);
+            slopes.upwards += {dx, dy};
             slopes.minimum = std::min(slopes.minimum, slope);
             slopes.maximum = std::max(slopes.maximum, slope);
             slopes.change = std::max(slopes.change, std::fabs(v[n] - v[n + 1] - v[n + 3] + v[n + 4]) / half);
@@ -103,7 +105,8 @@ class SlopeSearch {
         if (slopes.maximum + doubt_ * slopes.change < 1.005 * gradation_) {
             return; // gentle all over; a slope that equals the gradation must not be searched to the last cell
         }
-        if (cell.within && slopes.minimum - 2.0 * slopes.change > gradation_) {
+        if (cell.within && slopes.minimum - 2.0 * slopes.change > gradation_ &&
+            leadsOut(places, values, slopes.upwards, 0.5 * side)) {
             return; // downhill all over: no foot of a slope, but where it leaves the domain
         }
         for (std::size_t n = 0; n < kSamples && !cell.within; ++n) {
@@ -125,6 +128,13 @@ class SlopeSearch {
             const Vec2 foot = descended(places[lowest], 0.25 * side);
             sites_.add(SizeSite::point(foot, at(foot), gradation_), label_);
         }
+    }
+    /// Returns true if a slope that goes down all over a cell goes on below its lowest sample. Where it does not, its
+    /// foot is on the rim, which no cell has inside, such as a fold along the middle of the box.
+    bool leadsOut(const std::array<Vec2, kSamples> &places, const Samples &values, Vec2 upwards, double step) const {
+        const auto lowest = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+        const Vec2 below = places[lowest] - (step / length(upwards)) * upwards;
+        return !isInside(below) || at(below) + gradation_ * step < values[lowest];
     }
     /// Finds the minimum near p by pattern search: at a kink, all samples may be well above it. Any place is a valid
     /// site; the lower its value, the better.

@@ -23,7 +23,9 @@ struct NodeSize {
 /// area count.
 struct RegionSize {
     Vec2 at; ///< any point inside the face, such as RegionMarker::at; one outside all faces has no effect
-    /// Maximum area of an element in the face, in domain units squared; 0: no limit.
+    /// Maximum area of an element in the face, in domain units squared; 0: no limit. The mean is about half of it;
+    /// single elements may exceed it by up to an eighth, or where a minimum size or kept segments ask for larger ones;
+    /// see largeElements().
     double maxArea{};
     /// Size of the elements in the face, in domain units, which grows by `growth` per unit of distance outside it; 0:
     /// none is given.

@@ -15,9 +15,9 @@
 
 namespace forefront {
 
-/// Returns the spacing whose triangles stay below a maximum area: the side of an equilateral triangle of 0.55 times
-/// that area, since the largest triangles of a mesh have up to about 1.85 times the area that the spacing implies. A
-/// test requires that they stay within `maxArea`.
+/// Returns the spacing that aims at a maximum area: the side of an equilateral triangle of 0.55 times that area, since
+/// the largest triangles of a mesh have up to about 1.85 times the area that the spacing implies. Where shapes are
+/// irregular, single triangles may exceed it by up to an eighth; largeElements() tells which.
 double spacingForArea(double maxArea);
 
 /// Returns the largest size that a region has or that its maximum area implies; 0 if none has one.
@@ -42,6 +42,16 @@ class RegionPart {
     double at(Vec2 p) const {
         const std::uint32_t face = faceAt(p);
         return face == kNoIndex ? others_ : limits_[face].least;
+    }
+    /// Returns the maximum area of an element in the face that contains p; infinity if there is none. `region`
+    /// receives the index of the region that sets it.
+    double maxAreaAt(Vec2 p, std::uint32_t &region) const {
+        const std::uint32_t face = faceAt(p);
+        if (face == kNoIndex || limits_[face].area.region == kNoIndex) {
+            return std::numeric_limits<double>::infinity();
+        }
+        region = limits_[face].area.region;
+        return limits_[face].area.given;
     }
     /// Returns the finite spacing at p and the name of its region.
     SpacingSample sample(Vec2 p, const SiteWords &words) const;

@@ -1,0 +1,18 @@
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/pipeline/stages.hpp"
+
+namespace forefront {
+
+Status verifyStage(MeshingState &state, const Progress &progress) {
+    progress("checking the mesh", 0.0);
+    Diagnostics faults = verifyAgainst(state.mesh, state.job.domain, state.job.spacing.placed.elements);
+    if (!hasErrors(faults)) {
+        return {}; // a check of the file prints the notes
+    }
+    for (Diagnostic &fault : faults) {
+        fault.message = "the finished mesh is wrong: " + fault.message;
+    }
+    return faults;
+}
+
+} // namespace forefront
