@@ -169,24 +169,6 @@ TEST_CASE("Notes: shapes that overlap are offered a union, with a preview") {
     CHECK_FALSE(driver.context().actions.find("edit.combine")->enabled(driver.context()));
 }
 
-TEST_CASE("First shape: one that is typed much smaller than the view fills it") {
-    Draughtsman driver;
-    driver.key('R');
-    driver.keys("0");
-    driver.key(key::kTab);
-    driver.keys("0");
-    driver.key(key::kEnter);
-    driver.keys("2.2");
-    driver.key(key::kTab);
-    driver.keys("0.41");
-    driver.key(key::kEnter);
-    driver.settle();
-    REQUIRE(driver.document().shapes.size() == 1);
-    const Box2 box = boundsOf(driver.document());
-    CHECK(box.max == Vec2{2.2, 0.41});
-    CHECK(box.size().x * driver.context().view.camera.zoom > 0.5 * driver.canvas().width);
-}
-
 TEST_CASE("Export: after a click on a solver, what is typed is the name") {
     const TemporaryFolder place;
     Draughtsman driver;
