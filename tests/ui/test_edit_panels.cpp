@@ -350,7 +350,8 @@ TEST_CASE("Polygon: a freehand loop becomes smooth curves, or corners as chosen"
     const Shape straight = draw();
     CHECK(straight.path().curves.empty());
     CHECK(straight.nodes.size() > 10);
-    driver.key('L'); // a line with a corner in its middle
+    driver.key('L');                      // a line with a corner in its middle
+    driver.click("options/pen/Freehand"); // each tool has a mode of its own
     driver.click("options/freehand/Smooth");
     const Pixel middle = driver.canvas().centre();
     driver.moveTo(middle + Pixel(-100, 0));

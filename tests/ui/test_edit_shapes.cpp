@@ -304,6 +304,9 @@ TEST_CASE("Dialogs with a preview: a text that is no number is refused at its fi
         driver.click(name + "/ok");
         driver.settle();
         CHECK(refuses());
+        driver.key(key::kEscape); // brings the number back
+        driver.settle();
+        REQUIRE(driver.has(name + "/ok"));
         driver.key(key::kEscape);
         driver.settle();
         CHECK(driver.undoLabel() == "Draw rectangle");

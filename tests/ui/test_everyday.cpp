@@ -49,7 +49,7 @@ TEST_CASE("Pen: freehand of the polygon tool does not stay on for the polyline t
     CHECK(driver.document().shapes[0]->nodes.size() == 2);
     driver.key('P');
     driver.settle();
-    CHECK(driver.has("options/freehand")); // it stays on for its own tool
+    CHECK(driver.has("options/freehand/Smooth")); // it stays on for its own tool
 }
 
 TEST_CASE("Brush: its size and radius come from the drawing at the first stroke, not from an earlier view") {
@@ -167,24 +167,6 @@ TEST_CASE("Notes: shapes that overlap are offered a union, with a preview") {
     CHECK(driver.document().shapes.size() == 1);
     CHECK(driver.undoLabel() == "Combine overlapping shapes");
     CHECK_FALSE(driver.context().actions.find("edit.combine")->enabled(driver.context()));
-}
-
-TEST_CASE("First shape: one that is typed much smaller than the view fills it") {
-    Draughtsman driver;
-    driver.key('R');
-    driver.keys("0");
-    driver.key(key::kTab);
-    driver.keys("0");
-    driver.key(key::kEnter);
-    driver.keys("2.2");
-    driver.key(key::kTab);
-    driver.keys("0.41");
-    driver.key(key::kEnter);
-    driver.settle();
-    REQUIRE(driver.document().shapes.size() == 1);
-    const Box2 box = boundsOf(driver.document());
-    CHECK(box.max == Vec2{2.2, 0.41});
-    CHECK(box.size().x * driver.context().view.camera.zoom > 0.5 * driver.canvas().width);
 }
 
 TEST_CASE("Export: after a click on a solver, what is typed is the name") {

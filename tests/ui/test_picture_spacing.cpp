@@ -130,6 +130,12 @@ TEST_CASE("Picture as spacing: a size of 0 is reported beside its field, and the
     CHECK(driver.has("dialog/picturespacing/black/fault"));
     driver.fill("dialog/picturespacing/width", "-3");
     CHECK(driver.has("dialog/picturespacing/width/fault"));
+    driver.click("dialog/picturespacing/ok"); // not while a field shows what was refused
+    driver.settle();
+    REQUIRE(driver.context().dialogs.any());
+    driver.click("dialog/picturespacing/width");
+    driver.key(key::kEscape); // brings the old number back, and does not close the dialog
+    REQUIRE(driver.context().dialogs.any());
     driver.click("dialog/picturespacing/ok");
     driver.settle();
     CHECK(spacingAt(driver, {2, 3}) == doctest::Approx(0.25));

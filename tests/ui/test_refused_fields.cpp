@@ -1,5 +1,5 @@
-#include "core/drawing_files/project/project.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/widgets/widgets.hpp"
 

@@ -390,7 +390,8 @@ TEST_CASE("joinToSegments: a line that ends on a curve divides it there") {
     CHECK(areaOf(*joined.shapes[0]) == doctest::Approx(areaOf(sail())));
 }
 
-TEST_CASE("A rectangle with rounded corners: sides and arcs have tags of their own, which a quarter turn keeps in place") {
+TEST_CASE(
+    "A rectangle with rounded corners: sides and arcs have tags of their own, which a quarter turn keeps in place") {
     Shape box = roundedBox(1.0);
     CHECK(taggedSegments(box) == 8);
     box.segmentTags = {1, 2, 3, 4};
@@ -410,9 +411,9 @@ TEST_CASE("A rectangle with rounded corners: sides and arcs have tags of their o
         return tags;
     };
     const PlaneMap still = PlaneMap::translation({});
-    for (const PlaneMap &map : {PlaneMap::rotation(90.0, {1, 2}), PlaneMap::rotation(180.0, {1, 2}),
-                                PlaneMap::rotation(270.0, {1, 2}), PlaneMap::reflection(90.0, {1, 2}),
-                                PlaneMap::reflection(45.0, {1, 2})}) {
+    for (const PlaneMap &map :
+         {PlaneMap::rotation(90.0, {1, 2}), PlaneMap::rotation(180.0, {1, 2}), PlaneMap::rotation(270.0, {1, 2}),
+          PlaneMap::reflection(90.0, {1, 2}), PlaneMap::reflection(45.0, {1, 2})}) {
         CAPTURE(map.u.x);
         CAPTURE(map.u.y);
         const Document mapped = *transformSelection(tagged, selected({1}), map);

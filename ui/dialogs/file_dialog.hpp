@@ -77,8 +77,8 @@ class FileDialog : public Dialog {
     void drawPath(Shell &context);
     /// Returns true if a file was double-clicked.
     bool drawList(Shell &context);
-    /// Chooses the file or folder whose name begins with what is typed while no field has the focus, or the next one for
-    /// an arrow key.
+    /// Chooses the file or folder whose name begins with what is typed while no field has the focus, or the next one
+    /// for an arrow key.
     void typeAhead(Shell &context);
     bool drawRow(Shell &context, const FileEntry &entry);
     /// Draws the folders and the files. Returns true if a file was double-clicked.

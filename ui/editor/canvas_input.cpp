@@ -285,10 +285,12 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
     if (event.code == key::kEscape && ImGui::IsAnyItemActive()) {
         return; // it cancels the drag of a slider
     }
-    const bool used = offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context) ||
-                      context.actions.runShortcut({event.code, modifiers_}, event.repeated, context);
-    if (!used && event.code == key::kEscape) {
+    if (event.code == key::kEscape && context.probe.chosen && !context.probe.active) {
         context.probe.chosen.reset(); // such as the worst element, shown with any tool
+        return;
+    }
+    if (!offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context)) {
+        context.actions.runShortcut({event.code, modifiers_}, event.repeated, context);
     }
 }
 

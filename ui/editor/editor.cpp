@@ -427,14 +427,16 @@ void Editor::Parts::rememberSettings() {
     }
 }
 
-/// Returns true while a field, dialog or menu that is to receive the next input is about to appear or to take the focus.
+/// Returns true while a field, dialog or menu that is to receive the next input is about to appear or to take the
+/// focus.
 bool Editor::Parts::inputWaits() const {
     const bool naming = context.naming.thing && !context.naming.inPanel && context.naming.frames == 0;
     return context.widgets.fields.travelling() || context.dialogs.opening() || context.menu.opens ||
            context.menuKeys.mnemonic != 0 || naming;
 }
 
-/// Returns the input of this frame; none while it must wait, so that no key reaches another widget than it is meant for.
+/// Returns the input of this frame; none while it must wait, so that no key reaches another widget than it is meant
+/// for.
 std::vector<InputEvent> Editor::Parts::takeInput() {
     if (inputWaits()) {
         return {};

@@ -3,8 +3,8 @@
 #include "ui/platform/platform.hpp"
 
 #include <imgui.h>
-#include <imgui_internal.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cfloat>

@@ -155,7 +155,8 @@ void geometryRows(Shell &context, const Shape &shape) {
     if (isClosed(shape)) {
         const double area = areaOf(shape);
         const bool large = area >= 1e5 && area < 1e15; // its digits are grouped
-        ui::field(context, "Area", large ? ui::count(static_cast<std::uint64_t>(std::llround(area))) : ui::number(area, 5),
+        ui::field(context, "Area",
+                  large ? ui::count(static_cast<std::uint64_t>(std::llround(area))) : ui::number(area, 5),
                   form::kLabel);
     }
 }

@@ -109,7 +109,10 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav)) {
         const bool closed = !inBar && drawTitleRow(context, dialog, name);
         const bool isTop = level + 1 == keep.size();
-        const bool escape = isTop && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
+        // Esc first restores the value of a field whose text was changed.
+        const std::optional<FieldFocus::Entry> &typing = context.widgets.fields.entry;
+        const bool restores = typing && typing->text != typing->initial;
+        const bool escape = isTop && !restores && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
                             !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
         ui::startTabbing(context);
         const bool dismissed = std::find(dismissed_.begin(), dismissed_.end(), &dialog) != dismissed_.end();

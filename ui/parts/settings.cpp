@@ -268,7 +268,8 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     writeWorkspaces(json, settings);
     json.member("exportFormat", settings.exportFormat);
     json.member("newMethod", wordOf(settings.newMethod)).member("newImprove", wordOf(settings.newImprove));
-    json.member("snapToDrawing", settings.snapping.toDrawing).member("snapToGrid", settings.snapping.toGrid || settings.snapping.offForPicture);
+    json.member("snapToDrawing", settings.snapping.toDrawing)
+        .member("snapToGrid", settings.snapping.toGrid || settings.snapping.offForPicture);
     json.member("snapReach", settings.snapping.reach).member("gridStep", settings.snapping.gridStep);
     json.member("angleStep", settings.snapping.angleStep);
     for (const auto &[name, number] :

@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// A headless platform: EGL without a surface, drawing to a framebuffer object, no X server. A frame lasts 1/60 s unless
-/// told otherwise.
+/// A headless platform: EGL without a surface, drawing to a framebuffer object, no X server. A frame lasts 1/60 s
+/// unless told otherwise.
 class EglPlatform final : public Platform {
   public:
     /// Returns null, with the reason in `fault`, if EGL provides no OpenGL 3.3 context.

@@ -58,8 +58,7 @@ void endMenuItems(Shell &context) {
     if (keys.letter != 0 && keys.first) {
         const PixelRect &at = keys.first->at;
         const auto number = [](double value) { return static_cast<float>(value); };
-        choose(keys.first->id,
-               {{number(at.x), number(at.y)}, {number(at.x + at.width), number(at.y + at.height)}});
+        choose(keys.first->id, {{number(at.x), number(at.y)}, {number(at.x + at.width), number(at.y + at.height)}});
     }
     keys.letter = 0;
     keys.passed = false;

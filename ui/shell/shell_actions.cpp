@@ -257,28 +257,28 @@ void addTimelineActions(ActionRegistry &actions) {
 }
 
 void addPlaceActions(ActionRegistry &actions) {
-    actions.add({.id = "run.worst",
-                 .menu = "Mesh",
-                 .title = "Go to the worst element",
-                 .run =
-                     [](Shell &c) {
-                         const Judgement &judgement = *c.judgement;
-                         const bool ranked = judgement.of.mesh == c.run.now().mesh && !judgement.worst.empty();
-                         const MeshPart part = infoOf(judgement.of.measure).part;
-                         if (ranked && (part == MeshPart::Elements || judgement.edges)) {
-                             goToRank(c, 0);
-                         } else {
-                             goToPart(c, {MeshPart::Elements, static_cast<std::uint32_t>(
-                                                                  index(c.run.now().quality.worst))});
-                         }
-                     },
-                 .enabled =
-                     [](const Shell &c) {
-                         const SessionSnapshot &s = c.run.now();
-                         return s.mesh && s.quality.worst != kNoElement &&
-                                index(s.quality.worst) < s.mesh->view().elementCount();
-                     },
-                 .separatorBefore = true});
+    actions.add(
+        {.id = "run.worst",
+         .menu = "Mesh",
+         .title = "Go to the worst element",
+         .run =
+             [](Shell &c) {
+                 const Judgement &judgement = *c.judgement;
+                 const bool ranked = judgement.of.mesh == c.run.now().mesh && !judgement.worst.empty();
+                 const MeshPart part = infoOf(judgement.of.measure).part;
+                 if (ranked && (part == MeshPart::Elements || judgement.edges)) {
+                     goToRank(c, 0);
+                 } else {
+                     goToPart(c, {MeshPart::Elements, static_cast<std::uint32_t>(index(c.run.now().quality.worst))});
+                 }
+             },
+         .enabled =
+             [](const Shell &c) {
+                 const SessionSnapshot &s = c.run.now();
+                 return s.mesh && s.quality.worst != kNoElement &&
+                        index(s.quality.worst) < s.mesh->view().elementCount();
+             },
+         .separatorBefore = true});
     actions.add({.id = "view.firstFault",
                  .menu = "",
                  .title = "Go to the first fault",

@@ -114,7 +114,8 @@ void FieldFocus::replaceMissing() {
     if (wanted_.empty() || next_.empty() || inSight(wanted_)) {
         return;
     }
-    const auto next = std::find_if(next_.begin(), next_.end(), [this](const std::string &name) { return inSight(name); });
+    const auto next =
+        std::find_if(next_.begin(), next_.end(), [this](const std::string &name) { return inSight(name); });
     if (next != next_.end()) {
         request(std::string(*next));
     }

@@ -104,14 +104,14 @@ class FieldFocus {
     std::optional<unsigned> tabbedInto_;
     bool back_ = false;
     std::string held_;
-    std::string wanted_;   ///< empty: none
-    int asked_ = 0;        ///< frames until Dear ImGui may be asked again to give it the focus
-    int framesLeft_ = 0;   ///< frames until the request is dropped
+    std::string wanted_;            ///< empty: none
+    int asked_ = 0;                 ///< frames until Dear ImGui may be asked again to give it the focus
+    int framesLeft_ = 0;            ///< frames until the request is dropped
     std::vector<std::string> next_; ///< fields that take its place if it is no longer drawn
     std::optional<Refused> refused_;
     std::optional<Entry> commit_; ///< in this frame
     bool tookFocus_ = false;      ///< another widget had the focus when it was committed
-    std::string replaced_; ///< field that gets another text; empty: none
+    std::string replaced_;        ///< field that gets another text; empty: none
     std::string with_;
     int framesToReplace_ = 0;
     Leave leaving_ = Leave::No;

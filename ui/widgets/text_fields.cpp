@@ -77,8 +77,8 @@ void forgetLeft(ImGuiID id, bool returns) {
     }
 }
 
-/// Gives the focus back to a field that lost it in the last frame, with its caret and its undo history. Returns false if
-/// Dear ImGui has forgotten them meanwhile.
+/// Gives the focus back to a field that lost it in the last frame, with its caret and its undo history. Returns false
+/// if Dear ImGui has forgotten them meanwhile.
 bool takeBack(ImGuiID id) {
     if (ImGui::GetInputTextState(id) == nullptr) {
         return false;
@@ -212,7 +212,8 @@ bool entry(WidgetContext &context, std::string_view name, std::string &value, st
     value = changed ? typed.text : before;
     if (changed) {
         // A widget that is clicked may be drawn later in this frame; a click on the canvas waits for the outcome.
-        const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && fields.leaving() != FieldFocus::Leave::Click;
+        const bool clicked =
+            ImGui::IsMouseClicked(ImGuiMouseButton_Left) && fields.leaving() != FieldFocus::Leave::Click;
         fields.commit(std::move(typed), clicked || ImGui::IsAnyItemActive());
     }
     return changed;

@@ -58,8 +58,8 @@ bool inputText(WidgetContext &context, std::string_view name, std::string &value
 /// the frame in which a changed text is committed to `value`. With `selectAll`, entering the field selects its text.
 bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint = {},
            float width = -1.0F, bool selectAll = false);
-/// Returns true if the entry() that is drawn next is being edited, or this frame begins to edit it: it must be given all
-/// that its user may change.
+/// Returns true if the entry() that is drawn next is being edited, or this frame begins to edit it: it must be given
+/// all that its user may change.
 bool showsEdited(const WidgetContext &context, std::string_view name, float width = -1.0F);
 /// The text field being edited, if any, and whether it can undo and redo.
 struct Typing {
@@ -110,8 +110,8 @@ std::string format(const char *pattern, ...) __attribute__((format(printf, 1, 2)
 /// Formats a number for display, with `digits` significant digits, all digits before the point and no trailing zeros:
 /// "0.05", "12.3", "140". Uses an exponent only below 0.0001 and from 10⁹.
 std::string number(double value, int digits = 4);
-/// Formats a number for editing: the shortest text that is read as the same number, with an exponent only for very small
-/// and very large numbers.
+/// Formats a number for editing: the shortest text that is read as the same number, with an exponent only for very
+/// small and very large numbers.
 std::string editedNumber(double value);
 /// Formats a mean of counts with about three digits: "3.27", "41.5", "140".
 std::string mean(double value);

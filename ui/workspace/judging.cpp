@@ -269,8 +269,8 @@ void drawPlate(CanvasPainter &painter, const Workspace &context, const Judgement
     }
     constexpr std::array<const char *, 3> kParts{"element", "edge", "node"};
     const Vec2 at = placeOf(judgement, pick.part, pick.index);
-    const int decimals = std::clamp(
-        static_cast<int>(std::ceil(1.0 - std::log10(context.view.camera.length(1.0)))), 0, 12);
+    const int decimals =
+        std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(context.view.camera.length(1.0)))), 0, 12);
     const std::string where = std::string(kParts[static_cast<std::size_t>(pick.part)]) + ' ' +
                               std::to_string(pick.index) +
                               ui::format(" at (%.*f, %.*f)", decimals, at.x, decimals, at.y);

@@ -278,8 +278,7 @@ bool inputNumber(Workspace &context, std::string_view name, double &value, float
 
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width, const FieldAddress &address) {
-    const std::optional<std::string> typed =
-        drawEntry(context, name, value, hint, width, address);
+    const std::optional<std::string> typed = drawEntry(context, name, value, hint, width, address);
     if (!typed) {
         return false;
     }

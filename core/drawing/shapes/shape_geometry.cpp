@@ -26,9 +26,8 @@ std::size_t taggedSegments(const Shape &shape) {
             return loop ? n : n - std::min<std::size_t>(n, 1);
         },
         [](const RectangleForm &rectangle) { return rectangle.radius > 0.0 ? 2 * kSides : kSides; },
-        [](const CircleForm &) { return std::size_t{1}; },
-        [](const PointForm &) { return std::size_t{0}; }, [](const EllipseForm &) { return std::size_t{1}; },
-        [](const SlotForm &) { return std::size_t{4}; });
+        [](const CircleForm &) { return std::size_t{1}; }, [](const PointForm &) { return std::size_t{0}; },
+        [](const EllipseForm &) { return std::size_t{1}; }, [](const SlotForm &) { return std::size_t{4}; });
 }
 
 std::int32_t segmentTag(const Shape &shape, std::size_t part) {

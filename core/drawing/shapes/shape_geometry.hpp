@@ -67,8 +67,8 @@ std::size_t circleCorners(double tolerance);
 /// (the sides, then the arc after each), 4 for a slot, 1 for a circle or an ellipse, else the number of segments of the
 /// outline.
 std::size_t taggedSegments(const Shape &shape);
-/// Returns the tag of a part; see taggedSegments(). If only the sides of a rounded rectangle have tags, as in drawings of
-/// older versions, an arc has the tag of the side before it.
+/// Returns the tag of a part; see taggedSegments(). If only the sides of a rounded rectangle have tags, as in drawings
+/// of older versions, an arc has the tag of the side before it.
 std::int32_t segmentTag(const Shape &shape, std::size_t part);
 /// Returns the tags of all parts.
 std::vector<std::int32_t> segmentTagsOf(const Shape &shape);

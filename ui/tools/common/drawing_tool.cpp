@@ -137,12 +137,6 @@ void DrawingTool::reveal(Vec2 node, bool completed, Shell &context) const {
     const Selection &drawn = context.selection;
     const Shape *const shape =
         completed && !drawn.shapes.empty() ? findShape(*context.document.current(), *drawn.shapes.begin()) : nullptr;
-    constexpr double kSmall = 0.3; // of the view
-    const bool first = shape != nullptr && context.document.current()->shapes.size() == 1;
-    if (first && boundsOf(*shape).diagonal() < kSmall * context.view.camera.visible().diagonal()) {
-        context.actions.run("view.fit", context); // the view of an empty drawing says nothing about its size
-        return;
-    }
     context.view.reveal(shape != nullptr ? boundsOf(*shape) : boxOf(node, node));
 }
 

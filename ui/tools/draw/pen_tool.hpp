@@ -108,9 +108,9 @@ class PenTool final : public DrawingTool {
     std::optional<Vec2> middle_;            ///< a point on the next arc
     std::vector<Node> path_;
     PenMode mode_ = PenMode::Corners; ///< of this tool alone: a freehand outline says nothing about lines
-    std::vector<Vec2> hand_;      ///< pointer positions while drawing freehand
-    std::vector<Node> undone_;    ///< nodes removed by undo, newest last
-    std::vector<Node> discarded_; ///< path dropped by Esc, which undo brings back until anything is drawn
+    std::vector<Vec2> hand_;          ///< pointer positions while drawing freehand
+    std::vector<Node> undone_;        ///< nodes removed by undo, newest last
+    std::vector<Node> discarded_;     ///< path dropped by Esc, which undo brings back until anything is drawn
     std::uint64_t discardedRevision_ = 0;
     std::uint64_t discardedPlaced_ = 0;     ///< EditState::placed then
     std::vector<TypedNode> discardedTyped_; ///< of the dropped path

@@ -223,8 +223,7 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     painter.circle(*pointer_, ring, fade(theme.canvas, 0.7), 3.5);
     painter.circle(*pointer_, ring, theme.brush, 1.75);
     if (!erases()) {
-        painter.dashedCircle(*pointer_, (1.0 - state_->brushFalloff) * ring, fade(theme.brush, 0.6),
-                             1.0);
+        painter.dashedCircle(*pointer_, (1.0 - state_->brushFalloff) * ring, fade(theme.brush, 0.6), 1.0);
     }
     std::string text = "r=" + ui::number(ring, 3);
     if (!erases_ && !sets()) {
@@ -233,8 +232,7 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
         text += "  \xcf\x81=" + ui::number(stroke_.empty() ? spacing(context) : strokeSpacing_, 3);
     }
     // Beside the ring, but no farther away than its width on the screen.
-    const double beside =
-        std::min(0.71 * ring * context.view.camera.zoom / painter.scale(), 160.0) + 8.0;
+    const double beside = std::min(0.71 * ring * context.view.camera.zoom / painter.scale(), 160.0) + 8.0;
     painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
 }
 

@@ -49,10 +49,10 @@ class BrushTool final : public Tool {
     std::shared_ptr<EditState> state_;
     bool erases_;
     std::optional<Vec2> pointer_, last_;
-    std::string stroke_;                   ///< key of the stroke in progress; empty: none
-    std::function<double(Vec2)> around_{}; ///< spacing when the stroke began; empty: none
+    std::string stroke_;                              ///< key of the stroke in progress; empty: none
+    std::function<double(Vec2)> around_{};            ///< spacing when the stroke began; empty: none
     double strokeRadius_ = 0.0, strokeSpacing_ = 0.0; ///< of the stroke in progress
-    bool changed_ = false;                 ///< the stroke has changed the paint
+    bool changed_ = false;                            ///< the stroke has changed the paint
 };
 
 } // namespace forefront

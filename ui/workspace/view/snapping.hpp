@@ -4,12 +4,12 @@ namespace forefront {
 
 /// The targets that the tools snap to.
 struct Snapping {
-    bool toDrawing = true;   ///< nodes and segments
-    bool toGrid = true;      ///< the drawing lattice
+    bool toDrawing = true;      ///< nodes and segments
+    bool toGrid = true;         ///< the drawing lattice
     bool offForPicture = false; ///< toGrid was switched off when a background picture was added
-    double gridStep = 0.0;   ///< of the grid, domain units; 0: it follows the zoom
-    double reach = 9.0;      ///< design pixels
-    double angleStep = 15.0; ///< of directions with Shift, degrees
+    double gridStep = 0.0;      ///< of the grid, domain units; 0: it follows the zoom
+    double reach = 9.0;         ///< design pixels
+    double angleStep = 15.0;    ///< of directions with Shift, degrees
     friend bool operator==(const Snapping &, const Snapping &) = default;
 };
 
