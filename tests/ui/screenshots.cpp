@@ -135,8 +135,8 @@ std::vector<Shot> scenes() {
         };
     };
     const auto tool = [](const char *id) {
-        return [name = std::string("tool.") + id](Driver &driver) {
-            driver.context().actions.run(name, driver.context());
+        return [id](Driver &driver) {
+            driver.context().tools.choose(id, driver.context());
             driver.settle();
         };
     };

@@ -60,7 +60,7 @@ TEST_CASE("Refused fields: the text, the caret and the focus stay, and the next 
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.fill("spacing/size", "0.5");
     driver.fill("spacing/size", "abc+");
     REQUIRE(driver.has("spacing/size/fault"));
@@ -88,7 +88,7 @@ TEST_CASE("Refused fields: Tab stays, a shortcut and a click on the canvas wait;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.click("spacing/size");
     driver.type("-1");
     driver.key(key::kTab);
@@ -119,7 +119,7 @@ TEST_CASE("Refused fields: after a click on another widget the field still shows
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.fill("spacing/size", "0.5");
     driver.click("spacing/size");
     driver.key('A', kControl);
@@ -141,7 +141,7 @@ TEST_CASE("Refused fields: expressions and parameters keep the focus too") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
-    driver.unfold("spacing");
+    driver.showPanel("spacing");
     driver.fill("spacing/expression", "0.2+*");
     CHECK(driver.has("spacing/expression/fault"));
     driver.key('A', kControl);
@@ -150,7 +150,7 @@ TEST_CASE("Refused fields: expressions and parameters keep the focus too") {
     driver.key(key::kEnter);
     CHECK(driver.document().spacing.expression == "0.2+0.1*x");
     CHECK(driver.document().shapes.size() == 1);
-    driver.click("panel/parameters");
+    driver.showPanel("parameters");
     driver.click("parameters/add");
     driver.settle();
     driver.fill("parameters/0/expression", "2*(");

@@ -117,7 +117,7 @@ TEST_CASE("Slow frames: a size line, drawn and then changed in its panel") {
 TEST_CASE("Slow frames: fields of the spacing, parameters and tool options") {
     expectSame("spacing", [](Typist &typist) {
         typedRectangle(typist);
-        typist.unfold("spacing");
+        typist.showPanel("spacing");
         typist.touch("spacing/size");
         tabbed(typist, "0.5");
         tabbed(typist, "0.2+0.1*x");
@@ -125,7 +125,7 @@ TEST_CASE("Slow frames: fields of the spacing, parameters and tool options") {
         enter(typist, "2");
     });
     expectSame("parameters", [](Typist &typist) {
-        typist.touch("panel/parameters");
+        typist.showPanel("parameters");
         typist.touch("parameters/add");
         tabbed(typist, "width");
         enter(typist, "2*3");

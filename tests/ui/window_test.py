@@ -159,8 +159,8 @@ def run(program, folder):
         window.wait("its removal", lambda s: s["revision"] == drawn and s["shapes"] == 2)
 
         print("typing a size and undoing it")
-        for panel in ("layers", "inspector"):
-            window.click(f"panel/{panel}")
+        window.key("ctrl+2")
+        window.wait("the workspace Size", lambda s: s["workspace"] == "size")
         drawn = window.state()["revision"]
         window.click("spacing/size")
         window.xdotool("type", "--delay", "15", "0.9")
