@@ -50,4 +50,5 @@ with tempfile.TemporaryDirectory() as name:
         env = {key: value for key, value in os.environ.items() if key != "FOREFRONT_ASSETS"}
         env.update(HOME=name, XDG_CONFIG_HOME=f"{name}/config", XDG_STATE_HOME=f"{name}/state", LIBGL_ALWAYS_SOFTWARE="1")
         run("xvfb-run", "-a", program, "--frames", "5", "--state-file", top / "state.json", cwd=name, env=env)
-        check(json.loads((top / "state.json").read_text())["shapes"] > 0, "the editor does not find its sample")
+        widgets = json.loads((top / "state.json").read_text())["widgets"]
+        check("start/sample/plate" in widgets, "the editor does not find its samples")

@@ -216,7 +216,7 @@ std::vector<ActionCase> operationCases() {
     return {{"edit.combine", drawOverlap,
              [](D &d, const B &) {
                  const bool previewed = d.context().dialogs.any() && shapesOf(d) == 1 && same(areaOf(d), 28);
-                 d.click("dialog/combine/cancel");
+                 d.key(key::kEscape);
                  d.settle();
                  return previewed && shapesOf(d) == 2;
              }},

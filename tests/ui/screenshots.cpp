@@ -77,6 +77,21 @@ void showRegions(Driver &driver) {
     context.selection.markers = {0};
 }
 
+/// Offers to combine two rectangles that overlap.
+void offerCombination(Driver &driver) {
+    Shell &context = driver.context();
+    context.actions.run("file.new", context);
+    driver.settle();
+    Shape left, right;
+    left.form = right.form = formOf(ShapeKind::Rectangle);
+    left.nodes = {{0, 0}, {6, 4}};
+    right.nodes = {{4, 2}, {9, 7}};
+    context.document.apply(*addShapes({}, {left, right}), "Draw");
+    driver.settle();
+    context.actions.run("view.fit", context);
+    context.actions.run("edit.combine", context);
+}
+
 /// Opens the dialog for a drawing that is added.
 void importBracket(Driver &driver) {
     Result<std::unique_ptr<ImportDialog>> dialog = ImportDialog::open(assetFolder() / "samples/bracket.json", {});
@@ -209,6 +224,7 @@ std::vector<Shot> scenes() {
             {"transform", operation("shape.transform")},
             {"lineararray", operation("shape.linearArray")},
             {"polararray", operation("shape.polarArray")},
+            {"combine", offerCombination},
             {"fillet", operation("shape.fillet")},
             {"chamfer", operation("shape.chamfer")},
             {"offset", operation("shape.offset")},

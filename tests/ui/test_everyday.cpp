@@ -165,7 +165,7 @@ TEST_CASE("Notes: shapes that overlap are offered a union, with a preview") {
     driver.click("dialog/combine/ok");
     driver.settle();
     CHECK(driver.document().shapes.size() == 1);
-    CHECK(driver.undoLabel() == "Combine overlapping shapes");
+    CHECK(driver.undoLabel() == "Combine shapes");
     CHECK_FALSE(driver.context().actions.find("edit.combine")->enabled(driver.context()));
 }
 
@@ -176,6 +176,8 @@ TEST_CASE("Export: after a click on a solver, what is typed is the name") {
     driver.key(key::k2);
     driver.settle();
     driver.key('E', kControl);
+    driver.settle();
+    driver.click("dialog/export/browse");
     driver.settle();
     REQUIRE(driver.has("dialog/export/path"));
     driver.click("dialog/export/path");

@@ -57,7 +57,7 @@ std::set<std::uint32_t> overlappingShapes(const Shell &context) {
 Operation combineOperation() {
     Operation operation;
     operation.id = "combine";
-    operation.title = "Combine overlapping shapes";
+    operation.title = "Combine shapes";
     operation.fields = {{.id = "operation",
                          .label = "",
                          .kind = OperationField::Kind::Choice,

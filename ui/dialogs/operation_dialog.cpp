@@ -95,7 +95,7 @@ void OperationDialog::drawField(Shell &context, std::size_t index) {
         break;
     case OperationField::Kind::Choice: {
         int choice = static_cast<int>(value);
-        ui::segmented(context, name, field.choices, choice, 84.0F * static_cast<float>(field.choices.size()));
+        ui::segmented(context, name, field.choices, choice, 76.0F * static_cast<float>(field.choices.size()));
         value = choice;
         break;
     }
