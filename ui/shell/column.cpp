@@ -54,7 +54,8 @@ void sectionHeading(Shell &context, const Panel &panel, bool open) {
     list.AddLine({at.x - pad, at.y}, {at.x + width + pad, at.y}, context.theme.line);
     ImGui::PushFont(context.fonts.heading);
     const float y = at.y + (height - ImGui::GetFontSize()) / 2;
-    list.AddText({at.x - context.px(2), y}, hovered ? context.theme.text : context.theme.muted, open ? icon::kDown : icon::kRight);
+    list.AddText({at.x - context.px(2), y}, hovered ? context.theme.text : context.theme.muted,
+                 open ? icon::kDown : icon::kRight);
     list.AddText({at.x + context.px(18), y}, context.theme.text, panel.title());
     if (context.settings.pinned.contains(panel.id())) {
         const float mark = ImGui::CalcTextSize(icon::kPin).x;

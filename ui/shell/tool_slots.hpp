@@ -15,8 +15,8 @@ struct ToolSlot {
     bool hasFlyout() const { return tools.size() > 1; }
 };
 
-/// Returns the places of the strip from the top, with the tools of the workspace that is shown. A tool that is in no group
-/// has its own place at the end.
+/// Returns the places of the strip from the top, with the tools of the workspace that is shown. A tool that is in no
+/// group has its own place at the end.
 std::vector<ToolSlot> toolSlots(const Shell &context);
 /// Returns the tool that a place shows: the active one, or the one that was active last, or the first.
 std::size_t shownTool(const ToolBox &box, const ToolSlot &slot);
