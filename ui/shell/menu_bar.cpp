@@ -207,8 +207,8 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
     ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
     const bool shown = columnShown(context);
-    if (ui::iconButton(context, "menu/panels", icon::kPanels, shown ? "Hide panels (Tab)" : "Show panels (Tab)",
-                       !shown, true, 26.0F)) {
+    if (ui::iconButton(context, "menu/panels", icon::kPanels, shown ? "Hide panels (Tab)" : "Show panels (Tab)", !shown,
+                       true, 26.0F)) {
         context.actions.run("view.panels", context);
     }
     ImGui::SameLine();
