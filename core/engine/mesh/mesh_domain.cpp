@@ -242,7 +242,8 @@ Result<Domain> domainOfMesh(const MeshView &mesh, const Progress &progress) {
 }
 
 std::vector<TaggedEdge> untaggedEdges(const MeshView &mesh) {
-    MeshOutline outline(mesh, {});
+    const Progress none; // the outline refers to it
+    MeshOutline outline(mesh, none);
     const Result<Domain> domain = outline.run();
     return domain ? outline.takeUntagged() : std::vector<TaggedEdge>();
 }
