@@ -110,19 +110,22 @@ bool hasConstraints(const Domain &domain) {
                        [](const DomainSegment &segment) { return segment.role == SegmentRole::Constraint; });
 }
 
-/// In the outline of a mesh, edges without a tag get one. Gives it to the same edges of a mesh that is compared with
-/// such an outline. A mesh without any tags is compared without them.
-void tagLikeAnOutline(Mesh &mesh, const Input &domain) {
+/// In the outline of a mesh, edges without a tag get one. Returns all tagged edges of a mesh that is compared with such
+/// an outline, with these; none if it has no tags at all, and is compared without them.
+std::vector<TaggedEdge> edgesLikeAnOutline(const MeshView &mesh, const Input &domain) {
     const FileFormat *const format = domain.format();
-    if (format != nullptr && format->readsMesh && !mesh.edges.empty()) {
+    std::vector<TaggedEdge> edges(mesh.edges.begin(), mesh.edges.end());
+    if (format != nullptr && format->readsMesh && !edges.empty()) {
         const std::vector<TaggedEdge> untagged = untaggedEdges(mesh);
-        mesh.edges.insert(mesh.edges.end(), untagged.begin(), untagged.end());
+        edges.insert(edges.end(), untagged.begin(), untagged.end());
     }
+    return edges;
 }
 
 /// Returns the differences between a mesh and the domain it was made from.
-Diagnostics checkAgainst(Mesh mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
-    tagLikeAnOutline(mesh, input);
+Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckArguments &arguments, Input &input) {
+    const std::vector<TaggedEdge> edges = edgesLikeAnOutline(mesh, input);
+    mesh.edges = edges;
     arguments.drawing.applyTo(input.options);
     Result<DomainFile> file = allFormats().readDomain(input.path, input.options);
     if (!file) {

@@ -58,7 +58,7 @@ TEST_CASE("Motion: a command moves the picture smoothly, unless motion is reduce
         driver.context().settings.reduceMotion = reduced;
         const std::uint64_t before = driver.editor().canvas().stillDraws();
         driver.context().actions.run("view.fit", driver.context());
-        const Camera target = driver.context().view.camera; // at once, for whatever comes next
+        const Camera target = driver.context().view.camera; // at once, for the next command
         driver.settle();
         CHECK(driver.context().view.camera == target);
         const std::uint64_t draws = driver.editor().canvas().stillDraws() - before;

@@ -114,7 +114,7 @@ TEST_CASE("Workspaces: commands on the run switch to Step, which has the timelin
     CHECK(driver.context().layer("front")->visible);
 }
 
-TEST_CASE("Workspaces: the command of a panel shows it in any of them, until another one is chosen") {
+TEST_CASE("Workspaces: the command of a panel shows it in any of them, until another is chosen") {
     Draughtsman driver;
     for (const auto &panel : driver.context().panels) {
         for (const WorkspaceKind kind : kWorkspaceKinds) {

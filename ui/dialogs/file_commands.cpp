@@ -286,18 +286,25 @@ void newDocument(Shell &context) {
     });
 }
 
+bool findSamples(Shell &context) {
+    if (!samples().empty()) {
+        return true;
+    }
+    context.log.add(Diagnostic{.severity = Severity::Warning,
+                               .code = "no-assets",
+                               .message = "samples not found",
+                               .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
+    return false;
+}
+
 void openFirstSample(Shell &context) {
-    const std::vector<Sample> gallery = samples();
-    if (gallery.empty()) {
-        context.log.add(Diagnostic{.severity = Severity::Warning,
-                                   .code = "no-assets",
-                                   .message = "samples not found",
-                                   .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
+    if (!findSamples(context)) {
         return;
     }
+    const std::filesystem::path first = samples().front().path;
     ImportNotes notes;
-    if (const Result<StampedDocument> read = readStamped(gallery.front().path, &notes)) {
-        showOpened(context, *read, notes, gallery.front().path);
+    if (const Result<StampedDocument> read = readStamped(first, &notes)) {
+        showOpened(context, *read, notes, first);
     } else {
         context.log.add(read.faults());
     }

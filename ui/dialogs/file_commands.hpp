@@ -27,6 +27,8 @@ Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNot
 /// Runs `then` after asking whether to save unsaved changes.
 void afterUnsaved(Shell &context, std::function<void(Shell &)> then);
 void newDocument(Shell &context);
+/// Logs a warning if there are no samples, since the assets were not found. Returns true if there are some.
+bool findSamples(Shell &context);
 /// Opens the first sample, without asking about unsaved changes; logs that there is none.
 void openFirstSample(Shell &context);
 /// Opens the file dialog.

@@ -1,6 +1,7 @@
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/flow.hpp"
+#include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -23,21 +24,17 @@ constexpr ImGuiWindowFlags kFloating = ImGuiWindowFlags_NoDecoration | ImGuiWind
 /// top, 1 is right or bottom.
 class Plate {
   public:
-    Plate(Shell &context, const char *name, double x, double y, float pivotX, float pivotY) {
+    Plate(Shell &context, const char *name, double x, double y, float pivotX, float pivotY)
+        : style_(context, 12, 8, 8, 0.96) {
         ImGui::SetNextWindowPos({static_cast<float>(x), static_cast<float>(y)}, ImGuiCond_Always, {pivotX, pivotY});
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(8)));
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, fade(context.theme.popup, 0.96));
         ImGui::Begin(name, nullptr, kFloating);
     }
-    ~Plate() {
-        ImGui::End();
-        ImGui::PopStyleColor();
-        ImGui::PopStyleVar(3);
-    }
+    ~Plate() { ImGui::End(); }
     Plate(const Plate &) = delete;
     Plate &operator=(const Plate &) = delete;
+
+  private:
+    ui::PopupStyle style_;
 };
 
 void key(WidgetContext &context, const char *text) {

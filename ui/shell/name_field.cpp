@@ -1,4 +1,5 @@
 #include "ui/shell/main_window.hpp"
+#include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -109,15 +110,12 @@ void drawNameField(Shell &context, const PixelRect &canvas) {
     const double gap = static_cast<double>(context.px(12.0));
     ImGui::SetNextWindowPos({within(naming.at.x + gap, canvas.x, canvas.width, width),
                              within(naming.at.y + gap, canvas.y, canvas.height, height)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(10)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
-    ImGui::Begin("##naming", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
+    {
+        const ui::PopupStyle style(context, 12, 10, 8);
+        ImGui::Begin("##naming", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize);
+    }
     ui::markWindow(context, "naming");
     const bool elsewhere =
         naming.frames > 1 && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows) &&

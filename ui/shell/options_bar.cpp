@@ -1,5 +1,6 @@
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/flow.hpp"
+#include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -38,10 +39,7 @@ void placeOverflow(Shell &context, const PixelRect &rect) {
     const float hidden = -4.0F * static_cast<float>(rect.width);
     ImGui::SetNextWindowPos({open ? right - context.px(kBarPad) : hidden, below + context.px(4)}, ImGuiCond_Always,
                             {1.0F, 0.0F});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(10)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
+    const ui::PopupStyle style(context, 12, 10);
     ImGui::Begin(kOverflow, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
@@ -54,8 +52,6 @@ void placeOverflow(Shell &context, const PixelRect &rect) {
         context.animate();
     }
     ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
 }
 
 /// Draws the button that opens and closes the drawer of options. A press outside of the drawer closes it.

@@ -1,5 +1,6 @@
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -25,13 +26,10 @@ const char *actionOfPlate(const Panel &panel) {
 /// A panel that lies over the canvas, with its heading and a button that closes it.
 class PanelPlate {
   public:
-    PanelPlate(Shell &context, const char *name, const PixelRect &rect) : context_(context), name_(name) {
+    PanelPlate(Shell &context, const char *name, const PixelRect &rect)
+        : context_(context), name_(name), style_(context, 12, 8) {
         ImGui::SetNextWindowPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
         ImGui::SetNextWindowSize({static_cast<float>(rect.width), static_cast<float>(rect.height)});
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(8)));
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
         ImGui::Begin(("##plate" + name_).c_str(), nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
@@ -40,8 +38,6 @@ class PanelPlate {
     ~PanelPlate() {
         ui::markWindow(context_, "plate/" + name_);
         ImGui::End();
-        ImGui::PopStyleColor();
-        ImGui::PopStyleVar(3);
     }
     PanelPlate(const PanelPlate &) = delete;
     PanelPlate &operator=(const PanelPlate &) = delete;
@@ -71,6 +67,7 @@ class PanelPlate {
   private:
     Shell &context_;
     std::string name_;
+    ui::PopupStyle style_;
 };
 
 /// Draws a panel in a plate as high as its content, at most `rect`. Returns true if it is to be closed.
@@ -121,10 +118,7 @@ void drawLayersButton(Shell &context, const PixelRect &canvas) {
     ImGui::SetNextWindowPos(
         {static_cast<float>(canvas.x + canvas.width) - margin, static_cast<float>(canvas.y) + margin}, ImGuiCond_Always,
         {1.0F, 0.0F});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(4), context.px(3)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
+    const ui::PopupStyle style(context, 4, 3);
     ImGui::Begin("##canvastools", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
@@ -139,8 +133,6 @@ void drawLayersButton(Shell &context, const PixelRect &canvas) {
     }
     ui::markWindow(context, "canvas/tools");
     ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
 }
 
 void drawLayers(Shell &context, const PixelRect &canvas) {

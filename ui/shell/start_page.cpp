@@ -3,6 +3,7 @@
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -84,6 +85,7 @@ void StartPage::drawCards(Shell &context) {
         std::vector<DrawingCards::Card> cards = sampleCards();
         cards.resize(std::min(cards.size(), kPageSamples));
         samples_ = std::make_unique<DrawingCards>(context.background, std::move(cards));
+        findSamples(context);
     }
     if (!recent_ || recentFiles_ != context.settings.recentFiles) {
         recentFiles_ = context.settings.recentFiles;
@@ -142,10 +144,7 @@ void StartPage::draw(Shell &context, const PixelRect &canvas) {
                             ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSizeConstraints({static_cast<float>(width), 0.0F},
                                         {static_cast<float>(width), static_cast<float>(height)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(24), context.px(20)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
+    const ui::PopupStyle style(context, 24, 20, 8);
     ImGui::Begin("##start", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
@@ -154,8 +153,6 @@ void StartPage::draw(Shell &context, const PixelRect &canvas) {
     drawContent(context);
     ui::markWindow(context, "start");
     ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
 }
 
 } // namespace forefront::shell

@@ -1,7 +1,6 @@
 #include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/tool_slots.hpp"
-#include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -173,39 +172,6 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
     const float x = static_cast<float>(rect.x + rect.width) - 1.0F;
     list.AddLine({x, static_cast<float>(rect.y)}, {x, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     ImGui::End();
-}
-
-void drawToolOptions(Shell &context, const PixelRect &canvas) {
-    Tool &tool = context.tools.current();
-    if (!tool.hasOptions(context)) {
-        return;
-    }
-    const ImVec2 pad(context.px(10), context.px(7));
-    ImGui::SetNextWindowPos(
-        {static_cast<float>(canvas.x) + context.px(12), static_cast<float>(canvas.y) + context.px(12)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, fade(context.theme.popup, 0.96));
-    // What does not fit beside the canvas and above most of it is scrolled.
-    constexpr float kMaxHeight = 0.6F;
-    const float width = std::max(1.0F, static_cast<float>(canvas.width) - context.px(24));
-    const float height = std::max(context.px(40), kMaxHeight * static_cast<float>(canvas.height));
-    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, height});
-    ImGui::Begin("##tooloptions", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
-    {
-        const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
-        ui::Flow flow(context, width - 2 * pad.x - bar, context.px(14));
-        tool.drawOptions(context, flow);
-    }
-    ui::markWindow(context, "options");
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
 }
 
 } // namespace forefront::shell

@@ -232,7 +232,7 @@ class ProjectReader {
         const std::size_t nodes = shape.nodes.size();
         const std::size_t count = shape.segmentTags.size();
         const std::size_t expected = shape.isPolygon() ? nodes : taggedSegments(shape); // also for two nodes
-        // Before the arcs of rounded corners had tags of their own, each had that of the side before it.
+        // Before the arcs of rounded corners had tags of their own, each had the tag of the side before it.
         const bool sides = shape.is<RectangleForm>() && count == 4;
         if (count != 0 && count != expected && !sides) {
             check_.fault(place, "bad-count",

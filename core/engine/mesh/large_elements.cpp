@@ -2,6 +2,7 @@
 
 #include "core/engine/base/number_text.hpp"
 #include "core/engine/domain/lazy_faces.hpp"
+#include "core/engine/mesh/placed_cell.hpp"
 #include "core/engine/spacing/parts/regions/region_part.hpp"
 
 #include <cstdint>
@@ -45,33 +46,20 @@ Diagnostics largeElements(const MeshView &mesh, const Domain &domain, std::span<
         return {};
     }
     std::vector<RegionExcess> found(regions.size());
-    for (const MeshView::Block &block : mesh.blocks()) {
-        const std::size_t corners = block.traits().corners;
-        for (std::size_t e = 0; e < block.size(); ++e) {
-            const std::span<const NodeId> cell = block.nodesOf(e);
-            const Vec2 origin = mesh.nodes[index(cell[0])];
-            Vec2 sum;
-            double twice = 0.0;
-            for (std::size_t k = 0; k < corners; ++k) {
-                const Vec2 a = mesh.nodes[index(cell[k])], b = mesh.nodes[index(cell[(k + 1) % corners])];
-                twice += cross(a - origin, b - origin);
-                sum = sum + a;
-            }
-            const double area = 0.5 * twice;
-            const Vec2 centre = (1.0 / static_cast<double>(corners)) * sum;
-            std::uint32_t region = 0;
-            const double allowed = part->maxAreaAt(centre, region);
-            if (area > allowed * (1.0 + kAreaRounding)) {
-                RegionExcess &excess = found[region];
-                ++excess.count;
-                if (area > excess.largest) {
-                    excess.largest = area;
-                    excess.allowed = allowed;
-                    excess.at = centre;
-                }
+    forEachCell(mesh, [&](const PlacedCell &cell, std::size_t) {
+        std::uint32_t region = 0;
+        const Vec2 centre = cell.centre();
+        const double area = 0.5 * twiceArea(cell), allowed = part->maxAreaAt(centre, region);
+        if (area > allowed * (1.0 + kAreaRounding)) {
+            RegionExcess &excess = found[region];
+            ++excess.count;
+            if (area > excess.largest) {
+                excess.largest = area;
+                excess.allowed = allowed;
+                excess.at = centre;
             }
         }
-    }
+    });
     const std::vector<std::string> names = namesOf(regions, domain, faces);
     Diagnostics warnings;
     for (std::size_t r = 0; r < found.size(); ++r) {

@@ -11,8 +11,7 @@
 namespace FOREFRONT_API forefront {
 
 /// Returns a warning for each region in which elements of a mesh of the domain exceed the maximum area
-/// (large-elements), with their number and the place of the largest; empty if there are none. Areas are those of the
-/// straight-sided elements. O(n log n).
+/// (large-elements), with their number and the place of the largest; empty if there are none. O(n log n).
 Diagnostics largeElements(const MeshView &mesh, const Domain &domain, std::span<const RegionSize> regions);
 
 } // namespace forefront
