@@ -182,7 +182,7 @@ bool isMeasurable(const Diagnostics &faults) {
     return !hasCode(faults, "bad-index") && !hasCode(faults, "non-finite") && !hasCode(faults, "repeated-node");
 }
 
-void printFigures(const CheckArguments &arguments, const MeshReport &report, bool valid, bool spaced) {
+void printFigures(const CheckArguments &arguments, const MeshReport &report, bool valid) {
     const MeshQuality &quality = report.quality;
     std::printf("%s%s: %zu nodes, %zu elements, hash %s\n%s"
                 "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
@@ -190,7 +190,7 @@ void printFigures(const CheckArguments &arguments, const MeshReport &report, boo
                 toHex(report.hash).c_str(), extentLine(quality.area, report.extent).c_str(), quality.alphaMean,
                 quality.alphaGeometricMean, quality.alphaMin, quality.minAngle, quality.maxAngle);
     std::fputs(kindsLine(quality).c_str(), stdout);
-    if (spaced) {
+    if (report.hasSpacing) {
         std::fputs(conformityLine(quality).c_str(), stdout);
     }
 }
@@ -218,7 +218,7 @@ int reportQuality(const CheckArguments &arguments, const std::filesystem::path &
         }
     }
     if (!arguments.printsStatistics()) {
-        printFigures(arguments, report, valid, spacing->get() != nullptr);
+        printFigures(arguments, report, valid);
         if (arguments.measures) {
             printMeasures(mesh, spacing->get());
         }

@@ -27,7 +27,9 @@ void drawLimit(ImDrawList &list, const Theme &theme, const PixelRect &bar, const
     const double bottom = bar.y + bar.height;
     list.PushClipRect(im(from, bar.y), im(to, bottom), true);
     const double step = 5.0 * s;
-    for (double x = from - bar.height; x < to; x += step) {
+    const int lines = static_cast<int>(std::ceil((to - from + bar.height) / step));
+    for (int k = 0; k < lines; ++k) {
+        const double x = from - bar.height + k * step;
         list.AddLine(im(x, bottom), im(x + bar.height, bar.y), fade(theme.boundary, 0.8), static_cast<float>(1.5 * s));
     }
     list.PopClipRect();

@@ -13,6 +13,7 @@ namespace {
 void pointAttribute(unsigned location, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, static_cast<int>(stride),
+                          // OpenGL takes the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
                           reinterpret_cast<const void *>(offset));
     glVertexAttribDivisor(location, 1);
 }
@@ -20,6 +21,7 @@ void pointAttribute(unsigned location, std::size_t stride, std::size_t offset) {
 void colourAttribute(unsigned location, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<int>(stride),
+                          // OpenGL takes the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
                           reinterpret_cast<const void *>(offset));
     glVertexAttribDivisor(location, 1);
 }

@@ -141,7 +141,7 @@ std::vector<IconLine> dashesOf(const std::vector<IconLine> &lines, double dash, 
         for (std::size_t k = 1; k < line.size(); ++k) {
             glm::dvec2 from = line[k - 1];
             double rest = glm::distance(from, line[k]);
-            for (; rest > left; rest -= std::exchange(left, on ? dash : gap)) {
+            while (rest > left) {
                 from = glm::mix(from, line[k], left / rest);
                 if (on) {
                     piece.push_back(from);
@@ -149,6 +149,7 @@ std::vector<IconLine> dashesOf(const std::vector<IconLine> &lines, double dash, 
                 }
                 piece = {from};
                 on = !on;
+                rest -= std::exchange(left, on ? dash : gap);
             }
             left -= rest;
             piece.push_back(line[k]);
