@@ -27,6 +27,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront adapt MESH         remesh to a requested error    (forefront adapt --help)
   forefront convert IN -o OUT  write a mesh in other formats  (forefront convert --help)
   forefront film IN -o GIF     film a run step by step        (forefront film --help)
+  forefront trace IN -o JSON   write every advance of a run   (forefront trace --help)
   forefront tables             reproduce the published tables (forefront tables --help)
   forefront --version          print the version
   forefront --help             print this help
@@ -71,9 +72,9 @@ using Command = int (*)(int, const char *const *);
 
 /// Returns the batch command of this name; null if there is none.
 Command batchCommand(std::string_view name) {
-    constexpr std::pair<std::string_view, Command> kCommands[] = {{"mesh", meshCommand},   {"check", checkCommand},
-                                                                  {"adapt", adaptCommand}, {"convert", convertCommand},
-                                                                  {"film", filmCommand},   {"tables", tablesCommand}};
+    constexpr std::pair<std::string_view, Command> kCommands[] = {
+        {"mesh", meshCommand}, {"check", checkCommand}, {"adapt", adaptCommand},  {"convert", convertCommand},
+        {"film", filmCommand}, {"trace", traceCommand}, {"tables", tablesCommand}};
     const auto *const found =
         std::find_if(std::begin(kCommands), std::end(kCommands), [&](const auto &c) { return c.first == name; });
     return found != std::end(kCommands) ? found->second : nullptr;
@@ -98,8 +99,9 @@ int dispatch(int argc, const char *const *argv) {
     }
     std::error_code none;
     if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
-        return wrongUsage("forefront", "unknown command or file '" + std::string(command) +
-                                           "'; expected view, mesh, check, adapt, film, tables or an existing file");
+        return wrongUsage("forefront",
+                          "unknown command or file '" + std::string(command) +
+                              "'; expected view, mesh, check, adapt, convert, film, trace, tables or an existing file");
     }
     return editorCommand(argc, argv, false);
 }

@@ -12,7 +12,7 @@ if ! command -v gcovr >/dev/null; then
 fi
 sh app/build.sh coverage forefront forefront_unit_tests forefront_fuzz_regression
 find build/coverage -name '*.gcda' -delete
-ctest --test-dir build/coverage --output-on-failure --progress -j "$(nproc)" -R '^(unit/|batch$|fuzz_regression$)'
+ctest --test-dir build/coverage --output-on-failure --progress -j "$(nproc)" -R '^(unit/|batch$|trace$|fuzz_regression$)'
 mkdir -p build/coverage/report
 gcovr --root . --object-directory build/coverage --filter core/ -j "$(nproc)" --exclude-throw-branches \
     --html-details build/coverage/report/coverage.html --txt build/coverage/report/coverage.txt \

@@ -1,22 +1,16 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
-#include "app/batch/option_notes.hpp"
-#include "core/drawing/document/document.hpp"
-#include "core/drawing/domain/document_domain.hpp"
-#include "core/drawing_files/documents.hpp"
-#include "core/files/files.hpp"
+#include "app/batch/run_arguments.hpp"
 #include "core/teaching/film/film_files.hpp"
 
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace forefront {
@@ -35,38 +29,12 @@ Examples:
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
 struct FilmArguments {
-    std::filesystem::path input;
-    std::string inputFormat;
-    std::map<std::string, std::string> parameters; ///< expressions by name, from --set
-    DrawingArguments drawing;
-    std::optional<Method> method;
-    std::optional<GridKind> grid;
-    std::optional<double> size;
-    std::optional<std::string> expression;
-    std::optional<double> maxElements;
+    RunArguments run;
     int from = 0;
     std::optional<int> steps;
     std::vector<std::string> layers;
     FilmPlan plan;
 };
-
-Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
-    ImportNotes notes;
-    Result<Document> document = readDocument(input.path, input.options, &notes);
-    if (!document) {
-        return document.faults();
-    }
-    printNotes(notes, false);
-    MeshingJob job = jobOf(*document);
-    if (arguments.size || arguments.expression) {
-        printFaults(replacedSpacing(arguments.size ? "--size" : "--spacing", job.spacing));
-    }
-    applySpacingOptions(arguments.size, arguments.expression, job.spacing);
-    job.options.method = arguments.method.value_or(job.options.method);
-    job.options.grid = arguments.grid.value_or(job.options.grid);
-    applyMaxElements(arguments.maxElements, job.options);
-    return job;
-}
 
 FilmLayers layersOf(const FilmArguments &arguments) {
     FilmLayers layers;
@@ -109,20 +77,11 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
 
 /// Declares the options of the command; parsing sets the arguments.
 void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
-    app.add_option("IN", arguments.input, "project, drawing or domain; -: standard input")->required();
-    addInputFormatOption(app, "IN", arguments.inputFormat);
-    addParameterOption(app, arguments.parameters);
-    addDrawingOptions(app, arguments.drawing);
+    addRunOptions(app, arguments.run);
     app.add_option("-o,--output", arguments.plan.output,
                    "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
         ->required();
-    addWordOption<Method>(app, "--method", arguments.method, "method; default: from the project, or fast");
-    addWordOption<GridKind>(app, "--grid", arguments.grid, "background grid");
-    auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
-    addSpacingOptions(*spacing, arguments.size, arguments.expression);
-    spacing->require_option(0, 1);
-    addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--from", arguments.from, "first moment: the number of advances done; default 0")
         ->check(wholeNumberWithin(0, 1'000'000'000));
     app.add_option("--steps", arguments.steps, "number of advances shown; default: to the end of the run")
@@ -157,30 +116,21 @@ int filmCommand(int argc, const char *const *argv) {
         return wrongUsage(app.get_name(), fault);
     }
     InterruptWatch interrupt;
-    Result<Input> input = openInput(arguments.input, arguments.inputFormat);
-    if (!input) {
-        return refuse(input.faults(), interrupt);
+    std::variant<OpenedRun, int> opened = openRun(app.get_name(), arguments.run, interrupt);
+    if (const int *code = std::get_if<int>(&opened)) {
+        return *code;
     }
-    std::string wrong = checkDrawingOptions(arguments.drawing, *input, false);
-    wrong = wrong.empty() ? setParameters(*input, arguments.parameters) : wrong;
-    if (!wrong.empty()) {
-        return wrongUsage(app.get_name(), wrong);
-    }
-    arguments.drawing.applyTo(input->options);
-    Result<MeshingJob> job = readJob(arguments, *input);
-    if (!job) {
-        return refuse(job.faults(), interrupt);
-    }
+    auto &[input, job] = std::get<OpenedRun>(opened);
     interrupt.deferToStop();
     Progress progress;
     progress.stop = interrupt.token();
-    const bool gridless = job->options.grid == GridKind::None && !arguments.layers.empty();
+    const bool gridless = job.options.grid == GridKind::None && !arguments.layers.empty();
     if (gridless && plan.layers.shown[static_cast<std::size_t>(FilmLayer::Grid)]) {
         return wrongUsage(app.get_name(), "--layers: the run has no background grid to show; add --grid");
     }
-    const Result<WrittenFilm> written = writeFilm(std::move(*job), plan, progress);
+    const Result<WrittenFilm> written = writeFilm(std::move(job), plan, progress);
     if (!written) {
-        return refuse(arguments.expression ? written.faults() : locateSpacing(written.faults(), *input), interrupt);
+        return refuse(locateInRun(written.faults(), arguments.run, input), interrupt);
     }
     if (plan.steps && written->last - written->first < *plan.steps) {
         std::fprintf(stderr, "note: the run ends at advance %llu, before --steps %llu are shown\n",

@@ -1,16 +1,14 @@
 #include "app/batch/outputs.hpp"
 
 #include "app/batch/inputs.hpp"
+#include "app/batch/standard_output.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <set>
-#include <unistd.h>
 
 namespace forefront {
 
@@ -31,34 +29,6 @@ std::filesystem::path resolved(const std::filesystem::path &file) {
     std::error_code none;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file, none), none);
 }
-
-/// Standard output as a sink that records why writing failed, which stdio does not report.
-class StandardOutput final : public ByteSink {
-  public:
-    StandardOutput() { std::fflush(stdout); }
-    bool write(std::string_view bytes) override {
-        while (failure_ == 0 && !bytes.empty()) {
-            const ssize_t done = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
-            if (done >= 0) {
-                bytes.remove_prefix(static_cast<std::size_t>(done));
-            } else if (errno != EINTR) {
-                failure_ = errno;
-            }
-        }
-        return failure_ == 0;
-    }
-    /// Returns the error number of the first failure; 0 if there is none.
-    int failure() const { return failure_; }
-    Status status() const {
-        return failure_ == 0
-                   ? Status()
-                   : error("cannot-write", std::string("cannot write to standard output: ") + std::strerror(failure_),
-                           "check the free space there, or write to a file");
-    }
-
-  private:
-    int failure_ = 0;
-};
 
 } // namespace
 

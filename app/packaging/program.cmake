@@ -3,6 +3,7 @@
 install(TARGETS forefront RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(TARGET forefront_ui)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/samples ${PROJECT_SOURCE_DIR}/assets/lessons
+          ${PROJECT_SOURCE_DIR}/assets/exercise
           DESTINATION ${CMAKE_INSTALL_DATADIR}/forefront/assets)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/forefront.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/forefront.svg

@@ -96,7 +96,7 @@ const std::map<std::string, std::vector<std::string>> &rightAnswers() {
         {"1-front", {"34", "2", "", "1", "", "2"}},      {"2-ten-steps", {"2", "1", "", "", "1"}},
         {"3-ideal-point", {"1", "3", "0.99", "", "1"}},  {"4-rejections", {"1", "2", "", "3", ""}},
         {"5-background-grid", {"1", "", "2", "3", "3"}}, {"6-spacing", {"2", "7", "1", "0.93", "2"}},
-        {"7-closing", {"1", "3", "29", "2", "3"}},       {"8-classic-and-fast", {"3", "2", "1", "3", "2"}}};
+        {"7-closing", {"1", "3", "29", "2", "3"}},       {"8-classic-and-fast", {"3", "2", "2", "1", "3", "2"}}};
     return kAnswers;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/vec2.hpp"
 
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace FOREFRONT_API forefront {
@@ -38,6 +40,13 @@ enum class Verdict : std::uint8_t {
     CrossesFront, ///< AC or CB meets a segment of Γ
     ContainsNode  ///< a front node lies in ABC or, within rounding, on it
 };
+template <>
+struct EnumWords<Verdict> {
+    static constexpr auto kLast = Verdict::ContainsNode;
+    static constexpr std::array<std::string_view, 7> kList = {
+        "not-tried", "accepted", "withdrawn", "not-left", "outside-angle", "crosses-front", "contains-node"};
+};
+
 /// Returns a verdict as text, such as "crosses the front".
 const char *verdictText(Verdict verdict);
 

@@ -1,0 +1,222 @@
+#include "core/teaching/trace/trace_compare.hpp"
+
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+std::string baseText(Vec2 a, Vec2 b) {
+    return placeText(a) + "-" + placeText(b) + ", " + numberText(distance(a, b), 6) + " long";
+}
+
+/// The verdicts that agree: whichever test rejects a candidate, it is rejected.
+bool sameVerdict(Verdict a, Verdict b) {
+    const auto rejected = [](Verdict v) { return v >= Verdict::NotLeft; };
+    return a == b || (rejected(a) && rejected(b));
+}
+
+/// Compares one advance with what another program says of it.
+class AdvanceComparison {
+  public:
+    AdvanceComparison(const AdvanceExplanation &ours, std::size_t front, const TracedAdvance &theirs, double tolerance)
+        : ours_(ours), front_(front), theirs_(theirs), tolerance_(tolerance) {}
+
+    /// Returns the first difference; empty if there is none.
+    std::string difference() const {
+        for (const auto part :
+             {&AdvanceComparison::base, &AdvanceComparison::spacing, &AdvanceComparison::ideal,
+              &AdvanceComparison::candidates, &AdvanceComparison::elements, &AdvanceComparison::front}) {
+            if (std::string found = (this->*part)(); !found.empty()) {
+                return found;
+            }
+        }
+        return {};
+    }
+
+  private:
+    bool same(Vec2 p, Vec2 q) const { return distance(p, q) <= tolerance_; }
+    static bool same(double p, double q) {
+        return std::abs(p - q) <= kTraceTolerance * std::max(std::abs(p), std::abs(q));
+    }
+
+    std::string base() const {
+        const TracedAdvance &t = theirs_;
+        if (same(t.a, ours_.a) && same(t.b, ours_.b)) {
+            return {};
+        }
+        if (same(t.a, ours_.b) && same(t.b, ours_.a)) {
+            return "the base " + baseText(t.a, t.b) + " has its ends exchanged: the unmeshed part is on the left of AB";
+        }
+        return "the base is " + baseText(ours_.a, ours_.b) + "; yours is " + baseText(t.a, t.b) + baseReason();
+    }
+    std::string baseReason() const {
+        const double here = distance(ours_.a, ours_.b), there = distance(theirs_.a, theirs_.b);
+        const bool classic = !ours_.events.empty() && ours_.events.front().equal > 0;
+        if (!classic) {
+            return {};
+        }
+        if (std::abs(here - there) <= tolerance_) {
+            return ". Of segments that are equally short the oldest is taken: those of the boundary come first, in "
+                   "their order, and of two new ones AC is older than CB";
+        }
+        return here < there ? ". The shortest is taken first, but those that were deferred come after all others" : "";
+    }
+    std::string spacing() const {
+        if (!theirs_.rho || same(*theirs_.rho, ours_.rho)) {
+            return {};
+        }
+        return "rho is " + numberText(ours_.rho, 6) + "; yours is " + numberText(*theirs_.rho, 6) +
+               (same(*theirs_.rho, ours_.fieldRho) ? ", which is rho before it is clamped to [0.55, 2] times |AB|"
+                                                   : "");
+    }
+    std::string ideal() const {
+        if (!theirs_.ideal || same(*theirs_.ideal, ours_.ideal)) {
+            return {};
+        }
+        return "C is " + placeText(ours_.ideal) + "; yours is " + placeText(*theirs_.ideal);
+    }
+
+    std::string candidates() const {
+        if (!theirs_.candidates) {
+            return {};
+        }
+        for (const CandidateTrace &here : ours_.candidates) {
+            if (here.verdict != Verdict::Withdrawn && !anyAt(here.position)) {
+                return nameOf(here) + " is a candidate, with score " + numberText(here.score, 6) + "; yours lacks it";
+            }
+        }
+        for (const TracedCandidate &there : *theirs_.candidates) {
+            if (std::string found = candidate(there); !found.empty()) {
+                return found;
+            }
+        }
+        return {};
+    }
+    bool anyAt(Vec2 place) const {
+        return std::any_of(theirs_.candidates->begin(), theirs_.candidates->end(),
+                           [&](const TracedCandidate &there) { return same(there.at, place); });
+    }
+    /// A node on two places of Γ is two candidates here: one that agrees is enough.
+    std::string candidate(const TracedCandidate &there) const {
+        std::string found = "the node at " + placeText(there.at) + " is not a candidate: it is no node of the front " +
+                            "within " + numberText(ours_.searchRadius, 6) + " of C";
+        for (const CandidateTrace &here : ours_.candidates) {
+            if (!same(there.at, here.position)) {
+                continue;
+            }
+            if (there.score && !same(*there.score, here.score)) {
+                found = "the score of " + nameOf(here) + " is " + numberText(here.score, 6) + "; yours is " +
+                        numberText(*there.score, 6);
+            } else if (there.verdict && !sameVerdict(*there.verdict, here.verdict)) {
+                found = nameOf(here) + " is " + std::string(wordOf(here.verdict)) + blockOf(here) + "; yours is " +
+                        std::string(wordOf(*there.verdict));
+            } else {
+                return {};
+            }
+        }
+        return found;
+    }
+    std::string nameOf(const CandidateTrace &here) const {
+        return (here.node == kNoNode ? "C at " : "the node at ") + placeText(here.position);
+    }
+    static std::string blockOf(const CandidateTrace &here) {
+        if (!here.blocked) {
+            return {};
+        }
+        return here.blockA == here.blockB
+                   ? " because of the node " + placeText(here.blockA)
+                   : " because of the segment " + placeText(here.blockA) + "-" + placeText(here.blockB);
+    }
+
+    std::string elements() const {
+        if (!theirs_.elements || sameElements()) {
+            return {};
+        }
+        return (ours_.made.empty() ? "no candidate passes, and AB is deferred" : "made: " + elementsText(ours_.made)) +
+               "; yours: " + (theirs_.elements->empty() ? "deferred" : elementsText(*theirs_.elements));
+    }
+    bool sameElements() const {
+        return ours_.made.size() == theirs_.elements->size() &&
+               std::all_of(ours_.made.begin(), ours_.made.end(), [&](const std::array<Vec2, 3> &here) {
+                   return std::any_of(theirs_.elements->begin(), theirs_.elements->end(),
+                                      [&](const std::array<Vec2, 3> &there) { return sameElement(here, there); });
+               });
+    }
+    bool sameElement(const std::array<Vec2, 3> &here, const std::array<Vec2, 3> &there) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (same(here[0], there[k]) && same(here[1], there[(k + 1) % 3]) && same(here[2], there[(k + 2) % 3])) {
+                return true;
+            }
+        }
+        return false;
+    }
+    static std::string elementsText(const std::vector<std::array<Vec2, 3>> &elements) {
+        std::string text;
+        for (const std::array<Vec2, 3> &corners : elements) {
+            text += (text.empty() ? "" : ", ") + placeText(corners[0]) + "-" + placeText(corners[1]) + "-" +
+                    placeText(corners[2]);
+        }
+        return text;
+    }
+
+    std::string front() const {
+        if (!theirs_.front || *theirs_.front == front_) {
+            return {};
+        }
+        return "the front has " + std::to_string(front_) + " segments afterwards; yours has " +
+               std::to_string(*theirs_.front);
+    }
+
+    const AdvanceExplanation &ours_;
+    std::size_t front_;
+    const TracedAdvance &theirs_;
+    double tolerance_;
+};
+
+} // namespace
+
+Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvance> trace,
+                                     std::optional<std::uint64_t> steps, const Progress &progress) {
+    job.options.improve = ImproveLevel::None;
+    Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
+    if (!stepper) {
+        return stepper.faults();
+    }
+    const double tolerance = kTraceTolerance * length(stepper->mesh().bounds().size());
+    const std::uint64_t last = steps.value_or(std::numeric_limits<std::uint64_t>::max());
+    TraceComparison result;
+    for (;;) {
+        if (progress.cancelled()) {
+            return error("cancelled", "the comparison was cancelled");
+        }
+        const bool ours = result.advances < last && stepper->advance() == 1;
+        const bool theirs = result.advances < trace.size() && result.advances < last;
+        if (!ours || !theirs) {
+            result.agree = ours == theirs;
+            if (ours) {
+                result.difference = "your trace ends, but the front still has segments";
+            } else if (theirs) {
+                result.difference = "the run has ended with an empty front; your trace goes on";
+                result.offset = trace[result.advances].offset;
+            }
+            return result;
+        }
+        const TracedAdvance &other = trace[result.advances];
+        result.difference =
+            AdvanceComparison(*stepper->explanation(), stepper->front().size(), other, tolerance).difference();
+        if (!result.difference.empty()) {
+            result.offset = other.offset;
+            return result;
+        }
+        ++result.advances;
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""forefront trace: what it writes, what it finds, and the exercise that it is made for.
+
+    test_trace.py PROGRAM [NAME OF A TEST...]
+"""
+
+import importlib.util
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DRAWINGS = ROOT / "assets/lessons/drawings"
+RING = DRAWINGS / "ring.json"
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import exercise_answers  # noqa: E402
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+
+    def call(self, *words, code=0):
+        done = subprocess.run([PROGRAM, "trace", *map(str, words)], cwd=self.path, capture_output=True, text=True,
+                              timeout=300)
+        self.assertEqual(done.returncode, code, f"{words}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def trace(self, drawing, *words):
+        self.call(drawing, "-o", "run.json", "--method", "classic", *words)
+        return json.loads((self.path / "run.json").read_text())
+
+
+class Tracing(Case):
+    def differs(self, change, words=()):
+        """Returns what a comparison with a changed trace of the ring prints."""
+        run = self.trace(RING)
+        change(run["advances"])
+        (self.path / "mine.json").write_text(json.dumps(run, indent=1))
+        return self.call(RING, "--method", "classic", "--compare", "mine.json", *words, code=1).stdout
+
+    def test_a_trace_tells_every_advance(self):
+        run = self.trace(RING)
+        self.assertEqual((run["format"], run["version"], run["method"]), ("forefront-trace", 1, "classic"))
+        segments, nodes = run["boundary"]["segments"], run["boundary"]["nodes"]
+        self.assertEqual(len(segments), 34)
+        self.assertTrue(all(abs(math.dist(nodes[a], nodes[b]) - 1) < 1e-12 for a, b in segments))
+        length = len(segments)
+        for number, advance in enumerate(run["advances"], 1):
+            self.assertEqual(advance["advance"], number)
+            a, b = advance["base"]["a"], advance["base"]["b"]
+            self.assertAlmostEqual(math.dist(a, advance["c"]), math.dist(b, advance["c"]), 9)
+            self.assertLessEqual(advance["front"], length + 1)
+            length = advance["front"]
+            accepted = [c["at"] for c in advance["candidates"] if c["verdict"] == "accepted"]
+            self.assertEqual(len(accepted), len(advance["elements"]))
+            if accepted:
+                self.assertEqual(advance["elements"], [[a, b, accepted[0]]])
+            for candidate in advance["candidates"]:
+                score = candidate["alpha"] * candidate["delta-ac"] * candidate["delta-cb"]
+                self.assertAlmostEqual(candidate["score"], score, 12)
+        self.assertEqual(length, 0)
+        area = sum(((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+                   for advance in run["advances"] for a, b, c in advance["elements"])
+        self.assertAlmostEqual(area, 8 * 6 - 2 * 1, 9)
+
+    def test_every_method_and_grid_agrees_with_its_own_trace(self):
+        for words in (["--method", "classic"], ["--method", "fast"], ["--method", "fast", "--grid", "none"]):
+            self.call(DRAWINGS / "plate.json", "-o", "own.json", *words)
+            done = self.call(DRAWINGS / "plate.json", "--compare", "own.json", *words)
+            self.assertIn("the traces agree: ", done.stdout)
+
+    def test_a_part_of_a_run(self):
+        self.assertEqual(self.trace(RING, "--steps", "0")["advances"], [])
+        self.assertEqual(len(self.trace(RING, "--steps", "7")["advances"]), 7)
+        done = self.call(RING, "--method", "classic", "--compare", "run.json", "--steps", "7")
+        self.assertEqual(done.stdout, "the traces agree: 7 advances\n")
+        done = self.call(RING, "--method", "classic", "--compare", "run.json", code=1)
+        self.assertEqual(done.stdout, "advance 8: your trace ends, but the front still has segments\n")
+
+    def test_the_first_difference_is_named(self):
+        def moved(advances):
+            advances[11]["c"][0] += 1e-3
+        self.assertRegex(self.differs(moved), r"^mine\.json:\d+: advance 12: C is \(.*\); yours is \(")
+
+        def scored(advances):
+            advances[6]["candidates"][0]["score"] *= 1.001
+        self.assertRegex(self.differs(scored), r"advance 7: the score of .* is .*; yours is ")
+
+        def turned(advances):
+            base = advances[2]["base"]
+            base["a"], base["b"] = base["b"], base["a"]
+        self.assertIn("advance 3: the base", self.differs(turned))
+        self.assertIn("on the left of AB", self.differs(turned))
+
+        def exchanged(advances):
+            advances[0], advances[1] = advances[1], advances[0]
+        self.assertIn("Of segments that are equally short the oldest is taken", self.differs(exchanged))
+
+        def counted(advances):
+            advances[4]["front"] += 1
+        self.assertRegex(self.differs(counted), r"advance 5: the front has \d+ segments afterwards; yours has \d+")
+
+        def lacking(advances):
+            advances[20]["candidates"].pop(0)
+        self.assertRegex(self.differs(lacking), r"advance 21: .* is a candidate, with score .*; yours lacks it")
+
+        def deferring(advances):
+            advances[9]["elements"] = []
+        self.assertRegex(self.differs(deferring), r"advance 10: made: .*; yours: deferred")
+
+        def longer(advances):
+            advances.append(advances[-1])
+        self.assertIn("your trace goes on", self.differs(longer))
+
+    def test_only_what_a_trace_tells_is_compared(self):
+        run = self.trace(RING)
+        bare = {"advances": [{"base": {"a": a["base"]["a"], "b": a["base"]["b"]}} for a in run["advances"]]}
+        (self.path / "mine.json").write_text(json.dumps(bare))
+        self.call(RING, "--method", "classic", "--compare", "mine.json")
+        done = self.call(RING, "--method", "fast", "--compare", "mine.json", code=1)
+        self.assertIn("add --method classic", done.stdout)
+
+    def test_wrong_traces_are_refused_with_their_place(self):
+        for text, message in (('{"advances": [{"rho": 1}]}', 'mine.json:1:'), ('{"steps": []}', "not a trace"),
+                              ('{"advances": [{"base": {"a": [0, 0], "b": [1, 0]}, "c": "up"}]}', "mine.json:1:"),
+                              ('{"advances": [{"base": {"a": [0, 0], "b": [1, 0]}, "elements": [[[0, 0]]]}]}',
+                               "an element has 3 corners, not 1"), ('{"advances": [', "mine.json:1:")):
+            (self.path / "mine.json").write_text(text)
+            self.assertIn(message, self.call(RING, "--compare", "mine.json", code=1).stderr)
+
+    def test_wrong_use(self):
+        self.assertIn("one of --output and --compare", self.call(RING, code=2).stderr)
+        self.assertIn("exclude each other", self.call(RING, "-o", "a.json", "--compare", "b.json", code=2).stderr)
+        self.assertIn("nothing to compare", self.call(RING, "--compare", "b.json", "--steps", "0", code=2).stderr)
+        self.call(RING, "-o", "nowhere/run.json", code=1)
+
+
+class Exercise(Case):
+    """The skeleton with its answers agrees with the program, advance by advance."""
+
+    def solve(self, drawing, rho_at=None):
+        spec = importlib.util.spec_from_file_location("front", ROOT / "assets/exercise/front.py")
+        own = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(own)
+        for function in (own.take_base, lambda: own.ideal_point(None, None), lambda: own.verdict(0, None, None)):
+            self.assertRaises(NotImplementedError, function)
+        exercise_answers.answers(own)
+        own.rho_at = rho_at or own.rho_at
+        boundary = self.trace(drawing, "--steps", "0")["boundary"]
+        own.nodes += boundary["nodes"]
+        own.front += [[a, b, 0] for a, b in boundary["segments"]]
+        advances = []
+        while own.front and len(advances) < 2000:
+            advances.append(own.advance())
+        self.assertEqual(own.front, [])
+        (self.path / "mine.json").write_text(json.dumps({"advances": advances}, indent=1))
+        return self.call(drawing, "--method", "classic", "--compare", "mine.json").stdout
+
+    def test_the_ring(self):
+        self.assertRegex(self.solve(RING), r"^the traces agree: \d+ advances\n$")
+
+    def test_the_plate(self):
+        def rho_at(p):
+            return min(2.0, 0.35 + 0.2 * max(0.0, math.dist(p, (10, 7)) - 2.5))
+        self.assertRegex(self.solve(DRAWINGS / "plate.json", rho_at), r"^the traces agree: \d+ advances\n$")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[1:]])
