@@ -25,6 +25,8 @@ Examples:
         30 pictures from the start to the finished mesh: frames-1.png to frames-30.png
   forefront film plate.json -o moment.svg --from 120 --steps 1 --layers mesh,boundary,front,candidates,caption
         advance 121 with its candidates and a caption
+  forefront film plate.json -o run.html --method classic
+        a page that plays the run in a browser, forward and back, with the ten steps and the candidates; needs no network
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -54,16 +56,22 @@ FilmPlan planOf(const FilmArguments &arguments) {
         plan.steps = static_cast<std::uint64_t>(*arguments.steps);
     }
     plan.layers = layersOf(arguments);
+    plan.title = isStandardStream(arguments.run.input) ? std::string() : arguments.run.input.stem().string();
     return plan;
 }
 
 /// Returns the error for an option that does not apply to this kind of output; empty if there is none.
 std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
     const bool gif = plan.output.extension() == ".gif";
+    for (const char *option : {"--frames", "--width", "--layers"}) {
+        if (plan.isPage() && app.count(option) > 0) {
+            return std::string(option) + ": a page has no such setting; the reader of the page chooses";
+        }
+    }
     if (app.count("--speed") > 0 && !gif) {
         return "--speed: applies only to a GIF";
     }
-    if (gif || plan.numbered()) {
+    if (gif || plan.isPage() || plan.numbered()) {
         return {};
     }
     if (app.count("--frames") > 0) {
@@ -79,7 +87,8 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
 void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
     addRunOptions(app, arguments.run);
     app.add_option("-o,--output", arguments.plan.output,
-                   "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
+                   "FILE.gif: animation; FILE.html: page that plays the run; NAME-%d.png or .svg: one picture per "
+                   "frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
         ->required();
     app.add_option("--from", arguments.from, "first moment: the number of advances done; default 0")
@@ -101,7 +110,7 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
 
 int filmCommand(int argc, const char *const *argv) {
     FilmArguments arguments;
-    CLI::App app("Writes a film of a meshing run: an animated GIF, numbered PNG or SVG frames, or one moment.",
+    CLI::App app("Writes a film of a meshing run: an animated GIF, a page, numbered PNG or SVG frames, or one moment.",
                  "forefront film");
     app.footer(kFilmExamples);
     addFilmOptions(app, arguments);
@@ -136,7 +145,9 @@ int filmCommand(int argc, const char *const *argv) {
         std::fprintf(stderr, "note: the run ends at advance %llu, before --steps %llu are shown\n",
                      static_cast<unsigned long long>(written->last), static_cast<unsigned long long>(*plan.steps));
     }
-    std::printf("wrote %s: %d %s\n", plan.output.c_str(), written->frames, written->frames == 1 ? "frame" : "frames");
+    const unsigned long long count = plan.isPage() ? written->last : static_cast<unsigned long long>(written->frames);
+    std::printf("wrote %s: %llu %s%s\n", plan.output.c_str(), count, plan.isPage() ? "advance" : "frame",
+                count == 1 ? "" : "s");
     return kDone;
 }
 

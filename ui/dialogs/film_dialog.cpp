@@ -69,7 +69,8 @@ void drawEnd(Workspace &context, FilmSettings &settings) {
     }
 }
 
-void drawRange(Workspace &context, FilmSettings &settings) {
+/// `page`: the output has no frames.
+void drawRange(Workspace &context, FilmSettings &settings, bool page) {
     ui::rowLabel(context, "From", kFields);
     wholeField(context, "from", settings.plan.from, 0.0, kMaxAdvance);
     ui::tooltip(context, "Number of advances done at the first frame");
@@ -78,6 +79,9 @@ void drawRange(Workspace &context, FilmSettings &settings) {
     ImGui::SameLine();
     drawEnd(context, settings);
     ui::tooltip(context, "Last advance shown; empty: the end of the run");
+    if (page) {
+        return;
+    }
     secondLabel(context, "at most");
     wholeField(context, "frames", settings.plan.frames, 1, FilmPlan::kMaxFrames);
     ImGui::SameLine();
@@ -117,8 +121,10 @@ struct FilmFile {
     FilmFrames frames;
 };
 
-constexpr std::array<FilmFile, 3> kFilmFiles{
+constexpr std::array<FilmFile, 4> kFilmFiles{
     {{"gif", "Animated GIF (.gif)", ".gif", "Loops; plays in browsers and slides.", FilmFrames::Together},
+     {"html", "Page that plays the run (.html)", ".html",
+      "Opens in any browser, without a network: play, step, zoom, candidates.", FilmFrames::Together},
      {"png", "PNG frames (.png)", ".png", "One picture per frame: NAME-1.png, NAME-2.png and so on.",
       FilmFrames::Numbered},
      {"svg", "SVG of one moment (.svg)", ".svg",
@@ -165,8 +171,11 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
         return written ? Diagnostics() : written.faults();
     };
     const auto done = [plan, frames](Shell &c) {
-        c.log.announce("Exported film to " + plan.output.string() + ": " + ui::count(static_cast<unsigned>(*frames)) +
-                       (*frames == 1 ? " frame" : " frames"));
+        const std::string what = plan.isPage() ? "Exported page to " + plan.output.string()
+                                               : "Exported film to " + plan.output.string() + ": " +
+                                                     ui::count(static_cast<unsigned>(*frames)) +
+                                                     (*frames == 1 ? " frame" : " frames");
+        c.log.announce(what);
     };
     context.dialogs.open(std::make_unique<WriteDialog>(context.background, plan.output.string(), write, done));
     return {};
@@ -199,10 +208,14 @@ void exportFilm(Shell &context) {
         return film(c, planFor(*settings, file, filter));
     };
     request.extraLines = 3;
-    request.extra = [settings](Shell &c, const FileFilter &) {
-        drawRange(c, *settings);
-        drawLook(c, settings->plan);
-        drawLayers(c, settings->plan.layers);
+    settings->plan.title = document.empty() ? context.document.title() : document.stem().string();
+    request.extra = [settings](Shell &c, const FileFilter &filter) {
+        const bool page = std::string_view(filter.id) == "html";
+        drawRange(c, *settings, page);
+        if (!page) {
+            drawLook(c, settings->plan);
+            drawLayers(c, settings->plan.layers);
+        }
         return true;
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

@@ -6,6 +6,7 @@
 #include "core/teaching/film/film_picture.hpp"
 #include "core/teaching/film/gif_writer.hpp"
 #include "core/teaching/film/png_writer.hpp"
+#include "core/teaching/page/run_page.hpp"
 
 #include <algorithm>
 #include <new>
@@ -126,6 +127,21 @@ class Filming {
     MeshStepper stepper_;
 };
 
+Result<WrittenFilm> writePage(const MeshingJob &job, const FilmPlan &plan, const Progress &progress) {
+    AtomicFile file(plan.output);
+    TextWriter out(file);
+    const RunPagePlan page{plan.title.empty() ? plan.output.stem().string() : plan.title, plan.from, plan.steps};
+    const Result<WrittenRunPage> written = writeRunPage(job, page, out, {{}, progress.stop});
+    if (!written) {
+        return written.faults();
+    }
+    out.flush();
+    if (Status status = file.commit(); !status.empty()) {
+        return status;
+    }
+    return WrittenFilm{0, 0, written->advances};
+}
+
 } // namespace
 
 std::filesystem::path frameName(const std::filesystem::path &pattern, int frame) {
@@ -136,8 +152,11 @@ std::filesystem::path frameName(const std::filesystem::path &pattern, int frame)
 
 std::string outputFault(const FilmPlan &plan) {
     const std::string extension = plan.output.extension().string();
-    if (extension != ".gif" && extension != ".png" && extension != ".svg") {
-        return "unknown extension '" + extension + "'; expected .gif, .png or .svg";
+    if (extension != ".gif" && extension != ".html" && extension != ".png" && extension != ".svg") {
+        return "unknown extension '" + extension + "'; expected .gif, .html, .png or .svg";
+    }
+    if (plan.isPage() && plan.numbered()) {
+        return "a page holds the whole run; leave out %d";
     }
     if (extension == ".gif" && plan.numbered()) {
         return "a GIF holds all frames; leave out %d";
@@ -147,6 +166,9 @@ std::string outputFault(const FilmPlan &plan) {
 
 Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
     try {
+        if (plan.isPage()) {
+            return writePage(job, plan, progress);
+        }
         Result<MeshStepper> stepper = MeshStepper::create(std::move(job), {{}, progress.stop});
         if (!stepper) {
             return progress.cancelled() ? Filming::cancelled() : stepper.faults();

@@ -14,7 +14,9 @@ namespace forefront {
 
 /// The content of a film of a run, and its output file.
 struct FilmPlan {
-    std::filesystem::path output;       ///< .gif: an animation; NAME-%d.png or .svg: numbered frames; else one moment
+    /// .gif: an animation; .html: a page that plays the run; NAME-%d.png or .svg: numbered frames; else one moment.
+    std::filesystem::path output;
+    std::string title;                  ///< of a page
     std::uint64_t from = 0;             ///< number of advances done at the first frame
     std::optional<std::uint64_t> steps; ///< number of advances shown; not set: to the end of the run
     int frames = 120;                   ///< maximum number of frames; long runs skip advances
@@ -25,6 +27,8 @@ struct FilmPlan {
     static constexpr int kMaxFrames = 5000, kMinWidth = 100, kMaxWidth = 4000;
     static constexpr double kSlowest = 0.1, kFastest = 50.0;
 
+    /// Returns true if the output is a page, which has no frames, layers, width or speed.
+    bool isPage() const { return output.extension() == ".html"; }
     /// Returns true if each frame is a file of its own.
     bool numbered() const { return output.filename().string().find("%d") != std::string::npos; }
 };
@@ -37,13 +41,13 @@ std::string outputFault(const FilmPlan &plan);
 
 /// The extent of a written film.
 struct WrittenFilm {
-    int frames = 0;
+    int frames = 0;                    ///< 0: a page
     std::uint64_t first = 0, last = 0; ///< numbers of advances done at its start and end
 };
 
 /// Runs a job and writes its film, reporting progress by frame. The film is shorter than the plan if the run ends
-/// before. Faults: those of the job, bad-range (the run ends before the film begins), cannot-write, cancelled,
-/// out-of-memory.
+/// before. Faults: those of the job, bad-range (the run ends before the film begins), too-large (of a page),
+/// cannot-write, cancelled, out-of-memory.
 Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
 
 } // namespace forefront

@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+"""The page that plays a run, in a real browser. Exit code 77 without one.
+
+    test_run_page.py PROGRAM [NAME OF A TEST...]
+
+FOREFRONT_SCREENSHOTS may name a folder for pictures of the page.
+"""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+DRAWINGS = pathlib.Path(__file__).resolve().parents[2] / "assets/lessons/drawings"
+SHOTS = os.environ.get("FOREFRONT_SCREENSHOTS")
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import browser  # noqa: E402
+
+FOLDER = tempfile.TemporaryDirectory()
+
+
+def page(drawing, name, *words):
+    path = pathlib.Path(FOLDER.name) / name
+    subprocess.run([PROGRAM, "film", DRAWINGS / drawing, "-o", path, *words], check=True, stdout=subprocess.DEVNULL)
+    return path
+
+
+class Files(unittest.TestCase):
+    def test_a_page_is_small_and_needs_nothing_else(self):
+        text = page("plate.json", "plate.html", "--steps", "500").read_text()
+        self.assertLess(len(text.encode()), 1_000_000)
+        outside = re.findall(r"""(?:src|href|url|import|fetch)\s*[=(]\s*["']?\s*(?:https?:)?//""", text)
+        self.assertEqual(outside, [])
+        self.assertNotIn("http", re.sub(r'<script type="application/json".*?</script>', "", text, flags=re.S))
+
+    def test_a_page_gets_the_title_of_its_drawing_whatever_it_is(self):
+        name = pathlib.Path(FOLDER.name) / "a <b> & </script>.json".replace("/", "_")
+        name.write_text((DRAWINGS / "ring.json").read_text())
+        path = page(name, "odd.html", "--steps", "3")
+        window = browser.Browser()
+        self.addCleanup(window.close)
+        window.open(path)
+        self.assertEqual(window.text("#title"), name.stem)
+        self.assertEqual(window.complaints, [])
+
+    def test_what_a_page_has_not_is_refused(self):
+        def fault(*words):
+            done = subprocess.run([PROGRAM, "film", DRAWINGS / "ring.json", "-o", "x.html", *words], capture_output=True,
+                                  text=True, cwd=FOLDER.name)
+            self.assertIn(done.returncode, (1, 2))
+            return done.stderr
+        self.assertIn("--layers: a page has no such setting", fault("--layers", "mesh"))
+        self.assertIn("--width: a page has no such setting", fault("--width", "300"))
+        self.assertIn("the run has only", fault("--from", "5000"))
+        self.assertIn("too many for a page", fault("--size", "0.05"))
+
+
+class Playing(unittest.TestCase):
+    """The ring of lesson 1, stepped by keys, buttons, the timeline and links."""
+
+    def setUp(self):
+        self.window = browser.Browser()
+        self.addCleanup(self.window.close)
+        self.path = page("ring.json", "ring.html")
+        run = subprocess.run([PROGRAM, "trace", DRAWINGS / "ring.json", "-o", "-"], check=True, capture_output=True)
+        self.trace = json.loads(run.stdout)["advances"]
+
+    def figure(self, row):
+        return float(self.window.text(f"#figures tr:nth-child({row}) td:last-child"))
+
+    def step(self, number):
+        return self.window.text(f"#steps li:nth-child({number}) span:last-child")
+
+    def shown(self):
+        return self.window.text("#position")
+
+    def check_advance(self, number):
+        """Compares the panels after an advance with its trace."""
+        advance = self.trace[number - 1]
+        self.assertEqual(self.shown(), f"{number} / {len(self.trace)}")
+        self.assertEqual(self.figure(1), advance["front"])
+        self.assertEqual(self.figure(2), sum(len(a["elements"]) for a in self.trace[:number]))
+        self.assertEqual(self.step(2), "–".join(map(str, advance["base"]["nodes"])))
+        self.assertEqual(self.step(8), str(len(advance["tests"])))
+        self.assertTrue(self.window.text("#caption").startswith(f"Advance {number}. "))
+        accepted = self.window.evaluate("document.querySelectorAll('#candidates td.accepted').length")
+        self.assertEqual(accepted, len(advance["elements"]))
+
+    def test_steps_agree_with_the_trace(self):
+        self.window.open(self.path)
+        self.assertEqual(self.shown(), f"0 / {len(self.trace)}")
+        for number in (1, 2, 3):
+            self.window.key("ArrowRight")
+            self.check_advance(number)
+        self.window.key("ArrowLeft")
+        self.check_advance(2)
+        for number in (17, 70, len(self.trace)):
+            self.window.open(self.path, f"#{number}")
+            self.check_advance(number)
+        self.assertEqual(self.window.complaints, [])
+
+    def test_events_within_an_advance(self):
+        self.window.open(self.path, "#12")
+        self.window.evaluate("document.getElementById('unit').value = 'event'")
+        found = []
+        while self.shown() != f"13 / {len(self.trace)}" and len(found) < 40:
+            self.window.key("ArrowRight")
+            found.append(self.window.evaluate(
+                "[...document.querySelectorAll('#steps li')].findIndex((row) => row.className === 'here') + 1"))
+        self.assertEqual(found[:6], [3, 4, 5, 6, 7, 8])
+        self.assertEqual(found[-1], 9)
+        self.assertEqual(sorted(found), found)
+        for _ in found:
+            self.window.key("ArrowLeft")
+        self.assertEqual(self.shown(), f"12 / {len(self.trace)}")
+        self.assertEqual(self.window.evaluate("location.hash"), "#12")
+        self.assertEqual(self.window.complaints, [])
+
+    def test_end_buttons_and_timeline(self):
+        self.window.open(self.path)
+        self.window.click("#end")
+        self.assertEqual(self.shown(), "improved")
+        self.assertEqual(self.figure(1), 0)
+        alpha = float(self.window.text("#figures tr:last-child td:last-child"))
+        self.window.click("#back")
+        self.assertEqual(self.figure(1), 0)
+        self.assertLess(float(self.window.text("#figures tr:last-child td:last-child")), alpha)
+        x, y, width, height = self.window.evaluate(
+            "(() => { const r = document.getElementById('plot').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()")
+        self.window.drag((x + 6, y + height / 2), (x + width / 2, y + height / 2))
+        self.check_advance(round(len(self.trace) / 2))
+        self.window.click("#start")
+        self.window.click("#play")
+        self.window.evaluate("new Promise((done) => setTimeout(done, 900))")
+        self.window.click("#play")
+        played = int(self.shown().split()[0])
+        self.assertGreaterEqual(played, 2)
+        self.window.settle()
+        self.assertEqual(int(self.shown().split()[0]), played)
+        self.assertEqual(self.window.complaints, [])
+
+    def pixel(self, x, y):
+        return self.window.evaluate(
+            "(() => { const c = document.getElementById('canvas'), k = c.width / c.clientWidth;"
+            f" return [...c.getContext('2d').getImageData({x} * k, {y} * k, 1, 1).data].slice(0, 3); }})()")
+
+    def colour(self, name):
+        value = self.window.evaluate(f"getComputedStyle(document.documentElement).getPropertyValue('--{name}').trim()")
+        return [int(value[k:k + 2], 16) for k in (1, 3, 5)]
+
+    def test_the_canvas_shows_the_mesh_and_moves(self):
+        self.window.open(self.path, "#0")
+        width, height = self.window.evaluate(
+            "(() => { const c = document.getElementById('canvas'); return [c.clientWidth, c.clientHeight]; })()")
+        zoom = 0.9 * min(width / 8, height / 6)  # the ring is 8 by 6, its hole in the middle
+
+        def at(x, y):
+            return round(width / 2 + (x - 4) * zoom), round(height / 2 - (y - 3) * zoom)
+        for theme in ("first", "other"):
+            self.assertEqual(self.pixel(*at(1.3, 3.6)), self.colour("domain"), theme)
+            self.assertEqual(self.pixel(*at(4, 3)), self.colour("canvas"), theme)
+            self.window.key("t")
+        self.window.key("End", "End")
+        self.window.key("f")
+        centre = self.window.evaluate(  # of an element of the improved mesh, away from its edges
+            "(() => { const m = JSON.parse(document.getElementById('run').textContent).improved;"
+            " const centres = []; for (let e = 0; e < m.elements.length; e += 3) {"
+            "  centres.push([0, 1].map((k) => [0, 1, 2].reduce((s, i) => s + m.nodes[2 * m.elements[e + i] + k] / 3, 0))); }"
+            " const far = (c) => Math.hypot(c[0] - 2, c[1] - 2); return centres.sort((p, q) => far(p) - far(q))[0]; })()")
+        self.assertEqual(self.pixel(*at(*centre)), self.colour("element"))
+        self.window.drag((300, 300), (400, 260))
+        moved = at(*centre)
+        self.assertEqual(self.pixel(moved[0] + 100, moved[1] - 40), self.colour("element"))
+        before = self.window.picture()
+        self.window.mouse("mouseWheel", 400, 300, deltaX=0, deltaY=-300)
+        self.window.settle()
+        self.assertNotEqual(self.window.picture(), before)
+        self.assertEqual(self.window.complaints, [])
+
+    def test_every_moment_of_both_methods_draws(self):
+        for name, words in (("classic.html", []), ("fast.html", ["--method", "fast"])):
+            self.window.open(page("blade.json", name, "--steps", "40", *words))
+            self.window.evaluate("document.getElementById('unit').value = 'event'")
+            self.window.key("g")
+            moments = self.window.evaluate(
+                "(() => { let n = 0; const next = document.getElementById('next'), shown = () => document.getElementById('position').textContent;"
+                " for (let before = ''; before !== shown() && n < 20000; ++n) { before = shown(); next.click(); } return n; })()")
+            self.assertGreater(moments, 150)
+            self.assertTrue(self.shown().endswith(" / 40"))
+            self.assertEqual(self.window.complaints, [])
+
+    @unittest.skipUnless(SHOTS, "FOREFRONT_SCREENSHOTS names no folder")
+    def test_pictures(self):
+        plate = page("plate.json", "plate.html")
+        for name, path, place, size, keys in (
+                ("page-ring", self.path, "#12.5", (1280, 800), ""), ("page-ring-dark", self.path, "#69.9", (1280, 800), "t"),
+                ("page-plate", plate, "#300", (1280, 800), ""), ("page-plate-cells-dark", plate, "#300", (1280, 800), "tg"),
+                ("page-plate-end", plate, "#769.improved", (1440, 900), "t"), ("page-phone", self.path, "#40", (390, 780), "")):
+            window = browser.Browser(*size)
+            window.open(path, place)
+            for key in keys:
+                window.key(key)
+            (pathlib.Path(SHOTS) / (name + ".png")).write_bytes(window.picture())
+            window.close()
+
+
+if __name__ == "__main__":
+    if browser.program() is None:
+        print("no browser found")
+        sys.exit(77)
+    unittest.main(argv=[sys.argv[0], *sys.argv[1:]])
