@@ -199,6 +199,26 @@ TEST_CASE("Slow frames: the dialog for the file name") {
     }
 }
 
+TEST_CASE("Slow frames: a field takes all that has been typed since the last frame") {
+    Typist typist(true);
+    typist.write("c");
+    enter(typist, "5,5");
+    enter(typist, "2");
+    typist.write("v");
+    typist.finish();
+    typist.tap('P', kControl);
+    typist.finish();
+    for (const char c : std::string_view("a long name that has forty-six characters here")) {
+        const int code = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
+        typist.editor().input().push({.kind = InputKind::Key, .code = code, .pressed = true});
+        typist.editor().input().push({.kind = InputKind::Text, .code = static_cast<unsigned char>(c)});
+        typist.editor().input().push({.kind = InputKind::Key, .code = code});
+    }
+    typist.frames(2);
+    CHECK(typist.editor().input().empty());
+    CHECK(typist.has("palette/none"));
+}
+
 TEST_CASE("InputQueue: a held key repeats at most once a frame, and not after its release") {
     InputQueue queue;
     queue.push({.kind = InputKind::Key, .code = key::kBackspace, .pressed = true});

@@ -126,10 +126,13 @@ bool Editor::Parts::due(NewsPace news) const {
 }
 
 /// Keys that are held down to repeat (steps, zoom, nudges) may share a frame, unless a field, popup or dialog could
-/// use them.
+/// use them; in a field, those that write text, so that a slow frame takes all that was typed meanwhile.
 bool Editor::Parts::keySharesFrame(const InputEvent &event) const {
-    const bool canvasHasKeys = !ui::typing().active && !context.dialogs.any() && !ImGui::IsAnyItemActive() &&
-                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if (ui::typing().active) {
+        return writesText(event);
+    }
+    const bool canvasHasKeys =
+        !context.dialogs.any() && !ImGui::IsAnyItemActive() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool isArrow = event.code >= key::kRight && event.code <= key::kUp;
     return canvasHasKeys && (isArrow || context.actions.repeats(event.code));
 }

@@ -64,6 +64,13 @@ struct FrameChanges {
 
 } // namespace
 
+bool writesText(const InputEvent &event) {
+    const bool printable = (event.code >= key::kSpace && event.code < key::kEscape) ||
+                           (event.code >= key::kKeypad0 && event.code <= key::kKeypadDecimal) ||
+                           event.code == key::kLeftShift || event.code == key::kRightShift;
+    return printable && !event.modifiers.control() && !event.modifiers.alt();
+}
+
 void InputQueue::push(InputEvent event) {
     events_.push_back(std::move(event));
 }

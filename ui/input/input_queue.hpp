@@ -33,6 +33,9 @@ struct InputEvent {
     std::vector<std::string> paths;
 };
 
+/// Returns true if a key only writes a character, which a field that is being edited takes as text.
+bool writesText(const InputEvent &event);
+
 /// Queues input for Dear ImGui 1.86, which polls the input state once per frame and so loses fast changes, such as a
 /// click within one frame or Ctrl+A. The queue passes on one change of each kind per frame, in order. Wheel notches and
 /// the keys that the caller names may share a frame, so that slow frames do not cause a backlog. The queue also records

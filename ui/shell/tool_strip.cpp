@@ -53,8 +53,9 @@ void drawToolButton(const Shell &context, const Tool &tool, bool active, bool fl
     const float icon = font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, tool.icon()).x;
     const ImVec2 place{std::round(at.x + 0.5F * (side - icon)), std::round(at.y + 0.5F * (side - font->FontSize))};
     list.AddText(font, font->FontSize, place, theme.text, tool.icon());
-    if (active) {
-        list.AddText(font, font->FontSize, place, theme.accent, nodesOf(tool.icon()).c_str());
+    const std::string nodes = nodesOf(tool.icon());
+    if (active && font->FindGlyphNoFallback(static_cast<ImWchar>(codeOf(nodes.c_str()))) != nullptr) {
+        list.AddText(font, font->FontSize, place, theme.accent, nodes.c_str()); // not every icon has squares
     }
     if (flyout) {
         const float corner = context.px(5), edge = context.px(2);
