@@ -170,8 +170,9 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         hint.severity = Severity::Note;
         hint.code = "default-options";
         hint.message = "the domain was read with the default options";
-        hint.advice = "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
-                      "--projection, --beyond-page, --drop-lines, --stroke-areas, --shape-regions or --repair";
+        hint.advice =
+            "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
+            "--projection, --beyond-page, --drop-lines, --stroke-areas, --shape-regions, --white-holes or --repair";
         faults.push_back(std::move(hint));
     }
     return faults;

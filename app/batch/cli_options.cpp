@@ -293,6 +293,7 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
     options.dropLines = dropLines;
     options.strokeAreas = strokeAreas;
     options.shapeRegions = shapeRegions;
+    options.whiteHoles = whiteHoles;
 }
 
 std::string DrawingArguments::firstGiven() const {
@@ -305,7 +306,8 @@ std::string DrawingArguments::firstGiven() const {
                                                    {beyondPage, "--beyond-page"},
                                                    {dropLines, "--drop-lines"},
                                                    {strokeAreas, "--stroke-areas"},
-                                                   {shapeRegions, "--shape-regions"}};
+                                                   {shapeRegions, "--shape-regions"},
+                                                   {whiteHoles, "--white-holes"}};
     const auto *const first =
         std::find_if(std::begin(given), std::end(given), [](const auto &one) { return one.first; });
     return first == std::end(given) ? std::string() : first->second;
@@ -362,6 +364,8 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
     app.add_flag("--shape-regions", arguments.shapeRegions,
                  "make every filled SVG shape a region named by its id or label, as far as no later shape covers it; "
                  "by default, all shapes are one region");
+    app.add_flag("--white-holes", arguments.whiteHoles,
+                 "make white filled SVG shapes that lie on others holes in these; by default, they are merged");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

@@ -22,6 +22,7 @@ Diagnostics replacedSpacing(const std::string &option, const SpacingSpec &spacin
     add(!spacing.sources.empty(), countText(spacing.sources.size(), "size source"));
     add(!spacing.partSizes.empty(), "the sizes of " + countText(spacing.partSizes.size(), "boundary part"));
     add(!spacing.placed.elements.empty(), "the numbers of elements of boundary parts");
+    add(!spacing.placed.segments.empty(), "the sizes of segments");
     add(!spacing.paint.tiles.empty(), "the painted sizes");
     add(spacing.background != nullptr, "the background mesh");
     add(spacing.fromBoundary, "the lengths of the boundary segments");

@@ -1,3 +1,4 @@
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/action_cases.hpp"
@@ -90,12 +91,12 @@ std::vector<ActionCase> editCases() {
 
 /// Returns true if what is typed now goes into a field of the inspector.
 bool sizeFollows(D &d, const B &) {
-    if (d.document().spacing.partSizes.empty()) {
+    if (!hasSegmentSizes(d.document())) {
         d.type("0.5");
         d.key(key::kEnter);
         d.settle();
     }
-    return !d.document().spacing.partSizes.empty();
+    return hasSegmentSizes(d.document());
 }
 
 std::vector<ActionCase> namingCases() {

@@ -1,6 +1,7 @@
 #include "tests/ui/driver.hpp"
 
 #include "ui/parts/shown_panels.hpp"
+#include "ui/shell/pointer_hints.hpp"
 
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
@@ -22,6 +23,9 @@ Driver::Driver(EditorSetup setup, PixelSize size, double contentScale, bool show
     editor_ = std::make_unique<Editor>(*platform_, std::move(setup));
     context().settings.live = false;
     context().settings.reduceMotion = true;
+    for (const auto &tool : context().tools.tools) {
+        context().settings.toolUses[tool->id()] = kHintedUses; // no hints at the pointer, which pictures would show
+    }
     frames(4);
     settle();
 }

@@ -14,7 +14,8 @@
 namespace forefront::test {
 
 /// Drives a headless editor as a user would, by widget names and keys. Every frame lasts 1/60 s. Live meshing is off,
-/// so that tests decide when a mesh is made, and so is motion, so that settle() waits for none.
+/// so that tests decide when a mesh is made, and so is motion, so that settle() waits for none. The hints at the
+/// pointer have retired.
 class Driver {
   public:
     /// `shown`: the frames are drawn as in a window; see EglPlatform::show().

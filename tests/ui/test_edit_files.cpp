@@ -71,10 +71,13 @@ TEST_CASE("Files: a drawing with paint is the same after saving and opening") {
     CHECK(driver.context().document.dirty());
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
-    driver.chooseFile("open", place.path / "bay.forefront");
-    REQUIRE(driver.has("dialog/unsaved/discard")); // the drag is not saved
+    CHECK_FALSE(driver.has("dialog/open/ok"));
+    REQUIRE(driver.has("dialog/unsaved/discard")); // the drag is not saved; asked before a file is chosen
     driver.click("dialog/unsaved/discard");
     driver.settle();
+    driver.chooseFile("open", place.path / "bay.forefront");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/unsaved/discard")); // asked once
     CHECK(sameContent(driver.document(), saved));
     CHECK_FALSE(driver.context().document.dirty());
     CHECK(driver.context().settings.recentFiles.front() == (place.path / "bay.forefront").string());
@@ -90,9 +93,10 @@ TEST_CASE("Files: reopening a file after saving shows the saved changes") {
     driver.rectangle({2, 2}, {3, 3});
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
-    driver.chooseFile("open", place.path / "bay.forefront");
     REQUIRE(driver.has("dialog/unsaved/save"));
     driver.click("dialog/unsaved/save");
+    driver.settle();
+    driver.chooseFile("open", place.path / "bay.forefront");
     driver.settle();
     CHECK(driver.document().shapes.size() == 2);
     CHECK_FALSE(driver.context().document.dirty());
@@ -320,6 +324,9 @@ TEST_CASE("Open: an unreadable file is reported in the dialog, and the drawing s
     driver.rectangle({1, 1}, {9, 8});
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
+    REQUIRE(driver.has("dialog/unsaved/discard"));
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
     driver.chooseFile("open", place.path / "points.geojson");
     REQUIRE(driver.has("dialog/open/warning")); // the dialog is still open, without another question
     CHECK_FALSE(driver.has("dialog/unsaved/discard"));
@@ -333,9 +340,8 @@ TEST_CASE("Open: an unreadable file is reported in the dialog, and the drawing s
     driver.frames(2);
     CHECK(warning().width < 1.0);
     driver.chooseFile("open", place.path / "square.geojson");
-    REQUIRE(driver.has("dialog/unsaved/discard"));
-    driver.click("dialog/unsaved/discard");
     driver.settle();
+    CHECK_FALSE(driver.has("dialog/unsaved/discard"));
     CHECK(boundsOf(driver.document()).size() == Vec2{4, 3});
     CHECK(driver.has("canvas/note"));
     CHECK(driver.context().log.entries().back().diagnostic.message.find("GeoJSON") != std::string::npos);

@@ -315,7 +315,7 @@ TEST_CASE("Polygon: as a spline through clicked points, or freehand with its cor
 
 TEST_CASE("Polygon: a freehand loop becomes smooth curves, or corners as chosen") {
     Draughtsman driver;
-    driver.context().snapping.toGrid = false; // the loop begins where the pointer is
+    REQUIRE(driver.context().snapping.toGrid); // which gives the loop no corner
     const auto draw = [&] {
         driver.key('P');
         const auto at = [&](int k) {
@@ -399,19 +399,46 @@ TEST_CASE("Polygon: a freehand loop closes where it began; undo while drawing ca
     CHECK(driver.document().shapes.empty());
 }
 
-TEST_CASE("Inspector: size and growth of a boundary part are added to the spacing and removed again") {
+TEST_CASE("Inspector: size and growth of a shape are those of its segments; they leave its tag alone") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
-    driver.click("inspector/partgrowth");
+    driver.click("inspector/segmentgrowth");
     CHECK_FALSE(ImGui::GetIO().WantTextInput); // without a size there is nothing to grow
+    driver.fill("inspector/segmentsize", "0.1");
+    const auto sizes = [&] { return driver.document().shapes[0]->segmentSizes; };
+    REQUIRE(sizes().size() == 4);
+    CHECK(sizes().at(3) == SegmentSize{.size = 0.1, .elements = 0, .growth = 0.2});
+    CHECK(driver.undoLabel() == "Change size of segment");
+    CHECK(driver.document().shapes[0]->segmentTags.empty());
+    CHECK(driver.document().spacing.partSizes.empty());
+    driver.settle();
+    CHECK(driver.context().preview->spacing->at({5, 1}) == doctest::Approx(0.1));
+    CHECK(driver.context().preview->spacing->sample({5, 1}).describe.find("size of a segment") != std::string::npos);
+    driver.fill("inspector/segmentgrowth", "0.5");
+    CHECK(sizes().at(0).growth == 0.5);
+    driver.click("inspector/segmentsize");
+    driver.key('A', kControl);
+    driver.key(key::kDelete);
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(sizes().empty());
+}
+
+TEST_CASE("Inspector: size and growth of a named boundary are added to the spacing and removed again") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.settle();
+    CHECK_FALSE(driver.has("inspector/partsize")); // nobody has named it
+    driver.context().document.apply(*setBoundaryName(driver.document(), 1, "wall"), "Name");
+    driver.settle();
     driver.fill("inspector/partsize", "0.1");
     REQUIRE(driver.document().spacing.partSizes.contains(1));
     CHECK(driver.document().spacing.partSizes.at(1) == PartSize{0.1, 0.2});
     CHECK(driver.undoLabel() == "Change size of boundary part");
     driver.settle();
-    CHECK(driver.context().preview->spacing->at({5, 1}) == doctest::Approx(0.1));
-    CHECK(driver.context().preview->spacing->sample({5, 1}).describe.find("size of '") != std::string::npos);
+    CHECK(driver.context().preview->spacing->sample({5, 1}).describe.find("size of 'wall'") != std::string::npos);
     driver.fill("inspector/partgrowth", "0.5");
     CHECK(driver.document().spacing.partSizes.at(1).growth == 0.5);
     driver.click("inspector/partsize");

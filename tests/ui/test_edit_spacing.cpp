@@ -1,3 +1,4 @@
+#include "core/drawing/commands/scale_document.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "tests/support/number_literal.hpp"
@@ -73,6 +74,50 @@ TEST_CASE("Sources: placed by click and by drag, named, and the inspector says w
     driver.dragPlaces({6, 6}, {6, 6.5});
     CHECK(driver.document().spacing.sources[1].radius == doctest::Approx(1.5));
     CHECK(driver.undoLabel() == "Resize source");
+}
+
+TEST_CASE(
+    "Sources and brush: what was proposed before the drawing got its size is proposed anew; what was typed stays") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S');
+    driver.settle();
+    driver.clickPlace({3, 3});
+    driver.key('B');
+    driver.dragPlaces({6, 6}, {7, 6});
+    const double source = driver.document().spacing.sources[0].size;
+    Document large = *scaleDocument(driver.document(), {0, 0}, 600.0); // as the calibration of a picture does
+    large.spacing.paint = {};
+    large.spacing.sources.clear();
+    driver.context().document.apply(std::move(large), "Scale");
+    driver.key('F');
+    driver.settle();
+    driver.key('S');
+    driver.settle();
+    const double rho = driver.context().preview->spacing->at({1800, 1800});
+    driver.clickPlace({1800, 1800});
+    const double now = driver.document().spacing.sources.back().size;
+    CHECK(now > 100.0 * source);
+    CHECK(now == doctest::Approx(0.25 * rho).epsilon(0.1));
+    driver.clickPlace({3600, 3600}); // stays for the next one
+    CHECK(driver.document().spacing.sources.back().size == now);
+    driver.key('B');
+    driver.settle();
+    const double before = driver.context().preview->spacing->at({4500, 1500});
+    driver.dragPlaces({4500, 1500}, {4500, 1500});
+    driver.settle();
+    const double painted = driver.context().preview->spacing->at({4500, 1500});
+    CHECK(painted < 0.7 * before);
+    CHECK(painted > 0.2 * before);
+
+    driver.key('S');
+    driver.settle();
+    driver.fill("options/source/size", "77");
+    driver.context().document.apply(*scaleDocument(driver.document(), {0, 0}, 10.0), "Scale");
+    driver.key('F');
+    driver.settle();
+    driver.clickPlace({30000, 30000});
+    CHECK(driver.document().spacing.sources.back().size == 77.0);
 }
 
 TEST_CASE("Sources: the size proposed for the first one stays for the next") {

@@ -1,6 +1,12 @@
+#include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
+#include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
 #include "tests/support/number_literal.hpp"
 #include "tests/ui/edit_driver.hpp"
 
@@ -17,6 +23,20 @@ std::ptrdiff_t edges(Draughtsman &driver, std::int32_t tag) {
     driver.settle();
     const TriMesh &mesh = driver.run().mesh->mesh;
     return std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; });
+}
+
+/// Returns the number of edges along one segment of a shape, as meshed.
+std::ptrdiff_t along(Draughtsman &driver, SegmentRef segment) {
+    driver.key(key::kF5); // the inspector compares with the mesh
+    driver.settle();
+    constexpr std::int32_t kApart = 999;
+    const Document &document = driver.document();
+    const bool whole = taggedSegments(*findShape(document, segment.shape)) == 1;
+    const auto outcome = meshDomain(
+        jobOf(whole ? *setShapeTag(document, {segment.shape}, kApart) : *setSegmentTag(document, {segment}, kApart)));
+    REQUIRE(outcome);
+    const std::vector<TaggedEdge> &edges = outcome->mesh.edges;
+    return std::count_if(edges.begin(), edges.end(), [](const TaggedEdge &edge) { return edge.tag == kApart; });
 }
 
 void clear(Draughtsman &driver, std::string_view field) {
@@ -44,36 +64,38 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
     REQUIRE(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
     driver.fill("inspector/elements", "13");
     CHECK(driver.undoLabel() == "Set number of elements");
-    CHECK(segmentTag(*driver.document().shapes[0], 0) == 2);
-    CHECK(edges(driver, 2) == 13);
+    CHECK(driver.document().shapes[0]->segmentTags.empty()); // a number of elements is no boundary
+    CHECK(along(driver, {1, 0}) == 13);
     driver.drag(driver.pixel({9, 4}), driver.pixel({9, 4}), 1, {Modifiers::kShift});
     driver.frames(30);
     REQUIRE(driver.context().selection.segments.size() == 2);
     driver.fill("inspector/elements", "9");
-    CHECK(edges(driver, 2) == 9);
-    CHECK(edges(driver, 3) == 9);
+    CHECK(along(driver, {1, 0}) == 9);
+    CHECK(along(driver, {1, 1}) == 9);
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().elementCounts.size() == 1);
+    CHECK(driver.document().shapes[0]->segmentSizes.size() == 1);
     driver.clickPlace({5, 5.5});
     REQUIRE(driver.context().selection.shapes == std::set<std::uint32_t>{2});
     driver.fill("inspector/elements", "40");
-    CHECK(edges(driver, driver.document().shapes[1]->tag) == 40);
+    CHECK(along(driver, {2, 0}) == 40);
     driver.fill("inspector/elements", "2.5");
     CHECK(driver.has("inspector/elements/fault"));
-    CHECK(edges(driver, driver.document().shapes[1]->tag) == 40);
+    CHECK(along(driver, {2, 0}) == 40);
     CHECK_FALSE(driver.has("inspector/elements/meshed"));
     driver.fill("inspector/elements", "4");
-    CHECK(edges(driver, driver.document().shapes[1]->tag) == 4);
+    CHECK(along(driver, {2, 0}) == 4);
     driver.frames(2);
     CHECK_FALSE(driver.has("inspector/elements/meshed"));
     const double below = driver.context().widgets.find("inspector/centre/x")->rect.y;
     driver.fill("inspector/elements", "2"); // a closed curve has at least three
-    CHECK(edges(driver, driver.document().shapes[1]->tag) == 3);
+    CHECK(along(driver, {2, 0}) == 3);
     driver.frames(2);
     CHECK(driver.has("inspector/elements/meshed"));
     CHECK(driver.context().widgets.find("inspector/centre/x")->rect.y == below); // the note moves nothing
     clear(driver, "inspector/elements");
-    CHECK(driver.document().elementCounts.size() == 1);
+    CHECK(driver.document().shapes[1]->segmentSizes.empty());
+    CHECK(driver.document().shapes[0]->segmentSizes.size() == 1);
+    CHECK(boundaryTags(driver.document()) == std::vector<std::int32_t>{1});
 }
 
 TEST_CASE("Elements: a circle of a parameter keeps its number when the parameter changes, and after saving") {
@@ -99,20 +121,20 @@ TEST_CASE("Elements: a circle of a parameter keeps its number when the parameter
     driver.clickPlace({5, 5.6});
     REQUIRE(driver.context().selection.shapes == std::set<std::uint32_t>{2});
     driver.fill("inspector/elements", "60");
-    CHECK(edges(driver, 2) == 60);
+    CHECK(along(driver, {2, 0}) == 60);
     for (const char *d : {"4", "1.7", "6.5"}) {
         CAPTURE(d);
         driver.fill("parameters/0/expression", d);
-        CHECK(edges(driver, 2) == 60);
+        CHECK(along(driver, {2, 0}) == 60);
         driver.frames(2);
         CHECK_FALSE(driver.has("inspector/elements/meshed"));
     }
     const Document reopened = *parseProject(projectText(driver.document()), "test");
     driver.context().document.load(reopened, {});
     driver.settle();
-    CHECK(edges(driver, 2) == 60);
+    CHECK(along(driver, {2, 0}) == 60);
     driver.key('Z', {Modifiers::kControl}); // nothing to undo
-    CHECK(edges(driver, 2) == 60);
+    CHECK(along(driver, {2, 0}) == 60);
 }
 
 TEST_CASE("Elements: the number takes an expression, and a size replaces it") {
@@ -125,22 +147,22 @@ TEST_CASE("Elements: the number takes an expression, and a size replaces it") {
     driver.clickPlace({5, 5.6});
     driver.fill("inspector/elements", "2*n");
     CHECK(elementCount(driver.document(), {2, 0}) == 60U);
-    CHECK(driver.document().formulas.at("part/2/elements"_number) == "2*n");
+    CHECK(driver.document().formulas.at("shape/2/segmentElements/0"_number) == "2*n");
     driver.context().document.apply(*overrideParameters(driver.document(), {{"n", "40"}}), "Change parameter");
     driver.settle();
     CHECK(elementCount(driver.document(), {2, 0}) == 80U);
-    driver.fill("inspector/partgrowth", "0.5");
-    CHECK(driver.document().elementCounts.at(2) == PartElements{80, 0.5});
-    driver.fill("inspector/partsize", "0.25");
-    CHECK(driver.document().elementCounts.empty());
+    driver.fill("inspector/segmentgrowth", "0.5");
+    const auto own = [&] { return *segmentSize(driver.document(), {2, 0}); };
+    CHECK(own() == SegmentSize{.size = 0.0, .elements = 80, .growth = 0.5});
+    driver.fill("inspector/segmentsize", "0.25");
     CHECK(driver.document().formulas.empty());
-    CHECK(driver.document().spacing.partSizes.at(2) == PartSize{0.25, 0.5});
+    CHECK(own() == SegmentSize{.size = 0.25, .elements = 0, .growth = 0.5});
     driver.key('Z', {Modifiers::kControl});
-    CHECK(driver.document().formulas.at("part/2/elements"_number) == "2*n");
+    CHECK(driver.document().formulas.at("shape/2/segmentElements/0"_number) == "2*n");
     CHECK(elementCount(driver.document(), {2, 0}) == 80U);
 }
 
-TEST_CASE("Elements: of circles that differ, the larger one has the number; each gets it when it is entered again") {
+TEST_CASE("Elements: a copy has the number of its original, whatever its size") {
     Draughtsman driver;
     driver.rectangle({0.5, 0.5}, {9.5, 9.5});
     driver.key('C');
@@ -156,30 +178,27 @@ TEST_CASE("Elements: of circles that differ, the larger one has the number; each
     driver.settle();
     REQUIRE(driver.document().shapes.size() == 3);
     driver.fill("inspector/centre/x", "7");
-    CHECK(edges(driver, 2) == 120);
     driver.fill("inspector/radius", "0.5");
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{3});
-    CHECK(elementCount(driver.document(), {3, 0}) == 60U);
-    CHECK(edges(driver, 2) == 60 + 30);
-    driver.fill("inspector/elements", "60");
-    CHECK(edges(driver, 2) == 60);
-    CHECK(edges(driver, driver.document().shapes[2]->tag) == 60);
+    CHECK(along(driver, {2, 0}) == 60);
+    CHECK(along(driver, {3, 0}) == 60);
 }
 
-TEST_CASE("Elements: new shapes do not join a part that has a number of them") {
+TEST_CASE("Elements: new shapes have no number, and the tag that shapes have") {
     Draughtsman driver;
     driver.key('C');
     driver.dragPlaces({5, 5}, {6, 5});
     driver.key('V');
     driver.settle();
     driver.fill("inspector/elements", "60");
-    REQUIRE(driver.document().elementCounts.contains(1));
     driver.rectangle({0.5, 0.5}, {9.5, 9.5});
-    CHECK(driver.document().shapes[1]->tag == 3); // 2 is for constraints
-    CHECK(edges(driver, 1) == 60);
+    CHECK(driver.document().shapes[1]->tag == 1);
+    CHECK(driver.document().shapes[1]->segmentSizes.empty());
+    CHECK(along(driver, {1, 0}) == 60);
+    driver.context().document.apply(*setPartElements(driver.document(), 1, PartElements{40, 0.2}), "Number of a part");
     driver.rectangle({1, 1}, {2, 2});
-    CHECK(driver.document().shapes[2]->tag == 4);
-    driver.fill("options/tag", "1"); // chosen
+    CHECK(driver.document().shapes[2]->tag == 3); // does not join a part with a number; 2 is for constraints
+    driver.fill("options/tag", "1");              // chosen
     driver.rectangle({7, 7}, {8, 8});
     CHECK(driver.document().shapes[3]->tag == 1);
 }
@@ -249,7 +268,7 @@ TEST_CASE("Elements: the field is not shown for shapes of several segments") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.settle();
-    CHECK(driver.has("inspector/partsize"));
+    CHECK(driver.has("inspector/segmentsize"));
     CHECK_FALSE(driver.has("inspector/elements"));
 }
 

@@ -107,12 +107,18 @@ TEST_CASE("Open: a mesh is read on another thread to be edited as a drawing, and
     CHECK(started.context().settings.recentFiles.front().ends_with("plate.msh"));
 }
 
-TEST_CASE("Open: unsaved changes are asked about once a mesh has been read") {
+TEST_CASE("Open: unsaved changes are asked about before the choice of a file, or once a given mesh has been read") {
     PlateReader driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.choose("file.open", "open", "plate.msh");
+    driver.context().actions.run("file.open", driver.context());
     driver.settle();
     CHECK_FALSE(driver.has("dialog/open/ok"));
+    REQUIRE(driver.has("dialog/unsaved/cancel"));
+    driver.click("dialog/unsaved/cancel");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/open/ok"));
+    openDocument(driver.context(), driver.folder() / "plate.msh"); // such as a recent file
+    driver.settle();
     REQUIRE(driver.has("dialog/unsaved/discard"));
     CHECK(driver.document().shapes.front()->kind() == ShapeKind::Rectangle);
     driver.click("dialog/unsaved/discard");

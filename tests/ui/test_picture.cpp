@@ -124,7 +124,8 @@ TEST_CASE("Picture: added by the menu, drawn below the drawing, hidden as a laye
     }
 }
 
-TEST_CASE("Picture: two clicks and a distance set its scale, about the first point") {
+TEST_CASE(
+    "Picture: two clicks and a distance set its scale; its corner stays, or the first point once that is placed") {
     const TemporaryFolder place;
     Draughtsman driver;
     beginCalibration(driver, place);
@@ -140,15 +141,17 @@ TEST_CASE("Picture: two clicks and a distance set its scale, about the first poi
     const double pixel = driver.context().view.camera.length(1.0);
     CHECK(pictureOf(driver).size.x == doctest::Approx(100.0).epsilon(0.01));
     CHECK(pictureOf(driver).size.y == doctest::Approx(50.0).epsilon(0.01));
-    CHECK(distance(pictureOf(driver).corner, {75.0, 37.5}) < 4.0 * pixel);
+    CHECK(pictureOf(driver).corner == Vec2{}); // not 75 units away from where it was put
     // Nothing else is drawn, so the picture stays where it is on the screen.
-    CHECK(glm::distance(driver.pixel({150.0, 50.0}), onScreen) < 4.0);
+    CHECK(glm::distance(driver.pixel({75.0, 12.5}), onScreen) < 4.0);
     CHECK(driver.undoLabel() == "Calibrate background picture");
 
     driver.fill("options/picture/x1", "0");
     driver.fill("options/picture/y1", "0");
     CHECK(distance(pictureOf(driver).corner, {-25.0, -12.5}) < 4.0 * pixel);
-    for (int k = 0; k < 3; ++k) {
+    driver.fill("options/picture/distance", "100"); // the first point is at 0, 0 and stays there
+    CHECK(distance(pictureOf(driver).corner, {-50.0, -25.0}) < 8.0 * pixel);
+    for (int k = 0; k < 4; ++k) {
         driver.key('Z', {Modifiers::kControl});
     }
     CHECK(pictureOf(driver).size == Vec2{400.0, 200.0});

@@ -33,7 +33,7 @@ TEST_CASE("Refused fields: what a command refuses is told at the field of a pane
     driver.key('V');
     expectRefused(driver, "inspector/cornerradius", "-1");
     expectRefused(driver, "inspector/size/y", "0");
-    expectRefused(driver, "inspector/partsize", "-1");
+    expectRefused(driver, "inspector/segmentsize", "-1");
     driver.showPanel("spacing");
     expectRefused(driver, "spacing/size", "-1");
     CHECK(driver.logHas("bad-size"));

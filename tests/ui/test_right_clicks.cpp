@@ -172,12 +172,15 @@ TEST_CASE("Right click: each boundary part of a shape with two tags can be given
     user.context().selection.clear();
     user.settle();
     user.rightClickPlace({5, 5});
-    CHECK_FALSE(user.offers("edit.setSize"));
+    CHECK(user.offers("edit.setSize")); // for all segments
     user.choose("partSize/2");
     user.type("0.2");
     user.key(key::kEnter);
     user.settle();
-    CHECK(user.document().spacing.partSizes.at(2).size == 0.2);
+    CHECK(user.document().shapes[0]->segmentSizes ==
+          std::map<std::uint32_t, SegmentSize>{{0, {.size = 0.2, .elements = 0, .growth = 0.2}}});
+    CHECK(user.document().spacing.partSizes.empty());
+    CHECK(user.document().boundaryNames.size() == 1);
 }
 
 TEST_CASE("Right click: a finished measurement offers its values") {

@@ -337,7 +337,7 @@ TEST_CASE("Typed formulas: a moved shape takes them along; a turn removes those 
     driver.key('V');
     driver.clickPlace({3, 1});
     const std::size_t messages = driver.context().log.entries().size();
-    driver.dragPlaces({3, 1}, {5, 2});
+    driver.dragPlaces({3, 1}, {5, 2}); // by pixels: a place is exact up to the rounding of the camera
     CHECK(distance(boundsOf(driver.shape()).min, {3, 2}) < 1e-9);
     CHECK(distance(boundsOf(driver.shape()).max, {7, 4}) < 1e-9);
     CHECK(driver.formula("shape/1/left"_number) == "r + 2");

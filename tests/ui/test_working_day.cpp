@@ -170,7 +170,10 @@ TEST_CASE("Export: the note on a format is shown whole, also in a narrow window"
         const PixelRect dialog = driver.context().widgets.find("dialog/export")->rect;
         const PixelRect ok = driver.context().widgets.find("dialog/export/ok")->rect;
         const ImFont *font = driver.context().fonts.small;
-        const double line = static_cast<double>(font->FontSize), text = 163.0 * 0.42 * line; // of 163 letters
+        constexpr const char *kLetters = "etaoin shrdlu cmfgyp etaoin shrdl etaoin"; // about as frequent as in a text
+        const double line = static_cast<double>(font->FontSize),
+                     letter = static_cast<double>(font->CalcTextSizeA(font->FontSize, 1e6F, 0.0F, kLetters).x) / 40.0,
+                     text = 163.0 * letter; // of 163 letters
         CHECK(note.height >= std::ceil(text / note.width) * line);
         CHECK(note.x + note.width <= dialog.x + dialog.width);
         CHECK(ok.y >= note.y + note.height);

@@ -59,6 +59,7 @@ Document fullDocument() {
     Shape box = shape(2, ShapeKind::Rectangle, ShapeUse::Boundary, {{3, 1}, {3.5, 2}}, "");
     box.as<RectangleForm>().radius = 0.1;
     box.locked = true;
+    box.segmentSizes = {{0, {.size = 0.05, .growth = 0.3}}, {5, {.elements = 7, .growth = 0.0}}};
     for (const Shape &item :
          {outline, box, shape(3, ShapeKind::Circle, ShapeUse::Boundary, {{1, 2}, {1.2, 2}}, "island"), pier,
           shape(9, ShapeKind::Point, ShapeUse::Constraint, {{2.5, 0.5}}, "gauge"), sail,

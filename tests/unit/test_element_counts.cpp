@@ -8,6 +8,7 @@
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/names/region_commands.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/clipboard/clipboard.hpp"
 #include "core/drawing_files/project/project.hpp"
@@ -41,6 +42,14 @@ std::ptrdiff_t edges(const Document &document, std::int32_t tag) {
                          [&](const auto &segment) { return segment.tag == tag; });
 }
 
+/// Returns the number of edges along one segment of a shape.
+std::ptrdiff_t edgesAlong(Document document, SegmentRef segment) {
+    constexpr std::int32_t kApart = 999;
+    const bool whole = taggedSegments(*findShape(document, segment.shape)) == 1;
+    return edges(whole ? *setShapeTag(document, {segment.shape}, kApart) : *setSegmentTag(document, {segment}, kApart),
+                 kApart);
+}
+
 } // namespace
 
 TEST_CASE("setElementCount: a straight segment, a circle and an arc get exactly that many elements") {
@@ -50,18 +59,19 @@ TEST_CASE("setElementCount: a straight segment, a circle and an arc get exactly 
     for (const std::uint32_t count : {1U, 2U, 3U, 7U, 10U, 33U, 49U, 1000U}) {
         CAPTURE(count);
         const Document next = *setElementCount(document, {{1, 1}}, count);
-        CHECK(segmentTag(*next.shapes[0], 1) == 2);
-        CHECK(segmentTag(*next.shapes[0], 0) == 1);
+        CHECK(next.shapes[0]->segmentTags.empty()); // a number of elements is no boundary
+        CHECK(next.shapes[0]->tag == 1);
         CHECK(next.shapes[1]->tag == 1);
         CHECK(elementCount(next, {1, 1}) == count);
-        CHECK(edges(next, 2) == count);
+        CHECK_FALSE(elementCount(next, {1, 0}).has_value());
+        CHECK(edgesAlong(next, {1, 1}) == count);
     }
     for (const std::uint32_t count : {3U, 4U, 24U, 32U, 47U, 200U, 500U}) {
         CAPTURE(count);
         const Document next = *setElementCount(document, {{2, 0}}, count);
         CHECK(next.shapes[1]->segmentTags.empty());
         CHECK(elementCount(next, {2, 0}) == count);
-        CHECK(edges(next, 2) == count);
+        CHECK(edgesAlong(next, {2, 0}) == count);
     }
     Shape arc = makeShape(ShapeKind::Polyline, {{2, 0}, {2.5, 1}}, ShapeUse::Constraint);
     arc.path().curves = {arcThrough({2, 0}, {2.6, 0.4}, {2.5, 1})};
@@ -70,50 +80,52 @@ TEST_CASE("setElementCount: a straight segment, a circle and an arc get exactly 
     for (const std::uint32_t id : {3U, 4U}) {
         CAPTURE(id);
         for (const std::uint32_t count : {3U, 60U, 300U}) {
-            CHECK(edges(*setElementCount(document, {{id, 0}}, count), 2) == count);
+            CHECK(edgesAlong(*setElementCount(document, {{id, 0}}, count), {id, 0}) == count);
         }
     }
 }
 
-TEST_CASE("setElementCount: segments of one length share a tag, others get their own; names and growth are kept") {
+TEST_CASE("setElementCount: each segment gets the number; tags and names stay, and so does the growth") {
     const Shape bar = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 1}, {0, 1}});
     Document document = *addShapes({}, {bar});
     document.boundaryNames = {{1, "wall"}};
     document.spacing.size = 1e3;
     document.spacing.partSizes[1] = {50.0, 0.4};
     const Document next = *setElementCount(document, {{1, 0}, {1, 1}, {1, 2}}, 8);
-    CHECK(segmentTag(*next.shapes[0], 0) == segmentTag(*next.shapes[0], 2));
-    CHECK(next.boundaryNames == std::map<std::int32_t, std::string>{{1, "wall"}, {2, "wall 2"}, {3, "wall 3"}});
-    CHECK(next.elementCounts == std::map<std::int32_t, PartElements>{{2, {8, 0.4}}, {3, {8, 0.4}}});
-    CHECK(spacingOf(next).partSizes.at(2) == PartSize{0.5, 0.4});
-    CHECK(spacingOf(next).partSizes.at(3) == PartSize{0.125, 0.4});
-    CHECK(edges(next, segmentTag(*next.shapes[0], 1)) == 8);
-    CHECK(edges(next, segmentTag(*next.shapes[0], 0)) == 16); // two sides, though it is finer beside the short one
-    // A segment that has its own tag keeps it; without a count, only the size is removed.
+    CHECK(next.shapes[0]->segmentTags.empty());
+    CHECK(next.boundaryNames == document.boundaryNames);
+    CHECK(next.elementCounts.empty());
+    CHECK(next.spacing.partSizes == document.spacing.partSizes);
+    const SegmentSize eight{.size = 0.0, .elements = 8, .growth = 0.4};
+    CHECK(next.shapes[0]->segmentSizes == std::map<std::uint32_t, SegmentSize>{{0, eight}, {1, eight}, {2, eight}});
+    const PlacedSizes placed = spacingOf(next).placed;
+    CHECK(placed.elements == std::vector<std::uint32_t>{8, 8, 8, 0});
+    CHECK(placed.segments == std::vector<PartSize>{{0.5, 0.4}, {0.125, 0.4}, {0.5, 0.4}, {0.0, 0.0}});
+    CHECK(edgesAlong(next, {1, 1}) == 8);
+    CHECK(edgesAlong(next, {1, 0}) == 8);
     const Document again = *setElementCount(next, {{1, 1}}, 5);
-    CHECK(segmentTag(*again.shapes[0], 1) == segmentTag(*next.shapes[0], 1));
     CHECK(elementCount(again, {1, 1}) == 5U);
     const Document none = *setElementCount(again, {{1, 1}}, std::nullopt);
-    CHECK_FALSE(none.elementCounts.contains(segmentTag(*none.shapes[0], 1)));
+    CHECK_FALSE(none.shapes[0]->segmentSizes.contains(1));
+    CHECK(none.spacing.partSizes == document.spacing.partSizes);
 }
 
-TEST_CASE("setElementCount: without a count, other segments of the tag keep theirs") {
+TEST_CASE("setElementCount: a number of one segment takes precedence over that of its boundary part") {
     Document document = *addShapes({}, {square({0, 0}, 2)});
     document.boundaryNames = {{1, "wall"}};
     document = *setPartElements(document, 1, PartElements{8, 0.2});
     REQUIRE(elementCount(document, {1, 0}) == 8U);
-    const Document next = *setElementCount(document, {{1, 0}}, std::nullopt);
-    CHECK_FALSE(elementCount(next, {1, 0}).has_value());
+    const Document next = *setElementCount(document, {{1, 0}}, 3);
+    CHECK(elementCount(next, {1, 0}) == 3U);
     CHECK(elementCount(next, {1, 1}) == 8U);
-    CHECK(next.boundaryNames.at(segmentTag(*next.shapes[0], 0)) == "wall 2");
-    const Document same = *setElementCount(next, {{1, 0}}, std::nullopt); // has none
-    CHECK(same.elementCounts == next.elementCounts);
-    CHECK(segmentTag(*same.shapes[0], 0) == segmentTag(*next.shapes[0], 0));
+    CHECK(edges(next, 1) == 3 + 3 * 8);
+    CHECK(sameContent(*setElementCount(next, {{1, 0}}, std::nullopt), document));
 }
 
 TEST_CASE("setElementCount: automatic spacing, bends, finer sizes nearby and limits do not change the number") {
     const auto circle = makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}});
     Document document = *addShapes({}, {square({-5, -5}, 10), circle});
+    document = *setShapeTag(document, {2}, 2);
     document = *setElementCount(document, {{2, 0}}, 24); // automatic spacing has 40 per turn
     CHECK(edges(document, 2) == 24);
     document.spacing.segmentsPerTurn = 90.0;
@@ -141,7 +153,7 @@ TEST_CASE("setElementCount: a curve that another shape divides has the number in
     document.spacing.size = 1.0;
     for (const std::uint32_t count : {5U, 24U, 25U, 100U}) {
         CAPTURE(count);
-        CHECK(edges(*setElementCount(document, {{1, 0}}, count), 1) == count);
+        CHECK(edgesAlong(*setElementCount(document, {{1, 0}}, count), {1, 0}) == count);
     }
 }
 
@@ -193,14 +205,16 @@ TEST_CASE("setElementCount: refuses what cannot be counted, and replaces sizes, 
     CHECK_FALSE(elementCount(document, {2, 0}).has_value());
     const Document sized = *setPartSize(document, 1, PartSize{0.3, 0.1});
     const Document counted = *setElementCount(sized, {{2, 0}}, 8);
-    const std::int32_t tag = segmentTag(*counted.shapes[1], 0);
-    CHECK(counted.elementCounts == std::map<std::int32_t, PartElements>{{tag, {8, 0.1}}});
-    const Document again = *setPartSize(counted, tag, PartSize{0.5, 0.1});
-    CHECK(again.elementCounts.empty());
-    CHECK(spacingOf(again).partSizes.at(tag) == PartSize{0.5, 0.1});
-    const Document other = *setSpacing(counted, spacingOf(again));
-    CHECK(other.elementCounts.empty());
-    CHECK(spacingOf(other).partSizes == again.spacing.partSizes);
+    CHECK(*segmentSize(counted, {2, 0}) == SegmentSize{.size = 0.0, .elements = 8, .growth = 0.1});
+    const Document again = *changeSegmentSizes(counted, {{2, 0}}, {.size = 0.5, .growth = {}});
+    CHECK(*segmentSize(again, {2, 0}) == SegmentSize{.size = 0.5, .elements = 0, .growth = 0.1});
+    CHECK(spacingOf(again).placed.elements.empty());
+    const Document other = *setSpacing(counted, spacingOf(sized));
+    CHECK_FALSE(hasSegmentSizes(other));
+    CHECK(spacingOf(other).partSizes == sized.spacing.partSizes);
+    CHECK(codeOf(setSegmentSize(document, {{2, 0}}, SegmentSize{.size = -1.0})) == "bad-size");
+    CHECK(codeOf(setSegmentSize(document, {{2, 9}}, SegmentSize{.size = 1.0})) == "no-such-segment");
+    CHECK(codeOf(setSegmentSize(document, {{7, 0}}, SegmentSize{.size = 1.0})) == "no-such-shape");
 }
 
 TEST_CASE("Element counts: are kept when the length changes") {
@@ -208,16 +222,16 @@ TEST_CASE("Element counts: are kept when the length changes") {
     document.spacing.size = 5.0;
     document.spacing.segmentsPerTurn = 0.0;
     document = *setElementCount(document, {{2, 0}}, 60);
-    CHECK(edges(document, 2) == 60);
+    CHECK(edgesAlong(document, {2, 0}) == 60);
     for (const double radius : {0.3, 1.25, 4.0}) {
         CAPTURE(radius);
-        CHECK(edges(*setRadius(document, 2, radius), 2) == 60);
+        CHECK(edgesAlong(*setRadius(document, 2, radius), {2, 0}) == 60);
     }
     Selection circle;
     circle.shapes = {2};
     Document copied = *duplicateSelection(document, circle, {5, 5}, nullptr);
-    CHECK(edges(copied, 2) == 120);
-    CHECK(edges(*setRadius(copied, 2, 2.0), 2) == 60 + 30); // the longer one has the number
+    CHECK(edgesAlong(copied, {3, 0}) == 60);
+    CHECK(edgesAlong(*setRadius(copied, 2, 2.0), {3, 0}) == 60); // each has its own
 }
 
 TEST_CASE("Element counts: divided and joined segments keep the size of their elements") {
@@ -225,23 +239,26 @@ TEST_CASE("Element counts: divided and joined segments keep the size of their el
     document.spacing.size = 50.0;
     document.spacing.segmentsPerTurn = 0.0;
     document = *setElementCount(*setElementCount(document, {{2, 0}}, 60), {{1, 0}}, 30);
-    const std::int32_t side = segmentTag(*document.shapes[0], 0);
     Document next = *insertNode(*convertToPath(document, 2), {1, 0}, {0, -10});
-    carryElementCounts(document, next);
-    CHECK(elementCount(next, {2, 0}) == 15U);
-    CHECK(edges(next, 2) == 60);
+    carrySegmentSizes(document, next);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        CHECK(elementCount(next, {2, k}) == 15U);
+        CHECK(edgesAlong(next, {2, k}) == 15);
+    }
     CHECK(elementCount(next, {1, 0}) == 15U);
-    CHECK(edges(next, side) == 30);
+    CHECK(edgesAlong(next, {1, 1}) == 15);
+    CHECK(next.shapes[0]->segmentSizes.size() == 2);
     Selection node;
     node.nodes = {{1, 1}};
     Document joined = deleteSelection(next, node);
-    carryElementCounts(next, joined);
+    carrySegmentSizes(next, joined);
     CHECK(elementCount(joined, {1, 0}) == 30U);
     Document cut = document; // a fillet shortens the side, which keeps its number
     node.nodes = {{1, 1}};
     cut = *filletCorners(document, node, 4.0);
-    carryElementCounts(document, cut);
+    carrySegmentSizes(document, cut);
     CHECK(elementCount(cut, {1, 0}) == 30U);
+    CHECK(cut.shapes[0]->segmentSizes.size() == 1);
 }
 
 TEST_CASE("Element counts: a repair that divides a segment keeps the size of its elements") {
@@ -253,9 +270,8 @@ TEST_CASE("Element counts: a repair that divides a segment keeps the size of its
     const Result<RepairedDrawing> repaired = repairDrawing(document, 0.0);
     REQUIRE(repaired.ok());
     Document next = repaired->document;
-    carryElementCounts(document, next);
-    CHECK(next.elementCounts == std::map<std::int32_t, PartElements>{{2, {30, 0.2}}}); // the longer piece has 3/4 of 40
-    CHECK(edges(next, 2) == 40);
+    carrySegmentSizes(document, next);
+    CHECK(edges(next, 2) == 40); // 30 and 10
 }
 
 TEST_CASE("Element counts: a side whose corners are rounded keeps its number on the straight part") {
@@ -265,31 +281,30 @@ TEST_CASE("Element counts: a side whose corners are rounded keeps its number on 
     Shape rounded = *document.shapes[0];
     rounded.as<RectangleForm>().radius = 1.0;
     Document next = *replaceShape(document, rounded);
-    const std::int32_t tag = segmentTag(rounded, 0);
-    CHECK(segmentTag(*next.shapes[0], 4) == tag); // the arc after it
-    next = *setSegmentTag(next, {{1, 4}}, 7);
-    CHECK(edges(next, tag) == 60);
+    carrySegmentSizes(document, next);
+    CHECK(next.shapes[0]->segmentSizes.size() == 1);
+    CHECK(edgesAlong(next, {1, 0}) == 60);
 }
 
 TEST_CASE("Element counts: follow expressions, which must give whole numbers") {
     Document document = *addShapes({}, {makeShape(ShapeKind::Circle, {{0, 0}, {8, 0}})});
     document = *setParameters(*setElementCount(document, {{1, 0}}, 24), {{"d", "16"}, {"n", "24"}});
     document = setFormula(std::move(document), "shape/1/radius"_number, "d/2");
-    document = setFormula(std::move(document), "part/1/elements"_number, "n");
+    document = setFormula(std::move(document), "shape/1/segmentElements/0"_number, "n");
     CHECK(edges(document, 1) == 24);
     const Document larger = *overrideParameters(document, {{"d", "20"}, {"n", "60"}});
     CHECK(circleRadius(*larger.shapes[0]) == 10.0);
     CHECK(elementCount(larger, {1, 0}) == 60U);
-    CHECK(spacingOf(larger).partSizes.at(1).size == doctest::Approx(20.0 * std::numbers::pi / 60.0).epsilon(0.01));
+    CHECK(edges(larger, 1) == 60);
     const Result<Document> broken = overrideParameters(document, {{"n", "24.5"}});
     REQUIRE_FALSE(broken.ok());
     CHECK(broken.faults().front().message ==
           "invalid number of elements 24.5; expected a whole number from 1 to 1000000");
 }
 
-TEST_CASE("Element counts: are written to projects with their sizes, which older programs use") {
+TEST_CASE("Element counts: of boundary parts are written to projects with their sizes, which older programs use") {
     Document document = *addShapes({}, {square({0, 0}, 4)});
-    document = *setElementCount(document, {{1, 0}, {1, 2}}, 8);
+    document = *setPartElements(*setSegmentTag(document, {{1, 0}, {1, 2}}, 2), 2, PartElements{8, 0.2});
     const std::string text = projectText(document);
     CHECK(text.find(R"("partSizes": [
       {"tag": 2, "size": 0.5, "growth": 0.2}
@@ -311,14 +326,21 @@ TEST_CASE("Element counts: are written to projects with their sizes, which older
     }
 }
 
-TEST_CASE("Element counts: come along with copies into another drawing whose parts do not have the tag") {
+TEST_CASE("Element counts: come along with copies into another drawing") {
     Document document = *addShapes({}, {square({0, 0}, 4), makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}})});
     document = *setElementCount(document, {{2, 0}}, 24);
     Selection circle;
     circle.shapes = {2};
     const Result<Document> copied = readClipboard(clipboardText(document, circle));
     REQUIRE(copied.ok());
-    CHECK(insertCopied({}, *copied, {1, 1}, nullptr)->elementCounts == document.elementCounts);
     const Document other = *setShapeTag(*addShapes({}, {square({0, 0}, 4)}), {1}, 2);
-    CHECK(insertCopied(other, *copied, {1, 1}, nullptr)->elementCounts.empty());
+    for (const Document &into : {Document(), other}) {
+        const Document next = *insertCopied(into, *copied, {1, 1}, nullptr);
+        CHECK(elementCount(next, {next.shapes.back()->id, 0}) == 24U);
+    }
+    document = *setPartElements(*setShapeTag(document, {2}, 2), 2, PartElements{7, 0.2}); // also of a boundary part
+    const Result<Document> part = readClipboard(clipboardText(document, circle));
+    REQUIRE(part.ok());
+    CHECK(insertCopied({}, *part, {1, 1}, nullptr)->elementCounts == document.elementCounts);
+    CHECK(insertCopied(other, *part, {1, 1}, nullptr)->elementCounts.empty());
 }

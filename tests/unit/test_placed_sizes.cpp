@@ -57,7 +57,8 @@ TEST_CASE("Placed sizes: a document gives all of them with its spacing, and none
     CHECK(placed.regions == std::vector<RegionSize>{{{5, 5}, 1.5, 0.5, 0.1}});
     CHECK(placed.elements == std::vector<std::uint32_t>{0, 8, 0, 0});
     CHECK(rulesOf(document).placed == PlacedSizes());
-    CHECK(rulesOf(document).partSizes == job.spacing.partSizes); // those of counted parts, too
+    CHECK(placed.segments == std::vector<PartSize>{{0.0, 0.0}, {1.25, 0.2}, {0.0, 0.0}, {0.0, 0.0}});
+    CHECK(rulesOf(document).partSizes == job.spacing.partSizes);
     CHECK(spacingOf(Document()).placed == PlacedSizes());
 }
 
@@ -76,6 +77,7 @@ TEST_CASE("Placed sizes: other rules leave those of nodes and regions, and drop 
     CHECK(spacing.placed.nodes == before.nodes);
     CHECK(spacing.placed.regions == before.regions);
     CHECK(spacing.placed.elements.empty());
+    CHECK(spacing.placed.segments.empty());
     CHECK(setSpacing(sizedSquare(), rules)->spacing.placed == PlacedSizes()); // a document has its own
 }
 
@@ -87,6 +89,10 @@ TEST_CASE("Placed sizes: numbers of elements for another number of segments are 
     CHECK(outcome.faults().front().code == "bad-element-counts");
     job.spacing.placed.elements.clear();
     CHECK(meshDomain(job));
+    job.spacing.placed.segments.pop_back();
+    const auto unsized = meshDomain(job);
+    REQUIRE_FALSE(unsized);
+    CHECK(unsized.faults().front().code == "bad-segment-sizes");
 }
 
 TEST_CASE("Placed sizes: a file gives them beside its domain, and its document has them") {

@@ -17,6 +17,9 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -57,15 +60,28 @@ bool isProject(const FileFormat *format) {
     return format != nullptr && format->kind == FileKind::Project;
 }
 
+/// The state of a document whose changes the user has agreed to lose; none: nobody was asked.
+using AgreedRevision = std::optional<std::uint64_t>;
+
+/// Runs `then` after asking whether to save unsaved changes, unless the user has been asked about these.
+void afterUnsavedBut(const AgreedRevision &agreed, Shell &context, std::function<void(Shell &)> then) {
+    if (agreed == context.document.revision()) {
+        context.dialogs.dismissPreviews(context);
+        then(context);
+    } else {
+        afterUnsaved(context, std::move(then));
+    }
+}
+
 /// Opens a project after asking about unsaved changes. Returns the faults of a file that cannot be read.
-Diagnostics openProject(Shell &context, const std::filesystem::path &file) {
+Diagnostics openProject(Shell &context, const std::filesystem::path &file, const AgreedRevision &agreed = {}) {
     const auto notes = std::make_shared<ImportNotes>();
     const auto read = std::make_shared<Result<StampedDocument>>(readStamped(file, notes.get()));
     if (!*read) {
         return read->faults();
     }
     context.dialogs.dismissPreviews(context); // whether there are unsaved changes depends on it
-    afterUnsaved(context, [file, read, notes, asked = context.document.dirty()](Shell &c) {
+    afterUnsavedBut(agreed, context, [file, read, notes, asked = context.document.dirty()](Shell &c) {
         if (asked && !c.document.dirty()) {
             *read = readStamped(file, nullptr); // read again: it may just have been saved
         }
@@ -79,10 +95,12 @@ Diagnostics openProject(Shell &context, const std::filesystem::path &file) {
 }
 
 /// Opens a mesh, drawing or map as a new drawing once another thread has read it; then asks about unsaved changes.
-void openForeign(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome) {
+void openForeign(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome,
+                 const AgreedRevision &agreed = {}) {
     const std::uint64_t loads = context.document.loads();
     readInBackground(
-        context, file, outcome, [&context, file, loads](const Progress &progress) -> Result<BackgroundTask::Finish> {
+        context, file, outcome,
+        [&context, file, loads, agreed](const Progress &progress) -> Result<BackgroundTask::Finish> {
             const auto notes = std::make_shared<ImportNotes>();
             ImportOptions options;
             options.progress = progress;
@@ -91,9 +109,10 @@ void openForeign(Shell &context, const std::filesystem::path &file, const std::s
                 return read.faults();
             }
             const auto opened = std::make_shared<const StampedDocument>(StampedDocument{*std::move(read), {}});
-            return BackgroundTask::Finish([&context, file, opened, notes, loads] {
+            return BackgroundTask::Finish([&context, file, opened, notes, loads, agreed] {
                 if (!replacedWhileReading(context, file, loads)) {
-                    afterUnsaved(context, [file, opened, notes](Shell &c) { showOpened(c, *opened, *notes, file); });
+                    afterUnsavedBut(agreed, context,
+                                    [file, opened, notes](Shell &c) { showOpened(c, *opened, *notes, file); });
                 }
             });
         });
@@ -310,24 +329,34 @@ void openFirstSample(Shell &context) {
     }
 }
 
-void openDocument(Shell &context) {
+namespace {
+
+/// Opens the file dialog; unsaved changes have been saved, or the user has agreed to lose them.
+void chooseDocument(Shell &context) {
+    const std::uint64_t agreed = context.document.revision();
     FileRequest request;
     request.id = "open";
     request.title = "Open";
     request.action = "Open";
     request.filters = drawings();
     request.folder = startFolder(context);
-    request.reads = [](Shell &c, const std::filesystem::path &file) {
+    request.reads = [agreed](Shell &c, const std::filesystem::path &file) {
         auto outcome = opensInBackground(file) ? std::make_shared<FileOutcome>() : nullptr;
         if (outcome) {
-            openForeign(c, file, outcome);
+            openForeign(c, file, outcome, agreed);
         }
         return outcome;
     };
-    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) {
-        return openProject(c, file);
+    request.chosen = [agreed](Shell &c, const std::filesystem::path &file, const FileFilter &) {
+        return openProject(c, file, agreed);
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+} // namespace
+
+void openDocument(Shell &context) {
+    afterUnsaved(context, chooseDocument);
 }
 
 void openDocument(Shell &context, const std::filesystem::path &file) {

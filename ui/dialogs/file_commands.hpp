@@ -31,7 +31,7 @@ void newDocument(Shell &context);
 bool findSamples(Shell &context);
 /// Opens the first sample, without asking about unsaved changes; logs that there is none.
 void openFirstSample(Shell &context);
-/// Opens the file dialog.
+/// Opens the file dialog, after asking about unsaved changes.
 void openDocument(Shell &context);
 /// Opens a file after asking about unsaved changes. Other files than projects may be large: they are read first, as the
 /// background task of the shell, which Esc cancels.

@@ -165,6 +165,9 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     dialog->hasLines_ = dialog->contents_.lines && mixesLines(dialog->drawing_); // lines along outlines are gone
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);
+    if (dialog->contents_.whiteShapes > 0) {
+        dialog->whiteIfPossible(progress);
+    }
     return dialog;
 }
 
@@ -188,6 +191,17 @@ void ImportDialog::projectIfPossible(const Progress &progress) {
     read(progress);
     if (!faults_.empty()) {
         options_.degrees = DegreeRule::Keep;
+        read(progress);
+    }
+}
+
+/// Proposes white shapes on others as holes, unless nothing would remain.
+void ImportDialog::whiteIfPossible(const Progress &progress) {
+    whiteShapes_ = contents_.whiteShapes;
+    options_.whiteHoles = true;
+    read(progress);
+    if (!faults_.empty() || drawing_.shapes.empty()) {
+        options_.whiteHoles = false;
         read(progress);
     }
 }
@@ -356,6 +370,13 @@ void ImportDialog::drawJoining(Shell &context) {
     if (hasStrokes_ &&
         ui::checkbox(context, "dialog/importoptions/strokes", "Mesh what the strokes paint", options_.strokeAreas)) {
         read();
+    }
+    if (whiteShapes_ > 0) {
+        if (ui::checkbox(context, "dialog/importoptions/white", "White shapes are holes", options_.whiteHoles)) {
+            read();
+        }
+        ui::tooltip(context,
+                    "White shapes that lie on others are holes in these. Otherwise they are merged with them.");
     }
     if (contents_.filledShapes > 1 || options_.shapeRegions) { // a switch that is on can be switched off
         if (ui::checkbox(context, "dialog/importoptions/regions", "Make every filled shape a region",

@@ -10,6 +10,7 @@
 #include "core/files/source/import_options.hpp"
 #include "ui/parts/preview_dialog.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,6 +36,7 @@ class ImportDialog final : public PreviewDialog {
     /// Reads the file with the current options. If that fails, the drawing read before stays, and `faults_` says why.
     void read(const Progress &progress = {});
     void projectIfPossible(const Progress &progress);
+    void whiteIfPossible(const Progress &progress);
     /// Reads another layer of a map.
     void readLayer(const std::string &name);
     void drawSizes(Shell &context) const;
@@ -48,11 +50,12 @@ class ImportDialog final : public PreviewDialog {
 
     std::filesystem::path file_;
     ImportOptions options_;
-    bool arranges_ = false;    ///< the format is a drawing or map, whose lines may cross and overlap
-    bool leavesPage_ = false;  ///< the filled shapes of a drawing reach beyond its page
-    bool hasFeatures_ = false; ///< the format is a map, whose features may overlap
-    bool hasLines_ = false;    ///< a drawing or map has areas and lines, whether or not they are left out
-    bool hasStrokes_ = false;  ///< a drawing has strokes, which are lines or areas
+    bool arranges_ = false;       ///< the format is a drawing or map, whose lines may cross and overlap
+    bool leavesPage_ = false;     ///< the filled shapes of a drawing reach beyond its page
+    bool hasFeatures_ = false;    ///< the format is a map, whose features may overlap
+    bool hasLines_ = false;       ///< a drawing or map has areas and lines, whether or not they are left out
+    bool hasStrokes_ = false;     ///< a drawing has strokes, which are lines or areas
+    std::size_t whiteShapes_ = 0; ///< that lie on others in a drawing
     Document drawing_;
     DrawingContents contents_;
     Diagnostics notes_; ///< what reading ignored and changed

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace forefront {
@@ -50,23 +49,6 @@ void setTag(Shell &context) {
     }
 }
 
-/// Returns true if shapes and segments are selected that all have the same boundary tag.
-bool haveOneTag(const Document &document, const Selection &selection) {
-    std::set<std::int32_t> tags;
-    for (const std::uint32_t id : selection.shapes) {
-        const Shape *const shape = findShape(document, id);
-        for (std::size_t k = 0; shape != nullptr && k < std::max<std::size_t>(1, taggedSegments(*shape)); ++k) {
-            tags.insert(segmentTag(*shape, k));
-        }
-    }
-    for (const SegmentRef segment : selection.segments) {
-        if (const Shape *const shape = findShape(document, segment.shape)) {
-            tags.insert(segmentTag(*shape, segment.segment));
-        }
-    }
-    return tags.size() == 1 && selection.shapes.size() + selection.segments.size() == selection.size();
-}
-
 /// Returns the field of the inspector with the element size of the selection; empty if it has none.
 std::string sizeField(const Shell &context) {
     const Selection &selection = context.selection;
@@ -74,16 +56,15 @@ std::string sizeField(const Shell &context) {
     if (!selection.nodes.empty() && selection.nodes.size() == selection.size()) {
         return "inspector/nodesize";
     }
-    if (selection.size() != 1) {
-        return haveOneTag(document, selection) ? "inspector/partsize" : "";
+    if (selection.shapes.size() + selection.segments.size() == selection.size()) {
+        const Shape *const only = selection.size() == 1 && !selection.shapes.empty()
+                                      ? findShape(document, *selection.shapes.begin())
+                                      : nullptr;
+        return selection.empty()                               ? ""
+               : only != nullptr && taggedSegments(*only) == 0 ? "inspector/nodesize"
+                                                               : "inspector/segmentsize";
     }
-    if (!selection.shapes.empty()) {
-        const Shape *const shape = findShape(document, *selection.shapes.begin());
-        return shape != nullptr && shape->segmentTags.empty() ? "inspector/partsize" : "";
-    }
-    return !selection.segments.empty()  ? "inspector/partsize"
-           : !selection.sources.empty() ? "inspector/size"
-                                        : "inspector/regionsize";
+    return selection.size() != 1 ? "" : !selection.sources.empty() ? "inspector/size" : "inspector/regionsize";
 }
 
 void enterSize(Shell &context) {

@@ -2,6 +2,7 @@
 
 #include "ui/parts/shell.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/pointer_hints.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -26,7 +27,10 @@ bool CanvasInput::offer(CanvasEvent event, Shell &context) const {
     event.pixel = pixel_;
     event.place = context.view.camera.toPlane(pixel_);
     event.modifiers = modifiers_;
-    return context.tools.current().handle(event, context);
+    const ToolUse use(context);
+    const bool handled = context.tools.current().handle(event, context);
+    use.finish(context);
+    return handled;
 }
 
 void CanvasInput::dispatch(const InputEvent &event, Shell &context) {

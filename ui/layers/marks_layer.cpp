@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,9 @@ class MarksLayer final : public Layer {
         for (const auto &shape : frame.document.shapes) {
             if (!shape->nodeSizes.empty() && !shape->hidden && drawn < kMaxSpacingMarks) {
                 drawNodeSizes(painter, frame, *shape, drawn);
+            }
+            if (!shape->segmentSizes.empty() && !shape->hidden && drawn < kMaxSpacingMarks) {
+                drawSegmentSizes(painter, frame, *shape, drawn);
             }
         }
         for (std::size_t k = 0; k < std::min(seenMarkers.size(), kMaxSpacingLabels); ++k) {
@@ -161,6 +165,32 @@ class MarksLayer final : public Layer {
             if (drawn++ < kMaxSpacingLabels) {
                 painter.freeLabel(handles[node], {10.0, -18.0}, ui::format("\xcf\x81=%.3g", part.size),
                                   frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
+            }
+        }
+    }
+
+    /// Writes the size or the number of elements at the middle of each segment that has one of its own.
+    static void drawSegmentSizes(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape,
+                                 std::size_t &drawn) {
+        const Box2 visible = frame.camera.visible();
+        const Outline outline = outlineOf(shape);
+        std::set<std::uint32_t> seen; // of the pieces of a part, the first one
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            const auto own = shape.segmentSizes.find(outline.part(k));
+            if (own == shape.segmentSizes.end() || !seen.insert(outline.part(k)).second) {
+                continue;
+            }
+            const Vec2 middle = outline.curve(k).point(0.5);
+            if (!visible.contains(middle)) {
+                continue;
+            }
+            painter.dot(middle, 3.0, fade(frame.theme.brush, 0.8));
+            if (drawn++ < kMaxSpacingLabels) {
+                const SegmentSize &size = own->second;
+                const std::string text = size.elements > 0 ? std::to_string(size.elements) + " elements"
+                                                           : ui::format("\xcf\x81=%.3g", size.size);
+                painter.freeLabel(middle, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
+                                  frame.fonts.small);
             }
         }
     }

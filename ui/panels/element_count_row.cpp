@@ -22,15 +22,8 @@
 namespace forefront {
 namespace {
 
-/// A segment with the tag and length that it has now.
-struct CountedSegment {
-    std::int32_t tag = 1;
-    double length = 0.0;
-};
-
-/// Returns what is counted along segments; nothing if elements cannot be counted along one of them.
-std::vector<CountedSegment> countedSegments(const Document &document, const std::set<SegmentRef> &segments) {
-    std::vector<CountedSegment> counted;
+/// Returns true if elements can be counted along each of the segments.
+bool areCountable(const Document &document, const std::set<SegmentRef> &segments) {
     const Shape *shape = nullptr;
     std::vector<std::optional<double>> lengths;
     for (const SegmentRef segment : segments) { // in the order of their shapes
@@ -39,60 +32,81 @@ std::vector<CountedSegment> countedSegments(const Document &document, const std:
             lengths = shape != nullptr ? countableLengths(*shape) : std::vector<std::optional<double>>();
         }
         if (segment.segment >= lengths.size() || !(lengths[segment.segment].value_or(0.0) > 0.0)) {
-            return {};
+            return false;
         }
-        counted.push_back({segmentTag(*shape, segment.segment), *lengths[segment.segment]});
     }
-    return counted;
+    return !segments.empty();
 }
 
 /// The number of elements that segments share.
 struct SharedCount {
-    std::optional<double> count; ///< not set: they have none, or they differ
+    std::optional<double> count; ///< of their own; not set: they have none, or they differ
     std::string hint = "auto";   ///< shown in place of the number
-    PartSegments part;           ///< of the first segment
 };
 
-constexpr double kSameLength = 1e-9; ///< relative
-
-SharedCount sharedCount(const Document &document, const std::vector<CountedSegment> &segments) {
+SharedCount sharedCount(const Document &document, const std::set<SegmentRef> &segments) {
     SharedCount shared;
     const std::map<std::int32_t, PartSegments> parts = countedParts(document);
-    std::set<std::pair<std::uint32_t, double>> counts; // number of the part, share of it along the segment
-    for (const CountedSegment &segment : segments) {
-        const auto part = parts.find(segment.tag);
-        const double share = part != parts.end() ? segment.length / part->second.longest : 1.0;
-        counts.emplace(part != parts.end() ? document.elementCounts.at(segment.tag).count : 0,
-                       share > 1.0 - kSameLength ? 1.0 : share);
+    std::set<std::pair<bool, std::uint32_t>> counts; // of its own or of its boundary part
+    std::uint32_t id = 0;
+    std::vector<std::uint32_t> elements;
+    for (const SegmentRef segment : segments) {
+        if (segment.shape != id) {
+            id = segment.shape;
+            elements = elementsOfParts(document, *findShape(document, id), parts);
+        }
+        counts.emplace(segmentSize(document, segment) != nullptr,
+                       segment.segment < elements.size() ? elements[segment.segment] : 0);
+        if (counts.size() > 1) {
+            shared.hint = "several";
+            return shared;
+        }
     }
-    const auto [count, share] = *counts.begin();
-    if (counts.size() > 1) {
-        shared.hint = "several";
-    } else if (count > 0 && share == 1.0) {
+    const auto [own, count] = *counts.begin();
+    if (own && count > 0) {
         shared.count = count;
-        shared.part = parts.at(segments.front().tag);
     } else if (count > 0) {
-        shared.hint = "about " + std::to_string(std::max(std::lround(share * count), 1L));
+        shared.hint = std::to_string(count); // of the boundary part
     }
     return shared;
 }
 
-/// Returns the number of elements along each segment of a boundary part in the mesh of the present drawing; nullopt if
-/// there is no such mesh, or the segments differ in length.
-std::optional<std::size_t> meshedElements(const Shell &context, std::int32_t tag, const PartSegments &part) {
+/// Returns true if a node lies on one of the curves of a segment.
+bool isOn(const std::vector<Curve> &curves, Vec2 node, double reach) {
+    return std::any_of(curves.begin(), curves.end(),
+                       [&](const Curve &curve) { return distance(curve.point(curve.nearest(node)), node) <= reach; });
+}
+
+/// Returns the number of edges along a segment in the mesh of the present drawing; nullopt if there is no such mesh, or
+/// it follows the chords of a curve.
+std::optional<std::size_t> meshedElements(const Shell &context, SegmentRef segment) {
     const SessionSnapshot &run = *context.run.snapshot();
-    if (!run.mesh || !run.complete || context.run.outOfDate() || part.shortest < (1.0 - kSameLength) * part.longest) {
+    const Shape *const shape = findShape(*context.document.current(), segment.shape);
+    if (!run.mesh || !run.complete || context.run.outOfDate() || shape == nullptr) {
         return std::nullopt;
     }
-    const std::vector<TaggedEdge> &edges = run.mesh->mesh.edges;
-    const auto all = static_cast<std::size_t>(
-        std::count_if(edges.begin(), edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; }));
-    return part.count > 0 && all % part.count == 0 ? std::optional(all / part.count) : std::nullopt;
+    const Outline outline = outlineOf(*shape);
+    std::vector<Curve> curves;
+    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+        if (outline.part(k) == segment.segment) {
+            curves.push_back(outline.curve(k));
+        }
+    }
+    constexpr double kOnCurve = 1e-7; // of the size of the shape
+    const double reach = kOnCurve * boundsOf(*shape).diagonal();
+    const TriMesh &mesh = run.mesh->mesh;
+    const std::int32_t tag = segmentTag(*shape, segment.segment);
+    const auto count =
+        static_cast<std::size_t>(std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) {
+            return edge.tag == tag && isOn(curves, mesh.nodes[index(edge.a)], reach) &&
+                   isOn(curves, mesh.nodes[index(edge.b)], reach);
+        }));
+    return count > 0 ? std::optional(count) : std::nullopt;
 }
 
 /// Writes below the field how many elements the mesh has, if these are more or fewer.
-void drawMeshed(Shell &context, std::int32_t tag, const PartSegments &part, double count) {
-    const std::optional<std::size_t> meshed = meshedElements(context, tag, part);
+void drawMeshed(Shell &context, SegmentRef segment, double count) {
+    const std::optional<std::size_t> meshed = meshedElements(context, segment);
     if (!meshed || static_cast<double>(*meshed) == count) {
         return;
     }
@@ -107,9 +121,9 @@ void drawMeshed(Shell &context, std::int32_t tag, const PartSegments &part, doub
 }
 
 /// Draws that note, or leaves its line empty, so that what is below stays in place when meshes come and go.
-void drawMeshedRow(Shell &context, std::int32_t tag, const PartSegments &part, double count) {
+void drawMeshedRow(Shell &context, SegmentRef segment, double count) {
     const float top = ImGui::GetCursorPosY();
-    drawMeshed(context, tag, part, count);
+    drawMeshed(context, segment, count);
     const float line = context.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + line));
 }
@@ -117,25 +131,21 @@ void drawMeshedRow(Shell &context, std::int32_t tag, const PartSegments &part, d
 std::string explanation(std::size_t segments) {
     const std::string along = segments == 1 ? "Number of elements along its whole length"
                                             : "Number of elements along the whole length of each";
-    return along +
-           " (for a circle, the full turn), regardless of other sizes. If others share its tag, it gets a tag of its "
-           "own. Where segments with the tag differ in length, the longest has this number, and "
-           "shorter ones have elements of the same size. Leave empty to use the size from the Spacing panel.";
+    return along + " (for a circle, the full turn), regardless of other sizes. Leave empty to use the size above.";
 }
 
-NumberAddress addressOfCount(std::int32_t tag) {
-    return {NumberOwner::ofPart(tag), Quantity::Elements};
+NumberAddress addressOfCount(SegmentRef segment) {
+    return {NumberOwner::ofShape(segment.shape), Quantity::SegmentElements, segment.segment};
 }
 
 /// Gives the segments a number of elements that was entered, with its expression if there is one.
 void applyCount(Shell &context, const std::set<SegmentRef> &segments, std::optional<std::uint32_t> count) {
-    const EnteredFormulas entered = std::exchange(context.entered, {}); // its tag may change
+    const EnteredFormulas entered = std::exchange(context.entered, {}); // for the first segment only
     const std::string text = entered.texts.empty() ? std::string() : entered.texts.begin()->second;
     Result<Document> next = setElementCount(*context.document.current(), segments, count);
-    if (next && count) {
-        for (const SegmentRef segment : segments) {
-            const std::int32_t tag = segmentTag(*findShape(*next, segment.shape), segment.segment);
-            next = setFormula(*std::move(next), addressOfCount(tag), text);
+    for (const SegmentRef segment : segments) {
+        if (next && count) {
+            next = setFormula(*std::move(next), addressOfCount(segment), text);
         }
     }
     context.applyCommand(std::move(next), "Set number of elements");
@@ -145,23 +155,22 @@ void applyCount(Shell &context, const std::set<SegmentRef> &segments, std::optio
 
 void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     const Document &document = *context.document.current();
-    const std::vector<CountedSegment> counted = countedSegments(document, segments);
-    if (counted.empty()) {
+    if (!areCountable(document, segments)) {
         return;
     }
-    const std::int32_t tag = counted.front().tag;
-    const SharedCount shared = sharedCount(document, counted);
+    const SegmentRef first = *segments.begin();
+    const SharedCount shared = sharedCount(document, segments);
     std::optional<double> count = shared.count;
     form::label(context, "Elements");
     // Without a number, the address is one that no number has: the field has no expression yet, but can take one.
     const bool changed = form::optionalField(context, "inspector/elements", count, shared.hint.c_str(), -1.0F,
-                                             addressOfCount(shared.count ? tag : 0));
+                                             addressOfCount(shared.count ? first : SegmentRef()));
     ui::rowTooltip(context, explanation(segments.size()));
     if (shared.count) {
-        drawMeshedRow(context, tag, shared.part, *shared.count);
+        drawMeshedRow(context, first, *shared.count);
     }
-    if (!changed) {
-        return;
+    if (!changed || (!count && !shared.count && shared.hint != "several")) {
+        return; // an empty field left empty keeps a size
     }
     constexpr double kMax = kMaxElementCount;
     if (count && !(*count >= 1.0 && *count <= kMax && *count == std::floor(*count))) {

@@ -91,7 +91,6 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
     const std::set<std::int32_t> tags = tagsOf(document, part);
     if (tags.size() == 1) {
         boundaryTagRow(context, *tags.begin(), part);
-        partSizeRow(context, *tags.begin());
         return;
     }
     form::label(context, "Boundary tag");
@@ -213,8 +212,6 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     useRow(context, {shape.id}, shape.use);
     if (shape.segmentTags.empty()) {
         boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
-        partSizeRow(context, shape.tag);
-        elementCountRow(context, std::set{shape.id});
     } else {
         form::label(context, "Boundary tag");
         ui::muted(context, "several");
@@ -222,6 +219,14 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
         if (ui::button(context, "inspector/onetag", "Same for all")) {
             context.applyCommand(setShapeTag(document, {shape.id}, shape.tag), "Change tag");
         }
+    }
+    if (shape.is<PointForm>()) {
+        nodeSizeRow(context, {{shape.id, 0}});
+    }
+    segmentSizeRow(context, segmentsOf(document, {shape.id}));
+    elementCountRow(context, std::set{shape.id});
+    if (shape.segmentTags.empty()) {
+        partSizeRow(context, shape.tag);
     }
     geometryRows(context, shape);
     ImGui::Dummy({0, context.px(2)});
@@ -265,8 +270,9 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
                                       : "Segment " + std::to_string(ref.segment + 1)) +
                                   " of " + displayName(*shape));
     boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
-    partSizeRow(context, segmentTag(*shape, ref.segment));
+    segmentSizeRow(context, {ref});
     elementCountRow(context, std::set{ref});
+    partSizeRow(context, segmentTag(*shape, ref.segment));
     if (isRound(*shape) || ref.segment >= taggedSegments(*shape)) {
         return;
     }
@@ -308,9 +314,13 @@ void InspectorPanel::drawMany(Shell &context) const {
         const Shape *first = findShape(document, *selection.shapes.begin());
         useRow(context, selection.shapes, first->use);
         manyTagsRow(context, {selection.shapes, selection.segments});
+        std::set<SegmentRef> segments = segmentsOf(document, selection.shapes);
+        segments.insert(selection.segments.begin(), selection.segments.end());
+        segmentSizeRow(context, segments);
         elementCountRow(context, selection.shapes);
     } else if (!selection.segments.empty()) {
         manyTagsRow(context, {.shapes = {}, .segments = selection.segments});
+        segmentSizeRow(context, selection.segments);
         elementCountRow(context, selection.segments);
     } else if (!selection.nodes.empty()) {
         nodeSizeRow(context, selection.nodes);

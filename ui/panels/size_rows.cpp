@@ -4,6 +4,7 @@
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
@@ -13,6 +14,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,17 +37,23 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     const bool given = found != document.spacing.partSizes.end();
     const auto counted = document.elementCounts.find(tag);
     const bool follows = counted != document.elementCounts.end();
+    if (!given && !follows && !document.boundaryNames.contains(tag)) {
+        return;
+    }
     std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
     double growth = given ? found->second.growth : follows ? counted->second.growth : PartSize{}.growth;
     const std::string hint = follows ? followingSize(document, tag) : "auto";
     const NumberOwner part = NumberOwner::ofPart(tag);
-    form::label(context, "Size, growth");
+    form::label(context, "Whole part");
     bool changed = form::optionalField(context, "inspector/partsize", size, hint.c_str(), form::halfWidth(context),
                                        NumberAddress{part, Quantity::Size});
-    ui::rowTooltip(context, follows ? "Element size along this boundary part, which follows from its number of "
-                                      "elements, and its growth per unit of distance. A size replaces the number."
-                                    : "Maximum element size along this boundary part, and its growth per unit of "
-                                      "distance. Leave empty to use the size from the Spacing panel.");
+    const std::string whole = "'" + boundaryName(document.boundaryNames, tag) + "'";
+    ui::rowTooltip(context, follows ? "Element size wherever the boundary is " + whole +
+                                          ", which follows from its number of elements, and its growth per unit of "
+                                          "distance. A size replaces the number."
+                                    : "Maximum element size wherever the boundary is " + whole +
+                                          ", and its growth per unit of distance. Leave empty to use the size from the "
+                                          "Spacing panel.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size && !follows); // growth has no meaning without a size
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, NumberAddress{part, Quantity::Growth}) ||
@@ -104,6 +112,46 @@ struct SharedNumber {
     bool any_ = false;
 };
 
+/// Returns the size and the growth that segments share. A number of elements counts as a size that is not shown.
+std::pair<SharedNumber, SharedNumber> sharedSize(const Document &document, const std::set<SegmentRef> &segments) {
+    SharedNumber size, growth;
+    for (const SegmentRef &segment : segments) {
+        const SegmentSize *const own = segmentSize(document, segment);
+        size.add(own != nullptr && own->elements == 0 ? std::optional(own->size) : std::nullopt);
+        if (own != nullptr) {
+            growth.add(own->growth);
+        }
+    }
+    return {size, growth};
+}
+
+/// Returns what an empty size field of segments shows: the size that their number of elements or their boundary part
+/// gives, if it is the same for all.
+std::string sizeHint(const Document &document, const std::set<SegmentRef> &segments) {
+    std::set<std::string> hints;
+    for (const SegmentRef &segment : segments) {
+        const Shape &shape = *findShape(document, segment.shape);
+        const SegmentSize *const own = segmentSize(document, segment);
+        const std::int32_t tag = segmentTag(shape, segment.segment);
+        const auto part = document.spacing.partSizes.find(tag);
+        std::string hint = "auto";
+        if (own != nullptr && own->elements > 0) {
+            hint = ui::number(sizesOfParts(shape)[segment.segment].size, 4);
+        } else if (own != nullptr) {
+            hint = ui::number(own->size, 4);
+        } else if (document.elementCounts.contains(tag)) {
+            hint = followingSize(document, tag);
+        } else if (part != document.spacing.partSizes.end()) {
+            hint = ui::number(part->second.size, 4);
+        }
+        hints.insert(std::move(hint));
+        if (hints.size() > 1) {
+            return "several";
+        }
+    }
+    return hints.empty() ? "auto" : *hints.begin();
+}
+
 /// Returns the size and the growth that nodes share.
 std::pair<SharedNumber, SharedNumber> sharedSize(const Document &document, const std::set<NodeRef> &nodes) {
     SharedNumber size, growth;
@@ -121,6 +169,60 @@ std::pair<SharedNumber, SharedNumber> sharedSize(const Document &document, const
 }
 
 } // namespace
+
+std::set<SegmentRef> segmentsOf(const Document &document, const std::set<std::uint32_t> &shapes) {
+    std::set<SegmentRef> segments;
+    for (const std::uint32_t id : shapes) {
+        const Shape *const shape = findShape(document, id);
+        const std::size_t count = shape != nullptr ? taggedSegments(*shape) : 0;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            segments.insert({id, k});
+        }
+    }
+    return segments;
+}
+
+void segmentSizeRow(Shell &context, const std::set<SegmentRef> &segments) {
+    const Document &document = *context.document.current();
+    if (segments.empty()) {
+        return;
+    }
+    auto [size, growth] = sharedSize(document, segments);
+    const SegmentRef first = *segments.begin();
+    const bool any = std::any_of(segments.begin(), segments.end(), [&](const SegmentRef &segment) {
+        return segmentSize(document, segment) != nullptr; // also one with a number of elements
+    });
+    const auto address = [&](Quantity what) {
+        return segments.size() > 1 ? ui::FieldAddress()
+                                   : NumberAddress{NumberOwner::ofShape(first.shape), what, first.segment};
+    };
+    const std::string hint = size.differs ? "several" : sizeHint(document, segments);
+    form::label(context, "Size, growth");
+    const bool sized = form::optionalField(context, "inspector/segmentsize", size.value, hint.c_str(),
+                                           form::halfWidth(context), address(Quantity::SegmentSize));
+    ui::rowTooltip(context, segments.size() == 1
+                                ? "Maximum element size along it, and its growth per unit of distance. Leave empty to "
+                                  "use the size of its boundary part or of the Spacing panel."
+                                : "Maximum element size along all segments, and its growth per unit of distance. Leave "
+                                  "empty to use the sizes of their boundary parts or of the Spacing panel.");
+    ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(!any); // growth has no meaning without a size
+    if (!any) {
+        growth.value = PartSize{}.growth;
+    }
+    const bool grown = form::optionalField(context, "inspector/segmentgrowth", growth.value, growth.hint(), -1.0F,
+                                           address(Quantity::SegmentGrowth));
+    ImGui::EndDisabled();
+    constexpr const char *kLabel = "Change size of segment";
+    if (sized && size.value) {
+        context.applyCommand(changeSegmentSizes(document, segments, {.size = size.value, .growth = {}}), kLabel);
+    } else if (sized && size.given) {
+        context.applyCommand(setSegmentSize(document, segments, std::nullopt), kLabel);
+    } else if (grown && any) { // an empty field restores the usual growth
+        const double wanted = growth.value.value_or(PartSize{}.growth);
+        context.applyCommand(changeSegmentSizes(document, segments, {.size = {}, .growth = wanted}), kLabel);
+    }
+}
 
 void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
     const Document &document = *context.document.current();

@@ -197,6 +197,7 @@ void Naming::openOnCanvas(NamedThing what, Pixel place, const DocumentStore &sto
     inPanel = false;
     at = place;
     frames = 0;
+    fault.clear();
     choice = -1;
     edited = false;
     everywhere = label;

@@ -54,6 +54,7 @@ struct Naming {
     std::uint64_t revision = 0; ///< of the document when that was opened
     int frames = 0;             ///< that the field was drawn
     std::string text;           ///< typed on the canvas
+    std::string fault;          ///< why the text was refused
     int choice = -1;            ///< index of the name chosen with the arrow keys; -1: the text
     bool edited = false;        ///< the text was changed
     bool everywhere = false;    ///< also other parts with the tag get the name

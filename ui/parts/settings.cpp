@@ -136,6 +136,11 @@ void readMaps(const JsonValue &json, Settings &settings) {
             settings.keys[action] = keys.string();
         }
     });
+    forMembers(json, "toolUses", [&](const std::string &tool, const JsonValue &uses) {
+        if (const auto count = uses.integer(); count && *count > 0) {
+            settings.toolUses[tool] = static_cast<int>(std::min<std::int64_t>(*count, 1000));
+        }
+    });
     forMembers(json, "lessons", [&](const std::string &lesson, const JsonValue &progress) {
         if (progress.is(JsonKind::Object)) {
             settings.lessons[lesson] = lessonIn(progress);
@@ -280,6 +285,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
         }
     }
     writeMap(json, "keys", settings.keys);
+    writeMap(json, "toolUses", settings.toolUses);
     json.key("views").beginObject();
     for (const auto &[name, view] : settings.views) {
         json.key(name).values(std::array{view.centre.x, view.centre.y, view.zoom});

@@ -59,6 +59,7 @@ struct Settings {
     /// Shortcuts that the user changed, by id of the action; an empty text means none.
     std::map<std::string, std::string> keys;
     std::map<std::string, LessonProgress> lessons; ///< by id of the lesson
+    std::map<std::string, int> toolUses;           ///< by id of the tool, as far as hints depend on it
     friend bool operator==(const Settings &, const Settings &) = default;
 };
 

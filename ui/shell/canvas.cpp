@@ -11,6 +11,7 @@
 #include "ui/gl/still_picture.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/steady_seconds.hpp"
+#include "ui/shell/pointer_hints.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/view/moment.hpp"
@@ -374,6 +375,7 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
     list.ChannelsSplit(2);
     list.ChannelsSetCurrent(1);
     context.tools.current().drawOverlay(painter, context);
+    drawPointerHint(painter, context);
     drawProbe(painter, context);
     list.ChannelsSetCurrent(0);
     for (LayerSlot &slot : context.layers) {

@@ -1,4 +1,5 @@
 #include "ui/shell/main_window.hpp"
+#include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -35,12 +36,20 @@ bool usedElsewhere(const Document &document, const NamedThing &thing) {
            selects(all.segments, all.shapes) > selects(thing.part.segments, thing.part.shapes);
 }
 
-/// Gives the name and closes the field.
+/// Gives the name and closes the field. A name that is refused stays in the field, with the focus and the reason.
 void finish(Shell &context, const std::string &name) {
     Naming &naming = context.naming;
     NamedThing thing = *naming.thing;
     if (naming.everywhere && thing.kind == NamedThing::Kind::Part) {
         thing.kind = NamedThing::Kind::Tag;
+    }
+    if (const Result<Document> next = thing.renamed(*context.document.current(), name); !next) {
+        context.log.keep(next.faults());
+        naming.fault = next.faults().front().message;
+        naming.text = name;
+        context.widgets.fields.request("naming/name");
+        context.animate();
+        return;
     }
     naming.close();
     applyName(context, thing, name);
@@ -70,7 +79,12 @@ void drawEntry(Shell &context, const Document &document) {
     if (naming.text != before) {
         naming.edited = true;
         naming.choice = -1;
+        naming.fault.clear();
         context.animate();
+    }
+    if (!naming.fault.empty()) {
+        ui::faultText(context, naming.fault);
+        ui::mark(context, "naming/fault");
     }
     const std::vector<std::string> names = offeredNames(naming, document);
     const int count = static_cast<int>(names.size());

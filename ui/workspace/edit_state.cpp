@@ -1,6 +1,7 @@
 #include "ui/workspace/edit_state.hpp"
 
 #include "core/drawing/names/name_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/workspace.hpp"
@@ -63,6 +64,36 @@ void EditState::forgetNumbers() {
     sourceGrowthFormula.clear();
     gradientSize = initial.gradientSize;
     gradientEndSize = initial.gradientEndSize;
+}
+
+double EditState::extent(const Workspace &context) const {
+    const std::uint64_t revision = context.document.revision();
+    if (extentRevision_ != revision) {
+        extentRevision_ = revision;
+        extent_ = boundsOf(*context.document.current()).diagonal();
+    }
+    return extent_;
+}
+
+void EditState::propose(double EditState::*number, double value, const Workspace &context) {
+    if (held(number, context) == value) {
+        return; // it is set, perhaps by the user
+    }
+    this->*number = value;
+    std::erase_if(proposals_, [number](const Proposal &proposal) { return proposal.number == number; });
+    proposals_.push_back({number, value, extent(context)});
+}
+
+double EditState::held(double EditState::*number, const Workspace &context) const {
+    const double value = this->*number;
+    const auto found = std::find_if(proposals_.begin(), proposals_.end(), [&](const Proposal &proposal) {
+        return proposal.number == number && proposal.value == value; // else another one was entered
+    });
+    if (found == proposals_.end()) {
+        return value;
+    }
+    const double now = extent(context);
+    return now > 2.0 * found->extent || now < 0.5 * found->extent ? 0.0 : value;
 }
 
 std::string EditState::newStroke() {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -91,6 +92,12 @@ struct EditState {
     std::int32_t tagOfNext(ShapeUse use, const Document &document) const;
     /// Resets tags of the next shapes and sizes in domain units, which belong to one drawing.
     void forgetNumbers();
+    /// Sets a number in domain units to the one that a tool has used, so that it stays for the next use. It counts as
+    /// proposed unless it was set already.
+    void propose(double EditState::*number, double value, const Workspace &context);
+    /// Returns a number in domain units; 0 if none is set, or if it was proposed while the drawing had less than half
+    /// or more than twice its present extent, as before a picture was calibrated.
+    double held(double EditState::*number, const Workspace &context) const;
     /// Returns a new stroke key for DocumentStore::apply().
     std::string newStroke();
     /// Converts a distance around the pointer from design pixels to domain units.
@@ -105,6 +112,15 @@ struct EditState {
     void drawSnapOptions(Workspace &context, ui::Flow &flow);
 
   private:
+    struct Proposal {
+        double EditState::*number;
+        double value, extent; ///< diagonal of the drawing then
+    };
+    double extent(const Workspace &context) const;
+
+    std::vector<Proposal> proposals_; ///< one for each number
+    mutable double extent_ = 0.0;     ///< of the drawing with the revision
+    mutable std::uint64_t extentRevision_ = 0;
     std::shared_ptr<const PickIndex> index_;
     std::uint64_t revision_ = 0;
     std::uint64_t strokes_ = 0;

@@ -176,6 +176,7 @@ class CornerPass {
         curves.clear();
         shape.segmentTags.clear();
         shape.nodeSizes.clear();
+        shape.segmentSizes.clear(); // see carrySegmentSizes()
         for (const Element &element : done_) {
             if (element.size) {
                 shape.nodeSizes[static_cast<std::uint32_t>(shape.nodes.size())] = *element.size;

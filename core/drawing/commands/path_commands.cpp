@@ -291,6 +291,7 @@ Result<Document> splitPath(const Document &document, NodeRef node) {
     }
     Shape shape = *given;
     shape.cuts.clear();
+    shape.segmentSizes.clear(); // the segments of the parts take those at their places
     const auto at = static_cast<std::ptrdiff_t>(node.node);
     if (shape.isPolygon()) {
         std::rotate(shape.nodes.begin(), shape.nodes.begin() + at, shape.nodes.end());
@@ -379,6 +380,7 @@ Result<Document> joinEnds(const Document &document, NodeRef first, NodeRef secon
     path.segmentTags.insert(path.segmentTags.end(), rest->segmentTags.begin(), rest->segmentTags.end());
     std::vector<Curve> &curves = path.path().curves;
     curves.insert(curves.end(), rest->path().curves.begin(), rest->path().curves.end());
+    path.segmentSizes.clear();
     path.nodeSizes.clear();
     takeNodeSizes(path, *findShape(document, first.shape));
     takeNodeSizes(path, *findShape(document, second.shape));

@@ -80,8 +80,11 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
     }
     Document next = *std::move(scaled);
     for (auto &pointer : next.shapes) {
-        if (!pointer->nodeSizes.empty()) {
+        if (!pointer->nodeSizes.empty() || !pointer->segmentSizes.empty()) {
             Shape shape = *pointer;
+            for (auto &[segment, size] : shape.segmentSizes) {
+                size.size *= factor;
+            }
             for (auto &[handle, size] : shape.nodeSizes) {
                 size.size *= factor;
             }

@@ -76,6 +76,7 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
             shape.segmentTags.erase(shape.segmentTags.begin() + std::min(*handle, last));
         }
     }
+    shape.segmentSizes.clear(); // see carrySegmentSizes()
     keepNodeSizes(shape, before);
 }
 

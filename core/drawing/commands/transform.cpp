@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -39,6 +40,12 @@ void mapRectangle(Shape &shape, const PlaneMap &map) {
         constexpr std::array<std::size_t, 8> kBefore{3, 2, 1, 0, 6, 5, 4, 7};
         for (std::size_t k = 0; k < shape.segmentTags.size(); ++k) {
             shape.segmentTags[k] = tags[kBefore[k]];
+        }
+        const std::map<std::uint32_t, SegmentSize> sizes = std::exchange(shape.segmentSizes, {});
+        for (std::uint32_t k = 0; k < kBefore.size(); ++k) {
+            if (const auto found = sizes.find(static_cast<std::uint32_t>(kBefore[k])); found != sizes.end()) {
+                shape.segmentSizes.emplace(k, found->second);
+            }
         }
         auto second = shape.nodeSizes.extract(1), fourth = shape.nodeSizes.extract(3);
         for (auto *const corner : {&second, &fourth}) {

@@ -192,6 +192,7 @@ Shape openPart(const Path &path, const PathStretch &stretch) {
     PathForm &form = part.form.emplace<PathForm>(PathForm{.closed = false});
     part.nodes.clear();
     part.segmentTags.clear();
+    part.segmentSizes.clear(); // see carrySegmentSizes()
     visitStretch(path, stretch, [&](std::size_t k, double t0, double t1) {
         const bool whole = t0 == 0.0 && t1 == 1.0;
         const Curve curve = path.outline.curve(k), piece = whole ? curve : curve.part(t0, t1);
@@ -333,6 +334,7 @@ Result<Document> extendEnd(const Document &document, NodeRef end) {
     if (old.kind() == CurveKind::Cubic) {
         insertAt(path.nodes, to);
         insertAt(path.path().curves, Curve());
+        path.segmentSizes.clear(); // see carrySegmentSizes()
         if (!path.segmentTags.empty()) {
             path.segmentTags.resize(path.nodes.size() - 2, path.tag);
             insertAt(path.segmentTags, std::int32_t{path.segmentTags[last]});

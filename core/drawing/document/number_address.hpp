@@ -33,6 +33,9 @@ enum class Quantity : std::uint8_t {
     Radius,
     Rx,
     Ry,
+    SegmentElements,
+    SegmentGrowth,
+    SegmentSize,
     SegmentsPerTurn,
     Size,
     Width,
@@ -45,7 +48,7 @@ enum class Quantity : std::uint8_t {
 template <>
 struct EnumWords<Quantity> {
     static constexpr auto kLast = Quantity::Y2;
-    static constexpr std::array<std::string_view, 25> kList = {"angle",
+    static constexpr std::array<std::string_view, 28> kList = {"angle",
                                                                "arcRadius",
                                                                "area",
                                                                "bottom",
@@ -63,6 +66,9 @@ struct EnumWords<Quantity> {
                                                                "radius",
                                                                "rx",
                                                                "ry",
+                                                               "segmentElements",
+                                                               "segmentGrowth",
+                                                               "segmentSize",
                                                                "segmentsPerTurn",
                                                                "size",
                                                                "width",
@@ -97,7 +103,8 @@ struct EnumWords<NumberOwner::Kind> {
 ///
 /// In project files: "shape/ID/x/K" and "shape/ID/y/K" for handle K (see handlesOf()), "shape/ID/radius" for a circle
 /// or rounded corners, "shape/ID/size/K" and "shape/ID/growth/K" for the size at a node, "shape/ID/arcRadius/K" for
-/// segment K of a path, an arc of a circle, "shape/ID/rx" and "ry" for an ellipse, "shape/ID/left", "bottom", "width",
+/// segment K of a path, an arc of a circle, "shape/ID/segmentSize/K", "segmentElements/K" and "segmentGrowth/K" for the
+/// size along segment K, "shape/ID/rx" and "ry" for an ellipse, "shape/ID/left", "bottom", "width",
 /// "height" for a rectangle, "shape/ID/width" and "length" for a slot (the distance between its centres); "source/K/x",
 /// "y", "x2", "y2", "angle", "radius", "size", "endSize", "growth" for a size source, "width" and "height" for a box,
 /// along its angle and across it; "region/K/x", "y", "area", "size", "growth" for a region marker; "part/TAG/size",
@@ -112,7 +119,13 @@ struct NumberAddress {
     constexpr bool hasHandle() const {
         return owner.kind == NumberOwner::Kind::Shape &&
                (quantity == Quantity::X || quantity == Quantity::Y || quantity == Quantity::Size ||
-                quantity == Quantity::Growth || quantity == Quantity::ArcRadius);
+                quantity == Quantity::Growth || quantity == Quantity::ArcRadius || ofSegment());
+    }
+
+    /// Returns true for a number of SegmentSize.
+    constexpr bool ofSegment() const {
+        return quantity == Quantity::SegmentSize || quantity == Quantity::SegmentGrowth ||
+               quantity == Quantity::SegmentElements;
     }
 
     friend constexpr auto operator<=>(const NumberAddress &, const NumberAddress &) = default;

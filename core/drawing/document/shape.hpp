@@ -91,6 +91,15 @@ struct FormVisitor : Functions... {
     using Functions::operator()...;
 };
 
+/// The size of the elements along one segment of a shape: a length, or a number of elements from which it follows.
+struct SegmentSize {
+    double size = 0.0;                 ///< > 0; ignored where a number of elements is given
+    std::uint32_t elements = 0;        ///< along the whole segment; 0: `size` is given
+    double growth = PartSize{}.growth; ///< >= 0, see PartSize
+
+    friend bool operator==(const SegmentSize &, const SegmentSize &) = default;
+};
+
 /// A drawn shape. Immutable once in a Document; edits replace it.
 struct Shape {
     std::uint32_t id = 0; ///< unique in the document, never reused
@@ -108,6 +117,8 @@ struct Shape {
     bool locked = false; ///< drawn, but neither picked nor moved
     /// Element sizes at nodes, by handle (see handlesOf()); not at the centre of a circle or an ellipse, nor at a slot.
     std::map<std::uint32_t, PartSize> nodeSizes;
+    /// Element sizes along segments, by tagged part (see taggedSegments()), in place of those of their boundary parts.
+    std::map<std::uint32_t, SegmentSize> segmentSizes;
 
     template <class Form>
     bool is() const {

@@ -11,8 +11,8 @@ namespace FOREFRONT_API forefront {
 Domain toDomain(const Document &document);
 
 /// Returns all element sizes of a document: its rules, in which boundary parts with a number of elements have the sizes
-/// that lead to it; the sizes of its nodes and regions; and the numbers of elements along the segments of toDomain().
-/// With numbers of elements, this makes the domain: jobOf() returns both at once.
+/// that lead to it; the sizes of its nodes and regions; and the sizes and numbers of elements along the segments of
+/// toDomain(). With sizes of segments or numbers of elements, this makes the domain: jobOf() returns both at once.
 SpacingSpec spacingOf(const Document &document);
 
 /// Returns the meshing job of a document: its domain, spacing and options.

@@ -14,7 +14,8 @@ class DocumentDomain {
   public:
     DocumentDomain(const Document &document, DomainSources *sources)
         : document_(document), counted_(countedParts(document)),
-          sources_(sources != nullptr || counted_.empty() ? sources : &own_), merger_(domain_.nodes) {}
+          sources_(sources != nullptr || (counted_.empty() && !hasSegmentSizes(document)) ? sources : &own_),
+          merger_(domain_.nodes) {}
 
     Domain build() {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
@@ -47,6 +48,20 @@ class DocumentDomain {
         return list;
     }
 
+    /// Returns the sizes along the segments that were built, see PlacedSizes::segments.
+    std::vector<PartSize> sizes() const {
+        std::vector<PartSize> list;
+        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
+            const auto [shape, segment] = sources_->segments[s];
+            const auto found = sizes_.find(shape);
+            if (found != sizes_.end() && found->second[segment].size > 0.0) {
+                list.resize(sources_->segments.size(), PartSize{0.0, 0.0});
+                list[s] = found->second[segment];
+            }
+        }
+        return list;
+    }
+
   private:
     std::uint32_t addNode(Vec2 at, const ShapeNode &source) {
         const std::uint32_t id = merger_.add(at);
@@ -68,7 +83,15 @@ class DocumentDomain {
         }
     }
 
-    /// Notes the number of elements along each segment of an outline, if the shape has any.
+    /// Notes the size and the number of elements along each segment of an outline, if the shape has any.
+    void addSizes(const Shape &shape, std::uint32_t number, const Outline &outline) {
+        const std::vector<PartSize> parts = sizesOfParts(shape);
+        for (std::size_t segment = 0; !parts.empty() && segment < outline.segmentCount(); ++segment) {
+            sizes_[number].push_back(parts[outline.part(segment)]);
+        }
+        addCounts(shape, number, outline);
+    }
+
     void addCounts(const Shape &shape, std::uint32_t number, const Outline &outline) {
         const std::vector<std::uint32_t> parts = elementsOfParts(document_, shape, counted_);
         if (parts.empty()) {
@@ -84,7 +107,7 @@ class DocumentDomain {
     void addOutline(const Shape &shape, std::uint32_t number) {
         const Outline outline = outlineOf(shape);
         const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
-        addCounts(shape, number, outline);
+        addSizes(shape, number, outline);
         std::vector<std::uint32_t> ids;
         ids.reserve(chords.nodes.size());
         for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
@@ -116,6 +139,7 @@ class DocumentDomain {
     DomainSources own_;
     DomainSources *sources_;                                     ///< null: nobody needs them
     std::map<std::uint32_t, std::vector<std::uint32_t>> counts_; ///< by shape, of each segment of its outline
+    std::map<std::uint32_t, std::vector<PartSize>> sizes_;       ///< the same
     Domain domain_;
     NodeMerger merger_;
     bool flattened_ = false; ///< some chords were chosen here, regardless of what is near
@@ -151,7 +175,7 @@ Domain toDomain(const Document &document, DomainSources &sources) {
 }
 
 SpacingSpec spacingOf(const Document &document) {
-    if (!document.elementCounts.empty()) {
+    if (!document.elementCounts.empty() || hasSegmentSizes(document)) {
         return jobOf(document).spacing;
     }
     SpacingSpec spacing = rulesOf(document);
@@ -164,6 +188,7 @@ MeshingJob jobOf(const Document &document) {
     MeshingJob job{made.build(), rulesOf(document), document.options};
     job.spacing.placed = placedSizes(document);
     job.spacing.placed.elements = made.elements();
+    job.spacing.placed.segments = made.sizes();
     return job;
 }
 

@@ -66,7 +66,9 @@ std::optional<NumberAddress> newAddress(const NumberAddress &old, const Received
 
 /// Returns the factor of a number when the drawing is scaled.
 double factorOf(Quantity what, double scale) {
-    return what == Quantity::Area ? scale * scale : what == Quantity::Growth || what == Quantity::Angle ? 1.0 : scale;
+    const bool unitless = what == Quantity::Growth || what == Quantity::Angle || what == Quantity::SegmentGrowth ||
+                          what == Quantity::SegmentElements;
+    return what == Quantity::Area ? scale * scale : unitless ? 1.0 : scale;
 }
 
 std::string timesFactor(const std::string &text, double factor) {

@@ -6,6 +6,7 @@
 #include "core/drawing/names/region_commands.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
@@ -67,6 +68,20 @@ std::optional<double> numberOfForm(const Shape &shape, Quantity what) {
         });
 }
 
+/// Returns a number of the size of a segment; none if it has no such number.
+std::optional<double> numberOfSegment(const Shape &shape, const NumberAddress &address) {
+    const auto found = shape.segmentSizes.find(address.handle);
+    if (found == shape.segmentSizes.end()) {
+        return std::nullopt;
+    }
+    const SegmentSize &size = found->second;
+    const bool counted = size.elements > 0;
+    return address.quantity == Quantity::SegmentGrowth ? std::optional(size.growth)
+           : (address.quantity == Quantity::SegmentElements) != counted
+               ? std::nullopt
+               : std::optional(counted ? static_cast<double>(size.elements) : size.size);
+}
+
 std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &address) {
     const Quantity what = address.quantity;
     if (what == Quantity::X || what == Quantity::Y) {
@@ -79,6 +94,9 @@ std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &addre
     if (what == Quantity::Size || what == Quantity::Growth) {
         const auto part = shape.nodeSizes.find(address.handle);
         return part != shape.nodeSizes.end() ? copied(partNumber(part->second, what)) : std::nullopt;
+    }
+    if (address.ofSegment()) {
+        return numberOfSegment(shape, address);
     }
     if (what == Quantity::ArcRadius) {
         const bool arc = isPath(shape) && address.handle < shape.path().curves.size();
@@ -126,6 +144,31 @@ void setNumberOfForm(Shape &shape, Quantity what, double value) {
     shape.cuts.clear();
 }
 
+/// Returns a value as a number of elements.
+Result<std::uint32_t> elementsFrom(double value) {
+    const double count = std::round(value);
+    if (!(count >= 1.0 && count <= kMaxElementCount) || std::fabs(value - count) > 1e-9 * count) {
+        return error("bad-number", "invalid number of elements " + numberText(value, 6) +
+                                       "; expected a whole number from 1 to " + std::to_string(kMaxElementCount));
+    }
+    return static_cast<std::uint32_t>(count);
+}
+
+Status setNumberOfSegment(SegmentSize &size, Quantity what, double value) {
+    if (what == Quantity::SegmentGrowth) {
+        size.growth = value;
+    } else if (what == Quantity::SegmentElements) {
+        const Result<std::uint32_t> count = elementsFrom(value);
+        if (!count) {
+            return count.faults();
+        }
+        size.elements = *count;
+    } else {
+        size.size = value;
+    }
+    return {};
+}
+
 /// Sets a number of a shape, which may become degenerate.
 Status setShapeNumber(Shape &shape, const NumberAddress &address, double value) {
     const Quantity what = address.quantity;
@@ -137,6 +180,9 @@ Status setShapeNumber(Shape &shape, const NumberAddress &address, double value) 
     if (what == Quantity::Size || what == Quantity::Growth) {
         *partNumber(shape.nodeSizes.at(address.handle), what) = value;
         return {};
+    }
+    if (address.ofSegment()) {
+        return setNumberOfSegment(shape.segmentSizes.at(address.handle), what, value);
     }
     const bool corner = what == Quantity::Radius && shape.is<RectangleForm>();
     const bool extent = !corner && what != Quantity::Left && what != Quantity::Bottom;
@@ -208,12 +254,11 @@ Status setBoundaryNumber(Document &document, const NumberAddress &address, doubl
         counted->second.growth = value;
         return {};
     }
-    const double count = std::round(value);
-    if (!(count >= 1.0 && count <= kMaxElementCount) || std::fabs(value - count) > 1e-9 * count) {
-        return error("bad-number", "invalid number of elements " + numberText(value, 6) +
-                                       "; expected a whole number from 1 to " + std::to_string(kMaxElementCount));
+    const Result<std::uint32_t> count = elementsFrom(value);
+    if (!count) {
+        return count.faults();
     }
-    counted->second.count = static_cast<std::uint32_t>(count);
+    counted->second.count = *count;
     return {};
 }
 
@@ -281,6 +326,11 @@ std::string quantityWords(Quantity what) {
         return "end size";
     case Quantity::Area:
         return "maximum area";
+    case Quantity::SegmentSize:
+        return "size";
+    case Quantity::SegmentGrowth:
+        return "growth";
+    case Quantity::SegmentElements:
     case Quantity::Elements:
         return "number of elements";
     case Quantity::SegmentsPerTurn:
@@ -386,6 +436,9 @@ std::string numberName(const Document &document, const NumberAddress &address) {
         const Shape &shape = *findShape(document, id);
         if (address.quantity == Quantity::ArcRadius) {
             return "radius of segment " + std::to_string(address.handle + 1) + " of " + displayName(shape);
+        }
+        if (address.ofSegment()) {
+            return what + segmentName(shape, address.handle);
         }
         const bool node = address.hasHandle() && (isPath(shape) || shape.is<RectangleForm>());
         return what + (node ? nodeName(shape, address.handle) : displayName(shape));

@@ -196,6 +196,13 @@ Result<Document> setSpacing(const Document &document, SpacingSpec spacing) {
     spacing.placed = {}; // nodes and regions of the document have their own
     next.spacing = std::move(spacing);
     next.elementCounts.clear();
+    for (auto &pointer : next.shapes) { // as those of boundary parts
+        if (!pointer->segmentSizes.empty()) {
+            Shape shape = *pointer;
+            shape.segmentSizes.clear();
+            pointer = std::make_shared<const Shape>(std::move(shape));
+        }
+    }
     return next;
 }
 

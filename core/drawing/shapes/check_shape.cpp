@@ -1,4 +1,5 @@
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
@@ -87,6 +88,9 @@ Diagnostics checkShape(const Shape &shape) {
                      "the semi-axes of an ellipse and the length and width of a slot must not be 0");
     }
     if (Diagnostics faults = checkNodeSizes(shape); !faults.empty()) {
+        return faults;
+    }
+    if (Diagnostics faults = checkSegmentSizes(shape); !faults.empty()) {
         return faults;
     }
     if (!hasSoundCurves(shape)) {

@@ -41,6 +41,8 @@ void tidy(Shape &shape) {
         shape.segmentTags.clear();
     }
     std::erase_if(shape.nodeSizes, [&](const auto &entry) { return !canHaveSize(shape, entry.first); });
+    std::erase_if(shape.segmentSizes,
+                  [parts = taggedSegments(shape)](const auto &entry) { return entry.first >= parts; });
     const Outline outline = outlineOf(shape);
     if (isPath(shape)) {
         tidyCurves(shape.path().curves, outline);
@@ -306,6 +308,7 @@ Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 a
             const std::int32_t tag = shape.segmentTags[k];
             shape.segmentTags.insert(shape.segmentTags.begin() + k, tag);
         }
+        shape.segmentSizes.clear(); // the segments take those at their places
         splitCurve(shape, k, at);
         shape.nodes.insert(shape.nodes.begin() + k + 1, at);
         return {};

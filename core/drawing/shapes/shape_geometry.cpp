@@ -1,6 +1,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include "core/drawing/shapes/node_sizes.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/slot.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 
@@ -234,6 +235,9 @@ void scaleShape(Shape &shape, double factor) {
     for (auto &[node, part] : shape.nodeSizes) {
         part.size *= std::fabs(factor);
     }
+    for (auto &[segment, size] : shape.segmentSizes) {
+        size.size *= std::fabs(factor);
+    }
 }
 
 void becomePath(Shape &shape) {
@@ -261,6 +265,17 @@ void becomePath(Shape &shape) {
             tags.push_back(segmentTag(shape, outline.part(k)));
         }
         shape.segmentTags = std::move(tags);
+    }
+    if (isRound(before) && !shape.segmentSizes.empty()) { // in parts of equal parameters, as the path has
+        const SegmentSize whole = shape.segmentSizes.begin()->second;
+        const auto parts = static_cast<std::uint32_t>(outline.segmentCount());
+        for (std::uint32_t k = 0; k < parts; ++k) {
+            SegmentSize &size = shape.segmentSizes[k] = whole;
+            size.elements = (whole.elements + parts - 1 - k) / parts; // their sum is that of the whole
+            size.elements = whole.elements > 0 ? std::max(size.elements, 1U) : 0U;
+        }
+    } else {
+        shape.segmentSizes = sizesOfOutline(before);
     }
     shape.form = PathForm{.closed = true, .curves = std::move(outline.curves)};
     shape.nodes = std::move(outline.nodes);

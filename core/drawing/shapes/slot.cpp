@@ -68,6 +68,15 @@ void mapSlot(Shape &slot, const PlaneMap &map) {
     if (map.determinant() < 0.0 && slot.segmentTags.size() == 4) {
         std::swap(slot.segmentTags[0], slot.segmentTags[2]); // left and right have changed places
     }
+    if (map.determinant() < 0.0) {
+        auto left = slot.segmentSizes.extract(0), right = slot.segmentSizes.extract(2);
+        for (auto *const side : {&left, &right}) {
+            if (!side->empty()) {
+                side->key() = 2 - side->key();
+                slot.segmentSizes.insert(std::move(*side));
+            }
+        }
+    }
     slot.cuts.clear();
 }
 
@@ -109,6 +118,7 @@ Shape slotLike(const Shape &path) {
     slot.nodes = {centreOf(first + 2), centreOf(first)};
     slot.cuts.clear();
     slot.nodeSizes.clear();
+    slot.segmentSizes.clear(); // its segments take those at their places
     const Outline outline = slotOutline(slot), before = outlineOf(path);
     for (std::size_t k = 0; k < slot.segmentTags.size(); ++k) {
         const Vec2 middle = outline.curve(k).point(0.5);

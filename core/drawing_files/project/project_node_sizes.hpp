@@ -11,4 +11,9 @@ void writeNodeSizes(const Shape &shape, JsonText &out);
 /// Reads the member "nodeSizes" of a shape, which must have its nodes.
 void readNodeSizes(const JsonValue &item, Shape &shape, JsonCheck &check);
 
+/// Writes the member "segmentSizes" of a shape, if there are any.
+void writeSegmentSizes(const Shape &shape, JsonText &out);
+/// Reads the member "segmentSizes" of a shape, which must have its nodes and its radius.
+void readSegmentSizes(const JsonValue &item, Shape &shape, JsonCheck &check);
+
 } // namespace forefront

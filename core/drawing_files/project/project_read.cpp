@@ -176,6 +176,7 @@ class ProjectReader {
         readRadius(item, shape);
         readCurves(item, shape, check_);
         readNodeSizes(item, shape, check_);
+        readSegmentSizes(item, shape, check_);
         if (const auto hidden = item.find("hidden")) {
             shape.hidden = check_.flag(*hidden, "\"hidden\"");
         }
@@ -190,7 +191,7 @@ class ProjectReader {
             segmentTagCount(shape, *tags);
         }
         check_.noteUnknown(item, {"id", "kind", "use", "tag", "name", "nodes", "radius", "curves", "cuts",
-                                  "segmentTags", "nodeSizes", "hidden", "locked"});
+                                  "segmentTags", "nodeSizes", "segmentSizes", "hidden", "locked"});
         return shape;
     }
 

@@ -75,6 +75,7 @@ class ProjectWriter {
             }
             writeCurves(*shape, out_);
             writeNodeSizes(*shape, out_);
+            writeSegmentSizes(*shape, out_);
             out_ << (shape->hidden ? ", \"hidden\": true" : "") << (shape->locked ? ", \"locked\": true" : "") << '}';
         });
         out_ << "\n  ]";

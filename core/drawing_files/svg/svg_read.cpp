@@ -4,6 +4,7 @@
 #include "core/drawing_files/svg/areas/svg_regions.hpp"
 #include "core/drawing_files/svg/areas/svg_repeats.hpp"
 #include "core/drawing_files/svg/areas/svg_stroke_areas.hpp"
+#include "core/drawing_files/svg/areas/svg_white.hpp"
 #include "core/drawing_files/svg/drawing/svg_drawing.hpp"
 #include "core/drawing_files/svg/svg.hpp"
 #include "core/drawing_files/svg/xml/svg_names.hpp"
@@ -62,9 +63,16 @@ class SvgBuilder {
         dropRepeatedOutlines();
         const std::uint32_t feature = builder_.addFeature(1);
         chooseRules();
-        source_.reportContents(contents());
+        const SvgWhiteShapes white(paths_);
+        source_.reportContents(contents(white.count()));
+        noteWhite(white);
         addClips();
         for (SvgPath &path : paths_) {
+            const auto index = static_cast<std::size_t>(&path - paths_.data());
+            if (source_.options.whiteHoles && white.contains(index)) {
+                addHole(path, white.below(index));
+                continue;
+            }
             const PathRole part = partOf(path);
             const std::int32_t tag = part == PathRole::Nothing ? 0 : tags_.of(path.name);
             builder_.from({path.offset});
@@ -82,7 +90,9 @@ class SvgBuilder {
             case PathRole::Painted:
                 if (painted_ != path.element) {
                     painted_ = path.element;
-                    contour_ = builder_.addContour(shapeOf(feature, path), path.paint.rule);
+                    const std::uint32_t shape = shapeOf(feature, path);
+                    contour_ = builder_.addContour(shape, path.paint.rule);
+                    shapes_.emplace(path.element, shape);
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 if (path.paint.stroked && !path.strokeArea && !path.closed && !source_.options.dropLines) {
@@ -330,8 +340,9 @@ class SvgBuilder {
     }
 
     /// Returns the contents that options affect, whether or not they are set.
-    DrawingContents contents() const {
+    DrawingContents contents(std::size_t whiteShapes) const {
         DrawingContents contents;
+        contents.whiteShapes = whiteShapes;
         std::size_t last = kNone;
         for (const SvgPath &path : paths_) {
             const PathRole part = partOf(path);
@@ -374,6 +385,30 @@ class SvgBuilder {
                 return;
             }
             name = path.name;
+        }
+    }
+
+    /// Reports white shapes that are merged with those below them.
+    void noteWhite(const SvgWhiteShapes &white) const {
+        for (std::size_t k = 0; k < paths_.size() && !source_.options.whiteHoles; ++k) {
+            if (white.contains(k) && (k == 0 || paths_[k - 1].element != paths_[k].element)) {
+                source_.note("svg-white", "white shapes on others are merged with them; --white-holes makes them holes",
+                             paths_[k].offset);
+            }
+        }
+    }
+
+    /// Removes the area of a path from the shapes of the elements below it.
+    void addHole(SvgPath &path, const std::vector<std::size_t> &below) {
+        const std::int32_t tag = tags_.of(path.name);
+        builder_.from({path.offset});
+        builder_.addCurves(path.curves, path.stretches); // renumbers the stretches
+        for (const std::size_t element : below) {
+            const auto [known, added] = holeContours_.try_emplace({path.element, element}, 0);
+            if (added) {
+                known->second = builder_.addContour(shapes_.at(element), path.paint.rule, true);
+            }
+            builder_.addRing(known->second, path.nodes, tag, path.stretches);
         }
     }
 
@@ -462,6 +497,9 @@ class SvgBuilder {
     std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;
     std::map<std::uint32_t, std::uint32_t> outlineContours_; ///< by the clip that limits the outlines
+    std::map<std::size_t, std::uint32_t> shapes_;            ///< by painted element
+    /// The contour of the holes of a white element in the shape of an element below it.
+    std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> holeContours_;
     std::set<std::int32_t> clipTags_;
 };
 

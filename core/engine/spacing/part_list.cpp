@@ -134,11 +134,18 @@ Diagnostics addSources(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
-    addPartSizeSites(input.domain, input.spec.partSizes, input.minimum, input.givenGradation(), parts.few);
+    addPartSizeSites(input.domain, input.spec.partSizes, input.spec.placed.segments, input.minimum,
+                     input.givenGradation(), parts.few);
     noteSteepParts(input, parts.notes);
     for (const auto &[tag, size] : input.spec.partSizes) {
         parts.words.parts[static_cast<std::uint32_t>(tag)] = boundaryName(input.domain.boundaryNames, tag);
     }
+    return {};
+}
+
+Diagnostics addSegmentSizes(const PartInput &input, FieldParts &parts) {
+    addSegmentSizeSites(input.domain, input.spec.placed.segments, input.minimum, input.givenGradation(), parts.few);
+    noteSteepSegments(input, parts.notes);
     return {};
 }
 
@@ -208,6 +215,10 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
     {"partSizes", [](const SpacingSpec &spec) { return !spec.partSizes.empty(); },
      [](const SpacingSpec &spec, Diagnostics &faults) { checkPartSizes(spec.partSizes, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.partSizes == b.partSizes; }, addPartSizes},
+    {"segmentSizes", [](const SpacingSpec &spec) { return !spec.placed.segments.empty(); },
+     [](const SpacingSpec &spec, Diagnostics &faults) { checkSegmentSizes(spec.placed.segments, faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.placed.segments == b.placed.segments; },
+     addSegmentSizes},
     {"nodeSizes", [](const SpacingSpec &spec) { return !spec.placed.nodes.empty(); },
      [](const SpacingSpec &spec, Diagnostics &faults) { checkNodeSizes(spec.placed.nodes, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.placed.nodes == b.placed.nodes; }, addNodeSizes},
@@ -224,12 +235,13 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.placed.regions == b.placed.regions; }, addRegions},
 });
 
-/// Numbers of elements are no part of the field: they say how curves and lines are divided whatever it asks for.
-void checkElementCounts(const SpacingSpec &spec, const Domain &domain, Diagnostics &faults) {
-    const std::size_t count = spec.placed.elements.size();
+/// Checks that a list that is addressed by segment, such as "numbers of elements", has as many entries as there are
+/// segments, or none.
+void checkSegmentList(std::size_t count, const char *what, const char *code, const Domain &domain,
+                      Diagnostics &faults) {
     if (count != 0 && count != domain.segments.size()) {
-        faults.push_back(error("bad-element-counts",
-                               "numbers of elements are given for " + std::to_string(count) +
+        faults.push_back(error(code,
+                               std::string(what) + " are given for " + std::to_string(count) +
                                    " segments; expected one for each of the " + std::to_string(domain.segments.size()) +
                                    " segments of the domain, or none",
                                "give 0 where the spacing decides; after a repair, call carryElements()")
@@ -249,7 +261,9 @@ Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain) {
     for (const SpacingPartKind &kind : kKinds) {
         kind.check(spec, faults);
     }
-    checkElementCounts(spec, domain, faults);
+    // Numbers of elements are no part of the field: they say how curves and lines are divided whatever it asks for.
+    checkSegmentList(spec.placed.elements.size(), "numbers of elements", "bad-element-counts", domain, faults);
+    checkSegmentList(spec.placed.segments.size(), "sizes along segments", "bad-segment-sizes", domain, faults);
     return faults;
 }
 

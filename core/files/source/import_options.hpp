@@ -55,6 +55,9 @@ struct ImportOptions {
     /// Every filled shape of an SVG drawing is a region with its name, as far as no later shape covers it; otherwise
     /// all shapes are one region.
     bool shapeRegions = false;
+    /// White filled shapes of an SVG drawing that lie on others are holes in these; otherwise they are merged with
+    /// them.
+    bool whiteHoles = false;
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     bool regularFile = false;                    ///< refuse pipes and devices, on which reading could wait for ever
     /// Format by its id, such as "geojson"; empty: by content, then by extension.

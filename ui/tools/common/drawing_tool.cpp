@@ -36,6 +36,7 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     over_ = event.kind != CanvasEvent::Kind::Leave;
     SnapQuery query =
         state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control() || !snaps());
+    query.gridPitch = snapsToGrid() ? query.gridPitch : 0.0;
     query.anchor = anchor();
     if (query.anchor) {
         query.lines = {*query.anchor};
@@ -276,6 +277,22 @@ void DrawingTool::forget(Shell &) {
     state_->forgetNumbers();
 }
 
+namespace {
+
+/// Shows the first shape of a drawing if it can hardly be seen: because it is tiny, or out of view.
+void showFirst(Shell &context, const Document &before, const Box2 &box) {
+    constexpr double kTiny = 0.05; // of the smaller side of the view
+    const Box2 visible = context.view.camera.visible();
+    const double extent = std::max(box.size().x, box.size().y);
+    const bool tiny = extent < kTiny * std::min(visible.size().x, visible.size().y);
+    if (before.shapes.empty() && !before.picture && extent > 0.0 && (tiny || !visible.overlaps(box))) {
+        context.view.fit(box);
+        context.animate();
+    }
+}
+
+} // namespace
+
 bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &label) {
     const std::shared_ptr<const Document> before = context.document.current();
     shape.tag = state_->tagOfNext(shape.use, *before);
@@ -296,6 +313,7 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
     }
     context.selection.clear();
     context.selection.shapes.insert(before->nextId);
+    showFirst(context, *before, boundsOf(*findShape(*context.document.current(), before->nextId)));
     entry_.clear();
     typedNodes_.clear();
     return true;

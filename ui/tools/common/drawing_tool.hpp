@@ -67,6 +67,8 @@ class DrawingTool : public Tool {
     virtual bool shiftIsAngle() const { return true; }
     /// Returns false if places do not snap now, so that no snap mark is drawn.
     virtual bool snaps() const { return true; }
+    /// Returns false while nodes do not snap to the grid, even if that is on.
+    virtual bool snapsToGrid() const { return true; }
     /// Returns the quantities that can be typed now, in Tab order: coordinates before the first node, then distance and
     /// angle.
     virtual std::span<const EntryField> entryFields() const;

@@ -9,7 +9,6 @@
 #include "ui/workspace/workspace.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
@@ -76,10 +75,13 @@ const char *symbol(EntryField field) {
     return kSymbols[static_cast<std::size_t>(field)];
 }
 
-std::string shown(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.6g", value);
-    return buffer;
+/// Returns a value that was typed as `expression`: a number as it was typed, or the value of a formula with all its
+/// digits but the last, rounded ones.
+std::string shown(double value, const std::string &expression) {
+    if (parseNumber(expression)) {
+        return expression;
+    }
+    return numberText(value, 12);
 }
 
 } // namespace
@@ -246,6 +248,9 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
         moveOn(false);
         return Answer::Used;
     }
+    if (std::exchange(allSelected_, false)) {
+        text_.clear();
+    }
     if (isPrintable(character) && text_.size() < kMaxExpressionLength) {
         text_ += static_cast<char>(character);
         fault_.clear();
@@ -272,9 +277,24 @@ NumericEntry::Answer NumericEntry::letter(EntryField field) {
 
 NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
     skipLetter_ = nameBegins_ = false;
+    if (open_ && event.key == 'A' && event.modifiers.control() && !event.modifiers.alt()) {
+        allSelected_ = !text_.empty() || slot(*open_).has_value();
+        return Answer::Used; // even an empty field: the key is not meant for the shapes
+    }
     if (event.modifiers.control() || event.modifiers.alt()) {
         return Answer::Unused;
     }
+    const bool selected = std::exchange(allSelected_, false);
+    if (selected && (event.key == key::kBackspace || event.key == key::kDelete)) {
+        fault_.clear();
+        text_.clear();
+        forget(*open_);
+        return Answer::Used;
+    }
+    const bool isLetterKey = event.key >= 'A' && event.key <= 'Z';
+    const bool leaves = event.key == key::kEnter || event.key == key::kKeypadEnter || event.key == key::kTab ||
+                        event.key == key::kEscape || event.key == key::kLeft || event.key == key::kRight;
+    allSelected_ = selected && !isLetterKey && !leaves; // the character arrives as text and replaces it
     const bool isLetter = event.key >= 'A' && event.key <= 'Z';
     if (isLetter && (continuesExpression() || (isScalar() && open_))) {
         return Answer::Used; // arrives as text
@@ -393,11 +413,17 @@ NumericEntry::Answer NumericEntry::accept() {
     return determined() ? Answer::Place : Answer::Used;
 }
 
+/// Returns the text of the open field with its caret, or in brackets if all of it is selected.
+std::string NumericEntry::typedText(const std::string &stored) const {
+    const std::string &text = text_.empty() ? stored : text_;
+    return allSelected_ ? '[' + text + ']' : text + '_';
+}
+
 std::string NumericEntry::label() const {
     const bool isPair = open_ && byDigit_ && !isScalar() &&
                         (separatingComma(text_) != std::string::npos || text_.starts_with('@') || pair().has_value());
     if (isPair) {
-        return text_ + "_";
+        return typedText({});
     }
     std::string result;
     for (const EntryField field : visible()) {
@@ -406,10 +432,11 @@ std::string NumericEntry::label() const {
             continue;
         }
         result += (result.empty() ? "" : "   ") + std::string(symbol(field));
+        const std::string stored = known ? shown(*known, expressions_[static_cast<std::size_t>(field)]) : std::string();
         if (open_ == field) {
-            result += ' ' + (text_.empty() && known ? shown(*known) : text_) + '_';
+            result += ' ' + typedText(stored);
         } else if (known) {
-            result += ' ' + shown(*known);
+            result += ' ' + stored;
         }
     }
     return result;

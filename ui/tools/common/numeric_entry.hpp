@@ -35,11 +35,11 @@ inline constexpr std::size_t kEntryFields = 9;
 
 /// Handles numbers typed while drawing. A digit opens the first field that the tool shows, Tab and Shift+Tab move
 /// between fields, X, Y, D and Q open a field by its letter (D the diameter where a radius is asked for), and Enter
-/// accepts. Typed numbers take effect immediately, so that the drawing shows them before Enter. After X, a comma or Tab
-/// opens Y even if the tool shows neither, so that "x3,4" is always a point. Two numbers ("3, 4" or "@1, 0") are a
-/// point. A number may be an expression of parameters, such as 2*r or, if it begins with X, Y, D or Q, =d/2. Where a
-/// tool shows a single factor or angle, only that number can be typed: pairs are invalid, and letters belong to its
-/// expression.
+/// accepts; Ctrl+A selects the text of the open field. Typed numbers take effect immediately, so that the drawing shows
+/// them before Enter. After X, a comma or Tab opens Y even if the tool shows neither, so that "x3,4" is always a point.
+/// Two numbers ("3, 4" or "@1, 0") are a point. A number may be an expression of parameters, such as 2*r or, if it
+/// begins with X, Y, D or Q, =d/2. Where a tool shows a single factor or angle, only that number can be typed: pairs
+/// are invalid, and letters belong to its expression.
 class NumericEntry {
   public:
     enum class Answer : std::uint8_t {
@@ -89,6 +89,7 @@ class NumericEntry {
     bool shows(EntryField field) const;
     bool isScalar() const;
     bool byDiameter() const;
+    std::string typedText(const std::string &stored) const;
     std::vector<EntryField> visible() const;
     bool continuesExpression() const;
     bool beginsName(const CanvasEvent &event) const;
@@ -103,9 +104,10 @@ class NumericEntry {
     std::optional<EntryField> open_;
     std::string text_;
     std::string fault_;
-    bool byDigit_ = false;    ///< the field was opened by a digit, so a single number may suffice
-    bool nameBegins_ = false; ///< the letter that arrives as text opens a field
-    bool skipLetter_ = false; ///< the letter that opened a field arrives as text too
+    bool byDigit_ = false;     ///< the field was opened by a digit, so a single number may suffice
+    bool nameBegins_ = false;  ///< the letter that arrives as text opens a field
+    bool allSelected_ = false; ///< Ctrl+A: the next character replaces the text
+    bool skipLetter_ = false;  ///< the letter that opened a field arrives as text too
 };
 
 /// Says below a typed number that its parameters are used once, if it uses any. `y`: below the place, in design pixels.

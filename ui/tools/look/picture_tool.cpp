@@ -110,6 +110,7 @@ void PictureTool::pressPoint(Vec2 at, Shell &context) {
     if (points_.size() == 2) {
         points_.clear();
         scaleDrawing_.reset();
+        firstPlaced_ = false;
     }
     points_.push_back(share(picture, at));
     held_ = points_.size() - 1;
@@ -162,6 +163,7 @@ void PictureTool::deactivate(Shell &context) {
     held_.reset();
     points_.clear();
     scaleDrawing_.reset();
+    firstPlaced_ = false;
     mode_ = PictureMode::Move;
 }
 
@@ -172,8 +174,11 @@ bool PictureTool::scalesDrawing(const Shell &context) const {
 
 void PictureTool::calibrate(Shell &context, double distance) const {
     const std::shared_ptr<const Document> before = context.document.current();
-    const Vec2 fixed = place(*before->picture, 0);
-    const double factor = distance / forefront::distance(fixed, place(*before->picture, 1));
+    const Vec2 first = place(*before->picture, 0);
+    const double factor = distance / forefront::distance(first, place(*before->picture, 1));
+    // The picture stays at its corner, unless the user has placed the first point, or it lies on a drawing that stays.
+    const bool corner = !firstPlaced_ && (before->shapes.empty() || scalesDrawing(context));
+    const Vec2 fixed = corner ? before->picture->corner : first;
     if (!scalesDrawing(context)) {
         change(context, scaledAbout(*before->picture, fixed, factor), "Calibrate background picture");
         return;
@@ -227,6 +232,7 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
     moved = drawPlaceField(context, flow, "options/picture/y1", "y", wanted.y) || moved;
     if (moved) {
         picture.corner += wanted - first;
+        firstPlaced_ = true;
         change(context, picture, "Move background picture");
     }
 }

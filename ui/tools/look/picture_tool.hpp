@@ -66,6 +66,7 @@ class PictureTool final : public Tool {
     std::shared_ptr<EditState> state_;
     PictureMode mode_ = PictureMode::Move;
     std::vector<Vec2> points_; ///< at most two, as shares of the width and height, so that they move with the picture
+    bool firstPlaced_ = false; ///< the user has entered the place of the first point
     std::optional<bool> scaleDrawing_; ///< chosen for these points; absent: see scalesDrawing()
     std::optional<std::size_t> held_;  ///< point being dragged
     std::string stroke_;               ///< of the drag or the slider; empty: none

@@ -56,12 +56,13 @@ const char *BrushTool::icon() const {
 }
 
 double BrushTool::radius(const Shell &context) const {
-    return state_->brushRadius > 0.0 ? state_->brushRadius : EditState::twoDigits(EditState::reach(context, 36.0));
+    const double held = state_->held(&EditState::brushRadius, context);
+    return held > 0.0 ? held : EditState::twoDigits(EditState::reach(context, 36.0));
 }
 
 double BrushTool::spacing(const Shell &context) const {
-    if (state_->brushSpacing > 0.0) {
-        return state_->brushSpacing;
+    if (const double held = state_->held(&EditState::brushSpacing, context); held > 0.0) {
+        return held;
     }
     const Box2 box = boundsOf(*context.document.current());
     const Vec2 middle = box.empty() ? context.view.camera.centre : box.centre();
@@ -99,8 +100,10 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
     case Kind::Press:
         if (event.button == MouseButton::Left) {
             // From the first stroke on they stay, or strokes over painted places would get finer and finer.
-            state_->brushSpacing = strokeSpacing_ = spacing(context);
-            state_->brushRadius = strokeRadius_ = radius(context);
+            strokeSpacing_ = spacing(context);
+            strokeRadius_ = radius(context);
+            state_->propose(&EditState::brushSpacing, strokeSpacing_, context);
+            state_->propose(&EditState::brushRadius, strokeRadius_, context);
             stroke_ = state_->newStroke();
             last_.reset();
             around_ = context.preview->spacing ? remembered(context.preview->spacing) : std::function<double(Vec2)>();

@@ -80,8 +80,10 @@ SizeSource GradientTool::gradient(Vec2 a, Vec2 b, const Shell &context) const {
     gradient.shape = SourceShape::Line;
     gradient.a = a;
     gradient.b = b;
-    gradient.size = state_->gradientSize > 0.0 ? state_->gradientSize : EditState::twoDigits(0.5 * rho);
-    gradient.endSize = state_->gradientEndSize > 0.0 ? state_->gradientEndSize : EditState::twoDigits(2.0 * rho);
+    const double size = state_->held(&EditState::gradientSize, context);
+    const double endSize = state_->held(&EditState::gradientEndSize, context);
+    gradient.size = size > 0.0 ? size : EditState::twoDigits(0.5 * rho);
+    gradient.endSize = endSize > 0.0 ? endSize : EditState::twoDigits(2.0 * rho);
     gradient.plane = true;
     gradient.geometric = state_->gradientGeometric;
     return gradient;
@@ -97,8 +99,8 @@ void GradientTool::place(Vec2 at, Shell &context) {
     }
     const SizeSource drawn = gradient(*first_, at, context);
     first_.reset();
-    state_->gradientSize = drawn.size;
-    state_->gradientEndSize = *drawn.endSize;
+    state_->propose(&EditState::gradientSize, drawn.size, context);
+    state_->propose(&EditState::gradientEndSize, *drawn.endSize, context);
     if (state_->gradientInSelection) {
         paintSelection(context, drawn);
     } else {

@@ -24,8 +24,8 @@ const char *SourceTool::icon() const {
 }
 
 double SourceTool::size(const Shell &context, Vec2 at) const {
-    if (state_->sourceSize > 0.0) {
-        return state_->sourceSize;
+    if (const double held = state_->held(&EditState::sourceSize, context); held > 0.0) {
+        return held;
     }
     const double rho = context.preview->spacing ? context.preview->spacing->at(at) : EditState::reach(context, 40.0);
     return EditState::twoDigits(0.25 * rho);
@@ -53,7 +53,7 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     source.b = source.shape == SourceShape::Line || source.shape == SourceShape::Box ? b : a;
     source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
     source.size = size(context, a);
-    state_->sourceSize = source.size; // or the next one nearby would be four times finer
+    state_->propose(&EditState::sourceSize, source.size, context); // or the next one nearby would be four times finer
     source.endSize = source.shape == SourceShape::Line ? state_->sourceEndSize : std::nullopt;
     source.growth = state_->sourceGrowth;
     source.name = freeSourceName(*context.document.current(), source.shape == SourceShape::Point  ? "point"

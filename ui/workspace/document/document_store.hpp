@@ -4,6 +4,7 @@
 #include "core/drawing/domain/shared_domain.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
 #include "core/files/source/file_stamp.hpp"
 
@@ -31,9 +32,11 @@ class DocumentStore {
     /// opened, and stays the same during a stroke.
     std::string step() const { return std::to_string(loads_) + '/' + std::to_string(history_.position()); }
     /// Makes `next` the current document. Consecutive changes with the same non-empty `stroke` form one undo step until
-    /// endStroke(), such as a drag or a brush stroke. Divided segments share their number of elements, and numbers that
-    /// were edited directly lose their formulas. Returns false if nothing changed.
+    /// endStroke(), such as a drag or a brush stroke. Sizes of segments stay at their places, divided segments share
+    /// their number of elements, and numbers that were edited directly lose their formulas. Returns false if nothing
+    /// changed.
     bool apply(Document next, std::string label, std::string_view stroke = {}) {
+        carrySegmentSizes(*current(), next);
         carryElementCounts(*current(), next);
         carryFormulas(*current(), next);
         return tell(history_.commit(std::move(label), std::move(next), stroke));

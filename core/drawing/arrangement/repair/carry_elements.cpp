@@ -17,6 +17,12 @@ double lengthOf(const Domain &domain, const DomainSegment &segment) {
 } // namespace
 
 void carryElements(const Domain &before, const Repaired &repaired, SpacingSpec &spacing) {
+    if (!spacing.placed.segments.empty()) {
+        const std::vector<PartSize> given = std::exchange(spacing.placed.segments, {});
+        for (const std::uint32_t source : repaired.segmentSource) {
+            spacing.placed.segments.push_back(source < given.size() ? given[source] : PartSize{0.0, 0.0});
+        }
+    }
     if (spacing.placed.elements.empty()) {
         return;
     }

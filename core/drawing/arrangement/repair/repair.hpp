@@ -40,8 +40,9 @@ struct Repaired {
 ///   out-of-memory, cancelled.
 Result<Repaired> repair(const Domain &domain, double tolerance = 0.0, std::stop_token stop = {});
 
-/// Transfers the numbers of elements of a spacing from a domain to its repaired version: parts of a straight segment
-/// share its number by their lengths. All other sizes belong to tags or positions, which a repair does not change.
+/// Transfers the sizes and numbers of elements along segments from a domain to its repaired version: parts of a
+/// straight segment share its number by their lengths. All other sizes belong to tags or positions, which a repair does
+/// not change.
 void carryElements(const Domain &before, const Repaired &repaired, SpacingSpec &spacing);
 
 /// Returns true if `repair` removes faults of this kind.

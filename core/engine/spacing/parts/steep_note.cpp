@@ -63,6 +63,19 @@ void noteSteepParts(const PartInput &input, Diagnostics &notes) {
     }
 }
 
+void noteSteepSegments(const PartInput &input, Diagnostics &notes) {
+    const std::vector<PartSize> &sizes = input.spec.placed.segments;
+    const std::vector<DomainSegment> &segments = input.domain.segments;
+    for (std::size_t s = 0; s < sizes.size(); ++s) {
+        const bool noted = s > 0 && sizes[s - 1] == sizes[s] && segments[s - 1].tag == segments[s].tag; // next chord
+        if (sizes[s].size != 0.0 && !noted) {
+            noteGrowth(input,
+                       "the size of a segment of '" + boundaryName(input.domain.boundaryNames, segments[s].tag) + "'",
+                       sizes[s].growth, input.domain.nodes[segments[s].a], notes);
+        }
+    }
+}
+
 void noteSteepNodes(const PartInput &input, Diagnostics &notes) {
     for (const NodeSize &node : input.spec.placed.nodes) {
         noteGrowth(input, "the size at " + (node.name.empty() ? "a node" : node.name), node.growth, node.at, notes);

@@ -19,6 +19,7 @@ enum class SiteReason : std::uint8_t {
     RegionEdge,     ///< reach of a region with a maximum area; index into PlacedSizes::regions
     RegionSize,     ///< size of a region; index into PlacedSizes::regions
     PartSize,       ///< size of a boundary part; index: its tag
+    SegmentSize,    ///< size along a segment; index: of the domain segment
     NodeSize,       ///< size of a node; index into PlacedSizes::nodes
     SegmentLength,  ///< index: of the domain segment
     Bend,           ///< curvature; index: of the domain segment

@@ -40,6 +40,8 @@ std::string describe(const SiteLabel &label, const SiteWords &words, Vec2 at) {
         return "size of region '" + words.regions[label.index] + "'";
     case SiteReason::PartSize:
         return "size of '" + words.parts.at(label.index) + "'";
+    case SiteReason::SegmentSize:
+        return "size of a segment of " + boundaryAt(label, words, at);
     case SiteReason::NodeSize:
         return "size at " + words.nodes[label.index];
     case SiteReason::SegmentLength:

@@ -9,6 +9,14 @@
 
 namespace FOREFRONT_API forefront {
 
+/// The spacing on a part of the boundary: size at its segments, growing by `growth` per unit of distance from them.
+struct PartSize {
+    double size = 1.0;   ///< > 0
+    double growth = 0.2; ///< >= 0
+
+    friend bool operator==(const PartSize &, const PartSize &) = default;
+};
+
 /// An element size at a node, growing by `growth` per unit of distance.
 struct NodeSize {
     Vec2 at;             ///< place of the node
@@ -38,14 +46,18 @@ struct RegionSize {
 /// The sizes that belong to places of one domain, as opposed to rules that hold for any.
 ///
 /// Nodes and regions are addressed by their places, which validation, repair and reordering keep, so that these sizes
-/// need no care when the numbers of nodes, segments or markers change. Numbers of elements are addressed by segment:
-/// carryElements() takes them along through a repair, and a list for another number of segments is refused.
+/// need no care when the numbers of nodes, segments or markers change. Numbers of elements and sizes along segments are
+/// addressed by segment: carryElements() takes them along through a repair, and a list for another number of segments
+/// is refused.
 struct PlacedSizes {
     std::vector<NodeSize> nodes;
     std::vector<RegionSize> regions;
     /// Number of elements along the whole line or curve that a segment is a part of, by index into Domain::segments; 0:
     /// as the spacing asks. Empty: 0 for all. Takes precedence over the spacing and the tolerance of curves.
     std::vector<std::uint32_t> elements;
+    /// Sizes along segments, by index into Domain::segments, in place of SpacingSpec::partSizes of their tags; a size
+    /// of 0: none is given. Empty: none for all.
+    std::vector<PartSize> segments;
 
     friend bool operator==(const PlacedSizes &, const PlacedSizes &) = default;
 };

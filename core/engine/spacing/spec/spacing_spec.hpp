@@ -51,14 +51,6 @@ struct SizeSource {
     friend bool operator==(const SizeSource &, const SizeSource &) = default;
 };
 
-/// The spacing on a part of the boundary: size at its segments, growing by `growth` per unit of distance from them.
-struct PartSize {
-    double size = 1.0;   ///< > 0
-    double growth = 0.2; ///< >= 0
-
-    friend bool operator==(const PartSize &, const PartSize &) = default;
-};
-
 /// Painted spacing: square tiles of `kTileNodes`² values at the nodes of a square grid. The lower left node of tile (i,
 /// j) is at origin + pitch·kTileSpan·(i, j); a value of 0 means unpainted. Between nodes the spacing is bilinear where
 /// all four nodes are painted, else the minimum painted value of the four.
@@ -118,7 +110,7 @@ struct SpacingSpec {
     std::shared_ptr<const BackgroundMesh> background;
     /// Sizes of boundary parts and constraints by tag; they also apply to points with the tag.
     std::map<std::int32_t, PartSize> partSizes;
-    PlacedSizes placed;        ///< sizes of nodes and regions, and numbers of elements along lines and curves
+    PlacedSizes placed;        ///< sizes of nodes, regions and segments, numbers of elements along lines and curves
     bool fromBoundary = false; ///< the given lengths of boundary segments act as sources
     /// Edges per full turn of curved boundaries, >= 0; 0: curvature is ignored. Absent: 40 where the spacing is
     /// automatic, 0 elsewhere.
@@ -137,11 +129,13 @@ struct SpacingSpec {
     std::optional<double> gradation;
 
     /// Replaces the rules by others, as options of the command line do: everything but the sizes of nodes and regions,
-    /// which belong to the domain and stay. Numbers of elements belong to the rules that they were chosen with and go.
+    /// which belong to the domain and stay. Sizes and numbers of elements along segments belong to the rules that they
+    /// were chosen with and go.
     /// `rules`: its own placed sizes, which belong to another domain, are dropped.
     void replaceRules(SpacingSpec rules) {
         rules.placed = std::exchange(placed, {});
         rules.placed.elements.clear();
+        rules.placed.segments.clear();
         *this = std::move(rules);
     }
 

@@ -119,6 +119,18 @@ void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &
     }
 }
 
+void checkSegmentSizes(std::span<const PartSize> sizes, Diagnostics &faults) {
+    for (std::size_t s = 0; s < sizes.size(); ++s) {
+        if (sizes[s].size == 0.0) {
+            continue; // none is given
+        }
+        if (auto fault = partSizeFault(sizes[s], "segment " + std::to_string(s), "bad-source")) {
+            faults.push_back(*std::move(fault));
+            return;
+        }
+    }
+}
+
 void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults) {
     for (const NodeSize &node : sizes) {
         const std::string name = node.name.empty() ? "a node" : node.name;

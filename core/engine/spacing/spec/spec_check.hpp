@@ -28,6 +28,9 @@ void checkSources(std::span<const SizeSource> sources, Diagnostics &faults);
 /// Checks the sizes of boundary parts. Fault: bad-source.
 void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &faults);
 
+/// Checks the sizes along segments. Fault: bad-source, for the first invalid one.
+void checkSegmentSizes(std::span<const PartSize> sizes, Diagnostics &faults);
+
 /// Checks the sizes of nodes. Faults: bad-source, with the place if it is finite.
 void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults);
 

@@ -1,0 +1,77 @@
+#include "ui/shell/pointer_hints.hpp"
+
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace forefront {
+namespace {
+
+struct ToolHint {
+    std::string_view tool;
+    const char *start, *begun; ///< what to do first, and with unfinished input
+};
+
+constexpr std::array kToolHints{
+    ToolHint{"polygon", "click: corner \xc2\xb7 drag: curve", "click the first corner, or Enter: close"},
+    ToolHint{"polyline", "click: node \xc2\xb7 drag: curve", "Enter or double-click: finish"},
+    ToolHint{"rectangle", "click: corner, or type x, y", "click the opposite corner, or type its width"},
+    ToolHint{"circle", "click: centre, or type x, y", "click a point on it, or type its radius"},
+    ToolHint{"ellipse", "click: centre, or type x, y", "click a corner of its box"},
+    ToolHint{"regular", "click: centre, or type x, y", "click a corner, or type the radius"},
+    ToolHint{"slot", "click: centre of one end", "click: other centre, then width"},
+    ToolHint{"arc", "click: one end", "click: other end, then a point on it"},
+    ToolHint{"point", "click: a node of the mesh", ""},
+    ToolHint{"region", "click a face to make it a region", ""},
+    ToolHint{"trim", "click a piece to remove it", ""},
+    ToolHint{"source", "click: fine here \xc2\xb7 drag: along a line", ""},
+    ToolHint{"gradient", "drag from the fine end to the coarse end", ""},
+    ToolHint{"brush", "drag: paint the element size", ""},
+    ToolHint{"eraser", "drag: erase painted sizes", ""},
+};
+
+} // namespace
+
+std::string pointerHint(const Settings &settings, std::string_view tool, bool begun) {
+    const auto used = settings.toolUses.find(std::string(tool));
+    if (used != settings.toolUses.end() && used->second >= kHintedUses) {
+        return {};
+    }
+    const auto found =
+        std::find_if(kToolHints.begin(), kToolHints.end(), [tool](const ToolHint &hint) { return hint.tool == tool; });
+    return found == kToolHints.end() ? "" : begun ? found->begun : found->start;
+}
+
+void drawPointerHint(CanvasPainter &painter, Shell &context) {
+    if (!context.settings.hints || !context.view.pointer || context.dialogs.any() || context.menuKeys.open) {
+        return;
+    }
+    const Tool &tool = context.tools.current();
+    const std::string hint = pointerHint(context.settings, tool.id(), !tool.undoLabel(context).empty());
+    if (hint.empty()) {
+        return;
+    }
+    constexpr Pixel kBeside{16.0, -30.0}; // numbers are below the pointer
+    const Vec2 at = *context.view.pointer;
+    painter.label(at, kBeside, hint, context.theme.muted, fade(context.theme.popup, 0.9), context.fonts.small);
+    const Pixel corner = context.view.camera.toPixel(at);
+    ui::markRect(context, "canvas/hint", {corner.x, corner.y, 1.0, 1.0});
+}
+
+ToolUse::ToolUse(const Shell &context) {
+    const std::string tool = context.tools.current().id();
+    if (!pointerHint(context.settings, tool, false).empty()) {
+        tool_ = tool;
+        step_ = context.document.step();
+    }
+}
+
+void ToolUse::finish(Shell &context) const {
+    if (!tool_.empty() && context.document.step() != step_) {
+        ++context.settings.toolUses[tool_];
+    }
+}
+
+} // namespace forefront
