@@ -148,7 +148,7 @@ TEST_CASE("Worst places: a click zooms to the element, arrow keys walk the table
     driver.key(key::kDown);
     driver.settle();
     CHECK(driver.context().probe.rank.value_or(30) == 30);
-    chooseMeasure(driver.context(), Measure::AreaRatio);
+    chooseMeasure(driver.context(), Measure::SizeRatio);
     driver.settle();
     CHECK_FALSE(driver.context().probe.rank);
     driver.click("worst/0");

@@ -169,7 +169,7 @@ class CandidatesPanel final : public Panel {
                                                       chosen ? theme.selectedRow : theme.hovered, context.px(4));
         }
         const auto known = [&](double value, int digits) {
-            constexpr double kNarrowTable = 270.0; // design pixels
+            constexpr double kNarrowTable = 276.0; // design pixels
             const int shown = width < context.px(kNarrowTable) ? std::min(digits, 2) : digits;
             return moment.scoresKnown ? ui::format("%.*f", shown, value) : std::string("\xe2\x80\x93");
         };

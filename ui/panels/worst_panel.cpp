@@ -126,9 +126,14 @@ class WorstPanel final : public Panel {
     }
 
     void drawRows(Shell &context, const Judgement &judgement) {
+        ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, context.px(24)); // a long list has a short knob
         ImGui::BeginChild("worst", {0, 0}, false, ImGuiWindowFlags_NoNav);
         context.probe.walks = ImGui::IsWindowFocused();
         const float height = context.px(kRankRow);
+        if (measure_ != judgement.of.measure) {
+            measure_ = judgement.of.measure;
+            ImGui::SetScrollY(0.0F);
+        }
         follow(context, height);
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(judgement.worst.size()), height);
@@ -138,6 +143,7 @@ class WorstPanel final : public Panel {
             }
         }
         ImGui::EndChild();
+        ImGui::PopStyleVar();
         ui::mark(context, "worst/rows");
     }
 
@@ -170,7 +176,8 @@ class WorstPanel final : public Panel {
         }
     }
 
-    std::size_t shown_ = 0; ///< number of the row that the list was last scrolled to; 0: none
+    std::optional<Measure> measure_; ///< that was listed last
+    std::size_t shown_ = 0;          ///< number of the row that the list was last scrolled to; 0: none
 };
 
 } // namespace
