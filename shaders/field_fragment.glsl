@@ -12,7 +12,8 @@ uniform sampler2D map;    // 256 colours
 uniform vec4 plain;
 uniform int tinted; // 1: coloured by ρ, 0: plain
 uniform float levels[8];    // ln ρ of the contour lines; unused ones are far from every ρ
-uniform float contourWidth; // pixels
+uniform float contourWidth; // pixels, at most
+uniform float contourGap;   // smallest difference of ln ρ between two contour lines
 uniform float opacity;      // of the colours over the plain one
 
 out vec4 result;
@@ -24,7 +25,9 @@ vec2 contour(float value, float change) {
         nearest = min(nearest, abs(value - levels[i]));
     }
     float pixels = change > 1e-7 ? nearest / change : 1e9; // no line where ρ is constant
-    return clamp(vec2(0.5, 1.0) * contourWidth + 0.5 - pixels, 0.0, 1.0);
+    // Lines are at most a twelfth of their distance wide.
+    float width = clamp(contourGap / max(12.0 * change, 1e-7), min(0.75, contourWidth), contourWidth);
+    return clamp(vec2(0.5, 1.0) * width + 0.5 - pixels, 0.0, 1.0);
 }
 
 void main() {

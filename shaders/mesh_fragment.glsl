@@ -34,7 +34,8 @@ float contourHere(float t) {
     float at = 10.0 * t;
     float width = fwidth(at);
     float apart = abs(fract(at + 0.5) - 0.5) / max(width, 1e-6);
-    return part == 3 && width < 0.5 ? 0.75 * clamp(1.3 - apart, 0.0, 1.0) : 0.0;
+    float thick = clamp(1.0 / max(12.0 * width, 1e-6), min(0.75, edgeWidth), 1.6 * edgeWidth);
+    return part == 3 && width < 0.5 ? 0.75 * clamp(0.5 * thick + 0.5 - apart, 0.0, 1.0) : 0.0;
 }
 
 void main() {

@@ -187,7 +187,11 @@ TEST_CASE("Import: the weld tolerance closes gaps of a map, and the dialog says 
     importFile(driver, place.path / "map.geojson");
     REQUIRE(driver.has("dialog/importoptions/weld"));
     CHECK(driver.has("dialog/importoptions/overlap/later wins"));
-    CHECK(driver.has("dialog/importoptions/note/0")); // the gap
+    REQUIRE(driver.has("dialog/importoptions/note/0")); // the gap
+    driver.click("dialog/importoptions/note/0");        // goes there
+    driver.settle();
+    CHECK(distance(driver.context().view.camera.centre, {4.005, 0}) < 0.02);
+    CHECK(driver.context().view.camera.visible().size().x < 8.0);
     driver.click("dialog/importoptions/weld");
     driver.type("0.02");
     driver.key(key::kEnter);

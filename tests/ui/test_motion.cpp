@@ -1,5 +1,6 @@
-#include "tests/ui/edit_driver.hpp"
+#include "tests/ui/meshed_square.hpp"
 #include "ui/canvas/glide.hpp"
+#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 
@@ -63,6 +64,60 @@ TEST_CASE("Motion: a command moves the picture smoothly, unless motion is reduce
         CHECK(driver.context().view.camera == target);
         const std::uint64_t draws = driver.editor().canvas().stillDraws() - before;
         CHECK((reduced ? draws <= 2 : draws >= 5));
+    }
+}
+
+namespace {
+
+/// A square meshed by advances, ready to be stepped.
+void stepTo(MeshedSquare &driver, std::uint64_t advance) {
+    driver.workspace(WorkspaceKind::Step);
+    driver.context().run.seek(advance);
+    driver.settle();
+}
+
+} // namespace
+
+TEST_CASE("Motion: the elements of a step fade in while stepping, unless motion is reduced") {
+    for (const bool reduced : {false, true}) {
+        CAPTURE(reduced);
+        MeshedSquare driver;
+        stepTo(driver, 20);
+        driver.context().settings.reduceMotion = reduced;
+        driver.key(key::kPeriod);
+        driver.until([&] { return driver.run().advance == 21; });
+        const Moment moment = momentOf(driver.run());
+        REQUIRE(moment);
+        REQUIRE_FALSE(moment.advance->made.empty());
+        const auto &corners = moment.advance->made.front();
+        const Pixel middle = driver.pixel((1.0 / 3.0) * (corners[0] + corners[1] + corners[2]));
+        const Colour first = colourAt(driver.picture(), middle);
+        driver.frames(4);
+        const Colour then = colourAt(driver.picture(), middle);
+        driver.settle();
+        const Colour last = colourAt(driver.picture(), middle);
+        CHECK((difference(first, last) > 8) == !reduced);
+        CHECK((difference(then, last) < difference(first, last)) == !reduced);
+    }
+}
+
+TEST_CASE("Motion: the camera that follows the front glides to it, and jumps if motion is reduced") {
+    for (const bool reduced : {false, true}) {
+        CAPTURE(reduced);
+        MeshedSquare driver;
+        stepTo(driver, 20);
+        driver.context().settings.reduceMotion = reduced;
+        driver.key('T');
+        driver.frames(1);
+        const Camera soon = driver.context().view.camera;
+        driver.settle();
+        const Camera last = driver.context().view.camera;
+        CHECK((std::abs(soon.zoom / last.zoom - 1.0) < 1e-6) == reduced);
+        const Moment moment = momentOf(driver.run());
+        REQUIRE(moment);
+        const double base = last.zoom * distance(moment.advance->a, moment.advance->b);
+        CHECK(base >= 59.0);
+        CHECK(base <= 121.0);
     }
 }
 

@@ -311,7 +311,7 @@ TEST_CASE("Editor: windows of any size are drawn and settle") {
         driver.platform().resize(size, 1.0);
         driver.settle();
         // Only if there is room between the bars, and beside the canvas.
-        CHECK(driver.has("splitter/column") == (size.height > 102 && size.width >= 760));
+        CHECK(driver.has("splitter/column") == (size.height > 102 && size.width >= 800));
     }
 }
 

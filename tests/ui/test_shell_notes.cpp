@@ -224,7 +224,7 @@ TEST_CASE("Timeline: a step is an advance in the fast method and an element in t
 TEST_CASE("Tooltips: appear once the pointer rests; at the lower edge they appear above their widget") {
     Driver driver;
     driver.workspace(WorkspaceKind::Step);
-    driver.hover("timeline/granularity/Event");
+    driver.hover("timeline/back");
     driver.frames(8);
     const auto early = driver.picture();
     bool asked = false; // draws frames until the tooltip appears; an idle window draws no others
@@ -235,8 +235,8 @@ TEST_CASE("Tooltips: appear once the pointer rests; at the lower edge they appea
     }
     CHECK(asked);
     const auto late = driver.picture();
-    const PixelRect button = driver.context().widgets.find("timeline/granularity/Event")->rect;
-    const PixelRect neighbour = driver.context().widgets.find("timeline/granularity/Layer")->rect;
+    const PixelRect button = driver.context().widgets.find("timeline/back")->rect;
+    const PixelRect neighbour = driver.context().widgets.find("timeline/forward")->rect;
     const PixelRect above{button.x, button.y - 40, 200, 30};
     CHECK(late.differences(early, above) > 1000);
     CHECK(late.differences(early, button) == 0);

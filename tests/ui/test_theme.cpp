@@ -33,31 +33,50 @@ void checkContrast(std::initializer_list<Role> marks, std::initializer_list<Role
 
 } // namespace
 
+// Every pair that the interface draws: a new one belongs here.
 TEST_CASE("Theme: text, edges of fields and marks contrast with all surfaces they lie on, in both themes") {
     for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
         CAPTURE(kind == ThemeKind::Dark ? "dark" : "light");
         const Theme t = makeTheme(kind);
         const Role panel{"panel", t.panel}, inset{"inset", t.inset}, popup{"popup", t.popup},
-            raised{"raised", t.raised}, hovered{"hovered", t.hovered}, canvas{"canvas", t.canvas},
-            domain{"domain", t.domain}, selected{"selectedRow", t.selectedRow};
-        const Role text{"text", t.text}, muted{"muted", t.muted}, accent{"accent", t.accent};
-        checkContrast({text}, {panel, inset, popup, raised, hovered, selected}, 7.0);
-        checkContrast({muted}, {panel, inset, popup, raised, hovered, selected}, 4.5);
-        checkContrast({{"placeholder", t.placeholder}}, {panel, inset, popup}, 4.5);
-        checkContrast({{"good", t.good}, {"bad", t.bad}, {"warn", t.warn}, accent}, {panel, inset, popup}, 4.5);
-        checkContrast({{"onAccent", t.onAccent}}, {accent}, 4.5);
+            raised{"raised", t.raised}, hovered{"hovered", t.hovered}, pressed{"pressed", t.pressed},
+            canvas{"canvas", t.canvas}, domain{"domain", t.domain}, element{"element", t.element},
+            selected{"selectedRow", t.selectedRow}, field{"hovered field", mix(t.inset, t.raised, 0.5)},
+            marked{"selected text", mix(t.inset, t.accent, 0.35)}, plate{"plate", over(fade(t.popup, 0.82), t.domain)},
+            pill{"pill", over(fade(t.accent, 0.35), t.panel)};
+        const Role text{"text", t.text}, muted{"muted", t.muted}, accent{"accent", t.accent}, good{"good", t.good},
+            bad{"bad", t.bad}, warn{"warn", t.warn}, accepted{"accepted", t.accepted};
+        checkContrast({text}, {panel, inset, popup, raised, hovered, selected, field, marked, plate, canvas, domain},
+                      7.0);
+        checkContrast({text}, {pressed, pill}, 4.5); // what is on, held down or shown alone
+        checkContrast({muted}, {panel, inset, popup, raised, hovered, selected, field, plate, canvas, domain}, 4.5);
+        checkContrast({{"placeholder", t.placeholder}}, {panel, inset, popup, field}, 4.5);
+        // Messages, links and verdicts; on rows and buttons, the colours of states are those of icons.
+        checkContrast({good, bad, warn, accent, accepted}, {panel, inset, popup}, 4.5);
+        checkContrast({good, bad, warn, accent, accepted}, {raised, hovered, selected, canvas, domain}, 3.0);
+        const Role primary[] = {
+            accent, {"accent, hovered", mix(t.accent, t.text, 0.15)}, {"accent, pressed", mix(t.accent, t.text, 0.3)}};
+        for (const Role &ground : primary) {
+            checkContrast({{"onAccent", t.onAccent}}, {ground}, 4.5);
+        }
         checkContrast({{"faint", t.faint}}, {panel, inset, popup, raised}, 3.0);
         checkContrast({{"fieldBorder", t.fieldBorder}}, {panel, inset, popup}, 3.0);
-        checkContrast({accent}, {panel, inset, popup, raised, canvas, domain}, 3.0);
+        checkContrast({text, muted}, {pressed}, 3.0); // icons that are on, knobs of sliders
         checkContrast({{"boundary", t.boundary},
                        {"constraint", t.constraint},
+                       {"front", t.front},
                        {"base", t.base},
                        {"accepted", t.accepted},
                        {"bad", t.bad},
                        {"candidate", t.candidate},
-                       {"selection", t.selection}},
-                      {canvas, domain}, 3.0);
-        checkContrast({{"front", t.front}, {"mesh", t.mesh}}, {domain, {"element", t.element}}, 3.0);
+                       {"compared", t.compared},
+                       {"selection", t.selection},
+                       {"cell", t.cell},
+                       {"visited", t.visited},
+                       {"brush", t.brush}},
+                      {canvas, domain, element}, 3.0);
+        checkContrast({{"mesh", t.mesh}}, {domain, element}, 3.0);
+        checkContrast({{"core", t.core}}, {{"base", t.base}}, 3.0);
     }
 }
 

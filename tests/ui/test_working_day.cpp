@@ -1,3 +1,4 @@
+#include "core/drawing/recovery/recovery_journal.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
 #include "tests/ui/edit_driver.hpp"
@@ -314,6 +315,36 @@ TEST_CASE("Recovery: a drawing that was never saved is offered with its title") 
     REQUIRE(driver.context().dialogs.top() == nullptr);
     CHECK(driver.context().document.title() == "Harbour with a pier");
     CHECK(driver.context().document.dirty());
+}
+
+TEST_CASE("Recovery: what is not recovered at once stays on the start page, with its picture") {
+    const TemporaryFolder place;
+    const EditorSetup setup{.stateFolder = place.path, .sample = false, .startPage = true};
+    std::filesystem::create_directories(place.path / "recovery");
+    {
+        RecoveryJournal journal(place.path / "recovery", projectText);
+        Document drawing;
+        Shape shape;
+        shape.id = drawing.nextId++;
+        shape.form = formOf(ShapeKind::Rectangle);
+        shape.nodes = {{0, 0}, {4, 3}};
+        drawing.shapes.push_back(std::make_shared<const Shape>(shape));
+        journal.record(std::make_shared<const Document>(drawing), {.savedAt = {}, .title = "Bracket"});
+        journal.flush();
+        std::filesystem::copy_file(journal.file(), place.path / "recovery" / "1-1.journal");
+    }
+    Driver driver(setup);
+    REQUIRE(driver.has("dialog/recovery/later"));
+    driver.click("dialog/recovery/later");
+    driver.settle();
+    REQUIRE(driver.has("start/recent/1-1"));
+    driver.click("start/recent/1-1");
+    driver.settle();
+    CHECK(driver.context().document.title() == "Bracket");
+    CHECK(driver.context().document.dirty());
+    CHECK(driver.context().document.current()->shapes.size() == 1);
+    CHECK(driver.context().unsaved.empty());
+    CHECK_FALSE(std::filesystem::exists(place.path / "recovery" / "1-1.journal"));
 }
 
 TEST_CASE("Names of documents: each new drawing has its own, also beside those to be recovered") {

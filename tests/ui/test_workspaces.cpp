@@ -145,7 +145,7 @@ TEST_CASE("Options bar: it keeps its height, and what does not fit opens beside 
         CHECK(driver.context().widgets.find("options")->rect.height == 36.0);
         CHECK_FALSE(driver.context().widgets.find("options")->rect.overlaps(canvas));
     }
-    driver.platform().resize({760, 600}, 1.0);
+    driver.platform().resize({560, 600}, 1.0);
     driver.key('S');
     driver.settle();
     REQUIRE(driver.has("options/more"));

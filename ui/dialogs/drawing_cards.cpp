@@ -3,6 +3,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/widgets/shortened.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace forefront {
@@ -23,6 +25,20 @@ std::vector<std::filesystem::path> pathsOf(const std::vector<DrawingCards::Card>
     std::transform(cards.begin(), cards.end(), std::back_inserter(paths),
                    [](const DrawingCards::Card &card) { return card.path; });
     return paths;
+}
+
+/// Returns what makes the thumbnails of the cards, by their paths.
+Thumbnails::Make makerOf(const std::vector<DrawingCards::Card> &cards) {
+    std::map<std::filesystem::path, std::string> texts;
+    for (const DrawingCards::Card &card : cards) {
+        if (!card.text.empty()) {
+            texts.emplace(card.path, card.text);
+        }
+    }
+    return [texts = std::move(texts)](const std::filesystem::path &project, const std::stop_token &stop) {
+        const auto text = texts.find(project);
+        return text != texts.end() ? makeThumbnail(text->second, stop) : makeThumbnail(project, stop);
+    };
 }
 
 /// Maps a thumbnail into a rectangle of the screen.
@@ -77,7 +93,7 @@ std::vector<DrawingCards::Card> sampleCards() {
 }
 
 DrawingCards::DrawingCards(BackgroundList &list, std::vector<Card> cards)
-    : cards_(std::move(cards)), thumbnails_(list, pathsOf(cards_)) {}
+    : cards_(std::move(cards)), thumbnails_(list, pathsOf(cards_), makerOf(cards_)) {}
 
 bool DrawingCards::drawCard(Shell &context, std::size_t index, const std::string &name, float width, bool small) {
     const Card &card = cards_[index];
@@ -100,10 +116,9 @@ bool DrawingCards::drawCard(Shell &context, std::size_t index, const std::string
     }
     const float left = at.x + context.px(10), room = size.x - context.px(20);
     float y = at.y + picture + context.px(8);
-    list.PushClipRect({left, at.y}, {left + room, at.y + size.y}, true);
-    list.AddText(context.fonts.strong, context.fonts.strong->FontSize, {left, y}, context.theme.text,
-                 card.title.c_str());
-    list.PopClipRect();
+    ImGui::PushFont(context.fonts.strong);
+    ui::shortened(context, Pixel(left, y), left + room, card.title, context.theme.text);
+    ImGui::PopFont();
     if (!small) {
         y += context.fonts.strong->FontSize + context.px(2);
         ImGui::PushFont(context.fonts.small);

@@ -18,7 +18,8 @@ class DrawingCards {
     struct Card {
         std::string title;
         std::string about;
-        std::filesystem::path path; ///< of a project
+        std::filesystem::path path; ///< of a project, or of what keeps an unsaved one
+        std::string text = {};      ///< of an unsaved project; empty: it is read from the path
     };
     DrawingCards(BackgroundList &list, std::vector<Card> cards);
 

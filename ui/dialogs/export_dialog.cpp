@@ -187,11 +187,21 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
 
 } // namespace
 
+std::string exportLabel(const Shell &context) {
+    const std::shared_ptr<const MeshSnapshot> mesh = finishedMesh(context);
+    if (!mesh) {
+        return "Export";
+    }
+    const std::string words = elementsInWords(mesh->view());
+    return "Export " + words.substr(0, words.find(" (")); // how many there are of each kind is said above
+}
+
 void exportMesh(Shell &context, std::string_view proposed) {
     FileRequest request;
     request.id = "export";
     request.title = "Export mesh";
     request.action = "Export";
+    request.actionNow = exportLabel;
     request.saves = true;
     for (const FileFormat &format : allFormats().list()) {
         if (format.writesMesh) {

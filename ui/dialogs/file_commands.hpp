@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace forefront {
@@ -56,6 +57,8 @@ void followPicture(Shell &context);
 void openDropped(Shell &context, const std::filesystem::path &file);
 /// Exports the mesh in a format that the user chooses; `proposed`: the id of the one chosen at first.
 void exportMesh(Shell &context, std::string_view proposed = {});
+/// Returns what exporting would write now: "Export 2 943 triangles".
+std::string exportLabel(const Shell &context);
 /// Writes the run of the document as a film: an animation, numbered frames or one moment.
 void exportFilm(Shell &context);
 /// Returns the folder that a file dialog starts in: the folder of the document or of the last file.

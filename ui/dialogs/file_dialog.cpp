@@ -398,7 +398,10 @@ bool FileDialog::drawBottom(Shell &context) {
     }
     const bool allowed = !request_.extra || request_.extra(context, filter());
     ImGui::Dummy({0, context.px(4)});
-    const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kButton + kButtonGap);
+    const std::string label = replace_ ? "Replace" : request_.actionNow ? request_.actionNow(context) : request_.action;
+    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x + context.px(8);
+    const float okWidth = std::max(context.px(kButton), ImGui::CalcTextSize(label.c_str()).x + padding);
+    const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(kButton + kButtonGap) - okWidth;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, fault_.empty() ? context.theme.warn : context.theme.bad);
     const float top = ImGui::GetCursorPosY();
@@ -412,10 +415,9 @@ bool FileDialog::drawBottom(Shell &context) {
     ImGui::SetCursorPos({buttons, top});
     const bool cancelled = ui::button(context, widget("cancel"), "Cancel", ui::ButtonKind::Plain, true, kButton);
     ImGui::SameLine(0, context.px(kButtonGap));
-    const std::string label = replace_ ? "Replace" : request_.action;
     const bool ready = allowed && !request_.name.empty() && !reading_;
-    wanted = ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, ready, kButton) || wanted ||
-             (entered_ && !replace_);
+    wanted = ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, ready, okWidth / context.scale) ||
+             wanted || (entered_ && !replace_);
     if (cancelled && reading_) {
         cancelReading(context);
         return true;

@@ -32,6 +32,8 @@ struct FileRequest {
     std::string id;     ///< widgets are "dialog/ID/..."
     std::string title;  ///< "Open"
     std::string action; ///< label of the button, "Open"
+    /// Returns the label of the button for what would be written now, "Export 2 943 triangles"; unset: `action`.
+    std::function<std::string(const Shell &)> actionNow = {};
     bool saves = false; ///< asks for the name of a new file, and confirms before replacing one
     std::vector<FileFilter> filters;
     std::size_t filter = 0;

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -82,6 +83,7 @@ std::vector<std::string> textsOf(const Diagnostics &diagnostics) {
 struct NoteGroup {
     const char *id, *title;
     std::vector<std::string> texts;
+    std::vector<std::optional<Vec2>> places; ///< of each, in the file
 };
 
 /// Returns true if a note says that something of the file is not in the drawing.
@@ -90,12 +92,28 @@ bool leavesOut(const Diagnostic &note) {
     return says("ignored") || says("left out") || says("not read");
 }
 
+/// Returns the first place that a note names, as in "first at (2.5, 4)", in the coordinates of the file.
+std::optional<Vec2> firstPlace(const std::string &message) {
+    for (std::size_t at = message.find("at ("); at != std::string::npos; at = message.find("at (", at + 1)) {
+        double x = 0.0, y = 0.0;
+        const char *const text = message.c_str() + at + 4, *const end = message.c_str() + message.size();
+        const auto first = std::from_chars(text, end, x);
+        const bool comma = first.ec == std::errc() && end - first.ptr > 2 && first.ptr[0] == ',' && first.ptr[1] == ' ';
+        if (comma && std::from_chars(first.ptr + 2, end, y).ec == std::errc()) {
+            return Vec2{x, y};
+        }
+    }
+    return std::nullopt;
+}
+
 /// Returns the notes in groups: what the user should look at, what is left out, what was changed.
 std::vector<NoteGroup> groupsOf(const Diagnostics &notes) {
-    NoteGroup ask{"ask", "Check", {}}, leftOut{"left-out", "Left out", {}}, changed{"changed", "Changed", {}};
+    NoteGroup ask{"ask", "Check", {}, {}}, leftOut{"left-out", "Left out", {}, {}},
+        changed{"changed", "Changed", {}, {}};
     for (const Diagnostic &note : notes) {
         NoteGroup &group = note.severity != Severity::Note ? ask : leavesOut(note) ? leftOut : changed;
         group.texts.push_back(withEditorHints(note.message, {}));
+        group.places.push_back(note.at ? note.at : firstPlace(note.message));
     }
     std::vector<NoteGroup> groups;
     for (NoteGroup *group : {&ask, &leftOut, &changed}) {
@@ -387,6 +405,36 @@ void ImportDialog::drawJoining(Shell &context) {
     }
 }
 
+/// Draws a note; a click on one with a place goes there.
+void ImportDialog::drawNote(Shell &context, const std::string &name, const std::string &text,
+                            const std::optional<Vec2> &place) const {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ui::small(context, text, true);
+    ui::mark(context, name);
+    if (!place) {
+        return;
+    }
+    const ImVec2 end{at.x + ImGui::GetContentRegionAvail().x, ImGui::GetItemRectMax().y};
+    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(at, end)) {
+        return;
+    }
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x - context.px(4), at.y}, end, fade(context.theme.hovered, 0.5),
+                                              context.px(4));
+    ui::tooltipOver(context, {at.x, at.y, end.x - at.x, end.y - at.y}, "Click to go there");
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        constexpr double kShown = 0.15; // of the drawing, in the height of the canvas
+        context.view.goTo(scale_ * *place, context.platform.now());
+        Camera &camera = context.view.camera;
+        const double height = kShown * scale_ * boundsOf(drawing_).diagonal();
+        if (height > 0.0) {
+            camera.zoom =
+                std::clamp(camera.viewport.height / height, std::min(camera.zoom, camera.maxZoom), camera.maxZoom);
+        }
+        context.animate();
+    }
+}
+
 /// Shows why the file cannot be read with the options, or what reading it changed; what does not fit is scrolled.
 void ImportDialog::drawReport(Shell &context) const {
     const float width = ImGui::GetContentRegionAvail().x;
@@ -407,9 +455,8 @@ void ImportDialog::drawReport(Shell &context) const {
     for (const NoteGroup &group : groups) {
         ui::heading(context, std::string(group.title) + "  " + ui::count(group.texts.size()));
         ui::mark(context, std::string("dialog/importoptions/group/") + group.id);
-        for (const std::string &text : group.texts) {
-            ui::small(context, text, true);
-            ui::mark(context, "dialog/importoptions/note/" + std::to_string(k++));
+        for (std::size_t i = 0; i < group.texts.size(); ++i) {
+            drawNote(context, "dialog/importoptions/note/" + std::to_string(k++), group.texts[i], group.places[i]);
         }
     }
     ImGui::EndChild();

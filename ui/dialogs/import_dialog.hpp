@@ -44,6 +44,8 @@ class ImportDialog final : public PreviewDialog {
     void drawMap(Shell &context);
     void drawJoining(Shell &context);
     void drawReport(Shell &context) const;
+    void drawNote(Shell &context, const std::string &name, const std::string &text,
+                  const std::optional<Vec2> &place) const;
     /// Shows the drawing as read last, selected, as part of a stroke that can be abandoned.
     void preview(Shell &context);
     void accept(Shell &context);

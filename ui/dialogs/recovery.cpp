@@ -4,20 +4,78 @@
 #include "core/files/files.hpp"
 #include "ui/dialogs/recovery_dialog.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
 
 namespace forefront {
+
+namespace {
+
+std::string timeText(std::time_t time) {
+    std::tm parts{};
+    char buffer[32] = "";
+    if (::localtime_r(&time, &parts) != nullptr) {
+        static_cast<void>(std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M:%S", &parts));
+    }
+    return buffer;
+}
+
+/// Returns the name of the file, or the title of a document that was never saved.
+std::string nameOf(const OrphanedJournal &orphan) {
+    if (!orphan.savedAt().empty()) {
+        return orphan.savedAt().filename().string();
+    }
+    return (orphan.title().empty() ? std::string("Untitled") : orphan.title()) + " (never saved)";
+}
+
+/// Returns the number of shapes in a journal, such as "3 shapes, "; nothing if it cannot be read.
+std::string shapesText(const OrphanedJournal &orphan) {
+    constexpr std::size_t kLongText = 16'000'000; // takes more than a moment to read
+    if (orphan.text().size() > kLongText) {
+        return {};
+    }
+    const Result<Document> document = parseProject(orphan.text(), orphan.file().string());
+    if (!document) {
+        return {};
+    }
+    const std::size_t count = document->shapes.size();
+    return ui::count(count) + (count == 1 ? " shape, " : " shapes, ");
+}
+
+} // namespace
 
 Recovery::Recovery(const std::filesystem::path &folder)
     : folder_(folder / "recovery"), journal_(folder / "recovery", projectText) {}
 
 void Recovery::offer(Shell &context) {
-    std::vector<OrphanedJournal> orphans = findOrphanedJournals(folder_);
-    for (const OrphanedJournal &orphan : orphans) {
-        context.document.reserveTitle(orphan.title());
+    for (OrphanedJournal &journal : findOrphanedJournals(folder_)) {
+        context.document.reserveTitle(journal.title());
+        std::string name = nameOf(journal), details = shapesText(journal) + timeText(journal.written());
+        orphans_.push_back({std::move(journal), std::move(name), std::move(details)});
     }
-    if (!orphans.empty()) {
-        context.dialogs.open(std::make_unique<RecoveryDialog>(*this, std::move(orphans)));
+    publish(context);
+    if (!orphans_.empty()) {
+        context.dialogs.open(std::make_unique<RecoveryDialog>(*this));
     }
+}
+
+void Recovery::publish(Shell &context) {
+    context.unsaved.clear();
+    for (const Orphan &orphan : orphans_) {
+        const std::filesystem::path file = orphan.journal.file();
+        const auto open = [this, file](Shell &c) {
+            const auto at = std::find_if(orphans_.begin(), orphans_.end(),
+                                         [&file](const Orphan &each) { return each.journal.file() == file; });
+            if (at != orphans_.end()) {
+                recover(static_cast<std::size_t>(at - orphans_.begin()), c);
+            }
+        };
+        context.unsaved.push_back({orphan.name, orphan.details, file, orphan.journal.text(), open});
+    }
+    context.animate();
 }
 
 void Recovery::follow(Shell &context) {
@@ -36,27 +94,34 @@ void Recovery::follow(Shell &context) {
     context.log.add(journal_.takeFaults());
 }
 
-bool Recovery::recover(OrphanedJournal &orphan, Shell &context) {
-    Result<Document> document = parseProject(orphan.text(), orphan.file().string());
+bool Recovery::recover(std::size_t orphan, Shell &context) {
+    const OrphanedJournal &journal = orphans_[orphan].journal;
+    Result<Document> document = parseProject(journal.text(), journal.file().string());
     if (!document) {
         context.log.add(document.faults());
         return false;
     }
     FileStamp stamp; // by which changes since the crash are found
-    if (orphan.savedHash() != 0) {
+    if (journal.savedHash() != 0) {
         stamp.kind = FileStamp::Kind::File;
-        stamp.hash = orphan.savedHash();
+        stamp.hash = journal.savedHash();
     }
-    context.document.load(std::move(document).value(), orphan.savedAt(), true, orphan.title(), stamp);
+    context.document.load(std::move(document).value(), journal.savedAt(), true, journal.title(), stamp);
     context.selection.clear();
     context.run.clear();
     restoreColours(context);
     context.view.fitPending = true;
     follow(context);
     journal_.flush();
-    orphan.discard();
+    discard(orphan, context);
     context.log.announce("Recovered unsaved changes; save the document to keep them");
     return true;
+}
+
+void Recovery::discard(std::size_t orphan, Shell &context) {
+    orphans_[orphan].journal.discard();
+    orphans_.erase(orphans_.begin() + static_cast<std::ptrdiff_t>(orphan));
+    publish(context);
 }
 
 } // namespace forefront

@@ -2,8 +2,10 @@
 
 #include "core/drawing/recovery/recovery_journal.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -16,17 +18,31 @@ class Recovery {
     /// Stores the journals in `folder`/recovery.
     explicit Recovery(const std::filesystem::path &folder);
 
-    /// Opens the recovery dialog if programs that crashed left journals.
+    /// Opens the recovery dialog if programs that crashed left journals. Until they are recovered or discarded, the
+    /// start page lists their drawings, too: Shell::unsaved.
     void offer(Shell &context);
     /// Records the document in the journal if it has changed. Called once per frame.
     void follow(Shell &context);
+
+    /// A journal that was left behind.
+    struct Orphan {
+        OrphanedJournal journal;
+        std::string name;    ///< of its file, or its title
+        std::string details; ///< number of shapes, time of the last change
+    };
+    const std::vector<Orphan> &orphans() const { return orphans_; }
     /// Opens the document of a journal as unsaved, and removes that journal once the document is in the current one.
     /// Returns false if the journal cannot be read.
-    bool recover(OrphanedJournal &orphan, Shell &context);
+    bool recover(std::size_t orphan, Shell &context);
+    /// Removes a journal and what it keeps.
+    void discard(std::size_t orphan, Shell &context);
 
   private:
+    void publish(Shell &context);
+
     std::filesystem::path folder_;
     RecoveryJournal journal_;
+    std::vector<Orphan> orphans_;
     std::uint64_t revision_ = 0;
     bool dirty_ = false;
 };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/drawing/recovery/recovery_journal.hpp"
 #include "ui/parts/dialog.hpp"
 
 #include <string>
@@ -13,7 +12,7 @@ class Recovery;
 /// Offers to recover drawings that were unsaved when the program crashed.
 class RecoveryDialog final : public Dialog {
   public:
-    RecoveryDialog(Recovery &recovery, std::vector<OrphanedJournal> orphans);
+    explicit RecoveryDialog(Recovery &recovery) : recovery_(recovery) {}
 
     const char *id() const override { return "recovery"; }
     std::string title() const override { return "Recover unsaved work?"; }
@@ -22,8 +21,6 @@ class RecoveryDialog final : public Dialog {
 
   private:
     Recovery &recovery_;
-    std::vector<OrphanedJournal> orphans_;
-    std::vector<std::string> details_; ///< of each: number of shapes, time of the last change
     std::size_t chosen_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/project/project.hpp"
 #include "core/engine/improve/improve.hpp"
 #include "core/engine/mesher/mesher.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
@@ -45,11 +46,8 @@ void addFineness(const TriMesh &mesh, const SpacingField &spacing, Thumbnail &th
     }
 }
 
-std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &project, const std::stop_token &stop) {
+std::shared_ptr<const Thumbnail> thumbnailOf(const Result<Document> &document, const std::stop_token &stop) {
     auto thumbnail = std::make_shared<Thumbnail>();
-    ImportOptions options;
-    options.regularFile = true;
-    const Result<Document> document = readDocument(project, options);
     if (!document) {
         return thumbnail;
     }
@@ -90,8 +88,20 @@ std::vector<std::shared_ptr<const Thumbnail>> makeAll(const ThumbnailTurn &turn,
 
 } // namespace
 
+std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &project, const std::stop_token &stop) {
+    ImportOptions options;
+    options.regularFile = true;
+    return thumbnailOf(readDocument(project, options), stop);
+}
+
+std::shared_ptr<const Thumbnail> makeThumbnail(const std::string &projectText, const std::stop_token &stop) {
+    return thumbnailOf(parseProject(projectText, {}), stop);
+}
+
 Thumbnails::Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects)
-    : Thumbnails(list, std::move(projects), makeThumbnail) {}
+    : Thumbnails(list, std::move(projects), [](const std::filesystem::path &project, const std::stop_token &stop) {
+          return makeThumbnail(project, stop);
+      }) {}
 
 Thumbnails::Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects, Make make)
     : worker_(

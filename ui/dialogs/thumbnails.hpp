@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -24,6 +25,10 @@ struct Thumbnail {
     std::vector<float> fineness;                        ///< per element: 0 where ρ is finest, 1 where it is coarsest
 };
 
+/// Makes the thumbnail of the project in a file, or of a text of one.
+std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &project, const std::stop_token &stop);
+std::shared_ptr<const Thumbnail> makeThumbnail(const std::string &projectText, const std::stop_token &stop);
+
 /// Makes the thumbnails of projects one after the other on a separate thread, which is left behind if it hangs in
 /// reading a file.
 class Thumbnails {
@@ -32,7 +37,7 @@ class Thumbnails {
     using Make =
         std::function<std::shared_ptr<const Thumbnail>(const std::filesystem::path &, const std::stop_token &)>;
     Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects);
-    /// `make`: for tests.
+    /// `make`: for projects that are not in files, and for tests.
     Thumbnails(BackgroundList &list, std::vector<std::filesystem::path> projects, Make make);
 
     /// Fetches those made since the last call. Returns true if there are any.

@@ -4,6 +4,7 @@
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/pointer_hints.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/judging.hpp"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -291,6 +292,10 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
     }
     if (event.code == key::kEscape && context.probe.chosen && !context.probe.active) {
         context.probe.chosen.reset(); // such as the worst element, shown with any tool
+        return;
+    }
+    if (context.probe.walks && modifiers_.none() && (event.code == key::kUp || event.code == key::kDown)) {
+        walkRanks(context, event.code == key::kDown);
         return;
     }
     if (!offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context)) {

@@ -397,6 +397,7 @@ void Editor::Parts::buildInterface() {
     shell::drawToolStrip(context, layout.tools);
     shell::drawLessons(context, layout.lessons);
     shell::drawSides(context, layout.sides, layout.figures);
+    shell::drawBelow(context, layout.below);
     shell::drawTimeline(context, layout.timeline);
     shell::drawStatusBar(context, layout.status);
     shell::drawRulers(context, layout);

@@ -127,6 +127,11 @@ void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera
         std::copy(tint->levels.begin(), tint->levels.end(), levels.begin());
         program.set("levels", levels);
         program.set("contourWidth", static_cast<float>(tint->contourWidth));
+        float gap = 1e30F;
+        for (std::size_t k = 1; k < tint->levels.size(); ++k) {
+            gap = std::min(gap, tint->levels[k] - tint->levels[k - 1]);
+        }
+        program.set("contourGap", gap);
         program.set("opacity", static_cast<float>(tint->opacity));
         glActiveTexture(GL_TEXTURE0);
     }

@@ -23,8 +23,8 @@ struct FieldTint {
     std::uint64_t version = 0;           ///< changes whenever the values change
     double minimum = 0.0, maximum = 1.0; ///< ln ρ at the ends of the map
     static constexpr std::size_t kMaxLevels = 8;
-    std::vector<float> levels; ///< ln ρ of the contour lines, kMaxLevels at most
-    double contourWidth = 1.5; ///< pixels
+    std::vector<float> levels; ///< ln ρ of the contour lines in increasing order, kMaxLevels at most
+    double contourWidth = 1.5; ///< pixels, at most
     double opacity = 1.0;      ///< of the colours over the plain one
 };
 

@@ -1,4 +1,5 @@
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/line_density.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
@@ -6,6 +7,7 @@
 #include "ui/workspace/view/moment.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,7 +40,8 @@ class FrontLayer final : public Layer {
             base_ = middle;
             update(frame.theme.front);
         }
-        const double width = (frame.camera.zoom * meanLength_ < 4.0 * frame.scale ? 1.25 : 2.2) * frame.scale;
+        // The front may be twice as wide as the edges of the mesh, which it must not be taken for.
+        const double width = densityWidth(2.0 * frame.camera.zoom * meanLength_, 2.2 * frame.scale);
         rest_.draw(frame.gl, frame.camera, {.width = width});
         near_.draw(frame.gl, frame.camera, {.width = width, .arrow = 7.0 * frame.scale});
     }
@@ -135,14 +138,16 @@ class GridLayer final : public Layer {
             shown_ = frame.snapshot.cells;
             theme_ = frame.theme.kind;
             occupied_.clear();
+            smallest_ = std::numeric_limits<double>::infinity();
             if (shown_) {
                 for (const GridCellView &cell : *shown_) {
                     const double weight = cell.entries == 0 ? 0.0 : 0.10 + 0.05 * std::min<double>(cell.entries, 8.0);
                     occupied_.add(cell.box, fade(frame.theme.cell, weight), fade(frame.theme.cell, 0.45));
+                    smallest_ = std::min({smallest_, cell.box.size().x, cell.box.size().y});
                 }
             }
         }
-        occupied_.draw(frame.gl, frame.camera, 1.0 * frame.scale);
+        occupied_.draw(frame.gl, frame.camera, densityWidth(frame.camera.zoom * smallest_, 1.0 * frame.scale));
         visited_.clear();
         if (const Moment moment = momentOf(frame.snapshot)) {
             for (std::size_t i = 0; i < moment.cells; ++i) {
@@ -154,6 +159,7 @@ class GridLayer final : public Layer {
 
   private:
     BoxBatch occupied_, visited_;
+    double smallest_ = 0.0; ///< side of the occupied cells, in domain units
     std::shared_ptr<const std::vector<GridCellView>> shown_;
     ThemeKind theme_ = ThemeKind::Dark;
 };

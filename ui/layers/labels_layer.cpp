@@ -1,7 +1,6 @@
 #include "core/drawing/shapes/tag_runs.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 
@@ -14,8 +13,6 @@
 namespace forefront {
 
 namespace {
-
-constexpr std::size_t kMaxIds = 80;
 
 class LabelsLayer final : public Layer {
   public:
@@ -30,7 +27,6 @@ class LabelsLayer final : public Layer {
         if (!frame.document.boundaryNames.empty()) {
             reserveOutlines(painter, frame);
         }
-        drawNodeNumbers(painter, frame);
         for (const RunsOfShape &runs : runs_) {
             for (std::size_t k = 0; k < runs.runs.size(); ++k) {
                 if (drawName(painter, frame, runs.runs[k])) {
@@ -144,49 +140,6 @@ class LabelsLayer final : public Layer {
         }
         painter.leader(run.at, frame.theme.muted);
         return true;
-    }
-
-    static void drawNodeNumbers(CanvasPainter &painter, const LayerFrame &frame) {
-        if (!frame.snapshot.mesh || frame.snapshot.mesh->mesh.nodes.empty()) {
-            return;
-        }
-        const std::vector<Vec2> &nodes = frame.snapshot.mesh->mesh.nodes;
-        const Box2 visible = frame.camera.visible();
-        const Vec2 all = frame.domain.bounds().size(), seen = visible.size();
-        const double part = std::min(1.0, seen.x * seen.y / std::max(all.x * all.y, 1e-300));
-        if (part * static_cast<double>(nodes.size()) > 40.0 * static_cast<double>(kMaxIds)) {
-            return;
-        }
-        std::vector<std::size_t> inView;
-        for (std::size_t i = 0; i < nodes.size() && inView.size() <= kMaxIds; ++i) {
-            if (visible.contains(nodes[i])) {
-                inView.push_back(i);
-            }
-        }
-        if (inView.size() > kMaxIds) {
-            return;
-        }
-        const Moment moment = momentOf(frame.snapshot);
-        for (const std::size_t i : inView) {
-            if (namedElsewhere(moment, i)) {
-                continue;
-            }
-            painter.dot(nodes[i], 2.0, frame.theme.muted);
-            painter.freeLabel(nodes[i], {6, 3}, std::to_string(i), frame.theme.text, fade(frame.theme.popup, 0.82),
-                              frame.fonts.small);
-        }
-    }
-
-    /// Returns true for A, B and the candidates, which have separate labels.
-    static bool namedElsewhere(const Moment &moment, std::size_t node) {
-        if (!moment) {
-            return false;
-        }
-        const AdvanceExplanation &e = *moment.advance;
-        const auto is = [node](NodeId id) { return id != kNoNode && index(id) == node; };
-        return is(e.nodeA) || is(e.nodeB) ||
-               std::any_of(e.candidates.begin(), e.candidates.end(),
-                           [&](const CandidateTrace &c) { return is(c.node); });
     }
 
     std::vector<RunsOfShape> runs_; ///< of the document with revision_

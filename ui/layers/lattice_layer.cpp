@@ -1,5 +1,6 @@
 #include "core/drawing/picking/pointer_snap.hpp"
 #include "core/engine/base/hash.hpp"
+#include "ui/canvas/line_density.hpp"
 #include "ui/canvas/ruler_scale.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
@@ -39,7 +40,7 @@ class LatticeLayer final : public Layer {
             const double i = rows.first + k;
             lines_.add({visible.min.x, i * pitch}, {visible.max.x, i * pitch}, colour(i));
         }
-        lines_.draw(frame.gl, frame.camera, {.width = 1.0 * frame.scale});
+        lines_.draw(frame.gl, frame.camera, {.width = densityWidth(frame.camera.zoom * pitch, 1.0 * frame.scale)});
     }
 
   private:

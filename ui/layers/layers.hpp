@@ -31,8 +31,10 @@ std::unique_ptr<Layer> makeFrontLayer();
 std::unique_ptr<Layer> makeCandidatesLayer();
 /// Draws the candidate segments of this step and the segments of Γ they are tested against.
 std::unique_ptr<Layer> makeTestsLayer();
-/// Writes the names of boundary parts and, close up, the numbers of nodes.
+/// Writes the names of boundary parts.
 std::unique_ptr<Layer> makeLabelsLayer();
+/// Writes the numbers of nodes and elements, close up.
+std::unique_ptr<Layer> makeNumbersLayer();
 /// Writes lengths, radii and angles of the drawing, or of the selected shapes.
 std::unique_ptr<Layer> makeDimensionsLayer();
 /// Draws size sources and region markers.

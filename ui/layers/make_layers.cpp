@@ -18,6 +18,7 @@ std::vector<std::unique_ptr<Layer>> makeLayers() {
     layers.push_back(makeCandidatesLayer());
     layers.push_back(makeMarksLayer());
     layers.push_back(makeLabelsLayer());
+    layers.push_back(makeNumbersLayer());
     layers.push_back(makeDimensionsLayer());
     layers.push_back(makeFaultsLayer());
     return layers;

@@ -169,10 +169,15 @@ class CandidatesPanel final : public Panel {
                                                       chosen ? theme.selectedRow : theme.hovered, context.px(4));
         }
         const auto known = [&](double value, int digits) {
-            return moment.scoresKnown ? ui::format("%.*f", digits, value) : std::string("\xe2\x80\x93");
+            constexpr double kNarrowTable = 276.0; // design pixels
+            const int shown = width < context.px(kNarrowTable) ? std::min(digits, 2) : digits;
+            return moment.scoresKnown ? ui::format("%.*f", shown, value) : std::string("\xe2\x80\x93");
         };
         const bool judged = moment.judged[i] && c.verdict != Verdict::NotTried;
-        const Colour verdict = !judged ? theme.muted : c.verdict == Verdict::Accepted ? theme.accepted : theme.bad;
+        const Colour verdict = !judged             ? theme.muted
+                               : chosen || hovered ? theme.text // the colours are too near to those of such rows
+                               : c.verdict == Verdict::Accepted ? theme.accepted
+                                                                : theme.bad;
         drawCells(context, {at.x, std::round(at.y + 0.5F * (height - ImGui::GetFontSize()))}, width,
                   {std::to_string(i + 1), nodeText(c), known(c.alpha, 3), known(c.deltaAC, 2), known(c.deltaCB, 2),
                    known(c.score, 3), judged ? shortVerdict(c.verdict) : "\xe2\x80\x93"},

@@ -22,6 +22,14 @@ float halfWidth(const Workspace &context) {
     return (ImGui::GetContentRegionAvail().x - context.px(6)) / (2.0F * context.scale);
 }
 
+float wordBefore(Workspace &context, const char *word, float width) {
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, word);
+    const float field = width - ImGui::GetItemRectSize().x / context.scale - 4.0F;
+    ImGui::SameLine(0, context.px(4));
+    return field;
+}
+
 bool optionalField(Workspace &context, const std::string &name, std::optional<double> &value, const char *hint,
                    float width, const ui::FieldAddress &address) {
     return ui::inputOptional(context, name, value, hint, width, address);

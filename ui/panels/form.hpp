@@ -12,7 +12,7 @@
 namespace forefront::form {
 
 /// Width of the label column, design pixels.
-inline constexpr double kLabel = 84.0;
+inline constexpr double kLabel = 92.0;
 
 void label(Workspace &context, const char *text);
 /// Draws a number field; returns true when a new number was entered. For `address` see ui::inputNumber().
@@ -23,6 +23,9 @@ bool optionalField(Workspace &context, const std::string &name, std::optional<do
                    float width = -1.0F, const ui::FieldAddress &address = {});
 /// Returns half of the width left in the row, in design pixels.
 float halfWidth(const Workspace &context);
+/// Draws a word before a field that shares `width` design pixels with it, such as "min": a hint in the field would be
+/// gone once there is a number. Returns the width of the field.
+float wordBefore(Workspace &context, const char *word, float width);
 /// The addresses of two numbers.
 struct PairAddress {
     ui::FieldAddress x, y;

@@ -1,9 +1,9 @@
+#include "ui/panels/measure_choice.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
-#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -34,14 +34,16 @@ class HistogramPanel final : public Panel {
             ui::mark(context, "histogram/empty");
             return;
         }
-        drawChoice(context);
+        drawMeasureChoice(context, "histogram/measure", 118.0F);
         if (judgement->summary.count == 0) {
             ui::small(context, noneText(*judgement), true);
             ui::mark(context, "histogram/none");
             return;
         }
-        ImGui::SameLine(0, context.px(6));
-        drawRange(context, *judgement);
+        if (judgement->of.measure != Measure::Region) {
+            ImGui::SameLine(0, context.px(6));
+            drawMeasureRange(context, *judgement, "histogram");
+        }
         drawSummary(context, *judgement);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -62,55 +64,6 @@ class HistogramPanel final : public Panel {
                    : "This measure compares the mesh with the node spacing \xcf\x81, but there is none.";
     }
 
-    /// A field of the file, as an entry of the list of measures.
-    struct FieldChoice {
-        MeshPart part;
-        std::string name, label;
-    };
-
-    static std::vector<FieldChoice> fieldChoices(const RunControl &run) {
-        std::vector<FieldChoice> choices;
-        const std::shared_ptr<const FileFields> fields = run.fields();
-        if (fields) {
-            for (const auto &[name, values] : fields->nodes) {
-                choices.push_back({MeshPart::Nodes, name, name});
-            }
-            for (const auto &[name, values] : fields->elements) {
-                const bool twice = fields->nodes.contains(name);
-                choices.push_back({MeshPart::Elements, name, twice ? name + " (elements)" : name});
-            }
-        }
-        return choices;
-    }
-
-    static void drawChoice(Workspace &context) {
-        std::vector<const char *> labels;
-        for (const Measure measure : valuesOf<Measure>()) {
-            labels.push_back(infoOf(measure).name);
-        }
-        const std::size_t measures = labels.size();
-        auto choice = static_cast<int>(context.view.measure);
-        const std::vector<FieldChoice> fields = fieldChoices(context.run);
-        for (const FieldChoice &field : fields) {
-            const bool shown = field.name == context.view.field && field.part == context.view.fieldPart;
-            choice = shown ? static_cast<int>(labels.size()) : choice;
-            labels.push_back(field.label.c_str());
-        }
-        if (ui::combo(context, "histogram/measure", labels, choice, 118.0F)) {
-            const auto chosen = static_cast<std::size_t>(choice);
-            if (chosen < measures) {
-                chooseMeasure(context, static_cast<Measure>(choice));
-            } else {
-                chooseField(context, fields[chosen - measures].part, fields[chosen - measures].name);
-            }
-        }
-        const std::string meaning =
-            context.view.field.empty()
-                ? std::string(infoOf(context.view.measure).meaning)
-                : "Values of the " + std::string(wordOf(context.view.fieldPart)) + "s in the file";
-        ui::tooltip(context, meaning + "\nThe Quality layer shows it in colour");
-    }
-
     static void drawSummary(Workspace &context, const Judgement &judgement) {
         const MeasureSummary &summary = judgement.summary;
         constexpr int kDigits = 3; // so that the line fits into the panel
@@ -126,8 +79,8 @@ class HistogramPanel final : public Panel {
             }
             return;
         }
-        ui::small(context, "min " + text(summary.minimum) + "   median " + text(summary.percentiles[3]) + "   mean " +
-                               ui::number(summary.mean, kDigits) + "   max " + text(summary.maximum));
+        ui::small(context, "min " + text(summary.minimum) + "  median " + text(summary.percentiles[3]) + "  mean " +
+                               ui::number(summary.mean, kDigits) + "  max " + text(summary.maximum));
         ui::mark(context, "histogram/summary");
         std::string percentiles = judgement.name + " of " + ui::count(summary.count) + ' ' +
                                   std::string(wordOf(judgement.info.part)) + (summary.count == 1 ? "" : "s");
@@ -135,42 +88,6 @@ class HistogramPanel final : public Panel {
             percentiles += ui::format("\n%d %% are below ", kPercentiles[i]) + text(summary.percentiles[i]);
         }
         ui::tooltip(context, percentiles);
-    }
-
-    /// Draws the ends of the colour map, which fit the mesh until the user sets them.
-    static void drawRange(Workspace &context, const Judgement &judgement) {
-        if (judgement.of.measure == Measure::Region) {
-            ImGui::NewLine();
-            return; // its colours have no order
-        }
-        ColourRange range = measureRange(context);
-        const bool from = ui::inputNumber(context, "histogram/from", range.from, 52.0F);
-        ui::tooltip(context, "Start of the colour map");
-        ImGui::SameLine(0, context.px(4));
-        const bool to = ui::inputNumber(context, "histogram/to", range.to, 52.0F);
-        ui::tooltip(context, "End of the colour map");
-        ImGui::SameLine(0, context.px(4));
-        const bool fixed = !judgement.of.fieldValues && fixedRange(judgement.of.measure).has_value();
-        const bool fitted = !context.view.measureRange && (context.view.fitRange || !fixed);
-        if (ui::button(context, "histogram/fit", fitted && fixed ? "Fixed" : "Fit", ui::ButtonKind::Plain,
-                       !fitted || fixed)) {
-            fitMeasureRange(context);
-            context.view.fitRange = !fitted;
-        }
-        ui::tooltip(context, fitted ? "Show all meshes on the same range of colours" : "Fit the colours to the mesh");
-        const MeasureInfo &info = judgement.info;
-        const bool possible = range.from < range.to && range.from >= info.minimum && range.to <= info.maximum &&
-                              (!info.logarithmic || range.from > 0.0);
-        if ((from || to) && !possible) {
-            ui::refuseCommand(context, {{.severity = Severity::Warning,
-                                         .code = "bad-range",
-                                         .message = "colour range " + ui::number(range.from) + " to " +
-                                                    ui::number(range.to) + " is not a range of " + judgement.name,
-                                         .advice = "enter two numbers in increasing order"}});
-        } else if (from || to) {
-            context.view.measureRange = range;
-            context.animate();
-        }
     }
 
     /// Returns the colour of a bar, that of the value in its middle.

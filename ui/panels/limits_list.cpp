@@ -17,8 +17,8 @@ namespace forefront {
 namespace {
 
 /// Width of the field of a limit, and the column of its verdict; design pixels.
-constexpr float kField = 58.0F;
-constexpr double kVerdict = 206.0;
+constexpr float kField = 52.0F;
+constexpr double kLimitLabel = 152.0, kVerdict = 210.0;
 
 void drawIcon(const char *symbol, Colour colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -34,12 +34,10 @@ void drawPlaces(Shell &context, const LimitVerdict &verdict, const std::string &
     });
     const bool last = at == verdict.places.end() || at + 1 == verdict.places.end();
     const auto next = last ? verdict.places.begin() : at + 1;
-    const std::string text = at == verdict.places.end() ? ui::count(verdict.broken) + " \xc2\xb7 go to"
-                                                        : ui::count(verdict.broken) + " \xc2\xb7 next";
-    if (ui::link(context, name + "/next", text)) {
+    if (ui::link(context, name + "/next", ui::count(verdict.broken) + " \xe2\x80\xba")) {
         goToPart(context, {part, next->part});
     }
-    ui::tooltip(context, toString(verdict));
+    ui::tooltip(context, toString(verdict) + "\nClick to go to the next place");
 }
 
 void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string &name) {
@@ -64,7 +62,7 @@ void drawLimit(Shell &context, MeshLimit limit) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, label);
     ui::tooltip(context, info.meaning);
-    ImGui::SameLine(context.px(140));
+    ImGui::SameLine(context.px(kLimitLabel));
     std::optional<double> value = context.document.current()->limits[limit];
     if (form::optionalField(context, name, value, "off", kField)) {
         setLimit(context, limit, value);

@@ -15,6 +15,7 @@ std::vector<std::unique_ptr<Panel>> makePanels() {
     panels.push_back(makeProbePanel());
     panels.push_back(makeStatisticsPanel());
     panels.push_back(makeChecksPanel());
+    panels.push_back(makeWorstPanel());
     panels.push_back(makeAdaptPanel());
     panels.push_back(makeLogPanel());
     panels.push_back(makeShapesPanel());

@@ -17,6 +17,8 @@ std::unique_ptr<Panel> makeCandidatesPanel();
 std::unique_ptr<Panel> makeHistogramPanel();
 /// Shows the values of the part of the mesh that is chosen or under the pointer, and steps through the worst parts.
 std::unique_ptr<Panel> makeProbePanel();
+/// Lists the worst parts of the mesh by the chosen measure, below the canvas.
+std::unique_ptr<Panel> makeWorstPanel();
 /// Adapts the mesh to a field in rounds and lists their meshes.
 std::unique_ptr<Panel> makeAdaptPanel();
 /// Shows Nn, Ne, Nb, Nc, Ns, α, δ, angles and times.

@@ -23,7 +23,7 @@ namespace {
 using RowKind = TreeRow::Kind;
 
 // Design pixels.
-constexpr double kRow = 22.0, kIndent = 14.0, kSwitch = 20.0;
+constexpr double kRow = 24.0, kIndent = 18.0, kSwitch = 20.0;
 constexpr const char *kRenameField = "shapes/rename";
 
 /// Returns the item of a row; nothing for a group.

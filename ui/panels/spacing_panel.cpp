@@ -167,7 +167,8 @@ void SpacingPanel::drawElementCounts(Shell &context) {
     std::optional<double> perTurn = document->spacing.segmentsPerTurn, across = document->spacing.elementsAcross;
     form::label(context, "Elements per");
     const float half = form::halfWidth(context);
-    if (form::optionalField(context, "spacing/perturn", perTurn, "turn", half,
+    const float turn = form::wordBefore(context, "turn", half);
+    if (form::optionalField(context, "spacing/perturn", perTurn, "auto", turn,
                             NumberAddress{NumberOwner::ofSpacing(), Quantity::SegmentsPerTurn})) {
         context.applyCommand(setSegmentsPerTurn(*context.document.current(), perTurn), "Change elements per turn");
     }
@@ -175,7 +176,8 @@ void SpacingPanel::drawElementCounts(Shell &context) {
                    "Elements along a full turn of a curved boundary; 0: ignore bends. Empty: 40 with automatic "
                    "spacing, fewer on small bends, else 0. Curves always get as many as their shape needs.");
     ImGui::SameLine(0, context.px(6));
-    if (form::optionalField(context, "spacing/across", across, "gap", half,
+    const float gap = form::wordBefore(context, "gap", half);
+    if (form::optionalField(context, "spacing/across", across, "auto", gap,
                             NumberAddress{NumberOwner::ofSpacing(), Quantity::ElementsAcross})) {
         context.applyCommand(setElementsAcross(*context.document.current(), across), "Change elements per gap");
     }
@@ -201,11 +203,13 @@ void SpacingPanel::drawLimits(Shell &context) {
     std::optional<double> minimum = document->spacing.minimum, maximum = document->spacing.maximum;
     form::label(context, "Limits");
     const float half = form::halfWidth(context);
-    const bool low = form::optionalField(context, "spacing/minimum", minimum, "min", half,
+    const float least = form::wordBefore(context, "min", half);
+    const bool low = form::optionalField(context, "spacing/minimum", minimum, "none", least,
                                          NumberAddress{NumberOwner::ofSpacing(), Quantity::Minimum});
     ui::rowTooltip(context, "Minimum node spacing");
     ImGui::SameLine(0, context.px(6));
-    const bool high = form::optionalField(context, "spacing/maximum", maximum, "max", half,
+    const float most = form::wordBefore(context, "max", half);
+    const bool high = form::optionalField(context, "spacing/maximum", maximum, "none", most,
                                           NumberAddress{NumberOwner::ofSpacing(), Quantity::Maximum});
     ui::tooltip(context, "Maximum node spacing");
     if (low || high) {

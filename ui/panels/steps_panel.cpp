@@ -1,5 +1,6 @@
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/moment.hpp"
 
@@ -133,7 +134,7 @@ class StepsPanel final : public Panel {
         const SessionSnapshot &run = context.run.now();
         const Moment moment = momentOf(run);
         const int live = liveStep(run, moment);
-        const float width = ImGui::GetContentRegionAvail().x, height = context.px(15);
+        const float width = ImGui::GetContentRegionAvail().x, height = context.px(24);
         ImDrawList &list = *ImGui::GetWindowDrawList();
         ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
@@ -150,14 +151,12 @@ class StepsPanel final : public Panel {
             const std::string number = std::to_string(step);
             const float numberWidth = ImGui::CalcTextSize(number.c_str()).x;
             const Colour colour = here ? context.theme.text : context.theme.muted;
-            list.AddText({at.x + context.px(22) - numberWidth, y}, here ? context.theme.accent : context.theme.faint,
-                         number.c_str());
-            list.AddText({at.x + context.px(31), y}, colour, kShort[static_cast<std::size_t>(step - 1)]);
+            list.AddText({at.x + context.px(22) - numberWidth, y}, colour, number.c_str());
             const std::string found = finding(moment, step);
-            if (!found.empty()) {
-                const float foundWidth = ImGui::CalcTextSize(found.c_str()).x;
-                list.AddText({at.x + width - foundWidth - context.px(6), y}, context.theme.text, found.c_str());
-            }
+            const float right = at.x + width - context.px(6) - ImGui::CalcTextSize(found.c_str()).x;
+            list.AddText({right, y}, context.theme.text, found.c_str());
+            ui::shortened(context, Pixel(at.x + context.px(31), y), right - context.px(6),
+                          kShort[static_cast<std::size_t>(step - 1)], colour);
             if (ImGui::IsItemHovered()) {
                 ui::tooltip(context, tip(moment, static_cast<Step>(step)));
             }

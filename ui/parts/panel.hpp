@@ -14,7 +14,8 @@ enum class PanelPlace : std::uint8_t {
     Column, ///< a section of the column at the right, in the workspaces that list it
     Canvas, ///< over the upper right corner of the canvas, opened by a button there
     Drawer, ///< along the lower edge of the canvas, opened from the status bar
-    Menu    ///< below the menu bar, opened from the Edit menu
+    Menu,   ///< below the menu bar, opened from the Edit menu
+    Below   ///< below the canvas, in the workspace Judge
 };
 
 /// A part of the window with its own heading. To add one, write its file, add a line to makePanels(), and list it in

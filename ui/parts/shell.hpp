@@ -11,6 +11,7 @@
 #include "ui/parts/panel.hpp"
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
+#include "ui/parts/unsaved_drawing.hpp"
 #include "ui/workspace/run/adaptation.hpp"
 #include "ui/workspace/run/side_by_side.hpp"
 #include "ui/workspace/view/lesson_room.hpp"
@@ -67,9 +68,10 @@ struct Shell : Workspace {
     std::vector<std::string> called; ///< ids of panels that something has asked for, see showPanel()
     std::string revealedPanel;       ///< id of the panel to scroll to; empty: none
     Plates plates;
-    std::uint64_t logSeen = 0; ///< number of the last entry of the log that was seen in its drawer
-    bool contextMenu = false;  ///< a tool asks for the menu of the selection at the pointer
-    ContextMenu menu;          ///< see contextMenu; panels and tools can open other ones
+    std::vector<UnsavedDrawing> unsaved; ///< that can be recovered
+    std::uint64_t logSeen = 0;           ///< number of the last entry of the log that was seen in its drawer
+    bool contextMenu = false;            ///< a tool asks for the menu of the selection at the pointer
+    ContextMenu menu;                    ///< see contextMenu; panels and tools can open other ones
     MenuKeys menuKeys;
     Naming naming;
     SideBySide sides{background}; ///< runs with other grids or the other method

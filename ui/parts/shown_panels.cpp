@@ -177,6 +177,10 @@ void showPanel(Shell &context, std::string_view id) {
     case PanelPlace::Menu:
         context.plates.history = true;
         return;
+    case PanelPlace::Below:
+        chooseWorkspace(context, WorkspaceKind::Judge);
+        setFolded(context, id, false);
+        return;
     case PanelPlace::Column:
         break;
     }

@@ -10,10 +10,12 @@
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/gl/still_picture.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/pointer_hints.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
+#include "ui/workspace/ranks.hpp"
 #include "ui/workspace/view/moment.hpp"
 
 #include <glad/gl.h>
@@ -377,6 +379,9 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
     context.tools.current().drawOverlay(painter, context);
     drawPointerHint(painter, context);
     drawProbe(painter, context);
+    if (context.settings.workspace == WorkspaceKind::Judge && !isFolded(context, "worst")) {
+        drawRanks(painter, context);
+    }
     list.ChannelsSetCurrent(0);
     for (LayerSlot &slot : context.layers) {
         if (slot.visible) {

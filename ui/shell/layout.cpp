@@ -1,4 +1,5 @@
 #include "ui/canvas/legend.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/run_plot.hpp"
 
@@ -13,10 +14,23 @@ namespace {
 
 constexpr double kMenuHeight = 40, kOptionsHeight = 36, kTimelineHeight = 78, kStatusHeight = 26;
 constexpr double kLessonWidth = 330;
-constexpr double kNarrow = 760; ///< width of a window that has no room for the column beside the canvas
+constexpr double kNarrow = 800; ///< width of a window that has no room for the column beside the canvas
 constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
 constexpr double kRuler = 20;
 constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
+
+/// Returns the height of the panel below the canvas; design pixels. `window`: height of the window.
+double belowHeight(const Shell &context, double window) {
+    if (context.settings.workspace != WorkspaceKind::Judge || context.sides.views() > 0) {
+        return 0.0;
+    }
+    constexpr double kHeading = 32.0, kHint = 28.0, kShare = 0.25, kLowest = 116.0, kHighest = 320.0;
+    if (isFolded(context, "worst")) {
+        return kHeading;
+    }
+    return context.judgement->worst.empty() ? kHeading + kHint
+                                            : std::round(std::clamp(kShare * window, kLowest, kHighest));
+}
 
 /// Returns the width of the column for a window of this width; design pixels.
 double columnWidth(const Settings &settings, double window) {
@@ -68,7 +82,9 @@ Layout layOut(const Shell &context) {
     const double canvas = std::max(1.0, std::floor(room / (views + 1.0)));
     const double figures =
         compared > 0.0 ? std::min(px(kFiguresHeight + kFiguresRow * (compared + 1.0)), std::floor(0.4 * middle)) : 0.0;
-    const double canvasHeight = std::max(1.0, middle - figures);
+    const double under =
+        std::min(px(belowHeight(context, height / static_cast<double>(context.scale))), std::floor(0.4 * middle));
+    const double canvasHeight = std::max(1.0, middle - figures - under);
     const double ruler = context.settings.rulers ? px(kRuler) : 0.0, left = tools + lessons;
     layout.canvas = {left + ruler, top + ruler, std::max(1.0, canvas - ruler), std::max(1.0, canvasHeight - ruler)};
     const double covered = floats ? beside : 0.0;
@@ -77,6 +93,7 @@ Layout layOut(const Shell &context) {
     layout.rulerX = {left + ruler, top, layout.canvas.width, ruler};
     layout.rulerY = {left, top + ruler, ruler, layout.canvas.height};
     layout.sides = {tools + lessons + canvas, top, room - canvas, canvasHeight};
+    layout.below = {tools + lessons, top + canvasHeight, room, under};
     layout.figures = {tools + lessons, top + canvasHeight, room, figures};
     return layout;
 }

@@ -13,7 +13,7 @@ void addLessonActions(ActionRegistry &actions);
 
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
-    PixelRect menu, options, tools, lessons, canvas, sides, figures, column, timeline, status;
+    PixelRect menu, options, tools, lessons, canvas, sides, figures, below, column, timeline, status;
     PixelRect open;           ///< the part of the canvas that the column does not cover
     PixelRect rulerX, rulerY; ///< above the canvas and left of it; empty if hidden
 };
@@ -66,6 +66,8 @@ void drawOptionsBar(Shell &context, const PixelRect &rect);
 /// switches, the log at the lower edge and the history below the menu bar.
 void drawPlates(Shell &context, const Layout &layout);
 void drawColumn(Shell &context, const PixelRect &rect);
+/// Draws the panel below the canvas, if the workspace has one.
+void drawBelow(Shell &context, const PixelRect &rect);
 /// Draws the lessons, or the page of the open one, and outlines the widgets that it points to.
 void drawLessons(Shell &context, const PixelRect &rect);
 /// Outlines the widgets that the page of the open lesson points to, where they were drawn in the last frame.

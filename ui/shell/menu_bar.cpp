@@ -1,3 +1,4 @@
+#include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/menu_choice.hpp"
@@ -188,18 +189,55 @@ void drawExport(Shell &context, const PixelRect &rect) {
                    static_cast<float>(kExportButton))) {
         context.actions.run("file.export", context);
     }
-    ui::tooltip(context, "Export the mesh (Ctrl+E)");
+    ui::tooltip(context, exportLabel(context) + " (Ctrl+E)");
+}
+
+constexpr double kSearchField = 136.0; // design pixels
+
+/// Draws a field that opens the command palette, which takes over its focus, with the key that does the same.
+void drawSearch(Shell &context, const PixelRect &rect) {
+    const float width = context.px(kSearchField), height = context.px(26);
+    ImGui::SetCursorPosY((static_cast<float>(rect.height) - height) / 2);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("##search", {width, height})) {
+        context.actions.run("view.palette", context);
+    }
+    const bool hovered = ImGui::IsItemHovered();
+    ui::mark(context, "menu/palette");
+    const Theme &theme = context.theme;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const ImVec2 end{at.x + width, at.y + height};
+    list.AddRectFilled(at, end, theme.inset, context.px(4));
+    list.AddRect(at, end, hovered ? theme.text : theme.fieldBorder, context.px(4));
+    const float y = at.y + (height - ImGui::GetFontSize()) / 2;
+    list.AddText({at.x + context.px(8), y}, theme.muted, icon::kSearch);
+    list.AddText({at.x + context.px(28), y}, theme.placeholder, "Search");
+    const Action *const action = context.actions.find("view.palette");
+    if (action != nullptr && !action->shortcuts.empty()) {
+        const std::string key = toString(action->shortcuts.front());
+        list.AddText({end.x - context.px(8) - ImGui::CalcTextSize(key.c_str()).x, y}, theme.muted, key.c_str());
+    }
+    ui::tooltip(context, "Search all commands");
 }
 
 void drawRightEnd(Shell &context, const PixelRect &rect) {
     const float width = static_cast<float>(rect.width), menus = ImGui::GetCursorPosX() + context.px(12);
     const float icon = context.px(26);
-    const float icons = width - context.px(10) - 4 * icon - 3 * context.px(4);
+    constexpr double kSearchBar = 1240.0; // design pixels; a narrower bar has an icon for the search
+    const bool searches = rect.width >= static_cast<double>(context.px(kSearchBar));
+    const float count = searches ? 3.0F : 4.0F;
+    const float icons = width - context.px(10) - count * icon - (count - 1.0F) * context.px(4);
     float end = icons - context.px(8);
     if (constexpr double kWideBar = 1100.0; rect.width >= static_cast<double>(context.px(kWideBar))) {
         end -= context.px(kExportButton);
         ImGui::SetCursorPosX(end);
         drawExport(context, rect);
+        end -= context.px(8);
+    }
+    if (searches) {
+        end -= context.px(kSearchField);
+        ImGui::SetCursorPosX(end);
+        drawSearch(context, rect);
         end -= context.px(8);
     }
     const float used = drawWorkspaces(context, rect, menus, end);
@@ -212,10 +250,12 @@ void drawRightEnd(Shell &context, const PixelRect &rect) {
         context.actions.run("view.panels", context);
     }
     ImGui::SameLine();
-    if (ui::iconButton(context, "menu/palette", icon::kSearch, "Command palette (Ctrl+P)", false, true, 26.0F)) {
-        context.actions.run("view.palette", context);
+    if (!searches) {
+        if (ui::iconButton(context, "menu/palette", icon::kSearch, "Command palette (Ctrl+P)", false, true, 26.0F)) {
+            context.actions.run("view.palette", context);
+        }
+        ImGui::SameLine();
     }
-    ImGui::SameLine();
     const bool dark = context.theme.kind == ThemeKind::Dark;
     if (ui::iconButton(context, "menu/theme", icon::kTheme, dark ? "Light theme" : "Dark theme", false, true, 26.0F)) {
         context.actions.run("view.theme", context);

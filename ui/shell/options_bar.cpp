@@ -1,4 +1,5 @@
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/workspace_options.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/popup_style.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace forefront::shell {
 
@@ -21,14 +23,19 @@ void drawToolName(Shell &context, const Tool &tool, const PixelRect &rect) {
     const float y = static_cast<float>(rect.height);
     ImGui::SetCursorPos({context.px(kBarPad), (y - ImGui::GetFontSize()) / 2});
     ImGui::PushFont(context.fonts.heading);
-    ImGui::TextUnformatted((std::string(tool.icon()) + "   " + tool.name()).c_str());
+    constexpr double kNamed = 900.0; // width of a window with room for the name, in design pixels
+    const bool named = rect.width >= static_cast<double>(context.px(kNamed));
+    ImGui::TextUnformatted(named ? (std::string(tool.icon()) + "   " + tool.name()).c_str() : tool.icon());
     ImGui::PopFont();
     ui::mark(context, "options/tool");
+    if (!named) {
+        ui::tooltip(context, tool.name());
+    }
     ImGui::SameLine(0, context.px(kOptionGap));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float middle = static_cast<float>(rect.y) + y / 2, half = context.px(8);
     ImGui::GetWindowDrawList()->AddLine({at.x, middle - half}, {at.x, middle + half}, context.theme.line);
-    ImGui::SameLine(0, context.px(kOptionGap));
+    ImGui::SetCursorScreenPos({at.x + context.px(kOptionGap), at.y});
 }
 
 /// Begins the window for the options that do not fit into the bar. It is out of sight while it is closed, since its
@@ -100,10 +107,18 @@ void drawOptionsBar(Shell &context, const PixelRect &rect) {
     const float room = std::max(1.0F, static_cast<float>(rect.width) - left - context.px(kBarPad + 36));
     bool overflows = false;
     float used = 0.0F;
+    // In a workspace with options of its own, the selection has those of the inspector.
+    const bool ofWorkspace = hasWorkspaceOptions(context);
+    const bool ofTool = tool.hasOptions(context) && !(ofWorkspace && std::string_view(tool.id()) == "select");
     ImGui::BeginGroup();
-    if (tool.hasOptions(context)) {
+    if (ofTool || ofWorkspace) {
         ui::Flow flow(context, room, context.px(kOptionGap), kOverflow);
-        tool.drawOptions(context, flow);
+        if (ofTool) {
+            tool.drawOptions(context, flow);
+        }
+        if (ofWorkspace) {
+            drawWorkspaceOptions(context, flow);
+        }
         flow.finish();
         overflows = flow.overflows();
         used = flow.used();

@@ -136,6 +136,11 @@ void drawLayersButton(Shell &context, const PixelRect &canvas) {
 }
 
 void drawLayers(Shell &context, const PixelRect &canvas) {
+    constexpr double kLeastCanvas = 130.0; // design pixels; the column may cover all of it
+    if (canvas.width < static_cast<double>(context.px(kLeastCanvas))) {
+        context.plates.layers = false;
+        return;
+    }
     drawLayersButton(context, canvas);
     const bool needed = lessonNeedsLayers(context);
     if (!context.plates.layers && !needed) {

@@ -1,3 +1,4 @@
+#include "ui/canvas/line_density.hpp"
 #include "ui/canvas/ruler_scale.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -28,6 +29,7 @@ class Ruler {
         const double low = upright_ ? visible.min.y : visible.min.x, high = upright_ ? visible.max.y : visible.max.x;
         const RulerScale scale = scaleFor(low, high);
         const Multiples marks = multiplesWithin(low, high, scale.minor());
+        width_ = static_cast<float>(densityWidth(camera.zoom * scale.minor(), static_cast<double>(context_.px(1))));
         for (int k = 0; k < marks.count; ++k) {
             const double step = marks.first + k;
             if (std::fmod(step, scale.divisions) == 0.0) {
@@ -66,9 +68,9 @@ class Ruler {
         const auto right = static_cast<float>(rect_.x + rect_.width),
                    bottom = static_cast<float>(rect_.y + rect_.height);
         if (upright_) {
-            list_.AddLine({right - length, at}, {right, at}, colour, context_.px(1));
+            list_.AddLine({right - length, at}, {right, at}, colour, width_);
         } else {
-            list_.AddLine({at, bottom - length}, {at, bottom}, colour, context_.px(1));
+            list_.AddLine({at, bottom - length}, {at, bottom}, colour, width_);
         }
     }
 
@@ -108,6 +110,7 @@ class Ruler {
     Shell &context_;
     PixelRect rect_;
     bool upright_;
+    float width_ = 1.0F; ///< of the marks
     ImDrawList &list_;
 };
 

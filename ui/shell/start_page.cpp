@@ -25,12 +25,20 @@ bool nothingYet(const Shell &context) {
     return document.shapes.empty() && !document.picture && !context.run.showsFile() && !context.lessons.open;
 }
 
-std::vector<DrawingCards::Card> recentCards(const std::vector<std::string> &files) {
+/// Returns the cards of unsaved drawings, then of recent files that are still there.
+std::vector<DrawingCards::Card> continueCards(const std::vector<UnsavedDrawing> &unsaved,
+                                              const std::vector<std::string> &files) {
     std::vector<DrawingCards::Card> cards;
+    const std::size_t shown = std::min(unsaved.size(), kPageCards);
+    for (std::size_t k = 0; k < shown; ++k) {
+        const UnsavedDrawing &drawing = unsaved[k];
+        cards.push_back({drawing.title, "Unsaved: " + drawing.about, drawing.journal, drawing.text});
+    }
+    const std::size_t room = shown > 0 ? 2 * kPageCards : kPageCards;
     for (const std::string &file : files) {
         const std::filesystem::path path(file);
         std::error_code ignored;
-        if (cards.size() < kPageCards && std::filesystem::is_regular_file(path, ignored)) {
+        if (cards.size() < room && std::filesystem::is_regular_file(path, ignored)) {
             cards.push_back({path.stem().string(), file, path});
         }
     }
@@ -46,13 +54,20 @@ void drawButtons(Shell &context) {
                    {"start/open", "Open\xe2\x80\xa6", ui::ButtonKind::Plain, "file.open"},
                    {"start/trace", "Trace a picture\xe2\x80\xa6", ui::ButtonKind::Plain, "file.addPicture"},
                    {"start/import", "Import\xe2\x80\xa6", ui::ButtonKind::Plain, "file.import"}};
+    constexpr float kGap = 8.0F, kWidest = 160.0F, kNarrowest = 124.0F; // design pixels
+    const float room = ImGui::GetContentRegionAvail().x / context.scale;
+    const bool oneRow = (room - 3.0F * kGap) / 4.0F >= kNarrowest;
+    const float width = std::min(kWidest, oneRow ? (room - 3.0F * kGap) / 4.0F : (room - kGap) / 2.0F);
+    std::size_t drawn = 0;
     for (const auto &button : buttons) {
-        if (ui::button(context, button.name, button.label, button.kind, true, 160.0F)) {
+        if (drawn % (oneRow ? 4 : 2) != 0) {
+            ImGui::SameLine(0, context.px(kGap));
+        }
+        if (ui::button(context, button.name, button.label, button.kind, true, width)) {
             context.actions.run(button.action, context);
         }
-        ImGui::SameLine(0, context.px(8));
+        ++drawn;
     }
-    ImGui::NewLine();
 }
 
 void drawLessonLinks(Shell &context) {
@@ -87,9 +102,10 @@ void StartPage::drawCards(Shell &context) {
         samples_ = std::make_unique<DrawingCards>(context.background, std::move(cards));
         findSamples(context);
     }
-    if (!recent_ || recentFiles_ != context.settings.recentFiles) {
+    if (!recent_ || recentFiles_ != context.settings.recentFiles || unsaved_ != context.unsaved.size()) {
         recentFiles_ = context.settings.recentFiles;
-        recent_ = std::make_unique<DrawingCards>(context.background, recentCards(recentFiles_));
+        unsaved_ = context.unsaved.size();
+        recent_ = std::make_unique<DrawingCards>(context.background, continueCards(context.unsaved, recentFiles_));
     }
     std::filesystem::path chosen;
     if (!recent_->all().empty()) {
@@ -106,7 +122,12 @@ void StartPage::drawCards(Shell &context) {
             chosen = samples_->all()[*card].path;
         }
     }
-    if (!chosen.empty()) {
+    const auto unsaved = std::find_if(context.unsaved.begin(), context.unsaved.end(),
+                                      [&chosen](const UnsavedDrawing &each) { return each.journal == chosen; });
+    if (unsaved != context.unsaved.end()) {
+        const UnsavedDrawing drawing = *unsaved;
+        drawing.open(context);
+    } else if (!chosen.empty()) {
         openDocument(context, chosen);
     }
 }

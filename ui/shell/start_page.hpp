@@ -3,6 +3,7 @@
 #include "ui/dialogs/drawing_cards.hpp"
 #include "ui/input/pixels.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ class StartPage {
 
     std::unique_ptr<DrawingCards> recent_, samples_; ///< null: not drawn yet
     std::vector<std::string> recentFiles_;           ///< that `recent_` was made for
+    std::size_t unsaved_ = 0;                        ///< number of unsaved drawings then
 };
 
 } // namespace shell

@@ -1,6 +1,7 @@
 #include "core/engine/base/hash.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/checks_summary.hpp"
 #include "ui/workspace/mesh/element_words.hpp"
@@ -22,7 +23,7 @@ namespace {
 class Cells {
   public:
     Cells(Shell &context, const PixelRect &rect)
-        : context_(context), rect_(rect), left_(rect.x), right_(rect.x + rect.width) {}
+        : context_(context), rect_(rect), left_(rect.x), right_(rect.x + rect.width - 0.5 * pad()) {}
 
     /// Adds a cell at the left, at least `minWidth` design pixels wide, so that changing digits do not move the next
     /// ones. What reaches into the cells at the right is cut; add those first.
@@ -71,13 +72,8 @@ class Cells {
                std::optional<double> indent = {}) {
         const double height = static_cast<double>(ImGui::GetFontSize());
         last_ = {x, rect_.y, width, rect_.height};
-        ImDrawList &list = *ImGui::GetWindowDrawList();
-        list.PushClipRect({static_cast<float>(x), static_cast<float>(rect_.y)},
-                          {static_cast<float>(x + width), static_cast<float>(rect_.y + rect_.height)}, true);
-        list.AddText({static_cast<float>(x + indent.value_or(pad())),
-                      static_cast<float>(rect_.y + (rect_.height - height) / 2.0)},
-                     colour, text.c_str());
-        list.PopClipRect();
+        ui::shortened(context_, {x + indent.value_or(pad()), rect_.y + (rect_.height - height) / 2.0},
+                      static_cast<float>(x + width), text, colour);
         ui::markRect(context_, "status/" + name, last_);
     }
 

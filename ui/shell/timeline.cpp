@@ -1,6 +1,7 @@
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/run_plot.hpp"
 #include "ui/shell/timeline_marks.hpp"
+#include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -34,30 +35,6 @@ void drawTransport(Shell &context) {
         ImGui::SameLine();
     }
     ImGui::PopStyleVar();
-}
-
-/// Draws the speed slider and the step size; `narrow` makes both smaller.
-void drawSpeed(Workspace &context, bool narrow) {
-    const double speed = context.run.speed();
-    const double slowest = std::log10(RunControl::kSlowest), span = std::log10(RunControl::kFastest) - slowest;
-    double t = (std::log10(speed) - slowest) / span;
-    const std::string shown = ui::format(speed < 9.95 ? "%.1f\xc3\x97" : "%.0f\xc3\x97", speed);
-    if (ui::thinSlider(context, "timeline/speed", t, shown, narrow ? 48.0F : 84.0F, 44.0F)) {
-        context.run.setSpeed(std::pow(10.0, slowest + t * span));
-    }
-    ImGui::SameLine(0, context.px(6));
-    int granularity = static_cast<int>(context.run.granularity);
-    // An advance of the classic method makes one element, one of the fast method up to three.
-    const bool fast = context.run.method() == Method::Fast;
-    const char *const names[] = {"Event", fast ? "Advance" : "Element", "Layer"};
-    const char *const tips[] = {
-        "One step is one event within an advance, such as a candidate or a tested segment",
-        fast ? "One step is one advance of the front: up to three elements around one node"
-             : "One step is one advance of the front: one element, or none if the base segment is deferred",
-        "One step is one pass around the front: as many advances as the front has segments"};
-    if (ui::segmented(context, "timeline/granularity", names, granularity, narrow ? 176.0F : 190.0F, tips)) {
-        context.run.granularity = static_cast<Granularity>(granularity);
-    }
 }
 
 std::string startLowered(std::string text) {
@@ -244,13 +221,12 @@ void drawCaptionRow(Shell &context, const PixelRect &rect, float top) {
     const bool fault = run.state == RunState::Failed && !context.run.outOfDate();
     const bool stopped = run.stop.has_value() || run.birth.has_value();
     ImGui::SetCursorScreenPos({context.px(14), top});
-    ImGui::PushStyleColor(ImGuiCol_Text, fault     ? context.theme.bad
-                                         : stopped ? context.theme.accent
-                                                   : context.theme.text);
-    ImGui::PushClipRect({0, top - context.px(4)}, {right - context.px(66), top + context.px(28)}, true);
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopClipRect();
-    ImGui::PopStyleColor();
+    ui::shortened(context, {static_cast<double>(context.px(14)), static_cast<double>(top)}, right - context.px(66),
+                  words,
+                  fault     ? context.theme.bad
+                  : stopped ? context.theme.accent
+                            : context.theme.text);
+    ImGui::Dummy({std::max(1.0F, right - context.px(80)), ImGui::GetFontSize()});
     ui::mark(context, "timeline/caption");
 }
 
@@ -267,15 +243,12 @@ void drawTimeline(Shell &context, const PixelRect &rect) {
     const float row = context.view.runPlot ? context.px(kPlotHeight) : 0.0F;
     ImGui::SetCursorPos({context.px(10), row + context.px(8)});
     drawTransport(context);
-    ImGui::SameLine(0, context.px(10));
-    ImGui::SetCursorPosY(row + context.px(10));
-    const bool narrow = rect.width < static_cast<double>(context.px(760));
-    drawSpeed(context, narrow);
     ImGui::SameLine(0, 0);
+    const bool narrow = rect.width < static_cast<double>(context.px(760));
     const std::string position = positionText(run);
     const float right = static_cast<float>(rect.width) - context.px(14);
     const float positionWidth = std::max(ImGui::CalcTextSize(position.c_str()).x, narrow ? 0.0F : context.px(96));
-    const float left = ImGui::GetCursorPosX() + context.px(narrow ? 4 : 14);
+    const float left = ImGui::GetCursorPosX() + context.px(narrow ? 4 : 10);
     const float width = std::max(context.px(40), right - positionWidth - context.px(10) - left);
     ImGui::SetCursorPos({left, row + context.px(10)});
     const TimeAxis axis = drawScrubber(context, width, context.px(26));

@@ -68,7 +68,7 @@ Theme lightTheme() {
     t.dim = rgb(0x1c2430, 0.35);
     t.text = rgb(0x1b222c);
     t.muted = rgb(0x4a5563);
-    t.placeholder = rgb(0x66717f);
+    t.placeholder = rgb(0x626d7b);
     t.faint = rgb(0x7a8594);
     t.onAccent = rgb(0xffffff);
     t.accent = rgb(0x1a66cc);
@@ -82,7 +82,7 @@ Theme lightTheme() {
     t.meshOnTint = rgb(0x1b222c, 0.6);
     t.compared = rgb(0xb0009a);
     t.element = rgb(0xeef2f7);
-    t.front = rgb(0xd65f00);
+    t.front = rgb(0xd45d00);
     t.base = rgb(0xe0006f);
     t.core = rgb(0xffffff);
     t.accepted = rgb(0x0077b3);

@@ -1,10 +1,49 @@
 #include "ui/widgets/flow.hpp"
 
+#include "ui/widgets/widgets.hpp"
+
 #include <imgui.h>
 
 #include <cmath>
 
 namespace forefront::ui {
+
+namespace {
+
+constexpr const char *kWholeWidth = "##whole";
+
+} // namespace
+
+Flow::Flow(WidgetContext &context, float room, float gap, const char *overflow)
+    : context_(context), room_(room), gap_(gap), overflow_(overflow) {
+    if (overflow_ != nullptr) {
+        widths_ = ImGui::GetStateStorage();
+        labels_ = widths_->GetFloat(ImGui::GetID(kWholeWidth)) <= room_;
+    }
+}
+
+void Flow::label(std::string_view text) {
+    if (!labels_ && !overflows_) {
+        leftOut_ += ImGui::CalcTextSize(text.data(), text.data() + text.size()).x + ImGui::GetStyle().ItemSpacing.x;
+        return;
+    }
+    ImGui::AlignTextToFramePadding();
+    muted(context_, text);
+    ImGui::SameLine();
+}
+
+void Flow::finish() {
+    end();
+    if (overflow_ == nullptr) {
+        return;
+    }
+    float &before = *widths_->GetFloatRef(ImGui::GetID(kWholeWidth));
+    const float whole = whole_ + leftOut_;
+    if (std::abs(whole - before) > 0.5F) {
+        before = whole;
+        context_.animate();
+    }
+}
 
 void Flow::item(const char *name) {
     end();
@@ -26,7 +65,6 @@ void Flow::item(const char *name) {
 void Flow::beginInRow() {
     const float gap = used_ > 0.0F ? gap_ : 0.0F;
     overflows_ = overflows_ || used_ + gap + ImGui::GetStateStorage()->GetFloat(begun_) > room_;
-    widths_ = ImGui::GetStateStorage();
     if (overflows_) {
         ImGui::Begin(overflow_);
     } else if (used_ > 0.0F) {
@@ -48,6 +86,7 @@ void Flow::end() {
         context_.animate(); // the rows may have changed
     }
     begun_ = 0;
+    whole_ += width + (whole_ > 0.0F ? gap_ : 0.0F);
     if (overflows_) {
         ImGui::End();
         return;

@@ -78,7 +78,7 @@ void pushButtonColours(const Theme &theme, ButtonKind kind, bool on, bool enable
     } else if (kind == ButtonKind::Primary) {
         rest = theme.accent;
         hover = mix(theme.accent, theme.text, 0.15);
-        press = mix(theme.accent, theme.panel, 0.2);
+        press = mix(theme.accent, theme.text, 0.3);
         text = theme.onAccent;
     } else if (kind == ButtonKind::Quiet) {
         rest = on ? theme.pressed : Colour();
@@ -421,7 +421,9 @@ bool badge(WidgetContext &context, std::string_view name, std::string_view text,
     mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + box.x, at.y + box.y}, fade(colour, hovered ? 0.35 : 0.2), box.y / 2);
-    list.AddText({at.x + context.px(9), at.y + context.px(4)}, colour, text.data(), text.data() + text.size());
+    list.AddRect(at, {at.x + box.x, at.y + box.y}, colour, box.y / 2); // the text is not in the colour: it is too near
+    list.AddText({at.x + context.px(9), at.y + context.px(4)}, context.theme.text, text.data(),
+                 text.data() + text.size());
     ImGui::PopFont();
     return pressed;
 }

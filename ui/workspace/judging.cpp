@@ -181,6 +181,20 @@ void goToRank(Workspace &context, std::size_t rank) {
     }
 }
 
+void walkRanks(Workspace &context, bool forward) {
+    const std::size_t count = context.judgement->worst.size();
+    if (count == 0) {
+        return;
+    }
+    std::size_t rank = 0;
+    if (context.probe.chosen && context.probe.rank) {
+        const std::size_t now = *context.probe.rank;
+        rank = forward ? std::min(now + 1, count - 1) : std::max<std::size_t>(now, 1) - 1;
+    }
+    goToRank(context, rank);
+    context.animate();
+}
+
 namespace {
 
 /// Returns the element that contains a place; the lowest number if elements overlap there.

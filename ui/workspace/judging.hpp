@@ -55,6 +55,9 @@ void goToPart(Workspace &context, const MeshPick &pick);
 /// Shows the part with a rank, 0 being the worst, by the chosen measure.
 void goToRank(Workspace &context, std::size_t rank);
 
+/// Goes to the next of the worst parts, or with `forward` false to the previous one; to the worst if none is shown.
+void walkRanks(Workspace &context, bool forward);
+
 /// Returns the part of the mesh at a place: the nearest node or edge of the element there if it is within `reach`,
 /// otherwise the element; std::nullopt outside the mesh or until the search tree is ready.
 std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double reach);

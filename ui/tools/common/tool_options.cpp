@@ -46,9 +46,7 @@ std::optional<std::int32_t> typedTag(Workspace &context, const std::string &type
 
 void drawTagOption(Workspace &context, ui::Flow &flow, EditState &state, ShapeUse use, const char *tooltip) {
     flow.item("tag");
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, "Tag");
-    ImGui::SameLine();
+    flow.label("Tag");
     std::int32_t tag = state.tagOfNext(use, *context.document.current());
     const std::optional<std::string> typed = ui::inputChecked(context, "options/tag", std::to_string(tag), 64.0F);
     ui::tooltip(context, std::string(tooltip) + ": a number, a name in use, or a new name");
@@ -65,9 +63,7 @@ namespace {
 bool drawNumber(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
                 const char *tooltip, bool zero) {
     flow.item(name);
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, label);
-    ImGui::SameLine();
+    flow.label(label);
     double entered = value;
     const bool changed =
         ui::inputNumber(context, name, entered, 76.0F) && ui::checkPositive(context, name, entered, zero);
@@ -88,9 +84,7 @@ bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const 
 bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label,
                             std::optional<double> &value, const char *hint, const char *tooltip) {
     flow.item(name);
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, label);
-    ImGui::SameLine();
+    flow.label(label);
     std::optional<double> entered = value;
     const bool changed = ui::inputOptional(context, name, entered, hint, 76.0F) &&
                          (!entered || ui::checkPositive(context, name, *entered));
@@ -109,9 +103,7 @@ bool drawFormulaOption(Workspace &context, ui::Flow &flow, const char *name, con
         formula.clear(); // its parameters are gone
     }
     flow.item(name);
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, label);
-    ImGui::SameLine();
+    flow.label(label);
     double entered = value;
     std::string text = formula;
     const bool changed =

@@ -119,9 +119,7 @@ void RegionTool::drawOptions(Shell &context, ui::Flow &flow) {
     const std::shared_ptr<const Document> document = context.document.current();
     const std::int32_t next = tagOfNext(context);
     flow.item("tag");
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, "Region");
-    ImGui::SameLine();
+    flow.label("Region");
     double value = next;
     if (ui::inputNumber(context, "options/region/tag", value, 44.0F) &&
         ui::checkTag(context, "options/region/tag", value)) {

@@ -20,12 +20,13 @@ namespace forefront {
 namespace {
 
 /// Draws a labelled field for a number. Returns true when it was changed.
-bool drawPlaceField(Shell &context, ui::Flow &flow, const char *name, const char *label, double &value) {
+bool drawPlaceField(Shell &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                    const char *tooltip) {
     flow.item(name);
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, label);
-    ImGui::SameLine();
-    return ui::inputNumber(context, name, value, 84.0F);
+    flow.label(label);
+    const bool changed = ui::inputNumber(context, name, value, 84.0F);
+    ui::tooltip(context, tooltip);
+    return changed;
 }
 
 } // namespace
@@ -193,16 +194,19 @@ void PictureTool::calibrate(Shell &context, double distance) const {
 
 void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {
     BackgroundPicture picture = *context.document.current()->picture;
-    bool moved = drawPlaceField(context, flow, "options/picture/x", "Left", picture.corner.x);
-    moved = drawPlaceField(context, flow, "options/picture/y", "Bottom", picture.corner.y) || moved;
+    bool moved = drawPlaceField(context, flow, "options/picture/x", "Left", picture.corner.x,
+                                "x of the left edge of the picture");
+    moved = drawPlaceField(context, flow, "options/picture/y", "Bottom", picture.corner.y,
+                           "y of the lower edge of the picture") ||
+            moved;
     double width = picture.size.x;
-    if (drawPlaceField(context, flow, "options/picture/width", "Width", width) &&
+    if (drawPlaceField(context, flow, "options/picture/width", "Width", width,
+                       "Width of the picture; its height follows") &&
         ui::checkPositive(context, "options/picture/width", width)) {
         change(context, scaledAbout(picture, picture.corner, width / picture.size.x), "Scale background picture");
     } else if (moved) {
         change(context, picture, "Move background picture");
     }
-    ui::tooltip(context, "Width of the picture; its height follows");
 }
 
 void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
@@ -215,7 +219,8 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
     }
     const Vec2 first = place(picture, 0);
     double length = distance(first, place(picture, 1));
-    if (drawPlaceField(context, flow, "options/picture/distance", "Distance between the points", length) &&
+    if (drawPlaceField(context, flow, "options/picture/distance", "Distance between the points", length,
+                       "Real distance between the two points") &&
         ui::checkPositive(context, "options/picture/distance", length)) {
         calibrate(context, length);
     }
@@ -228,8 +233,11 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
         ui::tooltip(context, "The drawing and its element sizes keep their place on the picture");
     }
     Vec2 wanted = first;
-    bool moved = drawPlaceField(context, flow, "options/picture/x1", "First point: x", wanted.x);
-    moved = drawPlaceField(context, flow, "options/picture/y1", "y", wanted.y) || moved;
+    bool moved = drawPlaceField(context, flow, "options/picture/x1", "First point: x", wanted.x,
+                                "Where the first point is in the drawing: x");
+    moved = drawPlaceField(context, flow, "options/picture/y1", "y", wanted.y,
+                           "Where the first point is in the drawing: y") ||
+            moved;
     if (moved) {
         picture.corner += wanted - first;
         firstPlaced_ = true;
@@ -240,9 +248,7 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
 void PictureTool::drawLook(Shell &context, ui::Flow &flow) {
     BackgroundPicture picture = *context.document.current()->picture;
     flow.item("picture/opacity");
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, "Opacity");
-    ImGui::SameLine();
+    flow.label("Opacity");
     double percent = 100.0 * picture.opacity;
     if (ui::slider(context, "options/picture/opacity", percent, 0.0, 100.0, "%.0f %%", false, 140.0F)) {
         stroke_ = stroke_.empty() ? state_->newStroke() : stroke_;
@@ -253,6 +259,7 @@ void PictureTool::drawLook(Shell &context, ui::Flow &flow) {
         context.document.endStroke();
         stroke_.clear();
     }
+    ui::tooltip(context, "Opacity of the picture");
     flow.item("picture/show");
     if (LayerSlot *const layer = context.layer("picture")) {
         bool visible = layer->visible;

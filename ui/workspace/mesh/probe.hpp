@@ -18,6 +18,7 @@ struct MeshPick {
 /// The parts of the mesh that the user is looking at.
 struct Probe {
     bool active = false;             ///< the tool is chosen, so that parts must be found at the pointer
+    bool walks = false;              ///< the list of the worst has the keyboard: arrow keys go from one to the next
     std::uint64_t mesh = 0;          ///< version of the mesh that the parts belong to
     std::optional<MeshPick> hovered; ///< under the pointer
     std::optional<MeshPick> chosen;  ///< by a click or from the list of the worst

@@ -36,7 +36,7 @@ constexpr std::array<Ids, 9> kStepLayers{"domain", "boundary", "faults",     "ma
                                          "mesh",   "front",    "candidates", "tests"};
 
 constexpr std::array<Ids, 4> kJudgePanels{"checks", "histogram", "probe", "adapt"};
-constexpr std::array<Ids, 1> kJudgeFolded{"adapt"};
+constexpr std::array<Ids, 2> kJudgeFolded{"probe", "adapt"}; // the canvas has the values of what is chosen
 constexpr std::array<Ids, 4> kJudgeTools{"select", "probe", "trace", "measure"};
 constexpr std::array<Ids, 7> kJudgeLayers{"domain", "boundary", "faults", "marks", "picture", "mesh", "quality"};
 

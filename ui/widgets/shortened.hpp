@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/widgets/widget_context.hpp"
+
+#include <string_view>
+
+namespace forefront::ui {
+
+/// Draws a line of text at a pixel, with an ellipsis where it would reach beyond `right`.
+void shortened(const WidgetContext &context, Pixel at, float right, std::string_view text, Colour colour);
+
+} // namespace forefront::ui
