@@ -33,7 +33,7 @@ namespace {
 
 using Sizes = std::map<std::uint32_t, SegmentSize>;
 
-SegmentSize sized(double size) {
+SegmentSize segmentSized(double size) {
     return {.size = size, .elements = 0, .growth = 0.2};
 }
 
@@ -44,7 +44,7 @@ SegmentSize counted(std::uint32_t elements) {
 /// A square of side 8 whose lower side has a size and whose right one has 12 elements.
 Document sizedSquare() {
     Document document = documentOf({square({0, 0}, 8)});
-    document = *setSegmentSize(document, {{1, 0}}, sized(0.5));
+    document = *setSegmentSize(document, {{1, 0}}, segmentSized(0.5));
     return *setSegmentSize(document, {{1, 1}}, counted(12));
 }
 
@@ -94,48 +94,48 @@ TEST_CASE("Segment sizes: take the place of the size of their boundary part, als
 TEST_CASE("Segment sizes: stay at their places when nodes are inserted, deleted or cut off") {
     const Document document = sizedSquare();
     CHECK(carried(document, insertNode(document, {1, 0}, {2, 0})) ==
-          Sizes{{0, sized(0.5)}, {1, sized(0.5)}, {2, counted(12)}});
+          Sizes{{0, segmentSized(0.5)}, {1, segmentSized(0.5)}, {2, counted(12)}});
     CHECK(carried(document, insertNode(document, {1, 1}, {8, 2})) ==
-          Sizes{{0, sized(0.5)}, {1, counted(3)}, {2, counted(9)}});
-    CHECK(carried(document, insertNode(document, {1, 3}, {0, 4})) == Sizes{{0, sized(0.5)}, {1, counted(12)}});
+          Sizes{{0, segmentSized(0.5)}, {1, counted(3)}, {2, counted(9)}});
+    CHECK(carried(document, insertNode(document, {1, 3}, {0, 4})) == Sizes{{0, segmentSized(0.5)}, {1, counted(12)}});
     Selection node;
     node.nodes = {{1, 3}};
-    CHECK(carried(document, deleteSelection(document, node)) == Sizes{{0, sized(0.5)}, {1, counted(12)}});
+    CHECK(carried(document, deleteSelection(document, node)) == Sizes{{0, segmentSized(0.5)}, {1, counted(12)}});
     node.nodes = {{1, 0}}; // the first side goes
     CHECK(carried(document, deleteSelection(document, node)) == Sizes{{0, counted(12)}});
     node.nodes = {{1, 1}};
-    CHECK(carried(document, filletCorners(document, node, 2.0)) == Sizes{{0, sized(0.5)}, {2, counted(12)}});
-    CHECK(carried(document, splitPath(document, {1, 2})) == Sizes{{2, sized(0.5)}, {3, counted(12)}});
+    CHECK(carried(document, filletCorners(document, node, 2.0)) == Sizes{{0, segmentSized(0.5)}, {2, counted(12)}});
+    CHECK(carried(document, splitPath(document, {1, 2})) == Sizes{{2, segmentSized(0.5)}, {3, counted(12)}});
     Selection side;
     side.segments = {{1, 3}};
-    CHECK(carried(document, deleteSelection(document, side)) == Sizes{{0, sized(0.5)}, {1, counted(12)}});
+    CHECK(carried(document, deleteSelection(document, side)) == Sizes{{0, segmentSized(0.5)}, {1, counted(12)}});
 }
 
 TEST_CASE("Segment sizes: go with moved, mirrored, turned, scaled and copied shapes") {
     const Document document = sizedSquare();
-    const Sizes same{{0, sized(0.5)}, {1, counted(12)}};
+    const Sizes same{{0, segmentSized(0.5)}, {1, counted(12)}};
     CHECK(carried(document, setHandle(document, {1, 1}, {9, -1})) == same);
     CHECK(carried(document, moveSelection(document, selected({1}), {3, 4})) == same);
     CHECK(carried(document, transformSelection(document, selected({1}), PlaneMap::scaling({-1, 1}, {4, 4}))) == same);
     CHECK(carried(document, duplicateSelection(document, selected({1}), {20, 0}, nullptr), 1) == same);
-    CHECK(carried(document, scaleDocument(document, {0, 0}, 2.0)) == Sizes{{0, sized(1.0)}, {1, counted(12)}});
+    CHECK(carried(document, scaleDocument(document, {0, 0}, 2.0)) == Sizes{{0, segmentSized(1.0)}, {1, counted(12)}});
 
     Document box = documentOf({makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}})});
-    box = *setSegmentSize(box, {{1, 0}}, sized(0.5));
+    box = *setSegmentSize(box, {{1, 0}}, segmentSized(0.5));
     const PlaneMap quarter = PlaneMap::rotation(90.0, {0, 0}); // the lower side becomes the right one, the last
-    CHECK(carried(box, transformSelection(box, selected({1}), quarter)) == Sizes{{3, sized(0.5)}});
-    CHECK(carried(box, convertToPath(box, 1)) == Sizes{{0, sized(0.5)}});
+    CHECK(carried(box, transformSelection(box, selected({1}), quarter)) == Sizes{{3, segmentSized(0.5)}});
+    CHECK(carried(box, convertToPath(box, 1)) == Sizes{{0, segmentSized(0.5)}});
     Shape rounded = *box.shapes[0];
     rounded.as<RectangleForm>().radius = 1.0;
-    CHECK(carried(box, replaceShape(box, rounded)) == Sizes{{0, sized(0.5)}});
+    CHECK(carried(box, replaceShape(box, rounded)) == Sizes{{0, segmentSized(0.5)}});
     const Document round = *replaceShape(box, rounded);
-    CHECK(carried(round, convertToPath(round, 1)) == Sizes{{0, sized(0.5)}});
+    CHECK(carried(round, convertToPath(round, 1)) == Sizes{{0, segmentSized(0.5)}});
 
     Shape wide = makeShape(ShapeKind::Slot, {{0, 0}, {6, 0}});
     wide.as<SlotForm>().radius = 1.0;
-    const Document slot = *setSegmentSize(documentOf({wide}), {{1, 0}}, sized(0.5));
+    const Document slot = *setSegmentSize(documentOf({wide}), {{1, 0}}, segmentSized(0.5));
     CHECK(carried(slot, transformSelection(slot, selected({1}), PlaneMap::scaling({1, -1}, {0, 0}))) ==
-          Sizes{{2, sized(0.5)}});
+          Sizes{{2, segmentSized(0.5)}});
 }
 
 TEST_CASE("Segment sizes: a circle that becomes a path shares its elements between its quarters") {
@@ -152,7 +152,7 @@ TEST_CASE("Segment sizes: a circle that becomes a path shares its elements betwe
 
 TEST_CASE("Segment sizes: combined and trimmed shapes keep them on what is left of their segments") {
     Document document = documentOf({square({0, 0}, 8), square({6, 2}, 4)});
-    document = *setSegmentSize(document, {{1, 0}}, sized(0.5));
+    document = *setSegmentSize(document, {{1, 0}}, segmentSized(0.5));
     document = *setSegmentSize(document, {{1, 1}}, counted(12)); // the other square divides this side
     Result<Document> united = combineShapes(document, {1, 2}, ShapeOperation::Union);
     REQUIRE(united.ok());
@@ -236,6 +236,6 @@ TEST_CASE("Segment sizes: projects with sizes by tag keep their meaning and thei
     Document newer = older; // the same sizes at the segments themselves
     newer.spacing.partSizes.clear();
     newer.elementCounts.clear();
-    newer = *setSegmentSize(*setSegmentSize(newer, {{1, 1}}, sized(0.5)), {{1, 3}}, counted(12));
+    newer = *setSegmentSize(*setSegmentSize(newer, {{1, 1}}, segmentSized(0.5)), {{1, 3}}, counted(12));
     CHECK(hashOf(newer) == hashOf(older));
 }
