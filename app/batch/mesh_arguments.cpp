@@ -65,6 +65,11 @@ std::string spacingFiles() {
 }
 
 void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid) {
+    addWordOption<Elements>(
+        app, "--elements", arguments.elements,
+        "triangles (default), quads: quadrilaterals everywhere, or mixed: quadrilaterals where they "
+        "are well shaped, else triangles")
+        ->type_name("SHAPES");
     addWordOption<Method>(app, "--method", arguments.method,
                           "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
         ->type_name("METHOD");

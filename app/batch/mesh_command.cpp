@@ -130,6 +130,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     }
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
     options.verify = arguments.verify;
+    options.elements = arguments.elements.value_or(options.elements);
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
