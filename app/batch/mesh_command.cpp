@@ -151,6 +151,14 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
     } else if (arguments.curveTolerance && job.options.keepBoundary) {
         add("--curve-tolerance", "the given segments are kept");
     }
+    if (job.options.elements != Elements::Triangles) {
+        if (arguments.method) {
+            add("--method", "quadrilaterals have a front of their own");
+        }
+        if (arguments.threads) {
+            add("--threads", "quadrilaterals are made on one thread");
+        }
+    }
     return notes;
 }
 
@@ -288,6 +296,7 @@ int runMesh(const MeshArguments &arguments) {
     if (!arguments.quiet) {
         printFaults(faults);
         printFaults(flatElements(report.quality));
+        printFaults(notConvex(report.quads));
     }
     const Status printed = printResult(arguments, report);
     return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);

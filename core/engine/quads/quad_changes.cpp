@@ -1,6 +1,8 @@
 #include "core/engine/quads/quad_changes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace forefront {
 
@@ -363,10 +365,17 @@ bool describeInset(const QuadWorkspace &mesh, std::uint32_t cell, QuadChange &ch
     change = {};
     change.kind = QuadChange::Kind::Inset;
     change.remove(cell);
-    Vec2 middle;
-    for (const std::uint32_t corner : q) {
-        middle += 0.25 * mesh.nodes[corner];
+    // The middle of the diagonal from the widest corner lies inside, even if that is reflex.
+    const auto turn = [&](unsigned k) {
+        const Vec2 p = mesh.nodes[q[k]], u = mesh.nodes[q[(k + 1) & 3]] - p, v = mesh.nodes[q[(k + 3) & 3]] - p;
+        const double angle = std::atan2(cross(u, v), dot(u, v));
+        return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+    };
+    unsigned widest = 0;
+    for (unsigned k = 1; k < 4; ++k) {
+        widest = turn(k) > turn(widest) ? k : widest;
     }
+    const Vec2 middle = midpoint(mesh.nodes[q[widest]], mesh.nodes[q[(widest + 2) & 3]]);
     for (unsigned k = 0; k < 4; ++k) {
         const unsigned next = (k + 1) & 3;
         change.add({q[k], q[next], QuadChange::newNode(next), QuadChange::newNode(k)});

@@ -201,7 +201,9 @@ bool QuadCleanup::attempt(const QuadChange &change) {
     gatherRegion(change);
     const double before = regionLoss();
     make(change);
-    for (unsigned sweep = 0; sweep < effort_.trialSweeps; ++sweep) {
+    // In the narrow triangle that an element with a flat corner is, squaring the corners would push nodes outside.
+    const unsigned sweeps = change.kind == QuadChange::Kind::Inset ? 0 : effort_.trialSweeps;
+    for (unsigned sweep = 0; sweep < sweeps; ++sweep) {
         for (const std::uint32_t node : regionNodes_) {
             if (!mesh_.isFixed(node) && mesh_.valence(node) > 0) {
                 mesh_.nodes[node] = squaringPlace(mesh_, node, kSpring);

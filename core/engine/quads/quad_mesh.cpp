@@ -1,6 +1,7 @@
 #include "core/engine/quads/quad_mesh.hpp"
 
 #include "core/engine/base/key_order.hpp"
+#include "core/engine/geometry/flat.hpp"
 #include "core/engine/grid/all_grids.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/mesher.hpp"
@@ -154,6 +155,20 @@ void dividePoor(QuadWorkspace &mesh) {
     }
 }
 
+/// Counts the quadrilaterals with a flat or reflex corner, within rounding.
+void countNotConvex(const QuadWorkspace &mesh, QuadReport &report) {
+    report.notConvex = 0;
+    for (const QuadCell &cell : mesh.cells) {
+        for (unsigned k = 0; isAlive(cell) && !isTriangle(cell) && k < 4; ++k) {
+            if (isFlat(mesh.nodes[cell[(k + 3) & 3]], mesh.nodes[cell[k]], mesh.nodes[cell[(k + 1) & 3]])) {
+                report.firstNotConvex = report.notConvex == 0 ? mesh.nodes[cell[k]] : report.firstNotConvex;
+                ++report.notConvex;
+                break;
+            }
+        }
+    }
+}
+
 void countNodes(const QuadWorkspace &mesh, QuadReport &report) {
     report.innerNodes = report.irregularNodes = 0;
     for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -199,6 +214,7 @@ Mesh toMesh(QuadMesh &&mesh, const DiscreteDomain &boundary, QuadReport &report)
     QuadWorkspace &work = mesh.elements;
     report = mesh.report;
     countNodes(work, report);
+    countNotConvex(work, report);
     TriMesh tags;
     addTags(tags, boundary, {});
     tags.regions.clear();

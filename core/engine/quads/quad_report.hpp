@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/api.hpp"
+#include "core/engine/base/vec2.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +20,15 @@ struct QuadReport {
     std::size_t changes = 0;    ///< of the clean-up
     std::size_t triangles = 0;  ///< left in the mesh
     std::size_t quadrilaterals = 0;
+    std::size_t notConvex = 0;      ///< quadrilaterals with a corner of 180 degrees or more
+    Vec2 firstNotConvex;            ///< the corner of the first of them
     std::size_t irregularNodes = 0; ///< inside, with other than four elements
     std::size_t innerNodes = 0;
+
+    /// Returns the share of the interior nodes that are irregular.
+    double irregularShare() const {
+        return innerNodes == 0 ? 0.0 : static_cast<double>(irregularNodes) / static_cast<double>(innerNodes);
+    }
 
     friend bool operator==(const QuadReport &, const QuadReport &) = default;
 };
