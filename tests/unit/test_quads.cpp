@@ -1,3 +1,4 @@
+#include "core/engine/base/hash.hpp"
 #include "core/engine/domain/add_loop.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/verify.hpp"
@@ -191,4 +192,28 @@ TEST_CASE("joinTriangles: two triangles at the ends of a strip become quadrilate
     QuadWorkspace mesh(nodes, cells, {}, tagged, {}, *prepared->spacing);
     CHECK(joinTriangles(mesh) == 0);
     CHECK(std::count_if(mesh.cells.begin(), mesh.cells.end(), isAlive) == 3);
+}
+
+TEST_CASE("quads: the bits of some meshes") {
+    struct Pinned {
+        const char *name;
+        MeshingJob job;
+        std::uint64_t hash;
+    };
+    MeshingJob best = quadJob(polygon(circle(178, 1.0)), "0.0353");
+    best.options.improve = ImproveLevel::Best;
+    MeshingJob mixed = quadJob(polygon({{0, 0}, {3, 0.2}, {2.5, 2}, {1, 1.2}}), "0.1");
+    mixed.options.elements = Elements::Mixed;
+    const std::vector<Pinned> all = {
+        {"disc", quadJob(polygon(circle(178, 1.0)), "0.0353"), 0xcdbf91a98282f4d9},
+        {"disc, best", best, 0xfd7164c3e308d557},
+        {"corner", quadJob(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), "0.05"), 0x6f28931f27378367},
+        {"graded", quadJob(polygon({{0, 0}, {6, 0}, {6, 4}, {0, 4}}), "max(0.05, 0.2*abs(sqrt((x-3)^2+(y-2)^2)-1.2))"),
+         0x693771a2374e20b3},
+        {"mixed", mixed, 0xb469df65cbb46ef8}};
+    for (const Pinned &pinned : all) {
+        const std::string name = pinned.name;
+        CAPTURE(name);
+        CHECK(toHex(meshHash(meshed(pinned.job).mesh)) == toHex(pinned.hash));
+    }
 }
