@@ -207,9 +207,12 @@ std::string statisticsJson(const RunReport &report) {
     JsonWriter json(JsonWriter::Layout::Indented);
     json.beginObject();
     addFigures(report, json);
-    json.member("front_mean", report.work.frontMean()).member("neighbours_mean", report.work.neighboursMean());
-    json.member("tests_mean", report.work.testsMean()).member("cells_mean", perElement(report.work.cellsVisited));
-    json.member("candidates_mean", perElement(report.work.candidates));
+    json.member("front_mean", report.work.frontMean());
+    if (report.elements == Elements::Triangles) { // the two-coloured front does not count the work of its searches
+        json.member("neighbours_mean", report.work.neighboursMean()).member("tests_mean", report.work.testsMean());
+        json.member("cells_mean", perElement(report.work.cellsVisited));
+        json.member("candidates_mean", perElement(report.work.candidates));
+    }
     json.member("forced_mean", perElement(report.work.forced)).member("improve", wordOf(report.improve));
     json.member("seconds_prepare", report.secondsPrepare).member("seconds_mesh", report.secondsMesh);
     json.member("seconds_improve", report.secondsImprove).member("peak_bytes", report.peakBytes);
