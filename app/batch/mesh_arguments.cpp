@@ -24,6 +24,8 @@ Examples:
         splits crossing lines first; statistics as JSON
   forefront mesh lake.geojson -o lake.msh --spacing-file depth.png --picture-sizes 5:200
         edges of length 5 where the picture is black, 200 where it is white
+  forefront mesh plate.poly -o plate.inp --size 0.5 --elements quads
+        quadrilaterals alone
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -65,6 +67,11 @@ std::string spacingFiles() {
 }
 
 void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid) {
+    addWordOption<Elements>(
+        app, "--elements", arguments.elements,
+        "triangles (default), quads: quadrilaterals everywhere, or mixed: quadrilaterals where they "
+        "are well shaped, else triangles")
+        ->type_name("SHAPES");
     addWordOption<Method>(app, "--method", arguments.method,
                           "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
         ->type_name("METHOD");
@@ -101,7 +108,8 @@ void addImportOptions(CLI::App &app, MeshArguments &arguments) {
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
     std::string grid;
-    CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
+    CLI::App app("Meshes a planar domain with triangles or quadrilaterals by the advancing front technique.",
+                 "forefront mesh");
     app.footer(kMeshExamples);
     app.add_option("IN", arguments.input,
                    "project (" + extensionList([](const FileFormat &each) { return each.kind == FileKind::Project; }) +

@@ -33,6 +33,7 @@ struct MeshArguments {
     std::optional<CurveToleranceArgument> curveTolerance;
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
+    std::optional<Elements> elements;
     bool keepBoundary = false;
     bool verify = false;
     bool repair = false;

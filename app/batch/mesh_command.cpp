@@ -130,6 +130,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     }
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
     options.verify = arguments.verify;
+    options.elements = arguments.elements.value_or(options.elements);
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
@@ -149,6 +150,14 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
         add("--curve-tolerance", "the domain has no curves");
     } else if (arguments.curveTolerance && job.options.keepBoundary) {
         add("--curve-tolerance", "the given segments are kept");
+    }
+    if (job.options.elements != Elements::Triangles) {
+        if (arguments.method) {
+            add("--method", "quadrilaterals have a front of their own");
+        }
+        if (arguments.threads) {
+            add("--threads", "quadrilaterals are made on one thread");
+        }
     }
     return notes;
 }
@@ -287,6 +296,7 @@ int runMesh(const MeshArguments &arguments) {
     if (!arguments.quiet) {
         printFaults(faults);
         printFaults(flatElements(report.quality));
+        printFaults(notConvex(report.quads));
     }
     const Status printed = printResult(arguments, report);
     return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);

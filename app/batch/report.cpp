@@ -73,6 +73,8 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     report.peakBytes = peak;
     report.work = outcome.work;
     report.improve = options.improve;
+    report.elements = options.elements;
+    report.quads = outcome.quads;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
     report.secondsImprove = outcome.secondsImprove;
@@ -88,6 +90,20 @@ Diagnostics flatElements(const MeshQuality &quality) {
                                   " flat: the area is within the rounding error of the nodes",
                               "divide the boundary more finely, or remove nearly straight corners and near contacts");
     found.front().severity = Severity::Warning;
+    return found;
+}
+
+Diagnostics notConvex(const QuadReport &quads) {
+    if (quads.notConvex == 0) {
+        return {};
+    }
+    Diagnostics found =
+        error("concave-element",
+              std::to_string(quads.notConvex) + (quads.notConvex == 1 ? " quadrilateral has" : " quadrilaterals have") +
+                  " a corner of 180 degrees or more, where the domain is sharp or narrow",
+              "choose smaller elements there, or divide them with --elements mixed");
+    found.front().severity = Severity::Warning;
+    found.front().at = quads.firstNotConvex;
     return found;
 }
 
@@ -168,6 +184,22 @@ std::string statisticsJson(const MeshReport &report, bool valid, const std::vect
     return json.endObject().text();
 }
 
+namespace {
+
+void addQuads(const QuadReport &quads, JsonWriter &json) {
+    json.key("quadrilaterals").beginObject();
+    json.member("front", quads.lattice ? "lattice" : "rows").member("rows", quads.rows);
+    json.member("openings", quads.openings).member("closings", quads.closings).member("searched", quads.searched);
+    json.member("added_nodes", quads.addedNodes).member("odd_edges", quads.oddEdges);
+    json.member("not_convex", quads.notConvex)
+        .member("changes", quads.changes)
+        .member("triangles_left", quads.triangles);
+    json.member("irregular_nodes", quads.irregularNodes).member("interior_nodes", quads.innerNodes);
+    json.endObject();
+}
+
+} // namespace
+
 std::string statisticsJson(const RunReport &report) {
     const auto perElement = [&](std::uint64_t sum) {
         return report.work.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(report.work.elements);
@@ -175,12 +207,18 @@ std::string statisticsJson(const RunReport &report) {
     JsonWriter json(JsonWriter::Layout::Indented);
     json.beginObject();
     addFigures(report, json);
-    json.member("front_mean", report.work.frontMean()).member("neighbours_mean", report.work.neighboursMean());
-    json.member("tests_mean", report.work.testsMean()).member("cells_mean", perElement(report.work.cellsVisited));
-    json.member("candidates_mean", perElement(report.work.candidates));
+    json.member("front_mean", report.work.frontMean());
+    if (report.elements == Elements::Triangles) { // the two-coloured front does not count the work of its searches
+        json.member("neighbours_mean", report.work.neighboursMean()).member("tests_mean", report.work.testsMean());
+        json.member("cells_mean", perElement(report.work.cellsVisited));
+        json.member("candidates_mean", perElement(report.work.candidates));
+    }
     json.member("forced_mean", perElement(report.work.forced)).member("improve", wordOf(report.improve));
     json.member("seconds_prepare", report.secondsPrepare).member("seconds_mesh", report.secondsMesh);
     json.member("seconds_improve", report.secondsImprove).member("peak_bytes", report.peakBytes);
+    if (report.elements != Elements::Triangles) {
+        addQuads(report.quads, json);
+    }
     json.member("hash", toHex(report.hash));
     return json.endObject().text();
 }
@@ -225,6 +263,31 @@ std::string conformityLine(const MeshQuality &quality) {
     return text;
 }
 
+namespace {
+
+/// Returns lines on how a mesh of quadrilaterals was made and what it could not avoid.
+std::string quadLines(const RunReport &report) {
+    const QuadReport &quads = report.quads;
+    const auto counted = [](std::size_t count, const char *what) {
+        return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+    };
+    char share[16];
+    std::snprintf(share, sizeof share, "%.2f", 100.0 * quads.irregularShare());
+    std::string lines = "quadrilaterals: " + std::string(quads.lattice ? "a lattice inside two rows" : "rows") + ", " +
+                        share + " % of the interior nodes irregular";
+    if (quads.addedNodes > 0) {
+        lines += ", " + counted(quads.addedNodes, "boundary node") + " added for even loops";
+    }
+    lines += '\n';
+    if (quads.triangles > 0 && report.elements == Elements::Quads) {
+        lines += counted(quads.triangles, "triangle") + " left, where the edges of a face had to stay and are odd in " +
+                 "number\n";
+    }
+    return lines;
+}
+
+} // namespace
+
 std::string summary(const RunReport &report) {
     const MeshQuality &q = report.quality;
     const double cpu = report.meshCpu();
@@ -238,7 +301,8 @@ std::string summary(const RunReport &report) {
         q.alphaMean, q.alphaGeometricMean, q.alphaMin, q.minAngle, q.maxAngle, conformityLine(q).c_str(), cpu,
         report.secondsPrepare, report.secondsMesh, report.secondsImprove,
         cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
-    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + size + text;
+    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + size +
+           (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + text;
 }
 
 } // namespace forefront

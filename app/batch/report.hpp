@@ -29,6 +29,8 @@ struct MeshReport {
 struct RunReport : MeshReport {
     WorkCounters work;
     ImproveLevel improve = ImproveLevel::None;
+    Elements elements = Elements::Triangles;
+    QuadReport quads; ///< unless the elements are triangles
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far
 
@@ -43,6 +45,8 @@ MeshReport reportOf(const MeshView &mesh, const SpacingField *spacing, bool vali
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns a warning if elements of a mesh are flat; else nothing.
 Diagnostics flatElements(const MeshQuality &quality);
+/// Returns a warning if quadrilaterals of a mesh are not convex; else nothing.
+Diagnostics notConvex(const QuadReport &quads);
 /// Returns the JSON object that mesh --stats writes.
 std::string statisticsJson(const RunReport &report);
 /// Returns the JSON object that check --stats writes: the verdict, then the figures of the mesh by the same names.

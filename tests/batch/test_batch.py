@@ -114,6 +114,19 @@ class Meshing(Case):
         self.assertEqual(sum(region["elements"] for region in stats["regions"]), stats["elements"])
         self.assertAlmostEqual(sum(region["area"] for region in stats["regions"]), stats["area"])
 
+    def test_quadrilaterals_fill_the_domain_and_say_how(self):
+        stats = self.stats("plate.poly", "-o", "quads.msh", "--size", "0.2", "--elements", "quads", "--verify")
+        quads = stats["quadrilaterals"]
+        self.assertEqual(stats["elements_by_kind"], {"quadrilateral4": stats["elements"]})
+        self.assertEqual((quads["triangles_left"], quads["odd_edges"], quads["not_convex"]), (0, 0, 0))
+        self.assertLess(quads["irregular_nodes"], 0.2 * quads["interior_nodes"])
+        self.assertLess(abs(stats["elements"] * 0.2 ** 2 / 11 - 1), 0.15)
+        self.assertIn("valid for the domain", self.call("check", "quads.msh", "--domain", "plate.poly").stdout)
+        done = self.call("mesh", "plate.poly", "-o", "quads.msh", "--elements", "quads", "--method", "classic")
+        self.assertIn("note: --method has no effect", done.stderr)
+        self.assertIn("% of the interior nodes irregular", done.stdout)
+        self.assertIn("quadrilaterals", self.stats("plate.poly", "-o", "mixed.msh", "--elements", "mixed"))
+
     def test_the_spacing_is_the_one_asked_for(self):
         coarse = self.stats("plate.poly", "--size", "0.4")["elements"]
         fine = self.stats("plate.poly", "--size", "0.2")["elements"]

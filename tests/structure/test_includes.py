@@ -9,7 +9,7 @@ from pathlib import Path
 ORDERS = {
     "core": ["engine", "files", "drawing", "drawing_files", "teaching", "."],
     "core/engine": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
-                    "pipeline", "adapt session"],
+                    "quads", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],
     "core/files": ["source", "text", "common", "json", "*", "."],
     "core/drawing": ["arrangement", "document", "shapes", "names", "formulas", "domain", "picking", "commands recovery"],

@@ -42,6 +42,9 @@ void addRound(AdaptOutcome &outcome, const TriMesh &mesh, const std::vector<doub
 /// may be that of the outcome. Returns the faults.
 Diagnostics remesh(AdaptOutcome &outcome, const MeshingJob &given, const TriMesh &mesh, const ErrorEstimate &estimate,
                    const AdaptTarget &target, const Progress &progress) {
+    if (given.options.elements != Elements::Triangles) {
+        return error("not-triangles", "adaptive meshing makes triangles alone", "choose triangles as elements");
+    }
     Result<SpacingSpec> spacing = adaptedSpacing(mesh, estimate, target, progress);
     if (!spacing) {
         return spacing.faults();

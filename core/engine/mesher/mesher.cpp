@@ -113,6 +113,8 @@ std::unique_ptr<Mesher> createOn(std::shared_ptr<const DiscreteDomain> boundary,
                                              : create.template operator()<FastAdvancer>();
 }
 
+} // namespace
+
 void addTags(TriMesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementFaces) {
     if (!elementFaces.empty()) {
         mesh.regions.reserve(elementFaces.size());
@@ -141,8 +143,6 @@ void addTags(TriMesh &mesh, const DiscreteDomain &boundary, const std::vector<st
     mesh.boundaryNames = boundary.boundaryNames;
     mesh.regionNames = boundary.regionNames;
 }
-
-} // namespace
 
 Mesher::Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
                const FrontCare &care)

@@ -75,6 +75,10 @@ class Mesher {
     FrontState state_;
 };
 
+/// Adds the regions, tags and names of a boundary to a mesh whose elements are those of its front. `elementFaces`: as
+/// FrontState::elementFaces.
+void addTags(TriMesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementFaces);
+
 /// Returns the mesh made so far with regions, tags and names. It has all nodes of the boundary, used or not.
 TriMesh toMesh(const FrontState &state, const DiscreteDomain &boundary);
 

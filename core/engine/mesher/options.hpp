@@ -28,6 +28,19 @@ struct EnumWords<Method> {
     static constexpr std::array<std::string_view, 2> kList = {"fast", "classic"};
 };
 
+/// The shapes of the elements of a mesh.
+enum class Elements : std::uint8_t {
+    Triangles,
+    Quads, ///< quadrilaterals; triangles only where a face has an odd number of edges that must stay
+    Mixed  ///< quadrilaterals where they are well shaped, else triangles
+};
+
+template <>
+struct EnumWords<Elements> {
+    static constexpr auto kLast = Elements::Mixed;
+    static constexpr std::array<std::string_view, 3> kList = {"triangles", "quads", "mixed"};
+};
+
 /// Maximum number of elements: half-edges, three per element, have ids of 31 bits.
 inline constexpr std::uint64_t kMaxElements = 700'000'000;
 /// Default of MeshingOptions::maxElements, which take about 8 GB while they are made.
@@ -35,6 +48,8 @@ inline constexpr std::uint64_t kDefaultMaxElements = 50'000'000;
 
 /// Options for meshing a domain.
 struct MeshingOptions {
+    /// Quadrilaterals are made by a front of their own on one thread, whatever the method and the number of threads.
+    Elements elements = Elements::Triangles;
     Method method = Method::Fast;
     GridKind grid = GridKind::Hierarchical;
     int gridColumns = 0; ///< uniform grid only; 0: automatic

@@ -5,6 +5,7 @@
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/quads/quad_mesh.hpp"
 
 #include <limits>
 
@@ -19,8 +20,10 @@ struct MeshingState {
     DomainFaces faces{};    ///< of the domain, once it is validated
     PreparedJob prepared{}; ///< the spacing, then the discretised boundary
     TriMesh triangles{};    ///< of the front
+    QuadMesh quads{};       ///< of the two-coloured front
     WorkCounters work{};    ///< of the front
     ImproveReport improvement{};
+    QuadReport quadReport{};
     Mesh mesh{}; ///< the result, once the last stage has run
 };
 

@@ -46,6 +46,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.spacing = std::move(state.prepared.spacing);
     outcome.work = state.work;
     outcome.improvement = state.improvement;
+    outcome.quads = state.quadReport;
     outcome.mesh = std::move(state.mesh);
     return outcome;
 }

@@ -8,6 +8,7 @@
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/mesher/statistics.hpp"
+#include "core/engine/quads/quad_report.hpp"
 
 #include <limits>
 #include <memory>
@@ -40,7 +41,8 @@ struct MeshingOutcome {
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
     WorkCounters work;
-    ImproveReport improvement;
+    ImproveReport improvement;   ///< of triangles
+    QuadReport quads;            ///< of a mesh of quadrilaterals
     double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅
     double secondsImprove = 0.0; ///< CPU time of the improvement
     double secondsWall = 0.0;    ///< wall clock time of both; less than their sum where threads share the work

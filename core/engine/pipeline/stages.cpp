@@ -14,15 +14,19 @@ std::span<const Stage> stagesBeforeFront() {
     return kStages;
 }
 
-std::span<const Stage> stagesOfFront() {
-    static constexpr std::array kStages = {Stage{StageTime::Mesh, frontStage}};
-    return kStages;
-}
-
 namespace {
 
-bool improves(const MeshingOptions &options) {
-    return options.improve != ImproveLevel::None;
+bool makesTriangles(const MeshingOptions &options) {
+    return options.elements == Elements::Triangles;
+}
+bool makesQuads(const MeshingOptions &options) {
+    return !makesTriangles(options);
+}
+bool improvesTriangles(const MeshingOptions &options) {
+    return makesTriangles(options) && options.improve != ImproveLevel::None;
+}
+bool improvesQuads(const MeshingOptions &options) {
+    return makesQuads(options) && options.improve != ImproveLevel::None;
 }
 bool verifies(const MeshingOptions &options) {
     return options.verify;
@@ -30,10 +34,17 @@ bool verifies(const MeshingOptions &options) {
 
 } // namespace
 
+std::span<const Stage> stagesOfFront() {
+    static constexpr std::array kStages = {Stage{StageTime::Mesh, frontStage, makesTriangles},
+                                           Stage{StageTime::Mesh, quadFrontStage, makesQuads}};
+    return kStages;
+}
+
 std::span<const Stage> stagesAfterFront() {
-    static constexpr std::array kStages = {Stage{StageTime::Improve, improveStage, improves},
-                                           Stage{StageTime::Mesh, blocksStage},
-                                           Stage{StageTime::Improve, verifyStage, verifies}};
+    static constexpr std::array kStages = {
+        Stage{StageTime::Improve, improveStage, improvesTriangles}, Stage{StageTime::Mesh, blocksStage, makesTriangles},
+        Stage{StageTime::Improve, quadCleanupStage, improvesQuads}, Stage{StageTime::Mesh, quadBlocksStage, makesQuads},
+        Stage{StageTime::Improve, verifyStage, verifies}};
     return kStages;
 }
 

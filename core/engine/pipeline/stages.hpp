@@ -30,6 +30,12 @@ Status boundaryStage(MeshingState &state, const Progress &progress);
 Status frontStage(MeshingState &state, const Progress &progress);
 /// Improves the triangles at the level of the job.
 Status improveStage(MeshingState &state, const Progress &progress);
+/// Makes the boundary even and advances the two-coloured front. Replaces `prepared.boundary`; sets `quads` and `work`.
+Status quadFrontStage(MeshingState &state, const Progress &progress);
+/// Cleans up the quadrilaterals at the level of the job.
+Status quadCleanupStage(MeshingState &state, const Progress &progress);
+/// Makes the mesh of blocks from the quadrilaterals. Sets `mesh` and `quadReport`.
+Status quadBlocksStage(MeshingState &state, const Progress &progress);
 /// Makes the mesh of blocks, to which the triangles move.
 Status blocksStage(MeshingState &state, const Progress &progress);
 /// Checks the mesh of blocks against the domain. Faults: those of verifyAgainst().

@@ -66,7 +66,7 @@ void SessionWorker::execute(const StartCommand &command) {
     quiet_ = command.mode == StartMode::RunQuiet;
     const Progress progress = progressInto(RunState::Preparing, mailbox_.beginBlocking(Blocking::Preparing));
     progress("validating", 0.0);
-    Result<PreparedJob> prepared = prepare(*command.job, progress, command.budget);
+    Result<PreparedJob> prepared = prepareStepped(*command.job, progress, command.budget);
     mailbox_.endBlocking();
     if (!prepared) {
         const bool cancelled = progress.cancelled();

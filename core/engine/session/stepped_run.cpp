@@ -7,6 +7,14 @@
 
 namespace forefront {
 
+Result<PreparedJob> prepareStepped(const MeshingJob &job, const Progress &progress, double budget) {
+    if (job.options.elements != Elements::Triangles) {
+        return error("not-stepped", "a mesh of quadrilaterals cannot be stepped; expected triangles",
+                     "choose triangles, or make the whole mesh with meshDomain() or forefront mesh --elements");
+    }
+    return prepare(job, progress, budget);
+}
+
 SteppedRun::SteppedRun(std::shared_ptr<const MeshingJob> job, PreparedJob prepared, std::uint64_t number)
     : job_(std::move(job)), prepared_(std::move(prepared)), number_(number),
       travel_(Mesher::create(prepared_.boundary, prepared_.spacing, job_->options)), builder_((number + 1) << 32U) {}

@@ -8,6 +8,9 @@
 
 namespace forefront {
 
+/// Prepares a job as prepare() does. Errors: its errors; "not-stepped": the elements are not triangles.
+Result<PreparedJob> prepareStepped(const MeshingJob &job, const Progress &progress, double budget);
+
 /// A prepared run with its timeline, its snapshots and, at the end, its improved mesh; the common part of MeshStepper
 /// and MeshingSession. Belongs to one thread at a time.
 class SteppedRun {

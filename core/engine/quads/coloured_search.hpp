@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/engine/mesher/apex_search.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace forefront {
+
+/// A segment of Γ joins two colours (a leg of half a square) or is the diagonal that two halves share.
+inline bool isLeg(const GenerationFront &front, const std::vector<std::uint8_t> &colours, SlotId id) {
+    return colours[index(front[id].node)] != colours[index(front[front.next(id)].node)];
+}
+
+/// Returns the free angle at a slot in radians, in (0, 2π].
+double freeAngle(const GenerationFront &front, SlotId id);
+/// Returns the unit vector along the first of the parts that the free angle at a slot has if it is divided into about
+/// right angles. `beside`: the outgoing segment (true) or the incoming one.
+Vec2 sideDirection(const GenerationFront &front, SlotId id, bool besideOutgoing);
+
+/// An apex with its colour.
+struct ColouredCandidate {
+    Candidate apex;
+    std::uint8_t colour;
+};
+
+/// Finds the apex for a base of the two-coloured front: the right angle of half a square over a leg, or the second half
+/// of one over a diagonal. Changes only its own scratch memory.
+template <class Grid>
+class ColouredSearch {
+  public:
+    /// Refers to all of its arguments. `colours`: per node. `opposite`: per slot, the third node of the element that
+    /// made its segment. `fixed`: the number of nodes of the boundary, which come first.
+    ColouredSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing,
+                   const std::vector<std::uint8_t> &colours, const std::vector<NodeId> &opposite, std::size_t fixed)
+        : state_(state), grid_(grid), spacing_(spacing), colours_(colours), opposite_(opposite), fixed_(fixed) {}
+
+    /// Evaluates ρ at the base and finds the best apex within `radius` node spacings, new or on Γ. Returns false if
+    /// there is none.
+    bool find(Base &base, double radius, ColouredCandidate &apex);
+    /// Finds an apex among existing nodes alone, of any colour; doubles the radius until one passes, which cannot fail.
+    void force(Base &base, double radius, ColouredCandidate &apex);
+
+  private:
+    struct Neighbour {
+        SlotId slot;
+        NodeId nodeA, nodeB;
+        Vec2 a, b;
+    };
+    struct Ideal {
+        Vec2 at;
+        std::uint8_t colour;
+    };
+
+    std::uint8_t colour(NodeId node) const { return colours_[index(node)]; }
+    void placeIdeals(Base &base);
+    void gather(const Box2 &box);
+    bool look(const Base &base, double radius, bool newNodes, bool flat, ColouredCandidate &apex);
+    bool isClear(const Base &base, Vec2 p) const;
+    bool flattensCorner(const Base &base, const Neighbour &n) const;
+    double score(const Base &base, Vec2 p, std::uint8_t colour) const;
+    bool passes(const Base &base, const Candidate &apex, bool flat) const;
+    bool anglesAllow(const Base &base, const Candidate &apex) const;
+    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) const;
+    bool containsNode(const Base &base, const Candidate &apex, bool flat) const;
+
+    const FrontState &state_;
+    const Grid &grid_;
+    const SpacingField &spacing_;
+    const std::vector<std::uint8_t> &colours_;
+    const std::vector<NodeId> &opposite_;
+    std::size_t fixed_;
+    std::vector<Ideal> ideals_;
+    std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
+    std::uint32_t stamp_ = 0;
+    std::vector<SlotId> found_;
+    std::vector<Neighbour> neighbours_; ///< by slot
+    std::vector<ColouredCandidate> candidates_;
+};
+
+} // namespace forefront

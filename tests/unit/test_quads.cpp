@@ -1,0 +1,219 @@
+#include "core/engine/base/hash.hpp"
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/quads/even_boundary.hpp"
+#include "core/engine/quads/pairing.hpp"
+#include "core/engine/quads/quad_changes.hpp"
+#include "core/engine/quads/quad_smooth.hpp"
+#include "core/engine/quads/walk_triangles.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+std::vector<Vec2> circle(unsigned count, double radius) {
+    std::vector<Vec2> nodes;
+    for (unsigned i = 0; i < count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / count;
+        nodes.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return nodes;
+}
+
+MeshingJob quadJob(Domain domain, const std::string &spacing) {
+    MeshingJob job;
+    job.domain = std::move(domain);
+    job.spacing.expression = spacing;
+    job.options.elements = Elements::Quads;
+    return job;
+}
+
+Domain polygon(const std::vector<Vec2> &nodes) {
+    Domain domain;
+    addLoop(domain, nodes);
+    return domain;
+}
+
+MeshingOutcome meshed(const MeshingJob &job) {
+    Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE(outcome);
+    return *std::move(outcome);
+}
+
+/// Returns the codes of errors and warnings of a mesh against its domain, without those of shapes.
+std::set<std::string> faultsOf(const Mesh &mesh, const Domain &domain, bool shapes) {
+    const std::set<std::string> ofShapes = {"concave-element", "flat-element", "inverted-element", "zero-area"};
+    std::set<std::string> codes;
+    for (const Diagnostic &fault : verifyAgainst(mesh, domain)) {
+        if (fault.severity != Severity::Note && (shapes || ofShapes.count(fault.code) == 0)) {
+            codes.insert(fault.code);
+        }
+    }
+    return codes;
+}
+
+double leastScaledJacobian(const Mesh &mesh) {
+    double least = 2.0;
+    const MeshView view(mesh);
+    for (std::size_t e = 0; e < view.elementCount(); ++e) {
+        const auto corners = view.cornersOf(e);
+        REQUIRE(corners.size() == 4);
+        QuadCell cell{};
+        for (unsigned k = 0; k < 4; ++k) {
+            cell[k] = static_cast<std::uint32_t>(corners[k]);
+        }
+        least = std::min(least, scaledJacobian(cell, mesh.nodes));
+    }
+    return least;
+}
+
+} // namespace
+
+TEST_CASE("quads: a square of even sides is a lattice of squares") {
+    const MeshingOutcome outcome = meshed(quadJob(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), "0.05"));
+    CHECK(outcome.mesh.elementCount() == 400);
+    CHECK(outcome.quads.irregularNodes == 0);
+    CHECK(outcome.quads.triangles == 0);
+    CHECK(leastScaledJacobian(outcome.mesh) > 0.999);
+    CHECK(faultsOf(outcome.mesh, polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), true).empty());
+}
+
+TEST_CASE("quads: a disc has quadrilaterals alone, few irregular nodes, and no poor shape") {
+    const Domain domain = polygon(circle(178, 1.0));
+    const MeshingOutcome outcome = meshed(quadJob(domain, "0.0353"));
+    CHECK(faultsOf(outcome.mesh, domain, true).empty());
+    CHECK(outcome.quads.triangles == 0);
+    CHECK(outcome.quads.notConvex == 0);
+    CHECK(outcome.quads.irregularShare() < 0.06);
+    CHECK(leastScaledJacobian(outcome.mesh) > 0.6);
+}
+
+TEST_CASE("quads: an odd boundary gets one more node, a kept one keeps one triangle") {
+    const Domain domain = polygon(circle(31, 1.0));
+    MeshingJob job = quadJob(domain, "0.2");
+    const MeshingOutcome even = meshed(job);
+    CHECK(even.boundary->segments.size() % 2 == 0);
+    CHECK(even.quads.triangles == 0);
+    job.options.keepBoundary = true;
+    const MeshingOutcome kept = meshed(job);
+    CHECK(kept.boundary->segments.size() == 31);
+    CHECK(kept.quads.oddEdges == 1);
+    CHECK(kept.quads.triangles == 1);
+    CHECK(faultsOf(kept.mesh, domain, false).empty());
+}
+
+TEST_CASE("quads: a line with a given number of elements keeps it") {
+    const Domain domain = polygon({{0, 0}, {1, 0}, {0.5, 1}});
+    MeshingJob job = quadJob(domain, "0.2");
+    job.spacing.placed.elements = {3, 0, 0};
+    const MeshingOutcome outcome = meshed(job);
+    CHECK(outcome.quads.triangles == 0);
+    const auto &segments = outcome.boundary->segments;
+    CHECK(std::count_if(segments.begin(), segments.end(), [](const auto &s) { return s.source == 0; }) == 3);
+    CHECK(verifyAgainst(outcome.mesh, domain, job.spacing.placed.elements).empty());
+}
+
+TEST_CASE("colourBoundary: every edge joins two colours, with at most one new node for each cycle") {
+    const MeshingJob job = quadJob(polygon(circle(7, 1.0)), "0.9");
+    const Result<PreparedJob> prepared = prepare(job);
+    REQUIRE(prepared);
+    const ColouredBoundary even = colourBoundary(*prepared->boundary, *prepared->spacing, {&job.domain, {}, true});
+    CHECK(even.oneColoured.empty());
+    CHECK(even.added == prepared->boundary->segments.size() % 2);
+    for (const DiscreteSegment &s : even.domain.segments) {
+        CHECK(even.colours[s.a] != even.colours[s.b]);
+    }
+}
+
+TEST_CASE("quads: random domains are closed and follow their boundaries; all grids give the same bits") {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        MeshingJob job;
+        job.domain = randomDomain(seed);
+        job.options.elements = seed % 7 == 3 ? Elements::Mixed : Elements::Quads;
+        job.options.keepBoundary = seed % 5 == 0;
+        const MeshingOutcome outcome = meshed(job);
+        CHECK(faultsOf(outcome.mesh, job.domain, false) == std::set<std::string>{});
+        if (job.options.elements == Elements::Quads && !job.options.keepBoundary) {
+            CHECK(outcome.quads.triangles == 0);
+            CHECK(outcome.quads.oddEdges == 0);
+        }
+        if (seed % 8 == 1) {
+            for (const GridKind grid : {GridKind::None, GridKind::Uniform, GridKind::Hierarchical}) {
+                job.options.grid = grid;
+                CHECK(meshHash(meshed(job).mesh) == meshHash(outcome.mesh));
+            }
+        }
+    }
+}
+
+TEST_CASE("quads: cancelling ends the run") {
+    const MeshingJob job = quadJob(polygon(circle(178, 1.0)), "0.02");
+    std::stop_source stop;
+    Progress progress;
+    progress.stop = stop.get_token();
+    progress.report = [&](std::string_view stage, double) {
+        if (stage == "cleaning up quadrilaterals") {
+            stop.request_stop();
+        }
+    };
+    const Result<MeshingOutcome> outcome = meshDomain(job, progress);
+    REQUIRE(!outcome);
+    CHECK(outcome.faults().front().code == "cancelled");
+}
+
+TEST_CASE("quads: stepping is refused with a message") {
+    const Result<MeshStepper> stepper = MeshStepper::create(quadJob(polygon(circle(20, 1.0)), "0.3"));
+    REQUIRE(!stepper);
+    CHECK(stepper.faults().front().code == "not-stepped");
+}
+
+TEST_CASE("joinTriangles: two triangles at the ends of a strip become quadrilaterals") {
+    // A triangle, two squares, a triangle.
+    const std::vector<Vec2> nodes = {{0, 0}, {1, 0}, {2, 0}, {3, 0.5}, {2, 1}, {1, 1}, {0, 1}, {-1, 0.5}};
+    const std::vector<QuadCell> cells = {{0, 6, 7, kNoIndex}, {0, 1, 5, 6}, {1, 2, 4, 5}, {2, 3, 4, kNoIndex}};
+    const std::vector<std::array<std::uint32_t, 2>> tagged = {{0, 1}, {1, 2}, {2, 3}, {3, 4},
+                                                              {4, 5}, {5, 6}, {6, 7}, {7, 0}};
+    const MeshingJob job = quadJob(polygon({nodes[7], nodes[0], nodes[2], nodes[3], nodes[4], nodes[6]}), "1");
+    const Result<PreparedJob> prepared = prepare(job);
+    REQUIRE(prepared);
+    QuadWorkspace mesh(nodes, cells, {}, tagged, {}, *prepared->spacing);
+    CHECK(joinTriangles(mesh) == 0);
+    CHECK(std::count_if(mesh.cells.begin(), mesh.cells.end(), isAlive) == 3);
+}
+
+TEST_CASE("quads: the bits of some meshes") {
+    struct Pinned {
+        const char *name;
+        MeshingJob job;
+        std::uint64_t hash;
+    };
+    MeshingJob best = quadJob(polygon(circle(178, 1.0)), "0.0353");
+    best.options.improve = ImproveLevel::Best;
+    MeshingJob mixed = quadJob(polygon({{0, 0}, {3, 0.2}, {2.5, 2}, {1, 1.2}}), "0.1");
+    mixed.options.elements = Elements::Mixed;
+    const std::vector<Pinned> all = {
+        {"disc", quadJob(polygon(circle(178, 1.0)), "0.0353"), 0xcdbf91a98282f4d9},
+        {"disc, best", best, 0xfd7164c3e308d557},
+        {"corner", quadJob(polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), "0.05"), 0x6f28931f27378367},
+        {"graded", quadJob(polygon({{0, 0}, {6, 0}, {6, 4}, {0, 4}}), "max(0.05, 0.2*abs(sqrt((x-3)^2+(y-2)^2)-1.2))"),
+         0x693771a2374e20b3},
+        {"mixed", mixed, 0xb469df65cbb46ef8}};
+    for (const Pinned &pinned : all) {
+        const std::string name = pinned.name;
+        CAPTURE(name);
+        CHECK(toHex(meshHash(meshed(pinned.job).mesh)) == toHex(pinned.hash));
+    }
+}
