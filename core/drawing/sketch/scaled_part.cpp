@@ -17,7 +17,7 @@ int placeIn(const std::vector<std::uint32_t> &list, std::uint32_t value) {
 }
 
 /// The extent of coordinates along one axis.
-struct Extent {
+struct AxisExtent {
     double low = 0.0, high = 0.0;
     bool any = false;
 
@@ -70,17 +70,17 @@ void ScaledPart::collectUnknowns(const SketchSystem &system) {
 }
 
 void ScaledPart::setScale(const SketchSystem &system) {
-    Extent x, y;
+    AxisExtent across, up;
     double longest = 0.0;
     for (const std::vector<std::uint32_t> *list : {&unknowns_, &constantUnknowns_}) {
         for (const std::uint32_t unknown : *list) {
             const double value = system.values[unknown];
             switch (system.kinds[unknown]) {
             case UnknownKind::X:
-                x.add(value);
+                across.add(value);
                 break;
             case UnknownKind::Y:
-                y.add(value);
+                up.add(value);
                 break;
             case UnknownKind::Length:
             case UnknownKind::Offset:
@@ -96,9 +96,9 @@ void ScaledPart::setScale(const SketchSystem &system) {
             longest = std::max(longest, std::fabs(equation.value));
         }
     }
-    size_ = std::max({x.high - x.low, y.high - y.low, longest});
+    size_ = std::max({across.high - across.low, up.high - up.low, longest});
     size_ = size_ > 0.0 && std::isfinite(size_) ? size_ : 1.0;
-    centre_ = {0.5 * (x.low + x.high), 0.5 * (y.low + y.high)};
+    centre_ = {0.5 * (across.low + across.high), 0.5 * (up.low + up.high)};
 }
 
 int ScaledPart::indexOf(std::uint32_t unknown) const {

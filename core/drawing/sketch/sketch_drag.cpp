@@ -18,6 +18,8 @@ double longestMove(const SketchVector &a, const SketchVector &b) {
     return a.size() > 0 ? (a - b).lpNorm<forefront_eigen::Infinity>() : 0.0;
 }
 
+} // namespace
+
 /// One independent part of a sketch while it is dragged.
 class DraggedPart {
   public:
@@ -89,8 +91,6 @@ class DraggedPart {
     SketchVector start_, reference_, weights_;
     bool moved_ = false;
 };
-
-} // namespace
 
 class SketchDrag::Parts {
   public:
