@@ -131,24 +131,33 @@ class Judge {
         return any;
     }
 
-    /// Removes constraints one by one while a claim about the set holds.
+    /// Removes constraints while a claim about the set holds.
     template <class Claim>
     Constraints thinned(Constraints set, const Claim &claim) const {
         if (!claim(set)) {
             set = others_;
         }
-        for (bool again = claim(set); again;) {
-            again = false;
+        if (!claim(set)) {
+            return set;
+        }
+        // Halves first: a reason is mostly a small part of a large sketch. The last pass goes one by one.
+        for (std::size_t chunk = std::max<std::size_t>(1, set.size() / 2);;) {
+            const std::size_t before = set.size();
             for (std::size_t k = 0; k < set.size();) {
                 Constraints fewer = set;
-                fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+                const std::size_t end = std::min(k + chunk, set.size());
+                fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k),
+                            fewer.begin() + static_cast<std::ptrdiff_t>(end));
                 if (claim(fewer)) {
                     set = std::move(fewer);
-                    again = true;
                 } else {
-                    ++k;
+                    k += chunk;
                 }
             }
+            if (chunk == 1 && set.size() == before) {
+                break;
+            }
+            chunk = std::max<std::size_t>(1, chunk / 2);
         }
         return set;
     }

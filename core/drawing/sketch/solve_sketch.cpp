@@ -169,9 +169,11 @@ std::optional<SketchSolution> solveSketch(const SketchSystem &system) {
 
 bool solvable(const SketchSystem &system, std::span<const std::uint32_t> equations) {
     const ScaledPart start(system, equations);
-    constexpr int kStarts = 6;
+    // A refusal needs all starts to fail; in a large part each takes long, and is less likely to help.
+    constexpr std::size_t kLarge = 150;
+    const int starts = equations.size() > kLarge ? 2 : 6;
     double spread = 0.0;
-    for (int k = 0; k < kStarts; ++k) {
+    for (int k = 0; k < starts; ++k) {
         ScaledPart part = start;
         scatter(part.x, static_cast<std::uint64_t>(k), spread);
         if (satisfy(part)) {
