@@ -1,6 +1,7 @@
 // Joints: nodes at the same place, and nodes on segments, stay together through commands.
 #include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/commands/transform.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/validate.hpp"
@@ -60,6 +61,16 @@ TEST_CASE("Joints: a shape that is moved takes the border with its neighbour alo
     const Document document = documentOf({square({0, 0}, 1), square({1, 0}, 1)});
     const Document next = jointed(document, moveSelection(document, selected({2}), {0.5, 0.0}));
     CHECK(shapeOfId(next, 1).nodes == std::vector<Vec2>{{0, 0}, {1.5, 0}, {1.5, 1}, {0, 1}});
+}
+
+TEST_CASE("Joints: neighbours follow a transformation, by their common nodes only") {
+    const Document document = documentOf({square({0, 0}, 1), square({1, 0}, 1)});
+    const PlaneMap wider = PlaneMap::scaling({1.5, 1.0}, {2.0, 0.0});
+    const Document scaled = jointed(document, transformSelection(document, selected({2}), wider));
+    CHECK(shapeOfId(scaled, 1).nodes == std::vector<Vec2>{{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}});
+    const PlaneMap mirror = PlaneMap::scaling({-1.0, 1.0}, {1.5, 0.0}); // onto itself
+    const Document mirrored = jointed(document, transformSelection(document, selected({2}), mirror));
+    CHECK(boundsOf(shapeOfId(mirrored, 1)) == boundsOf(shapeOfId(document, 1)));
 }
 
 TEST_CASE("Joints: what does not move keeps its bits and its shape") {
