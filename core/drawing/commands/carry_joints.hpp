@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/engine/base/result.hpp"
+
+namespace forefront {
+
+/// Carries joints through a command. Handles of paths, rectangles and points at the same place are joined, as are nodes
+/// that lie on a straight segment of a path with that segment; within the tolerance at which an import joins lines.
+///
+/// Where the command has moved a handle, those joined with it move too, and nodes on a moved segment keep their place
+/// along it. An end of an open path that lies on a segment and is moved by itself stays on it. Where two paths share a
+/// segment, a node inserted into one is inserted into the other, and a node removed from both sides of it is removed
+/// from both. Errors: joined-node if a removed node joins other shapes that need it; joined-locked if a locked shape
+/// would have to move. To detach a node, apply the command without this.
+Result<Document> carryJoints(const Document &before, const Document &after);
+
+/// Returns the tolerance within which places of a document are the same: 1e-6 of its diagonal.
+double jointTolerance(const Document &document);
+
+} // namespace forefront

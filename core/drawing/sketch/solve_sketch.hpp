@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/drawing/sketch/sketch_system.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace forefront {
+
+/// The solution of a sketch nearest to what the user sees.
+struct SketchSolution {
+    std::vector<double> values; ///< of all unknowns
+    std::size_t flips = 0;      ///< corners that have changed their side, or edges and radii that nearly vanished
+};
+
+/// Solves the parts of a sketch that do not hold, after an edit such as a new dimension. Tries a plain solve first,
+/// then ways that keep corners: limited steps, small parts of the change, nearby starts. Takes the first solution
+/// without flips, else the one with fewest. Returns none if no solution is found near by. Parts that hold keep their
+/// bits.
+std::optional<SketchSolution> solveSketch(const SketchSystem &system);
+
+/// Returns true if some equations have a solution near the values of a sketch.
+bool solvable(const SketchSystem &system, std::span<const std::uint32_t> equations);
+
+/// Returns true if all of some equations hold, up to rounding of the coordinates.
+bool holds(const SketchSystem &system, std::span<const std::uint32_t> equations);
+
+} // namespace forefront
