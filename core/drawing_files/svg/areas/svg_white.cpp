@@ -16,15 +16,15 @@ bool looksWhite(const SvgPath &path) {
 }
 
 /// A painted element: its subpaths are those at the indices.
-struct Element {
+struct PaintedElement {
     std::size_t id = 0;
     bool white = false;
     std::vector<std::size_t> paths;
     Box2 box;
 };
 
-std::vector<Element> elementsOf(const std::vector<SvgPath> &paths) {
-    std::vector<Element> elements;
+std::vector<PaintedElement> elementsOf(const std::vector<SvgPath> &paths) {
+    std::vector<PaintedElement> elements;
     for (std::size_t k = 0; k < paths.size(); ++k) {
         if (!paths[k].painted()) {
             continue;
@@ -50,7 +50,7 @@ int crossings(std::span<const Vec2> loop, Vec2 p) {
     return count;
 }
 
-bool covers(const Element &element, const std::vector<SvgPath> &paths, Vec2 p) {
+bool covers(const PaintedElement &element, const std::vector<SvgPath> &paths, Vec2 p) {
     int count = 0;
     for (const std::size_t k : element.paths) {
         count += crossings(paths[k].nodes, p);
@@ -59,7 +59,7 @@ bool covers(const Element &element, const std::vector<SvgPath> &paths, Vec2 p) {
 }
 
 /// Returns true if a node of one element lies in the other one.
-bool liesOn(const Element &above, const Element &below, const std::vector<SvgPath> &paths) {
+bool liesOn(const PaintedElement &above, const PaintedElement &below, const std::vector<SvgPath> &paths) {
     return above.box.overlaps(below.box) && std::any_of(above.paths.begin(), above.paths.end(), [&](std::size_t k) {
                return std::any_of(paths[k].nodes.begin(), paths[k].nodes.end(),
                                   [&](Vec2 node) { return covers(below, paths, node); });
@@ -69,7 +69,7 @@ bool liesOn(const Element &above, const Element &below, const std::vector<SvgPat
 } // namespace
 
 SvgWhiteShapes::SvgWhiteShapes(const std::vector<SvgPath> &paths) : on_(paths.size()) {
-    const std::vector<Element> elements = elementsOf(paths);
+    const std::vector<PaintedElement> elements = elementsOf(paths);
     for (std::size_t above = 0; above < elements.size(); ++above) {
         std::vector<std::size_t> below;
         for (std::size_t k = 0; k < above && elements[above].white; ++k) {
