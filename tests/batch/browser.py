@@ -21,7 +21,7 @@ class Browser:
     """A page of fixed size. Messages of its console and errors of its scripts are in `complaints`."""
 
     def __init__(self, width=1280, height=800, scale=1.0):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.output = os.pipe()
         self.input, from_browser = os.pipe()
         os.set_inheritable(to_browser, True)
