@@ -1,5 +1,5 @@
 #version 330 core
-// Fills the domain with one colour, or by the node spacing ρ on a logarithmic scale. It covers most pixels of the canvas,
+// Fills the domain by the node spacing ρ on a logarithmic scale, over one colour. It covers most pixels of the canvas,
 // so software rendering gains from texels without filter and a loop of known length.
 in vec2 pixel;
 
@@ -10,7 +10,6 @@ uniform vec2 rasterSize;  // pixels
 uniform vec2 range;       // ln ρ at the ends of the map
 uniform sampler2D map;    // 256 colours
 uniform vec4 plain;
-uniform int tinted; // 1: coloured by ρ, 0: plain
 uniform float levels[8];    // ln ρ of the contour lines; unused ones are far from every ρ
 uniform float contourWidth; // pixels, at most
 uniform float contourGap;   // smallest difference of ln ρ between two contour lines
@@ -32,15 +31,11 @@ vec2 contour(float value, float change) {
 
 void main() {
     float inside = texelFetch(mask, ivec2(pixel), 0).r;
-    vec3 rgb = plain.rgb;
-    if (tinted == 1) {
-        float value = texture(raster, (pixel - rasterCorner) / rasterSize).r;
-        vec2 line = contour(value, length(vec2(dFdx(value), dFdy(value))));
-        float span = range.y - range.x;
-        float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
-        rgb = texelFetch(map, ivec2(int(t * 255.0 + 0.5), 0), 0).rgb;
-        vec3 contoured = mix(mix(rgb, vec3(0.04, 0.06, 0.09), 0.45 * line.y), vec3(1.0), 0.9 * line.x);
-        rgb = mix(mix(plain.rgb, rgb, opacity), contoured, 0.6 * line.y);
-    }
-    result = vec4(rgb, plain.a * inside);
+    float value = texture(raster, (pixel - rasterCorner) / rasterSize).r;
+    vec2 line = contour(value, length(vec2(dFdx(value), dFdy(value))));
+    float span = range.y - range.x;
+    float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
+    vec3 rgb = texelFetch(map, ivec2(int(t * 255.0 + 0.5), 0), 0).rgb;
+    vec3 contoured = mix(mix(rgb, vec3(0.04, 0.06, 0.09), 0.45 * line.y), vec3(1.0), 0.9 * line.x);
+    result = vec4(mix(mix(plain.rgb, rgb, opacity), contoured, 0.6 * line.y), plain.a * inside);
 }

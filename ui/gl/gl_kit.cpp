@@ -43,7 +43,8 @@ unsigned mapTexture(Colour (*map)(double)) {
 } // namespace
 
 GlKit::GlKit(BackgroundList &list)
-    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), elements_(std::make_unique<MeshBatch>(list)),
+    : lines_("line"), boxes_("box"), mesh_("mesh"), plainMesh_("plain_mesh"), field_("field"),
+      plainField_("plain_field", "field"), elements_(std::make_unique<MeshBatch>(list)),
       spacing_(mapTexture(spacingColour)) {
     glGenVertexArrays(1, &emptyArray_);
     mask_ = smoothTexture(GL_NEAREST);
@@ -100,17 +101,16 @@ void GlKit::updateRaster(const FieldTint &tint) {
 
 void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera &camera, Colour plain,
                       const FieldTint *tint) {
-    const ShaderProgram &program = field_;
+    const ShaderProgram &program = tint != nullptr ? field_ : plainField_;
     program.use();
     setCamera(program, camera);
     glActiveTexture(GL_TEXTURE0);
     updateMask(domain, revision, camera);
     program.set("mask", 0);
     program.set("plain", plain);
-    program.set("tinted", tint != nullptr ? 1 : 0);
-    program.set("raster", 1);
-    program.set("map", 2);
     if (tint != nullptr) {
+        program.set("raster", 1);
+        program.set("map", 2);
         glActiveTexture(GL_TEXTURE1);
         updateRaster(*tint);
         glActiveTexture(GL_TEXTURE2);

@@ -39,6 +39,8 @@ class GlKit {
     const ShaderProgram &lines() const { return lines_; }
     const ShaderProgram &boxes() const { return boxes_; }
     const ShaderProgram &mesh() const { return mesh_; }
+    /// Returns the program for elements that have one colour and are all shown.
+    const ShaderProgram &plainMesh() const { return plainMesh_; }
     const ShaderProgram &field() const { return field_; }
     /// Fills the domain with one colour, or with the colours of ρ if `tint` is not null.
     void drawField(const Domain &domain, std::uint64_t revision, const Camera &camera, Colour plain,
@@ -53,7 +55,7 @@ class GlKit {
     unsigned emptyArray() const { return emptyArray_; }
 
   private:
-    ShaderProgram lines_, boxes_, mesh_, field_;
+    ShaderProgram lines_, boxes_, mesh_, plainMesh_, field_, plainField_;
     std::unique_ptr<MeshBatch> elements_;
     void updateMask(const Domain &domain, std::uint64_t revision, const Camera &camera);
     void updateRaster(const FieldTint &tint);

@@ -348,15 +348,21 @@ void MeshBatch::update(const std::shared_ptr<const MeshSnapshot> &view, bool atR
     values_ = values != nullptr ? std::optional(*values) : std::nullopt;
 }
 
-/// Makes the program current and sets what all chunks share.
-void MeshBatch::use(const GlKit &gl, const Camera &camera, const MeshStyle &style) const {
-    const ShaderProgram &program = gl.mesh();
+/// Makes a program current, sets what all chunks share, and returns it.
+const ShaderProgram &MeshBatch::use(const GlKit &gl, const Camera &camera, const MeshStyle &style) const {
+    const bool isolates = style.isolateFrom <= style.isolateTo;
+    const bool plain = style.map == nullptr && !isolates;
+    const ShaderProgram &program = plain ? gl.plainMesh() : gl.mesh();
     program.use();
     program.set("zoom", static_cast<float>(camera.zoom));
     program.set("viewport", glm::vec2(camera.viewport.width, camera.viewport.height));
     program.set("face", style.face);
     program.set("edge", style.edge);
     program.set("edgeWidth", static_cast<float>(style.edgeWidth));
+    program.set("denseEdges", static_cast<float>(style.denseEdges));
+    if (plain) {
+        return program;
+    }
     const auto scaled = [this](double value) {
         return static_cast<float>(values_ && values_->logarithmic && value > 0.0 ? std::log(value) : value);
     };
@@ -365,16 +371,15 @@ void MeshBatch::use(const GlKit &gl, const Camera &camera, const MeshStyle &styl
     const MeshPart part = values_ ? values_->part : MeshPart::Elements;
     program.set("part", values_ && values_->smooth ? 3 : static_cast<int>(part));
     program.set("range", glm::vec2(scaled(style.range.from), scaled(style.range.to)));
-    program.set("denseEdges", static_cast<float>(style.denseEdges));
     program.set("badBelow", scaled(style.badBelow));
     program.set("badAbove", scaled(style.badAbove));
     program.set("hatch", style.hatch);
-    program.set("isolate", style.isolateFrom > style.isolateTo
-                               ? glm::vec2(1.0F, 0.0F)
-                               : glm::vec2(scaled(style.isolateFrom), scaled(style.isolateTo)));
+    program.set("isolate",
+                isolates ? glm::vec2(scaled(style.isolateFrom), scaled(style.isolateTo)) : glm::vec2(1.0F, 0.0F));
     program.set("map", 0);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, gl.map(style.map != nullptr ? style.map : cividis));
+    return program;
 }
 
 void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &style, DrawSlice *slice) {
@@ -408,7 +413,7 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     if (slice != nullptr) {
         slice->done += done;
     }
-    use(gl, camera, style);
+    const ShaderProgram &program = use(gl, camera, style);
     glVertexAttrib1f(kEdgesAttribute, kAllEdges); // where a page has no buffer of them
     for (std::size_t k = first; k < end; ++k) {
         const Chunk &chunk = chunks_[k];
@@ -416,7 +421,7 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
             continue;
         }
         const Vec2 offset = camera.zoom * (chunk.origin - camera.centre);
-        gl.mesh().set("offset", glm::vec2(offset.x, offset.y));
+        program.set("offset", glm::vec2(offset.x, offset.y));
         glBindVertexArray(pageOf(chunk).array);
         glDrawArrays(GL_TRIANGLES, static_cast<int>(3 * (chunk.first % kPageElements)),
                      static_cast<int>(3 * chunk.count));

@@ -102,7 +102,7 @@ class MeshBatch {
     void uploadEdges(const Chunk &chunk);
     void uploadCorners(Chunk &chunk);
     void uploadValues(Chunk &chunk);
-    void use(const GlKit &gl, const Camera &camera, const MeshStyle &style) const;
+    const ShaderProgram &use(const GlKit &gl, const Camera &camera, const MeshStyle &style) const;
 
     static constexpr std::size_t kPageElements = 64 * kMeshChunk;
 

@@ -37,8 +37,8 @@ unsigned compile(unsigned kind, const std::string &name) {
 
 } // namespace
 
-ShaderProgram::ShaderProgram(std::string_view name) : program_(glCreateProgram()) {
-    const unsigned vertex = compile(GL_VERTEX_SHADER, std::string(name) + "_vertex");
+ShaderProgram::ShaderProgram(std::string_view name, std::string_view corners) : program_(glCreateProgram()) {
+    const unsigned vertex = compile(GL_VERTEX_SHADER, std::string(corners.empty() ? name : corners) + "_vertex");
     const unsigned fragment = compile(GL_FRAGMENT_SHADER, std::string(name) + "_fragment");
     glAttachShader(program_, vertex);
     glAttachShader(program_, fragment);

@@ -16,7 +16,8 @@ const char *shaderText(std::string_view name);
 /// bug: the error is printed and the program ends.
 class ShaderProgram {
   public:
-    explicit ShaderProgram(std::string_view name);
+    /// Compiles the shaders NAME_vertex and NAME_fragment. `corners`: the name for the vertices, if it is another one.
+    explicit ShaderProgram(std::string_view name, std::string_view corners = {});
     ~ShaderProgram();
     ShaderProgram(const ShaderProgram &) = delete;
     ShaderProgram &operator=(const ShaderProgram &) = delete;
