@@ -14,6 +14,7 @@
 #include "ui/dialogs/shape_actions.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/picture_view.hpp"
 
 #include <algorithm>
@@ -292,7 +293,12 @@ void addSelectionActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kDelete, kNoModifiers}},
                  .run =
                      [](Shell &c) {
-                         c.document.apply(deleteSelection(*c.document.current(), c.selection), "Delete");
+                         Document next = deleteSelection(*c.document.current(), c.selection);
+                         if (c.selection.nodes.empty()) {
+                             c.document.apply(std::move(next), "Delete");
+                         } else if (!applyJoined(c, std::move(next), "Delete")) {
+                             return;
+                         }
                          c.selection.clear();
                      },
                  .enabled = hasSelection});

@@ -1,5 +1,6 @@
 #include "ui/dialogs/shape_actions.hpp"
 
+#include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/combine_shapes.hpp"
 #include "core/drawing/commands/corner_commands.hpp"
 #include "core/drawing/commands/offset_shapes.hpp"
@@ -12,6 +13,7 @@
 #include "ui/dialogs/operation_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/joined_command.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -56,8 +58,11 @@ Operation transformOperation() {
         const PlaneMap scale = PlaneMap::scaling({0.01 * values[3], 0.01 * values[4]}, about);
         const PlaneMap turned = PlaneMap::rotation(values[2], about).after(scale);
         const PlaneMap map = PlaneMap::translation({values[0], values[1]}).after(turned);
-        return values[6] != 0.0 ? copySelection(document, selection, std::vector{map}, made)
-                                : transformSelection(document, selection, map);
+        if (values[6] != 0.0) {
+            return copySelection(document, selection, std::vector{map}, made);
+        }
+        Result<Document> next = transformSelection(document, selection, map);
+        return next ? carryJoints(document, *next) : next;
     };
     return operation;
 }
@@ -192,7 +197,7 @@ void addMap(ActionRegistry &actions, const char *id, const char *title, Shortcut
                      [title, map](Shell &c) {
                          const Document &document = *c.document.current();
                          const Vec2 centre = boundsOf(document, c.selection).centre();
-                         c.applyCommand(transformSelection(document, c.selection, map(centre)), title);
+                         applyJoined(c, transformSelection(document, c.selection, map(centre)), title);
                      },
                  .enabled = hasSelection});
 }
@@ -259,7 +264,7 @@ void addArrangements(ActionRegistry &actions) {
              .title = arrangement.title,
              .run =
                  [&arrangement](Shell &c) {
-                     c.applyCommand(arrangement.run(*c.document.current(), c.selection), arrangement.title);
+                     applyJoined(c, arrangement.run(*c.document.current(), c.selection), arrangement.title);
                  },
              .enabled = [&arrangement](const Shell &c) { return alignableItems(c.selection) >= arrangement.items; }});
     }

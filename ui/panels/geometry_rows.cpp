@@ -9,6 +9,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
 
 #include <cmath>
@@ -32,7 +33,7 @@ form::PairAddress pairAddress(const Shape &shape, Quantity first, Quantity secon
 
 void drawRectangle(Shell &context, const Shape &shape) {
     const auto put = [&](const Shape &next, const char *label) {
-        context.applyCommand(replaceShape(*context.document.current(), next), label);
+        applyJoined(context, replaceShape(*context.document.current(), next), label);
     };
     Shape next = shape;
     const Box2 box = boundsOf(shape);
@@ -68,7 +69,7 @@ void drawCircle(Shell &context, const Shape &shape) {
 void drawPoint(Shell &context, const Shape &shape) {
     Vec2 at = shape.nodes[0];
     if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
-        context.applyCommand(setHandle(*context.document.current(), {shape.id, 0}, at), "Move point");
+        applyJoined(context, setHandle(*context.document.current(), {shape.id, 0}, at), "Move point");
         context.view.reveal(boxOf(at, at));
     }
 }
@@ -175,7 +176,7 @@ void roundedSegmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
     double side = across ? extent.x : extent.y;
     if (form::number(context, "inspector/length", across ? "Width" : "Height", side,
                      addressOf(shape, across ? Quantity::Width : Quantity::Height))) {
-        context.applyCommand(setSegmentLength(*context.document.current(), ref, side), "Change length");
+        applyJoined(context, setSegmentLength(*context.document.current(), ref, side), "Change length");
     }
 }
 
@@ -208,7 +209,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
                                 : ref.segment % 2 == 0 ? Quantity::Width
                                                        : Quantity::Height;
         if (form::number(context, "inspector/length", "Length", size, addressOf(shape, number))) {
-            context.applyCommand(setSegmentLength(document, ref, size), "Change length");
+            applyJoined(context, setSegmentLength(document, ref, size), "Change length");
         }
         return;
     }
@@ -219,7 +220,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
         if (next) {
             next = followLength(*std::move(next), ref, formula);
         }
-        context.applyCommand(std::move(next), "Change length");
+        applyJoined(context, next, "Change length");
         return;
     }
     drawFollowing(context, shape, static_cast<std::uint32_t>((ref.segment + 1) % handles.size()));

@@ -15,6 +15,7 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/joined_command.hpp"
 #include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
@@ -242,7 +243,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     if (shape->is<SlotForm>() && !isCentre(*shape, ref.node)) {
         slotWidthRow(context, *shape); // the place of its side follows
     } else if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
-        context.applyCommand(setHandle(document, ref, at), "Move node");
+        applyJoined(context, setHandle(document, ref, at), "Move node");
         context.view.reveal(boxOf(at, at));
     }
     if (isPath(*shape)) {
@@ -285,7 +286,7 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     }
     const Vec2 middle = outline.curve(segment).point(0.5);
     if (ui::button(context, "inspector/split", "Insert node")) {
-        context.applyCommand(insertNode(document, ref, middle), "Insert node");
+        applyJoined(context, insertNode(document, ref, middle), "Insert node");
     }
     if (isPath(*shape)) {
         ImGui::SameLine();

@@ -72,7 +72,7 @@ class ShortcutSheet final : public Dialog {
         });
     }
 
-    static constexpr std::array<std::pair<const char *, const char *>, 7> kDrawing{{
+    static constexpr std::array<std::pair<const char *, const char *>, 8> kDrawing{{
         {"Enter", "Finish the path"},
         {"Backspace", "Remove the last node"},
         {"X Y D Q", "Type x, y, distance (diameter of a circle), angle"},
@@ -80,6 +80,7 @@ class ShortcutSheet final : public Dialog {
          "9",
          "Enter a number"},
         {"Shift / Ctrl", "Constrain the angle / do not snap"},
+        {"Alt + drag", "Detach from neighbours"},
         {"[ ]", "Brush radius"},
         {"Shift + [ ]", "Brush spacing"},
     }};

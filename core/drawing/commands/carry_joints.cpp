@@ -1,5 +1,7 @@
 #include "core/drawing/commands/carry_joints.hpp"
 
+#include "core/drawing/commands/joint_index.hpp"
+#include "core/drawing/picking/selected_handles.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
@@ -27,10 +29,6 @@ struct MovedSegment {
     MovedPlace a, b;
 };
 
-bool canJoin(const Shape &shape) {
-    return isPath(shape) || shape.is<RectangleForm>() || shape.is<PointForm>();
-}
-
 /// Returns true if the shape has the same handles in another order, as after reversing a path.
 bool onlyReordered(std::vector<Vec2> before, std::vector<Vec2> after) {
     std::sort(before.begin(), before.end(), comesBefore);
@@ -38,18 +36,11 @@ bool onlyReordered(std::vector<Vec2> before, std::vector<Vec2> after) {
     return before == after;
 }
 
-/// Returns the parameter along a segment of the point nearest to p, in [0, 1]; none if it is farther than `tolerance`.
-std::optional<double> along(Vec2 a, Vec2 b, Vec2 p, double tolerance) {
-    const double squared = lengthSquared(b - a);
-    const double t = squared > 0.0 ? std::clamp(dot(p - a, b - a) / squared, 0.0, 1.0) : 0.0;
-    return distance(p, a + t * (b - a)) <= tolerance ? std::optional(t) : std::nullopt;
-}
-
 /// Moves what is joined with handles that a command has moved.
 class JointMover {
   public:
-    JointMover(const Document &before, Document after)
-        : before_(before), document_(std::move(after)), tolerance_(jointTolerance(before)) {}
+    JointMover(const JointIndex &index, Document after)
+        : index_(index), before_(index.document()), document_(std::move(after)) {}
 
     Result<Document> run() {
         // A moved corner of a rectangle moves its neighbours, which may be joined with further shapes.
@@ -72,30 +63,47 @@ class JointMover {
     }
 
   private:
-    /// Returns the shape before the command; null if it has other handles now.
-    const Shape *unchangedList(const Shape &now) const {
-        const Shape *const old = findShape(before_, now.id);
-        return old != nullptr && canJoin(now) && old->form.index() == now.form.index() &&
-                       handleCount(*old) == handleCount(now)
-                   ? old
-                   : nullptr;
+    /// The targets of handles by position of their shape in document_ and by handle.
+    using Targets = std::map<std::size_t, std::map<std::uint32_t, Vec2>>;
+
+    /// Returns the position of a shape in one document, which often is that in the other.
+    static std::size_t position(const Document &document, std::uint32_t id, std::size_t likely) {
+        const auto &shapes = document.shapes;
+        return likely < shapes.size() && shapes[likely]->id == id ? likely : positionOf(document, id);
+    }
+
+    /// Returns the shape at a position as it was before the command; null if it has other handles now.
+    const Shape *unchangedList(std::size_t s) const {
+        const Shape &now = *document_.shapes[s];
+        const std::size_t at = position(before_, now.id, s);
+        if (at == before_.shapes.size() || !canJoin(now)) {
+            return nullptr;
+        }
+        const Shape &old = *before_.shapes[at];
+        const bool turned = old.is<RectangleForm>() && isPath(now); // a rectangle becomes a path with the same corners
+        return (old.form.index() == now.form.index() || turned) && handleCount(old) == handleCount(now) ? &old
+                                                                                                        : nullptr;
     }
 
     void collect() {
         moved_.clear();
         segments_.clear();
-        for (const auto &shape : document_.shapes) {
-            const Shape *const old = unchangedList(*shape);
-            if (old == nullptr || old == shape.get()) {
+        hasMoved_.assign(before_.shapes.size(), {});
+        for (std::size_t s = 0; s < document_.shapes.size(); ++s) {
+            const Shape *const old = unchangedList(s);
+            if (old == nullptr || old == document_.shapes[s].get()) {
                 continue;
             }
-            const std::vector<Vec2> from = handlesOf(*old), to = handlesOf(*shape);
+            const std::vector<Vec2> from = handlesOf(*old), to = handlesOf(*document_.shapes[s]);
             if (from == to || onlyReordered(from, to)) {
                 continue;
             }
+            std::vector<bool> &hasMoved = hasMoved_[position(before_, old->id, s)];
+            hasMoved.resize(from.size());
             for (std::size_t k = 0; k < from.size(); ++k) {
                 if (from[k] != to[k]) {
                     moved_.push_back({from[k], to[k]});
+                    hasMoved[k] = true;
                 }
             }
             collectSegments(*old, from, to);
@@ -105,64 +113,64 @@ class JointMover {
     }
 
     void collectSegments(const Shape &shape, const std::vector<Vec2> &from, const std::vector<Vec2> &to) {
-        if (shape.is<PointForm>() || (shape.is<RectangleForm>() && shape.as<RectangleForm>().radius > 0.0)) {
-            return;
-        }
-        const std::size_t count = isClosed(shape) ? from.size() : from.size() - 1;
-        for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t k = 0; k < sideCount(shape); ++k) {
             const std::size_t next = (k + 1) % from.size();
-            const bool straight = !isPath(shape) || shape.path().curves.empty() || shape.path().curves[k] == Curve();
-            if (straight && (from[k] != to[k] || from[next] != to[next])) {
+            if (isStraightSide(shape, k) && (from[k] != to[k] || from[next] != to[next])) {
                 segments_.push_back({{from[k], to[k]}, {from[next], to[next]}});
             }
         }
     }
 
-    /// Returns where a handle at a place goes with what has moved; none if it is joined with nothing that has.
-    std::optional<Vec2> target(Vec2 at) const {
-        const auto first = std::lower_bound(moved_.begin(), moved_.end(), at.x - tolerance_,
-                                            [](const MovedPlace &place, double x) { return place.from.x < x; });
-        for (auto place = first; place != moved_.end() && place->from.x <= at.x + tolerance_; ++place) {
-            if (distance(place->from, at) <= tolerance_) {
-                return place->to;
+    /// Returns where handles go with what has moved. A handle joined with several goes with the first place, or else
+    /// with the first segment.
+    Targets findTargets() const {
+        Targets targets;
+        const auto add = [&](const JointHandle &handle, Vec2 to) {
+            const std::vector<bool> &hasMoved = hasMoved_[handle.shape];
+            if (!hasMoved.empty() && hasMoved[handle.handle]) {
+                return;
             }
+            const std::size_t s = position(document_, before_.shapes[handle.shape]->id, handle.shape);
+            if (s < document_.shapes.size()) {
+                targets[s].emplace(handle.handle, to);
+            }
+        };
+        for (const MovedPlace &place : moved_) {
+            index_.handlesAt(place.from, [&](const JointHandle &handle) { add(handle, place.to); });
         }
         for (const MovedSegment &segment : segments_) {
-            const bool inside = distance(at, segment.a.from) > tolerance_ && distance(at, segment.b.from) > tolerance_;
-            const std::optional<double> t =
-                inside ? along(segment.a.from, segment.b.from, at, tolerance_) : std::nullopt;
-            if (t) {
-                return segment.a.to + *t * (segment.b.to - segment.a.to);
-            }
+            index_.handlesOn(segment.a.from, segment.b.from, [&](const JointHandle &handle, double t) {
+                add(handle, segment.a.to + t * (segment.b.to - segment.a.to));
+            });
         }
-        return std::nullopt;
+        return targets;
     }
 
     Result<bool> moveJoined() {
         bool any = false;
-        for (std::shared_ptr<const Shape> &place : document_.shapes) {
-            const Shape *const old = unchangedList(*place);
+        for (auto &[s, targets] : findTargets()) {
+            std::shared_ptr<const Shape> &place = document_.shapes[s];
+            const Shape *const old = unchangedList(s);
             if (old == nullptr) {
                 continue;
             }
             const std::vector<Vec2> from = handlesOf(*old), now = handlesOf(*place);
-            std::map<std::uint32_t, Vec2> targets;
-            for (std::uint32_t k = 0; k < now.size(); ++k) {
-                const std::optional<Vec2> to = from[k] == now[k] ? target(from[k]) : std::nullopt;
-                if (to && *to != now[k]) {
-                    targets.emplace(k, *to);
+            std::map<std::uint32_t, Vec2> follow;
+            for (const auto &[k, to] : targets) {
+                if (from[k] == now[k] && to != now[k]) {
+                    follow.emplace(k, to);
                 }
             }
-            if (targets.empty()) {
+            if (follow.empty()) {
                 continue;
             }
             if (place->locked) {
                 return error("joined-locked",
                              displayName(*place) + " is locked and joined with what moves at " +
-                                 placeText(from[targets.begin()->first]),
-                             "unlock it, or detach the node from it");
+                                 placeText(from[follow.begin()->first]),
+                             "unlock it, or drag with Alt to detach the node from it");
             }
-            place = moved(*place, now, targets);
+            place = moved(*place, now, follow);
             any = true;
         }
         return any;
@@ -185,8 +193,9 @@ class JointMover {
 
     /// Puts ends of open paths that were on a segment, and were moved by themselves, back on it.
     void keepEndsOnSegments() {
-        for (std::shared_ptr<const Shape> &place : document_.shapes) {
-            const Shape *const old = unchangedList(*place);
+        for (std::size_t s = 0; s < document_.shapes.size(); ++s) {
+            std::shared_ptr<const Shape> &place = document_.shapes[s];
+            const Shape *const old = unchangedList(s);
             if (old == nullptr || old == place.get() || !place->isPolyline()) {
                 continue;
             }
@@ -205,34 +214,28 @@ class JointMover {
         }
     }
 
-    /// Returns the place nearest to `now` on the segment of another shape that `from` lies inside of, where that
-    /// segment has not moved. None if there is no such segment.
+    /// Returns the place nearest to `now` on the segment of another path that `from` lies inside of, where that path
+    /// has not moved. None if there is no such segment.
     std::optional<Vec2> onSegment(std::uint32_t id, Vec2 from, Vec2 now) const {
-        for (const auto &shape : before_.shapes) {
-            if (shape->id == id || !isPath(*shape) || findShape(document_, shape->id) == nullptr ||
-                findShape(document_, shape->id)->nodes != shape->nodes) {
-                continue;
-            }
-            const std::vector<Vec2> &nodes = shape->nodes;
-            const std::size_t count = isClosed(*shape) ? nodes.size() : nodes.size() - 1;
-            for (std::size_t k = 0; k < count; ++k) {
-                const Vec2 a = nodes[k], b = nodes[(k + 1) % nodes.size()];
-                const bool straight = shape->path().curves.empty() || shape->path().curves[k] == Curve();
-                if (straight && distance(from, a) > tolerance_ && distance(from, b) > tolerance_ &&
-                    along(a, b, from, tolerance_)) {
-                    const double t = std::clamp(dot(now - a, b - a) / lengthSquared(b - a), 0.0, 1.0);
-                    return a + t * (b - a);
-                }
-            }
+        const JointSegment *const segment = index_.segmentAt(from, [&](const JointSegment &candidate) {
+            const Shape &shape = *before_.shapes[candidate.shape];
+            const std::size_t s = position(document_, shape.id, candidate.shape);
+            return shape.id != id && isPath(shape) && s < document_.shapes.size() &&
+                   document_.shapes[s]->nodes == shape.nodes;
+        });
+        if (segment == nullptr) {
+            return std::nullopt;
         }
-        return std::nullopt;
+        const Vec2 a = segment->a, way = segment->b - segment->a;
+        return a + std::clamp(dot(now - a, way) / lengthSquared(way), 0.0, 1.0) * way;
     }
 
+    const JointIndex &index_;
     const Document &before_;
     Document document_;
-    double tolerance_;
     std::vector<MovedPlace> moved_; ///< by x of `from`
     std::vector<MovedSegment> segments_;
+    std::vector<std::vector<bool>> hasMoved_; ///< by position in before_ and handle; empty: none of the shape
 };
 
 /// A node that a command inserted into a path or removed from it, between two others.
@@ -264,8 +267,8 @@ std::vector<ListedNode> missing(const Shape &longer, const std::vector<Vec2> &sh
 /// Inserts and removes nodes of segments that paths share.
 class SharedSegments {
   public:
-    SharedSegments(const Document &before, Document after)
-        : before_(before), document_(std::move(after)), tolerance_(jointTolerance(before)) {}
+    SharedSegments(const JointIndex &index, Document after)
+        : before_(index.document()), document_(std::move(after)), tolerance_(index.tolerance()) {}
 
     Result<Document> run() {
         std::vector<ListedNode> inserted, removed;
@@ -374,9 +377,71 @@ double jointTolerance(const Document &document) {
     return document.shapes.empty() ? 0.0 : kWeld * length(box.size());
 }
 
+namespace {
+
+Result<Document> carryThrough(const JointIndex &index, const Document &after) {
+    Result<Document> next = SharedSegments(index, after).run();
+    return next ? JointMover(index, *std::move(next)).run() : next;
+}
+
+} // namespace
+
 Result<Document> carryJoints(const Document &before, const Document &after) {
-    Result<Document> next = SharedSegments(before, after).run();
-    return next ? JointMover(before, *std::move(next)).run() : next;
+    return carryThrough(JointIndex(before), after);
+}
+
+Joints::Joints(std::shared_ptr<const Document> document)
+    : document_(std::move(document)), index_(std::make_shared<const JointIndex>(*document_)) {}
+
+Result<Document> Joints::carry(const Document &after) const {
+    return carryThrough(*index_, after);
+}
+
+std::vector<bool> Joints::joinedHandles(std::uint32_t shape) const {
+    const std::size_t position = positionOf(*document_, shape);
+    if (position == document_->shapes.size() || !canJoin(*document_->shapes[position])) {
+        return {};
+    }
+    const std::vector<Vec2> handles = handlesOf(*document_->shapes[position]);
+    std::vector<bool> joined;
+    joined.reserve(handles.size());
+    for (std::uint32_t k = 0; k < handles.size(); ++k) {
+        bool shared = false;
+        index_->handlesAt(handles[k], [&](const JointHandle &other) {
+            shared = shared || other.shape != position || other.handle != k;
+        });
+        joined.push_back(shared || index_->segmentAt(handles[k], [](const JointSegment &) { return true; }) != nullptr);
+    }
+    return joined;
+}
+
+Selection Joints::withJoined(const Selection &selection) const {
+    Selection all = selection;
+    const auto addAt = [&](Vec2 place) {
+        index_->handlesAt(place, [&](const JointHandle &handle) {
+            const std::uint32_t id = document_->shapes[handle.shape]->id;
+            if (!selection.shapes.contains(id)) {
+                all.nodes.insert({id, handle.handle});
+            }
+        });
+    };
+    for (const std::uint32_t id : selection.shapes) {
+        const Shape *const shape = findShape(*document_, id);
+        if (shape != nullptr && canJoin(*shape)) {
+            const std::vector<Vec2> handles = handlesOf(*shape);
+            std::for_each(handles.begin(), handles.end(), addAt);
+        }
+    }
+    for (const auto &[id, moving] : handlesToMove(*document_, selection)) {
+        const Shape *const shape = findShape(*document_, id);
+        const std::vector<Vec2> handles = shape != nullptr && canJoin(*shape) ? handlesOf(*shape) : std::vector<Vec2>();
+        for (const std::uint32_t k : moving) {
+            if (k < handles.size()) {
+                addAt(handles[k]);
+            }
+        }
+    }
+    return all;
 }
 
 } // namespace forefront

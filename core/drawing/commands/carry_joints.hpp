@@ -1,9 +1,16 @@
 #pragma once
 
 #include "core/drawing/document/document.hpp"
+#include "core/drawing/shapes/references.hpp"
 #include "core/engine/base/result.hpp"
 
+#include <cstdint>
+#include <memory>
+#include <vector>
+
 namespace forefront {
+
+class JointIndex;
 
 /// Carries joints through a command. Handles of paths, rectangles and points at the same place are joined, as are nodes
 /// that lie on a straight segment of a path with that segment; within the tolerance at which an import joins lines.
@@ -17,5 +24,24 @@ Result<Document> carryJoints(const Document &before, const Document &after);
 
 /// Returns the tolerance within which places of a document are the same: 1e-6 of its diagonal.
 double jointTolerance(const Document &document);
+
+/// The joints of a document, found once so that each step of a drag is cheap. Keeps the document alive.
+class Joints {
+  public:
+    explicit Joints(std::shared_ptr<const Document> document);
+
+    const std::shared_ptr<const Document> &document() const { return document_; }
+    /// Carries the joints of the document through a command: see carryJoints().
+    Result<Document> carry(const Document &after) const;
+    /// Returns for each handle of a shape whether it is joined with another one, or lies on a segment; empty if the
+    /// handles of the shape cannot be joined.
+    std::vector<bool> joinedHandles(std::uint32_t shape) const;
+    /// Returns a selection with the handles of other shapes that are at the same places as what moves with it.
+    Selection withJoined(const Selection &selection) const;
+
+  private:
+    std::shared_ptr<const Document> document_;
+    std::shared_ptr<const JointIndex> index_;
+};
 
 } // namespace forefront

@@ -46,33 +46,47 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
 void SelectTool::beginMove(Shell &context) {
     moving_ = context.selection;
     const bool byNode = grabbed_.kind == Hit::Kind::Node;
-    targets_ = grabbed_.kind == Hit::Kind::Control
-                   ? PickIndex::Filter([this](const Shape &shape) { return !moving_.touches(shape.id); })
-                   : targetsOfDrag(*start_, moving_);
+    startJoints_ = joints(context);
+    if (grabbed_.kind == Hit::Kind::Control) {
+        targets_ = aloneTargets_ = PickIndex::Filter([this](const Shape &shape) { return !moving_.touches(shape.id); });
+    } else {
+        targets_ = targetsOfDrag(*start_, startJoints_->withJoined(moving_));
+        aloneTargets_ = targetsOfDrag(*start_, moving_);
+    }
     linesTo_ = byNode ? linesToNode(*start_, moving_, grabbed_.node) : std::vector<Vec2>();
 }
 
 void SelectTool::updateMove(Shell &context) {
+    alone_ = last_.modifiers.alt();
     SnapQuery query = state_->query(context, grabbed_.at + (last_.place - pressPlace_),
                                     last_.modifiers.shift() && !adds_, last_.modifiers.control());
     query.anchor = grabbed_.at;
     query.locks = entry_.locks();
     query.lines = linesTo_;
     if (context.snapping.toDrawing) {
-        query.filter = targets_;
+        query.filter = alone_ ? aloneTargets_ : targets_;
     }
     if (grabbed_.kind == Hit::Kind::Control) {
         const Shape *const shape = findShape(*start_, grabbed_.shape);
         const std::size_t end = grabbed_.control.segment + (grabbed_.control.atEnd ? 1U : 0U);
         query.anchor = shape->nodes[end % shape->nodes.size()];
     }
-    alone_ = last_.modifiers.alt();
     if (const std::optional<TypedPair> pair = entry_.pair()) {
         snapped_ = lockedAt(pair->relative ? *query.anchor + pair->value : pair->value);
     } else {
         snapped_ = snap(*startIndex_, query);
     }
-    context.applyCommand(moved(snapped_.at), moveLabel(), stroke_);
+    Result<Document> next = moved(snapped_.at);
+    fault_.clear();
+    if (next) {
+        context.applyCommand(std::move(next), moveLabel(), stroke_);
+        return;
+    }
+    const Diagnostic &fault = next.faults().front();
+    fault_ = fault.advice.empty() ? fault.message : fault.message + "; " + fault.advice;
+    if (context.document.current() != start_) {
+        context.document.abandonStroke(stroke_); // the result depends on where the pointer is, not on its way
+    }
 }
 
 void SelectTool::joinMoved(Shell &context) {
@@ -151,7 +165,20 @@ Result<Document> SelectTool::moved(Vec2 to) const {
     if (grabbed_.kind == Hit::Kind::Control) {
         return moveControl(*start_, grabbed_.control, to, alone_);
     }
-    return moveSelection(*start_, moving_, to - grabbed_.at);
+    Result<Document> next = moveSelection(*start_, moving_, to - grabbed_.at);
+    return next && carriesJoints() ? startJoints_->carry(*next) : next;
+}
+
+const std::shared_ptr<const Joints> &SelectTool::joints(const Shell &context) const {
+    std::shared_ptr<const Document> document = context.document.current();
+    if (!joints_ || joints_->document() != document) {
+        joints_ = std::make_shared<const Joints>(std::move(document));
+    }
+    return joints_;
+}
+
+bool SelectTool::carriesJoints() const {
+    return !alone_ && grabbed_.kind != Hit::Kind::Control;
 }
 
 } // namespace forefront

@@ -5,6 +5,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/region_menu.hpp"
 #include "ui/tools/select/select_tool.hpp"
+#include "ui/workspace/joined_command.hpp"
 
 #include <cstddef>
 #include <map>
@@ -32,7 +33,7 @@ ContextGroup segmentMenu(const Shape &shape, SegmentRef segment, Vec2 at) {
         return {};
     }
     group.push_back(commandOf("segment/insert", "Insert node", [segment, at](Shell &c) {
-        c.applyCommand(insertNode(*c.document.current(), segment, at), "Insert node");
+        applyJoined(c, insertNode(*c.document.current(), segment, at), "Insert node");
     }));
     const Outline outline = outlineOf(shape);
     for (std::size_t k = 0; k < outline.segmentCount() && isPath(shape); ++k) {

@@ -59,11 +59,15 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
         const auto under = [&](std::uint32_t k) { // would be taken by a click
             return over_ && hover_.kind == Hit::Kind::Node && hover_.node == NodeRef{shape->id, k};
         };
+        const std::vector<bool> &joined = jointMarks(shape->id, context);
         for (std::uint32_t k = 0; k < handles.size() && drawn < kMaxHandles; ++k) {
             if ((some || under(k)) && visible.contains(handles[k])) {
                 const bool chosen = whole ? shape->is<PointForm>() : selection.nodes.contains({shape->id, k});
                 painter.handle(handles[k], chosen ? 4.5 : 3.5, chosen ? theme.selection : theme.canvas,
                                theme.selection);
+                if (k < joined.size() && joined[k]) {
+                    painter.ring(handles[k], 7.5, theme.selection, 1.0);
+                }
                 ++drawn;
             }
         }
@@ -73,6 +77,20 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
             }
         }
     }
+}
+
+const std::vector<bool> &SelectTool::jointMarks(std::uint32_t shape, Shell &context) const {
+    static const std::vector<bool> kNone;
+    if (mode_ == Mode::Transforming || (mode_ == Mode::Moving && alone_)) {
+        return kNone; // the first would search the drawing in every frame, the second is being detached
+    }
+    const std::shared_ptr<const Joints> &now = mode_ == Mode::Moving ? startJoints_ : joints(context);
+    if (marked_ != now) {
+        marked_ = now;
+        marks_.clear();
+    }
+    const auto found = marks_.find(shape);
+    return found != marks_.end() ? found->second : marks_.emplace(shape, now->joinedHandles(shape)).first->second;
 }
 
 void SelectTool::drawControls(CanvasPainter &painter, Shell &context) const {
@@ -168,8 +186,10 @@ void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
                       ui::number(snapped_.at.x, 5) + ", " + ui::number(snapped_.at.y, 5) + "   \xce\x94 " +
                           ui::number(length(way), 3),
                       theme.text, fade(theme.popup, 0.9), context.fonts.small);
-        if (const std::string typed = entry_.isWrong() ? entry_.fault() : entry_.label(); !typed.empty()) {
-            painter.label(snapped_.at, {16.0, 36.0}, typed, entry_.isWrong() ? theme.bad : theme.accent, theme.popup,
+        const bool wrong = entry_.isWrong() || !fault_.empty();
+        const std::string typed = entry_.isWrong() ? entry_.fault() : fault_.empty() ? entry_.label() : fault_;
+        if (!typed.empty()) {
+            painter.label(snapped_.at, {16.0, 36.0}, typed, wrong ? theme.bad : theme.accent, theme.popup,
                           context.fonts.strong);
         }
         drawUsedOnce(painter, context, entry_, snapped_.at, 60.0);
@@ -218,7 +238,7 @@ std::string SelectTool::statusText(const Shell &context) const {
     switch (mode_) {
     case Mode::Moving:
         return "Drag, or type distance, Tab, angle, or a place such as 4,3. Shift: angle steps, Ctrl: no "
-               "snapping, Esc: cancel";
+               "snapping, Alt: detach from neighbours, Esc: cancel";
     case Mode::Transforming:
         return TransformHandles::statusText(grabbed_.transform);
     case Mode::Boxing:
@@ -239,7 +259,7 @@ std::string SelectTool::statusText(const Shell &context) const {
                    : "Click to select the shape, drag to move it, double-click to insert a node";
     }
     if (over_ && hover_.kind == Hit::Kind::Node) {
-        return "Drag to move the node, Delete to remove it";
+        return "Drag to move the node and those joined with it, Alt-drag to detach it, Delete to remove it";
     }
     return "Click or drag a box to select, drag to move, double-click a segment to insert a node";
 }

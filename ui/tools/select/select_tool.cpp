@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/workspace/joined_command.hpp"
 
 #include <algorithm>
 #include <set>
@@ -30,6 +31,7 @@ void SelectTool::deactivate(Shell &context) {
     transform_.end();
     start_.reset();
     startIndex_.reset();
+    startJoints_.reset();
 }
 
 namespace {
@@ -144,7 +146,7 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
         return;
     }
     if (grabbed_.kind == Hit::Kind::Transform) {
-        transform_.begin(grabbed_.transform, event, context);
+        transform_.begin(grabbed_.transform, event, context, joints(context));
         mode_ = Mode::Transforming;
         return;
     }
@@ -181,7 +183,7 @@ bool SelectTool::pressLabel(const CanvasEvent &event, Shell &context) {
 }
 
 void SelectTool::insertAt(const Hit &hit, Shell &context) {
-    if (!context.applyCommand(insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
+    if (!applyJoined(context, insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
         mode_ = Mode::Idle;
         return;
     }
@@ -234,6 +236,7 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
     mode_ = Mode::Idle;
     start_.reset();
     startIndex_.reset();
+    startJoints_.reset();
     hover_ = hitAt(event.place, context);
 }
 
@@ -284,8 +287,8 @@ void SelectTool::nudge(Vec2 direction, bool far, bool repeated, Shell &context) 
     }
     // A tenth of the drawing grid; with Shift a whole step.
     const double step = EditState::gridStep(context) * (far ? 1.0 : 0.1);
-    context.applyCommand(moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
-                         nudgeStroke_);
+    applyJoined(context, moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
+                nudgeStroke_);
 }
 
 } // namespace forefront

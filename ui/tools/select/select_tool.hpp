@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/path_commands.hpp"
 #include "ui/parts/naming.hpp"
 #include "ui/parts/tool.hpp"
@@ -7,6 +8,7 @@
 #include "ui/tools/select/transform_handles.hpp"
 #include "ui/workspace/edit_state.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -85,8 +87,14 @@ class SelectTool final : public Tool {
     void insertAt(const Hit &hit, Shell &context);
     void nudge(Vec2 direction, bool far, bool repeated, Shell &context);
     Result<Document> moved(Vec2 to) const;
+    /// Returns true if what is dragged takes along what is joined with it.
+    bool carriesJoints() const;
     std::string moveLabel() const;
     void drawHandles(CanvasPainter &painter, Shell &context) const;
+    /// Returns for each handle of a shape whether it is marked as joined; those after the list are not.
+    const std::vector<bool> &jointMarks(std::uint32_t shape, Shell &context) const;
+    /// Returns the joints of the current document; finds them again if the document has changed.
+    const std::shared_ptr<const Joints> &joints(const Shell &context) const;
     void drawFilter(Shell &context);
     void drawControls(CanvasPainter &painter, Shell &context) const;
     void drawSourceHandles(CanvasPainter &painter, Shell &context) const;
@@ -96,9 +104,9 @@ class SelectTool final : public Tool {
     Mode mode_ = Mode::Idle;
     Hit hover_, grabbed_;
     bool over_ = false;
-    bool wasSelected_ = false;         ///< the pressed item was already selected
-    bool adds_ = false;                ///< Shift was down
-    bool alone_ = false;               ///< Alt is down: a control point moves without its opposite
+    bool wasSelected_ = false; ///< the pressed item was already selected
+    bool adds_ = false;        ///< Shift was down
+    bool alone_ = false;       ///< Alt is down: nodes leave their joints, a control point moves without its opposite
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Pixel pressPixel_{};
     Vec2 pressPlace_, boxPlace_;
@@ -107,10 +115,15 @@ class SelectTool final : public Tool {
     Snapped snapped_;
     std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;
+    std::shared_ptr<const Joints> startJoints_; ///< of start_, set while Moving
     Selection moving_;
-    PickIndex::Filter targets_; ///< of moving_
-    std::vector<Vec2> linesTo_; ///< see linesToNode()
+    PickIndex::Filter targets_;      ///< of moving_ and what is joined with it
+    PickIndex::Filter aloneTargets_; ///< of moving_ alone
+    std::vector<Vec2> linesTo_;      ///< see linesToNode()
     std::string stroke_, nudgeStroke_;
+    std::string fault_;                                        ///< why what is dragged cannot go where the pointer is
+    mutable std::map<std::uint32_t, std::vector<bool>> marks_; ///< by shape, of marked_
+    mutable std::shared_ptr<const Joints> marked_, joints_;
     TransformHandles transform_;
 };
 

@@ -89,11 +89,14 @@ std::optional<TransformHandles::Handle> TransformHandles::at(Vec2 place, Shell &
     return best;
 }
 
-void TransformHandles::begin(const Handle &handle, const CanvasEvent &event, Shell &context) {
+void TransformHandles::begin(const Handle &handle, const CanvasEvent &event, Shell &context,
+                             std::shared_ptr<const Joints> joints) {
     handle_ = handle;
     start_ = context.document.current();
     startIndex_ = state_->index(context);
+    startJoints_ = std::move(joints);
     moving_ = context.selection;
+    following_ = startJoints_->withJoined(moving_);
     startBox_ = box(context);
     stroke_ = state_->newStroke();
     fault_.clear();
@@ -108,6 +111,7 @@ void TransformHandles::begin(const Handle &handle, const CanvasEvent &event, She
 void TransformHandles::end() {
     start_.reset();
     startIndex_.reset();
+    startJoints_.reset();
     entry_.clear();
 }
 
@@ -127,10 +131,13 @@ void TransformHandles::update(Shell &context) {
     angleStep_ = context.snapping.angleStep;
     SnapQuery query = state_->query(context, corner, false, handle_.rotates || last_.modifiers.alt());
     if (context.snapping.toDrawing) {
-        query.filter = [this](const Shape &shape) { return !moving_.touches(shape.id); };
+        query.filter = [this](const Shape &shape) { return !following_.touches(shape.id); };
     }
     target_ = snap(*startIndex_, query);
     Result<Document> next = transformSelection(*start_, moving_, map());
+    if (next) {
+        next = startJoints_->carry(*next);
+    }
     fault_ = next ? std::string() : next.faults().front().message;
     if (next) {
         context.applyCommand(std::move(next), handle_.rotates ? "Rotate" : "Scale", stroke_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/picking/pointer_snap.hpp"
 #include "core/drawing/shapes/plane_map.hpp"
 #include "ui/parts/tool.hpp"
@@ -32,7 +33,8 @@ class TransformHandles {
     /// Returns the handle under the pointer.
     std::optional<Handle> at(Vec2 place, Shell &context) const;
 
-    void begin(const Handle &handle, const CanvasEvent &event, Shell &context);
+    /// `joints`: of the current document.
+    void begin(const Handle &handle, const CanvasEvent &event, Shell &context, std::shared_ptr<const Joints> joints);
     bool active() const { return start_ != nullptr; }
     void drag(const CanvasEvent &event, Shell &context);
     /// Handles typed numbers and Esc during a drag. Returns true if the event was used.
@@ -61,7 +63,9 @@ class TransformHandles {
     Handle handle_;
     std::shared_ptr<const Document> start_; ///< document when the drag began; null: none
     std::shared_ptr<const PickIndex> startIndex_;
+    std::shared_ptr<const Joints> startJoints_;
     Selection moving_;
+    Selection following_; ///< moving_ with what is joined with it
     Box2 startBox_;
     std::string stroke_;
     std::string fault_; ///< why the selection cannot become what the pointer asks for

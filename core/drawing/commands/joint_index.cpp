@@ -1,0 +1,69 @@
+#include "core/drawing/commands/joint_index.hpp"
+
+#include "core/drawing/commands/carry_joints.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+bool canJoin(const Shape &shape) {
+    return isPath(shape) || shape.is<RectangleForm>() || shape.is<PointForm>();
+}
+
+std::optional<double> alongSegment(Vec2 a, Vec2 b, Vec2 p, double tolerance) {
+    const double squared = lengthSquared(b - a);
+    const double t = squared > 0.0 ? std::clamp(dot(p - a, b - a) / squared, 0.0, 1.0) : 0.0;
+    return distance(p, a + t * (b - a)) <= tolerance ? std::optional(t) : std::nullopt;
+}
+
+std::size_t sideCount(const Shape &shape) {
+    const bool rounded = shape.is<RectangleForm>() && shape.as<RectangleForm>().radius > 0.0;
+    if (rounded || !(isPath(shape) || shape.is<RectangleForm>())) {
+        return 0;
+    }
+    const std::size_t count = handleCount(shape);
+    return isClosed(shape) || count == 0 ? count : count - 1;
+}
+
+bool isStraightSide(const Shape &shape, std::size_t k) {
+    return !isPath(shape) || shape.path().curves.empty() || shape.path().curves[k] == Curve();
+}
+
+JointIndex::JointIndex(const Document &document) : document_(document), tolerance_(jointTolerance(document)) {
+    for (std::size_t s = 0; s < document.shapes.size(); ++s) {
+        const Shape &shape = *document.shapes[s];
+        if (!canJoin(shape)) {
+            continue;
+        }
+        const std::vector<Vec2> handles = handlesOf(shape);
+        for (std::uint32_t k = 0; k < handles.size(); ++k) {
+            handles_.push_back({s, k, handles[k]});
+        }
+        addSegments(s, handles);
+    }
+    std::vector<Box2> boxes;
+    boxes.reserve(std::max(handles_.size(), segments_.size()));
+    for (const JointHandle &handle : handles_) {
+        boxes.push_back({handle.at, handle.at});
+    }
+    handleTree_ = BoxTree(boxes);
+    boxes.clear();
+    for (const JointSegment &segment : segments_) {
+        Box2 box{segment.a, segment.a};
+        box.add(segment.b);
+        boxes.push_back(box);
+    }
+    segmentTree_ = BoxTree(boxes);
+}
+
+void JointIndex::addSegments(std::size_t shape, const std::vector<Vec2> &handles) {
+    const Shape &of = *document_.shapes[shape];
+    for (std::size_t k = 0; k < sideCount(of); ++k) {
+        if (isStraightSide(of, k)) {
+            segments_.push_back({shape, handles[k], handles[(k + 1) % handles.size()]});
+        }
+    }
+}
+
+} // namespace forefront
