@@ -152,6 +152,7 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
     driver.clickPlace({2, 9.8});
     driver.key(key::kEnter);
     CHECK(driver.document().formulas.at("shape/4/x/0"_number) == "1*r");
+    CHECK(driver.context().settings.workspace == WorkspaceKind::Draw); // the blank was text, not the key of Play
 }
 
 TEST_CASE("Parameters: a new one is named and given a value without the mouse") {

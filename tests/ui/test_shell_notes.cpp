@@ -23,6 +23,7 @@ struct LongRun : Draughtsman {
         context().document.apply(std::move(fine), "Fine");
         settle();
         workspace(WorkspaceKind::Mesh);
+        key('R'); // its options are shown during the run
         key(key::kF5);
     }
     ~LongRun() {

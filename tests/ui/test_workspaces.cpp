@@ -99,6 +99,21 @@ TEST_CASE("Workspaces: every tool key works in all of them, and the active tool 
     }
 }
 
+TEST_CASE("Workspaces: a tool that another workspace does not show gives way to Select, as in a new drawing") {
+    Draughtsman driver;
+    driver.key('S');
+    REQUIRE(driver.context().tools.current().id() == std::string("source"));
+    driver.workspace(WorkspaceKind::Size);
+    CHECK(driver.context().tools.current().id() == std::string("source"));
+    driver.workspace(WorkspaceKind::Judge);
+    CHECK(driver.context().tools.current().id() == std::string("select"));
+    driver.workspace(WorkspaceKind::Draw);
+    driver.key('C');
+    driver.context().document.load(Document(), {});
+    driver.settle();
+    CHECK(driver.context().tools.current().id() == std::string("select"));
+}
+
 TEST_CASE("Workspaces: commands on the run switch to Step, which has the timeline") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});

@@ -215,7 +215,26 @@ Result<StampedDocument> readStamped(const std::filesystem::path &file, ImportNot
     return read ? Result<StampedDocument>(StampedDocument{*std::move(read), stamp}) : read.faults();
 }
 
-void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file) {
+namespace {
+
+/// Tells that a drawing of another format is open; a warning if it is not all that the file has.
+void tellOpened(Shell &context, const std::string &what, std::size_t shapes, std::size_t notes) {
+    std::string text = what + " opened as a new drawing with " + ui::count(shapes) +
+                       (shapes == 1 ? " shape" : " shapes") + "; save it as a project to keep your changes";
+    if (notes == 0) {
+        context.log.announce(std::move(text));
+        return;
+    }
+    text += ". " + ui::count(notes) + (notes == 1 ? " note" : " notes") + " on what was left out or changed";
+    context.log.add(Diagnostic{.severity = Severity::Warning,
+                               .code = "left-out",
+                               .message = std::move(text),
+                               .advice = "read them in View > Log"});
+}
+
+} // namespace
+
+void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file, std::size_t notes) {
     const FileFormat *const format = allFormats().detect(file);
     const bool project = isProject(format);
     const std::vector<Sample> gallery = samples();
@@ -236,16 +255,13 @@ void showDocument(Shell &context, const StampedDocument &read, const std::filesy
     showLastView(context);
     context.animate();
     if (!project && format != nullptr) {
-        const std::size_t count = read.document.shapes.size();
-        context.log.announce(file.filename().string() + " (" + format->name + ") opened as a new drawing with " +
-                             ui::count(count) + (count == 1 ? " shape" : " shapes") +
-                             "; save it as a project to keep your changes");
+        tellOpened(context, file.filename().string() + " (" + format->name + ")", read.document.shapes.size(), notes);
     }
 }
 
 void showOpened(Shell &context, const StampedDocument &read, const ImportNotes &notes,
                 const std::filesystem::path &file) {
-    showDocument(context, read, file);
+    showDocument(context, read, file, notes.diagnostics().size());
     context.log.add(notes.diagnostics());
     rememberFile(context, file);
 }

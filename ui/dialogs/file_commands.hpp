@@ -4,6 +4,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/files/source/file_stamp.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -64,7 +65,8 @@ void exportFilm(Shell &context);
 /// Returns the folder that a file dialog starts in: the folder of the document or of the last file.
 std::filesystem::path startFolder(const Shell &context);
 /// Makes a document read from `file` the open one, without asking. Only projects are saved back to their file.
-void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file);
+void showDocument(Shell &context, const StampedDocument &read, const std::filesystem::path &file,
+                  std::size_t notes = 0);
 /// Does the same for a document that a user opened: logs the notes of its reader, and remembers the file.
 void showOpened(Shell &context, const StampedDocument &read, const ImportNotes &notes,
                 const std::filesystem::path &file);

@@ -151,7 +151,8 @@ void CanvasInput::spaceKey(const InputEvent &event, Shell &context) {
     // A tap on Space plays or pauses; holding it turns a drag into a pan.
     if (event.pressed && !spaceDown_) {
         spaceDown_ = true;
-        spaceUsed_ = false;
+        // A blank in what is typed for a tool is text.
+        spaceUsed_ = offer({.kind = CanvasEvent::Kind::Key, .key = key::kSpace}, context);
     } else if (!event.pressed && spaceDown_) {
         spaceDown_ = false;
         if (!spaceUsed_ && !panning_) {

@@ -24,6 +24,7 @@ void ToolBox::followDocument(Shell &context) {
         for (const std::unique_ptr<Tool> &tool : tools) {
             tool->forget(context);
         }
+        choose("select", context);
     }
 }
 

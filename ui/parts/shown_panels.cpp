@@ -81,6 +81,10 @@ void chooseWorkspace(Shell &context, WorkspaceKind kind) {
     context.called.clear();
     context.animate();
     context.settings.workspace = kind;
+    const Tool &tool = context.tools.current();
+    if (!contains(presetOf(kind).tools, tool.id()) && !isOutlined(context, std::string("tool/") + tool.id())) {
+        context.tools.choose("select", context); // a tool that is not in sight would surprise
+    }
     const bool coloured = context.coloursBefore.has_value();
     context.coloursBefore.reset();
     showWorkspaceLayers(context);

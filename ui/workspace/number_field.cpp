@@ -209,6 +209,16 @@ bool showsFault(const Workspace &context, std::string_view prefix) {
     return !context.fieldFault.note && context.fieldFault.field.starts_with(prefix);
 }
 
+namespace {
+
+/// Returns true if a comma stands between two digits, as in "1,5": it may be meant as a decimal point.
+bool looksLikeDecimalComma(std::string_view text, std::size_t comma) {
+    const auto isDigit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+    return comma > 0 && isDigit(comma - 1) && isDigit(comma + 1);
+}
+
+} // namespace
+
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
                 const FieldAddress &addressY) {
     std::optional<std::string> x = drawEntry(context, name + "/x", value.x, "", width, addressX);
@@ -220,6 +230,12 @@ bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float 
         Vec2 pair = value;
         const std::string left(trimmed(std::string_view(both).substr(0, comma)));
         const std::string right(trimmed(std::string_view(both).substr(comma + 1)));
+        if (looksLikeDecimalComma(both, comma)) {
+            const std::string reason = "write " + left + "." + right + " for one number, or " + left + ", " + right +
+                                       " with a blank for both co-ordinates";
+            refuseEntry(context, field, error("bad-number", reason), reason);
+            return false;
+        }
         const bool valid = typedNumber(context, field, left) && typedNumber(context, field, right);
         const bool changedX = valid && take(context, field, left, pair.x, addressX);
         const bool changedY = valid && take(context, field, right, pair.y, addressY);

@@ -60,7 +60,7 @@ std::optional<TypedNumber> numberBeingTyped(const Workspace &context, std::strin
 bool showsFault(const Workspace &context, std::string_view prefix);
 
 /// Draws the fields "NAME/x" and "NAME/y" of a point side by side, each `width` design pixels wide. "x, y" typed into
-/// one of them sets both.
+/// one of them sets both; "1,5" without a blank is refused, since it may be meant as one number.
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const FieldAddress &addressX,
                 const FieldAddress &addressY);
 
