@@ -11,10 +11,13 @@
 
 #include <atomic>
 #include <cmath>
+#include <fcntl.h>
 #include <fstream>
 #include <set>
 #include <string>
+#include <sys/file.h>
 #include <thread>
+#include <unistd.h>
 
 namespace forefront::test {
 
@@ -307,6 +310,16 @@ TEST_CASE("Recovery: a drawing that was never saved is offered with its title") 
         });
     }
     std::ofstream(place.path / "recovery" / "1-1.journal", std::ios::binary) << bytes;
+    {
+        // The program that was killed is still ending, and holds its lock.
+        const int held = ::open((place.path / "recovery" / "1-1.journal").c_str(), O_RDWR | O_CLOEXEC);
+        REQUIRE(::flock(held, LOCK_EX) == 0);
+        Driver driver(setup);
+        CHECK(driver.context().dialogs.top() == nullptr);
+        ::close(held);
+        driver.until([&] { return driver.context().dialogs.top() != nullptr; });
+        CHECK(std::string(driver.context().dialogs.top()->id()) == "recovery");
+    }
     Driver driver(setup);
     REQUIRE(driver.context().dialogs.top() != nullptr);
     CHECK(std::string(driver.context().dialogs.top()->id()) == "recovery");

@@ -4,6 +4,7 @@
 #include "core/files/files.hpp"
 #include "ui/dialogs/recovery_dialog.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/platform/steady_seconds.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 namespace forefront {
 
 namespace {
+
+constexpr double kLookEvery = 1.0, kLookFor = 30.0; // seconds
 
 std::string timeText(std::time_t time) {
     std::tm parts{};
@@ -50,14 +53,44 @@ std::string shapesText(const OrphanedJournal &orphan) {
 Recovery::Recovery(const std::filesystem::path &folder)
     : folder_(folder / "recovery"), journal_(folder / "recovery", projectText) {}
 
-void Recovery::offer(Shell &context) {
-    for (OrphanedJournal &journal : findOrphanedJournals(folder_)) {
+/// Takes the journals that were left behind, and returns the number of those that are locked.
+std::size_t Recovery::collect(Shell &context) {
+    std::size_t locked = 0;
+    for (OrphanedJournal &journal : findOrphanedJournals(folder_, &locked)) {
         context.document.reserveTitle(journal.title());
         std::string name = nameOf(journal), details = shapesText(journal) + timeText(journal.written());
         orphans_.push_back({std::move(journal), std::move(name), std::move(details)});
     }
     publish(context);
+    return locked;
+}
+
+void Recovery::offer(Shell &context) {
+    if (collect(context) > 0) {
+        nextLook_ = steadySeconds() + kLookEvery;
+        lastLook_ = steadySeconds() + kLookFor;
+    }
     if (!orphans_.empty()) {
+        context.dialogs.open(std::make_unique<RecoveryDialog>(*this));
+    }
+}
+
+/// A program that was killed holds its lock until the system has taken back its memory, which may take seconds: looks
+/// for journals that have become free, until the user has drawn something.
+void Recovery::lookAgain(Shell &context) {
+    const double now = steadySeconds();
+    if (now > lastLook_ || dirty_ || context.dialogs.any()) {
+        return;
+    }
+    context.wakeAt(context.platform.now() + kLookEvery);
+    if (now < nextLook_) {
+        return;
+    }
+    nextLook_ = now + kLookEvery;
+    const std::size_t before = orphans_.size();
+    collect(context);
+    if (orphans_.size() > before) {
+        lastLook_ = 0.0;
         context.dialogs.open(std::make_unique<RecoveryDialog>(*this));
     }
 }
@@ -92,6 +125,7 @@ void Recovery::follow(Shell &context) {
         dirty_ = dirty;
     }
     context.log.add(journal_.takeFaults());
+    lookAgain(context);
 }
 
 bool Recovery::recover(std::size_t orphan, Shell &context) {

@@ -38,6 +38,8 @@ class Recovery {
     void discard(std::size_t orphan, Shell &context);
 
   private:
+    std::size_t collect(Shell &context);
+    void lookAgain(Shell &context);
     void publish(Shell &context);
 
     std::filesystem::path folder_;
@@ -45,6 +47,7 @@ class Recovery {
     std::vector<Orphan> orphans_;
     std::uint64_t revision_ = 0;
     bool dirty_ = false;
+    double nextLook_ = 0.0, lastLook_ = 0.0; ///< for journals that were locked at the start, seconds
 };
 
 } // namespace forefront

@@ -70,7 +70,8 @@ void OrphanedJournal::discard() {
     }
 }
 
-std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &folder) {
+std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &folder, std::size_t *locked) {
+    std::size_t held = 0;
     std::vector<OrphanedJournal> orphans;
     std::error_code failed;
     std::vector<std::filesystem::path> files;
@@ -87,7 +88,9 @@ std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &f
             continue;
         }
         struct stat status {};
-        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !stillNamed(descriptor, file, status)) {
+        const bool free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+        held += free ? 0 : 1;
+        if (!free || !stillNamed(descriptor, file, status)) {
             ::close(descriptor);
             continue;
         }
@@ -99,6 +102,9 @@ std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &f
         } else {
             orphan.discard();
         }
+    }
+    if (locked != nullptr) {
+        *locked = held;
     }
     std::stable_sort(orphans.begin(), orphans.end(),
                      [](const auto &a, const auto &b) { return a.written() > b.written(); });

@@ -117,6 +117,7 @@ class OrphanedJournal {
 };
 
 /// Finds the journals of programs that ended without cleaning up, newest first. Removes those with nothing to recover.
-std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &folder);
+/// `locked`: set to the number of journals that others hold, programs that run or are still ending; may be null.
+std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &folder, std::size_t *locked = nullptr);
 
 } // namespace forefront
