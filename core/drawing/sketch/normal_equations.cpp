@@ -1,11 +1,9 @@
 #include "core/drawing/sketch/normal_equations.hpp"
 
-#include <utility>
-
 namespace forefront {
 
-void NormalEquations::set(SketchRows slopes, const SketchVector &weights) {
-    slopes_ = std::move(slopes);
+void NormalEquations::set(const SketchRows &slopes, const SketchVector &weights) {
+    slopes_ = slopes;
     inverse_ = weights.cwiseInverse();
     const SketchRows weighted = slopes_ * inverse_.asDiagonal();
     matrix_ = SketchColumns(weighted * slopes_.transpose());

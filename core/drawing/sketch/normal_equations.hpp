@@ -9,7 +9,7 @@ namespace forefront {
 class NormalEquations {
   public:
     /// Sets J, the derivatives of the residuals, and the weights W. Later J must have the same pattern.
-    void set(SketchRows slopes, const SketchVector &weights);
+    void set(const SketchRows &slopes, const SketchVector &weights);
     /// Factorises with a damping. Returns false if that fails.
     bool factorise(double damping);
     SketchVector solve(const SketchVector &right) const { return factors_.solve(right); }

@@ -13,7 +13,8 @@ constexpr int kProjections = 4, kDependenceSteps = 3;
 
 } // namespace
 
-SketchRows unitRows(SketchRows rows) {
+SketchRows unitRows(const SketchRows &given) {
+    SketchRows rows = given;
     for (int k = 0; k < rows.rows(); ++k) {
         double squares = 0.0;
         for (SketchRows::InnerIterator entry(rows, k); entry; ++entry) {
@@ -26,7 +27,7 @@ SketchRows unitRows(SketchRows rows) {
     return rows;
 }
 
-RowSpace::RowSpace(SketchRows rows) : rows_(unitRows(std::move(rows))) {
+RowSpace::RowSpace(const SketchRows &rows) : rows_(unitRows(rows)) {
     const SketchVector ones = SketchVector::Ones(rows_.cols());
     projection_.set(rows_, ones);
     projection_.factorise(kProjectionDamping);

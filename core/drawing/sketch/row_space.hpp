@@ -8,7 +8,7 @@ namespace forefront {
 /// solver, where a dense decomposition of 500 rows takes 100 times as long.
 class RowSpace {
   public:
-    explicit RowSpace(SketchRows rows);
+    explicit RowSpace(const SketchRows &rows);
 
     /// The part of a row outside the space, and the coefficients of the rows that make up the rest.
     struct Split {
@@ -29,6 +29,6 @@ class RowSpace {
 inline constexpr double kDependent = 1e-6;
 
 /// Returns the rows scaled to length 1; rows of zeros are unchanged.
-SketchRows unitRows(SketchRows rows);
+SketchRows unitRows(const SketchRows &given);
 
 } // namespace forefront
