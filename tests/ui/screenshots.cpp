@@ -447,4 +447,26 @@ TEST_CASE("Screenshots: situations" * doctest::skip()) {
     }
 }
 
+TEST_CASE("Ten situations at twice the scale, and in a window that becomes too small for them") {
+    EditorSetup setup;
+    setup.sample = false;
+    setup.startPage = true;
+    const PixelSize whole{1280, 800};
+    Driver driver(setup, whole, 2.0);
+    driver.settle();
+    for (const Shot &scene : situations()) {
+        CAPTURE(std::string(scene.name));
+        scene.show(driver);
+        driver.settle();
+        for (const PixelSize size : {PixelSize{500, 300}, PixelSize{90, 60}, whole}) {
+            driver.platform().resize(size, 2.0);
+            driver.settle();
+            CHECK(driver.has("status/pointer"));
+        }
+        driver.context().dialogs.dismissPreviews(driver.context());
+        driver.context().dialogs.closeAll();
+        driver.settle();
+    }
+}
+
 } // namespace forefront::test

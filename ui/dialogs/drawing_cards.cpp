@@ -102,7 +102,7 @@ bool DrawingCards::drawCard(Shell &context, std::size_t index, const std::string
                         (small ? 0.0F : 2.0F * context.fonts.small->FontSize + context.px(6));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{width, picture + words};
-    const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
+    const bool pressed = ui::hitArea(name.c_str(), size.x, size.y);
     const bool hovered = ImGui::IsItemHovered();
     ui::mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();

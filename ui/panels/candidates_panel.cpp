@@ -153,7 +153,7 @@ class CandidatesPanel final : public Panel {
         const float width = ImGui::GetContentRegionAvail().x, height = context.px(24);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const std::string name = "candidates/" + std::to_string(i);
-        if (ImGui::InvisibleButton(name.c_str(), {width, height})) {
+        if (ui::hitArea(name.c_str(), width, height)) {
             const SessionSnapshot &run = context.run.now();
             context.view.candidate =
                 chosen ? std::nullopt : std::optional(CandidateChoice{run.shownRun, moment.advance->advance, i});

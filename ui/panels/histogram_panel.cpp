@@ -115,7 +115,7 @@ class HistogramPanel final : public Panel {
             const ImVec2 corner{at.x + each * static_cast<float>(i), at.y};
             const std::string name = "histogram/" + std::to_string(i);
             ImGui::SetCursorScreenPos(corner);
-            const bool clicked = ImGui::InvisibleButton(name.c_str(), {each, size.y});
+            const bool clicked = ui::hitArea(name.c_str(), each, size.y);
             ui::mark(context, name, bins[i] > 0);
             if (bins[i] == 0) {
                 continue;

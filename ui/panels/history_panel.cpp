@@ -50,7 +50,7 @@ class HistoryPanel final : public Panel {
         const std::string name = "history/" + std::to_string(entry);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x, height = context.px(20);
-        const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
+        const bool pressed = ui::hitArea(name.c_str(), width, height);
         const bool hovered = ImGui::IsItemHovered(), here = entry == history.position();
         ui::mark(context, name);
         ImDrawList &list = *ImGui::GetWindowDrawList();

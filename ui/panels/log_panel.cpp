@@ -53,7 +53,7 @@ class LogPanel final : public Panel {
         if (d.at) {
             const std::string name = "log/entry/" + std::to_string(entry.number);
             ImGui::SetCursorScreenPos(at);
-            const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, next.y - at.y - context.px(3)});
+            const bool pressed = ui::hitArea(name.c_str(), width, next.y - at.y - context.px(3));
             ui::mark(context, name);
             if (ImGui::IsItemHovered()) {
                 ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -231,7 +231,7 @@ void ShapesPanel::drawArrow(Shell &context, const TreeRow &row, const Shape *sha
     const float height = context.px(kRow);
     if (shape != nullptr) {
         ImGui::SetCursorScreenPos(at);
-        if (ImGui::InvisibleButton((name + "/fold").c_str(), {context.px(kIndent), height})) {
+        if (ui::hitArea((name + "/fold").c_str(), context.px(kIndent), height)) {
             tree_.unfold(shape->id, !tree_.unfolded(shape->id));
             context.animate();
         }
@@ -262,7 +262,7 @@ void ShapesPanel::drawRow(Shell &context, const Document &document, std::size_t 
     } else {
         const float begin = row.isGroup() ? at.x : text;
         ImGui::SetCursorScreenPos({begin, at.y});
-        ImGui::InvisibleButton(name.c_str(), {right - begin, end.y - at.y});
+        ui::hitArea(name.c_str(), right - begin, end.y - at.y);
         ui::mark(context, name);
         if (ImGui::IsItemClicked(ImGuiMouseButton_Left)) {
             click(context, document, index);

@@ -161,7 +161,7 @@ class WorstPanel final : public Panel {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x, height = context.px(kRankRow);
         const std::string name = "worst/" + std::to_string(rank);
-        const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
+        const bool pressed = ui::hitArea(name.c_str(), width, height);
         ui::mark(context, name);
         const bool chosen = context.probe.chosen && context.probe.rank == rank, hovered = ImGui::IsItemHovered();
         if (chosen || hovered) {

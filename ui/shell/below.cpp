@@ -19,7 +19,7 @@ void belowHeading(Shell &context, const Panel &panel, bool open) {
     const std::string name = std::string("panel/") + panel.id();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = context.px(kBelowHeading);
-    if (ImGui::InvisibleButton(name.c_str(), {ImGui::GetContentRegionAvail().x, height})) {
+    if (ui::hitArea(name.c_str(), ImGui::GetContentRegionAvail().x, height)) {
         setFolded(context, panel.id(), open);
     }
     const bool hovered = ImGui::IsItemHovered();

@@ -23,7 +23,7 @@ float splitter(WidgetContext &context, const char *name, const PixelRect &rect) 
     ImGui::PushClipRect(corner, {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)},
                         false);
     ImGui::SetCursorScreenPos(corner);
-    ImGui::InvisibleButton(name, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
+    ui::hitArea(name, static_cast<float>(rect.width), static_cast<float>(rect.height));
     ui::mark(context, name);
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (lit) {
@@ -44,7 +44,7 @@ void sectionHeading(Shell &context, const Panel &panel, bool open) {
     const std::string name = std::string("panel/") + panel.id();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = context.px(kSectionHeading);
-    if (ImGui::InvisibleButton(name.c_str(), {width, height})) {
+    if (ui::hitArea(name.c_str(), width, height)) {
         setFolded(context, panel.id(), open);
     }
     const bool hovered = ImGui::IsItemHovered();

@@ -80,7 +80,7 @@ void drawLegendLimit(Shell &context) {
     ImGui::Begin("##legendlimit", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::InvisibleButton("tick", size);
+    ui::hitArea("tick", size.x, size.y);
     ui::mark(context, "canvas/limit");
     if (ImGui::IsItemActive() || ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);

@@ -43,7 +43,7 @@ bool textRow(Shell &context, const std::string &name, const char *mark, Colour m
     const std::string lines = ui::wrapped(text, width - left - pad);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::CalcTextSize(lines.c_str()).y + 2.0F * pad;
-    const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
+    const bool pressed = ui::hitArea(name.c_str(), width, height);
     ui::mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + width, at.y + height},

@@ -199,7 +199,7 @@ void drawSearch(Shell &context, const PixelRect &rect) {
     const float width = context.px(kSearchField), height = context.px(26);
     ImGui::SetCursorPosY((static_cast<float>(rect.height) - height) / 2);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton("##search", {width, height})) {
+    if (ui::hitArea("##search", width, height)) {
         context.actions.run("view.palette", context);
     }
     const bool hovered = ImGui::IsItemHovered();

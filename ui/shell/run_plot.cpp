@@ -112,7 +112,7 @@ void drawRunPlot(Shell &context, const TimeAxis &axis, float top) {
         return;
     }
     ImGui::SetCursorScreenPos({axis.left, frame.top});
-    ImGui::InvisibleButton("##plot", {axis.right - axis.left, frame.bottom - frame.top});
+    ui::hitArea("##plot", axis.right - axis.left, frame.bottom - frame.top);
     const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
     list.PushClipRect({axis.left, frame.top - context.px(2)}, {axis.right, frame.bottom + context.px(2)}, true);
     for (const PlotCurve &curve : curvesOf(context.theme)) {

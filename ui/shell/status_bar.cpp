@@ -59,7 +59,7 @@ class Cells {
     /// Returns true if the last cell was clicked.
     bool clicked(const char *name) const {
         ImGui::SetCursorScreenPos({static_cast<float>(last_.x), static_cast<float>(last_.y)});
-        return ImGui::InvisibleButton(name, {static_cast<float>(last_.width), static_cast<float>(last_.height)});
+        return ui::hitArea(name, static_cast<float>(last_.width), static_cast<float>(last_.height));
     }
 
   private:

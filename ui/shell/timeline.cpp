@@ -74,7 +74,7 @@ void openTimelineMenu(Shell &context, std::optional<std::uint64_t> advance) {
 TimeAxis drawScrubber(Shell &context, float width, float height) {
     const SessionSnapshot &run = context.run.now();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("##scrubber", {width, height});
+    ui::hitArea("##scrubber", width, height);
     ui::mark(context, "timeline/scrubber", run.known > 0);
     // The last move and the release may arrive in the same frame.
     const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();

@@ -76,7 +76,7 @@ void drawFlyout(Shell &context, const ToolSlot &slot, const char *popup, ImVec2 
             const ImVec2 corner = ImGui::GetCursorScreenPos();
             const float side = context.px(kButton);
             ImGui::PushID(tool.id());
-            const bool clicked = ImGui::InvisibleButton("tool", {context.px(200), side});
+            const bool clicked = ui::hitArea("tool", context.px(200), side);
             ImGui::PopID();
             ui::mark(context, name);
             if (ImGui::IsItemHovered()) {
@@ -106,7 +106,7 @@ void drawSlot(Shell &context, const ToolSlot &slot, float side) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(context.tools.tools[slot.tools.front()]->id());
     const bool active = shown == context.tools.active;
-    const bool clicked = ImGui::InvisibleButton("slot", {side, side});
+    const bool clicked = ui::hitArea("slot", side, side);
     for (const std::size_t k : slot.tools) { // lessons can point to a tool behind this one
         ui::mark(context, std::string("tool/") + context.tools.tools[k]->id(), k == shown);
     }

@@ -8,6 +8,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -91,6 +92,10 @@ void pushButtonColours(const Theme &theme, ButtonKind kind, bool on, bool enable
 
 } // namespace
 
+bool hitArea(const char *name, float width, float height) {
+    return ImGui::InvisibleButton(name, {std::max(width, 1.0F), std::max(height, 1.0F)});
+}
+
 void markRect(WidgetContext &context, std::string_view name, const PixelRect &rect, bool enabled) {
     context.widgets.add(name, {rect, enabled, true});
 }
@@ -158,7 +163,7 @@ bool checkbox(WidgetContext &context, std::string_view name, std::string_view la
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 text = ImGui::CalcTextSize(label.data(), label.data() + label.size());
     const float height = ImGui::GetFrameHeight(), box = context.px(16), gap = context.px(7);
-    const bool clicked = ImGui::InvisibleButton("check", {box + gap + text.x, height});
+    const bool clicked = hitArea("check", box + gap + text.x, height);
     const bool hovered = ImGui::IsItemHovered();
     mark(context, name);
     const bool focused = takesFocus(context, name);
@@ -194,7 +199,7 @@ bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view l
     const Id id(name);
     const float height = context.px(24);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton("eye", {context.px(width), height});
+    const bool pressed = hitArea("eye", context.px(width), height);
     if (pressed) {
         value = !value;
     }
@@ -225,7 +230,7 @@ bool segmented(WidgetContext &context, std::string_view name, std::span<const ch
         const ImVec2 corner{at.x + each * static_cast<float>(i), at.y};
         ImGui::SetCursorScreenPos(corner);
         const bool here = choice == static_cast<int>(i);
-        if (ImGui::InvisibleButton(labels[i], {each, height}) && !here) {
+        if (hitArea(labels[i], each, height) && !here) {
             choice = static_cast<int>(i);
             changed = true;
         }
@@ -313,7 +318,7 @@ bool thinSlider(WidgetContext &context, std::string_view name, double &t, std::s
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = context.px(26), whole = context.px(static_cast<double>(width));
-    ImGui::InvisibleButton("thin", {whole, height});
+    hitArea("thin", whole, height);
     mark(context, name);
     // The last move and the release may arrive in the same frame.
     const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();
@@ -362,7 +367,7 @@ bool link(WidgetContext &context, std::string_view name, std::string_view text) 
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
-    const bool pressed = ImGui::InvisibleButton("link", size);
+    const bool pressed = hitArea("link", size.x, size.y);
     const bool hovered = ImGui::IsItemHovered();
     mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -416,7 +421,7 @@ bool badge(WidgetContext &context, std::string_view name, std::string_view text,
     const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 box{size.x + context.px(18), size.y + context.px(8)};
-    const bool pressed = ImGui::InvisibleButton("badge", box);
+    const bool pressed = hitArea("badge", box.x, box.y);
     const bool hovered = ImGui::IsItemHovered();
     mark(context, name);
     ImDrawList &list = *ImGui::GetWindowDrawList();

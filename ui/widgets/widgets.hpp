@@ -23,6 +23,10 @@ void markPart(WidgetContext &context, std::string_view name, const PixelRect &re
 /// Registers the window of Dear ImGui that is being drawn.
 void markWindow(WidgetContext &context, std::string_view name);
 
+/// Adds an area that takes clicks, in pixels of the screen. Returns true if it was clicked. Dear ImGui aborts on a side
+/// of zero, as a small window leaves it, so that each side counts as one pixel at least.
+bool hitArea(const char *name, float width, float height);
+
 enum class ButtonKind : std::uint8_t { Plain, Primary, Quiet };
 /// Draws a button. Width in design pixels; 0: as wide as the label, negative: the rest of the row.
 bool button(WidgetContext &context, std::string_view name, std::string_view label, ButtonKind kind = ButtonKind::Plain,
