@@ -21,11 +21,11 @@ struct Column {
     float end;
 };
 constexpr std::array<Column, 7> kColumns{{{"", 0.06F},
-                                          {"node", 0.22F},
-                                          {"\xce\xb1", 0.35F},
-                                          {"\xce\xb4(AC)", 0.48F},
-                                          {"\xce\xb4(CB)", 0.61F},
-                                          {"score", 0.74F},
+                                          {"node", 0.19F},
+                                          {"\xce\xb1", 0.32F},
+                                          {"\xce\xb4(AC)", 0.46F},
+                                          {"\xce\xb4(CB)", 0.60F},
+                                          {"score", 0.73F},
                                           {"verdict", 1.0F}}};
 
 const char *shortVerdict(Verdict verdict) {
@@ -169,8 +169,8 @@ class CandidatesPanel final : public Panel {
                                                       chosen ? theme.selectedRow : theme.hovered, context.px(4));
         }
         const auto known = [&](double value, int digits) {
-            constexpr double kNarrowTable = 276.0; // design pixels
-            const int shown = width < context.px(kNarrowTable) ? std::min(digits, 2) : digits;
+            const float column = (kColumns[5].end - kColumns[4].end) * width;
+            const int shown = column < ImGui::CalcTextSize("0.000  ").x ? std::min(digits, 2) : digits;
             return moment.scoresKnown ? ui::format("%.*f", shown, value) : std::string("\xe2\x80\x93");
         };
         const bool judged = moment.judged[i] && c.verdict != Verdict::NotTried;
