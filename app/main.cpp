@@ -1,6 +1,7 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/suggestion.hpp"
 #include "app/editor_entry.hpp"
 #include "core/engine/base/free_memory.hpp"
 #include "core/engine/base/version.hpp"
@@ -13,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -26,6 +28,8 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront check MESH         check a mesh                   (forefront check --help)
   forefront adapt MESH         remesh to a requested error    (forefront adapt --help)
   forefront convert IN -o OUT  write a mesh in other formats  (forefront convert --help)
+  forefront info FILE          tell what a file holds         (forefront info --help)
+  forefront formats            list the file formats          (forefront formats --help)
   forefront film IN -o GIF     film a run step by step        (forefront film --help)
   forefront trace IN -o JSON   write every advance of a run   (forefront trace --help)
   forefront tables             reproduce the published tables (forefront tables --help)
@@ -70,14 +74,28 @@ int editorCommand(int /*argc*/, const char *const * /*argv*/, bool /*view*/) {
 
 using Command = int (*)(int, const char *const *);
 
+constexpr std::pair<std::string_view, Command> kCommands[] = {
+    {"mesh", meshCommand},       {"check", checkCommand}, {"adapt", adaptCommand},
+    {"convert", convertCommand}, {"info", infoCommand},   {"formats", formatsCommand},
+    {"film", filmCommand},       {"trace", traceCommand}, {"tables", tablesCommand}};
+
 /// Returns the batch command of this name; null if there is none.
 Command batchCommand(std::string_view name) {
-    constexpr std::pair<std::string_view, Command> kCommands[] = {
-        {"mesh", meshCommand}, {"check", checkCommand}, {"adapt", adaptCommand},  {"convert", convertCommand},
-        {"film", filmCommand}, {"trace", traceCommand}, {"tables", tablesCommand}};
     const auto *const found =
         std::find_if(std::begin(kCommands), std::end(kCommands), [&](const auto &c) { return c.first == name; });
     return found != std::end(kCommands) ? found->second : nullptr;
+}
+
+/// Returns the usage error for a first argument that is neither a command nor a file.
+int unknownCommand(const std::string &word) {
+    std::vector<std::string_view> names = {"view"};
+    std::string list = "view";
+    for (const auto &[name, command] : kCommands) {
+        names.push_back(name);
+        list += ", " + std::string(name);
+    }
+    return wrongUsage("forefront", "unknown command or file '" + word + "'; expected " + list + " or an existing file" +
+                                       suggestion(word, names));
 }
 
 int dispatch(int argc, const char *const *argv) {
@@ -99,9 +117,7 @@ int dispatch(int argc, const char *const *argv) {
     }
     std::error_code none;
     if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
-        return wrongUsage("forefront",
-                          "unknown command or file '" + std::string(command) +
-                              "'; expected view, mesh, check, adapt, convert, film, trace, tables or an existing file");
+        return unknownCommand(std::string(command));
     }
     return editorCommand(argc, argv, false);
 }

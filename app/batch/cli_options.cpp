@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/suggestion.hpp"
 #include "core/files/common/names.hpp"
 
 #include <algorithm>
@@ -58,11 +59,35 @@ std::vector<double> numbersIn(std::string_view text, char separator, std::size_t
     return numbers;
 }
 
-/// Lists the arguments that no option or input accepts, in order.
-std::string unexpectedArguments(const std::vector<std::string> &arguments) {
+/// Returns the long names of all options, "--size" and so on.
+std::vector<std::string> optionNames(const CLI::App &app) {
+    std::vector<std::string> names;
+    for (const CLI::Option *option : app.get_options()) {
+        for (const std::string &name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    for (const CLI::App *const group : app.get_subcommands([](const CLI::App *) { return true; })) {
+        const std::vector<std::string> more = optionNames(*group);
+        names.insert(names.end(), more.begin(), more.end());
+    }
+    return names;
+}
+
+/// Lists the arguments that no option or input accepts, in order. A single unknown option gets a suggestion.
+std::string unexpectedArguments(const CLI::App &app) {
+    const std::vector<std::string> arguments = app.remaining();
     std::string options, others;
+    const auto isOption = [](const std::string &argument) { return argument.size() > 1 && argument.front() == '-'; };
+    if (std::count_if(arguments.begin(), arguments.end(), isOption) == 1) {
+        const std::string &unknown = *std::find_if(arguments.begin(), arguments.end(), isOption);
+        const std::vector<std::string> names = optionNames(app);
+        return "unknown option '" + unknown + '\'' +
+               suggestion(std::string_view(unknown).substr(0, unknown.find('=')),
+                          std::vector<std::string_view>(names.begin(), names.end()));
+    }
     for (const std::string &argument : arguments) {
-        std::string &list = argument.size() > 1 && argument.front() == '-' ? options : others;
+        std::string &list = isOption(argument) ? options : others;
         list += (list.empty() ? "'" : ", '") + argument + '\'';
     }
     return options.empty() ? "unexpected argument " + others : "unknown option " + options;
@@ -375,7 +400,7 @@ std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv
     } catch (const CLI::CallForHelp &help) {
         return app.exit(help);
     } catch (const CLI::ExtrasError &) {
-        return wrongUsage(app.get_name(), unexpectedArguments(app.remaining()));
+        return wrongUsage(app.get_name(), unexpectedArguments(app));
     } catch (const CLI::ParseError &error) {
         return wrongUsage(app.get_name(), parseFault(app, error));
     }

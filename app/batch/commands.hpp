@@ -14,6 +14,12 @@ int adaptCommand(int argc, const char *const *argv);
 /// Runs `forefront convert ...` and returns the exit code; argv[0] is the word "convert".
 int convertCommand(int argc, const char *const *argv);
 
+/// Runs `forefront info ...` and returns the exit code; argv[0] is the word "info".
+int infoCommand(int argc, const char *const *argv);
+
+/// Runs `forefront formats ...` and returns the exit code; argv[0] is the word "formats".
+int formatsCommand(int argc, const char *const *argv);
+
 /// Runs `forefront film ...` and returns the exit code; argv[0] is the word "film".
 int filmCommand(int argc, const char *const *argv);
 

@@ -1320,7 +1320,16 @@ class Refusing(Case):
             self.assertIn(os.strerror(errno.ENOSPC), done.stderr)
 
     def test_an_unknown_command_is_named(self):
-        self.assertIn("unknown command or file 'mash'", self.call("mash", "plate.poly", code=2).stderr)
+        errors = self.call("mash", "plate.poly", code=2).stderr
+        self.assertIn("unknown command or file 'mash'", errors)
+        self.assertIn("did you mean mesh?", errors)
+        self.assertNotIn("did you mean", self.call("quadrilate", code=2).stderr)
+
+    def test_a_mistyped_option_gets_a_suggestion(self):
+        for wrong, meant in (("--sise", "--size"), ("--improv", "--improve"), ("--spcaing", "--spacing")):
+            errors = self.call("mesh", "plate.poly", "-o", "a.msh", f"{wrong}=1", code=2).stderr
+            self.assertIn(f"did you mean {meant}?", errors)
+        self.assertNotIn("did you mean", self.call("mesh", "plate.poly", "--zzzzzz", code=2).stderr)
 
     def test_unknown_options_are_listed_in_the_order_given(self):
         errors = self.call("mesh", "plate.poly", "-o", "a.msh", "--first", "--second", "third", code=2).stderr
@@ -1531,6 +1540,62 @@ class Adapting(Case):
             self.assertNotEqual(self.call(*words, code=2).stderr, "", words)
         self.call("adapt", "missing.msh", "--expression", "x", "--error", "0.1", "-o", "new.msh", code=1)
         self.assertIn("Examples:", self.call("adapt", "--help").stdout)
+
+
+class Telling(Case):
+    def info(self, *arguments):
+        return json.loads(self.call("info", *arguments, "--json").stdout)
+
+    def test_info_tells_what_a_mesh_holds(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.5")
+        told = self.info("plate.msh")
+        self.assertEqual((told["kind"], told["format"], told["valid"]), ("mesh", "msh2", True))
+        self.assertEqual(told["bounds"], [0, 0, 4, 3])
+        self.assertAlmostEqual(told["area"], 11.0)
+        self.assertEqual((told["parts"], told["holes"]), (1, 1))
+        self.assertEqual([(part["name"], round(part["length"], 9)) for part in told["boundaries"]],
+                         [("boundary_1", 14.0), ("boundary_2", 4.0)])
+        checked = self.call("check", "plate.msh").stdout
+        self.assertIn(told["hash"], checked)
+        text = self.call("info", "plate.msh").stdout
+        self.assertIn(f"elements: {told['elements']}\n", text)
+        self.assertIn("boundary_2: ", text)
+
+    def test_info_tells_what_domains_and_projects_hold(self):
+        told = self.info("plate.poly")
+        self.assertEqual((told["kind"], told["segments"], told["hole_markers"]), ("domain", 8, 1))
+        self.assertEqual([part["length"] for part in told["boundaries"]], [14.0, 4.0])
+        bracket = pathlib.Path(__file__).parents[2] / "assets" / "samples" / "bracket.json"
+        told = self.info(bracket)
+        self.assertEqual(told["format"], "project")
+        self.assertGreater(told["parameters"]["r"]["value"], 0)
+        self.assertIn("parameters:\n", self.call("info", bracket).stdout)
+
+    def test_info_refuses_what_holds_neither(self):
+        self.write("broken.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nx\n")
+        self.assertIn("broken.msh:", self.call("info", "broken.msh", code=1).stderr)
+        self.write("grid.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 1\n1 1\n")
+        self.assertIn("--spacing-file", self.call("info", "grid.asc", code=1).stderr)
+        self.call("info", "none.msh", code=1)
+
+    def test_info_describes_an_invalid_mesh_without_areas(self):
+        self.write("bow.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n"
+                              "$EndNodes\n$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 2 4\n$EndElements\n")
+        told = self.info("bow.msh")
+        self.assertEqual((told["valid"], told["elements"]), (False, 2))
+        self.assertNotIn("area", told)
+        self.assertIn("forefront check", self.call("info", "bow.msh").stdout)
+
+    def test_formats_lists_what_the_options_accept(self):
+        listed = json.loads(self.call("formats", "--json").stdout)["formats"]
+        table = self.call("formats").stdout
+        for entry in listed:
+            self.assertRegex(table, rf"(?m)^{entry['id']} ")
+        writable = {entry["id"] for entry in listed if entry["writes_mesh"]}
+        refused = self.call("mesh", "plate.poly", "-o", "a.msh", "--format", "none", code=2).stderr
+        for name in writable:
+            self.assertIn(name, refused)
+        self.assertIn("quadrilateral9", next(e for e in listed if e["id"] == "vtu")["elements"])
 
 
 class Convert(Case):
