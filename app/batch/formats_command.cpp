@@ -57,8 +57,8 @@ std::string column(std::string text, std::size_t width) {
 }
 
 std::string formatsTable() {
-    std::string table = column("id", 11) + column("extension", 17) + column("reads", 31) + column("writes", 8) +
-                        "name\n";
+    std::string table =
+        column("id", 11) + column("extension", 17) + column("reads", 31) + column("writes", 8) + "name\n";
     for (const FileFormat &format : allFormats().list()) {
         table += column(format.id, 11) + column(extensionsOf(format), 17) + column(joined(readParts(format)), 31) +
                  column(format.writesMesh ? "mesh" : "", 8) + format.name + '\n';

@@ -95,8 +95,7 @@ void describeMesh(const MeshFields &file, FileInfo &info) {
                 {region.tag, regionName(mesh.regionNames, region.tag), region.elements, region.area});
         }
         for (const BoundaryExtent &part : extent.boundaries) {
-            info.boundaries.push_back(
-                {part.tag, boundaryName(mesh.boundaryNames, part.tag), part.edges, part.length});
+            info.boundaries.push_back({part.tag, boundaryName(mesh.boundaryNames, part.tag), part.edges, part.length});
         }
     }
     for (const auto &[name, values] : file.fields) {
@@ -179,9 +178,9 @@ std::string infoText(const InfoArguments &arguments, const FileInfo &info) {
     text += info.parameters.empty() ? "" : "parameters:\n";
     for (const auto &[parameter, state] : info.parameters) {
         text += "  " + parameter.name + " = " + parameter.expression +
-                (!state.value                                            ? " (" + state.fault + ')'
+                (!state.value                                        ? " (" + state.fault + ')'
                  : shortNumber(*state.value) == parameter.expression ? ""
-                                                                         : " = " + shortNumber(*state.value)) +
+                                                                     : " = " + shortNumber(*state.value)) +
                 '\n';
     }
     text += info.valid && !*info.valid ? "not valid; forefront check tells why\n" : "";
@@ -248,11 +247,11 @@ Diagnostics describe(const Input &input, const FileFormat &format, FileInfo &inf
         return mesh ? Diagnostics{} : mesh.faults();
     }
     if (!format.readsDomain) {
-        return allFormats().locateFaults(
-            input.path,
-            error("no-content", std::string(format.name) + " files hold neither a mesh nor a domain",
-                  "use them as --spacing-file"),
-            input.options);
+        return allFormats().locateFaults(input.path,
+                                         error("no-content",
+                                               std::string(format.name) + " files hold neither a mesh nor a domain",
+                                               "use them as --spacing-file"),
+                                         input.options);
     }
     if (format.kind == FileKind::Project) {
         const Result<Document> project = readDocument(input.path, input.options, &notes);

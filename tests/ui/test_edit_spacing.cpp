@@ -55,6 +55,32 @@ TEST_CASE("Brush: brackets change the radius, with Shift the spacing, and the op
     CHECK(driver.context().preview->spacing->at({5, 7.5}) > 0.1);
 }
 
+TEST_CASE("Brush: Ctrl+click picks the size under the pointer, Shift+click paints straight from the last stroke") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('B');
+    driver.fill("options/brush/radius", "0.5");
+    driver.fill("options/brush/spacing", "0.05");
+    driver.dragPlaces({2, 2}, {2, 2});
+    driver.settle();
+    driver.fill("options/brush/spacing", "0.2");
+    const auto spacingAt = [&](Vec2 place) { return driver.context().preview->spacing->at(place); };
+    const std::string strokes = driver.undoLabel();
+    driver.drag(driver.pixel({2, 2}), driver.pixel({2, 2}), 1, {Modifiers::kControl});
+    CHECK(driver.undoLabel() == strokes); // nothing was painted
+    driver.drag(driver.pixel({8, 2}), driver.pixel({8, 2}), 1, {Modifiers::kShift});
+    driver.settle();
+    for (const double x : {2.0, 3.5, 5.0, 6.5, 8.0}) {
+        CAPTURE(x);
+        CHECK(spacingAt({x, 2}) == doctest::Approx(0.05).epsilon(0.1)); // as picked
+    }
+    CHECK(spacingAt({5, 6}) > 0.2);
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK(spacingAt({5, 2}) > 0.1);
+    CHECK(spacingAt({2, 2}) == doctest::Approx(0.05).epsilon(0.1));
+}
+
 TEST_CASE("Sources: placed by click and by drag, named, and the inspector says which one sets the spacing") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

@@ -28,7 +28,7 @@ constexpr std::array kToolHints{
     ToolHint{"trim", "click a piece to remove it", ""},
     ToolHint{"source", "click: fine here \xc2\xb7 drag: along a line", ""},
     ToolHint{"gradient", "drag from the fine end to the coarse end", ""},
-    ToolHint{"brush", "drag: paint the element size", ""},
+    ToolHint{"brush", "drag: paint the element size; Ctrl+click: pick one", ""},
     ToolHint{"eraser", "drag: erase painted sizes", ""},
 };
 

@@ -22,7 +22,7 @@ namespace {
 constexpr double kStep = 1.2;
 /// Distance between the dabs of a stroke, as a fraction of the radius.
 constexpr double kPace = 0.25;
-constexpr int kMaxDabs = 200; ///< per pointer movement
+constexpr int kMaxDabs = 2000; ///< per pointer movement; longer straight strokes have gaps
 
 double spacingAt(const Shell &context, Vec2 place) {
     return context.preview->spacing ? context.preview->spacing->at(place) : 0.0;
@@ -73,6 +73,30 @@ double BrushTool::spacing(const Shell &context) const {
 void BrushTool::deactivate(Shell &) {
     stroke_.clear();
     pointer_.reset();
+    end_.reset();
+}
+
+void BrushTool::pick(Vec2 place, Shell &context) {
+    const double rho = spacingAt(context, place);
+    if (!(rho > 0.0)) {
+        context.log.refuse("The drawing has no element sizes yet");
+        return;
+    }
+    state_->brushSpacing = EditState::twoDigits(rho);
+    context.log.announce("The brush paints \xcf\x81 = " + ui::number(state_->brushSpacing, 3));
+}
+
+void BrushTool::begin(const CanvasEvent &event, Shell &context) {
+    // From the first stroke on they stay, or strokes over painted places would get finer and finer.
+    strokeSpacing_ = spacing(context);
+    strokeRadius_ = radius(context);
+    state_->propose(&EditState::brushSpacing, strokeSpacing_, context);
+    state_->propose(&EditState::brushRadius, strokeRadius_, context);
+    stroke_ = state_->newStroke();
+    last_ = event.modifiers.shift() ? end_ : std::nullopt;
+    around_ = context.preview->spacing ? remembered(context.preview->spacing) : std::function<double(Vec2)>();
+    changed_ = false;
+    stroke(event.place, context);
 }
 
 void BrushTool::forget(Shell &context) {
@@ -96,19 +120,14 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
         return false;
     }
     pointer_ = event.kind == Kind::Leave ? std::nullopt : std::optional(event.place);
+    straight_ = event.modifiers.shift() && stroke_.empty();
+    picks_ = event.modifiers.control() && stroke_.empty() && sets();
     switch (event.kind) {
     case Kind::Press:
-        if (event.button == MouseButton::Left) {
-            // From the first stroke on they stay, or strokes over painted places would get finer and finer.
-            strokeSpacing_ = spacing(context);
-            strokeRadius_ = radius(context);
-            state_->propose(&EditState::brushSpacing, strokeSpacing_, context);
-            state_->propose(&EditState::brushRadius, strokeRadius_, context);
-            stroke_ = state_->newStroke();
-            last_.reset();
-            around_ = context.preview->spacing ? remembered(context.preview->spacing) : std::function<double(Vec2)>();
-            changed_ = false;
-            stroke(event.place, context);
+        if (event.button == MouseButton::Left && event.modifiers.control() && sets()) {
+            pick(event.place, context);
+        } else if (event.button == MouseButton::Left) {
+            begin(event, context);
         } else if (event.button == MouseButton::Right) {
             context.selection.clear(); // it is not drawn in this tool, so the menu must not act on it
             context.contextMenu = true;
@@ -123,6 +142,7 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
         if (!stroke_.empty() && !changed_ && !erases() && !sets()) {
             context.log.refuse("Nothing changed: the drawing has no element sizes yet");
         }
+        end_ = stroke_.empty() ? end_ : last_;
         stroke_.clear();
         return true;
     case Kind::Wheel:
@@ -222,6 +242,16 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
         return;
     }
     const Theme &theme = context.theme;
+    if (picks_) {
+        const double rho = spacingAt(context, *pointer_);
+        const double side = 10.0;
+        painter.label(*pointer_, {side, side}, rho > 0.0 ? "pick \xcf\x81=" + ui::number(rho, 3) : "no size here",
+                      theme.text, fade(theme.popup, 0.9), context.fonts.small);
+        return;
+    }
+    if (straight_ && end_) {
+        painter.dashed(*end_, *pointer_, theme.brush);
+    }
     const double ring = stroke_.empty() ? radius(context) : strokeRadius_;
     painter.circle(*pointer_, ring, fade(theme.canvas, 0.7), 3.5);
     painter.circle(*pointer_, ring, theme.brush, 1.75);
@@ -285,8 +315,9 @@ void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
 }
 
 std::string BrushTool::statusText(const Shell &) const {
-    return erases() ? "Drag to erase painted spacing. [ ]: radius"
-                    : "Drag to paint. [ ] or Ctrl+wheel: radius; with Shift: spacing";
+    return erases() ? "Drag to erase painted spacing; Shift+click: straight from the last stroke. [ ]: radius"
+           : sets() ? "Drag to paint; Shift+click: straight from the last stroke; Ctrl+click: pick a size. [ ]: radius"
+                    : "Drag to paint; Shift+click: straight from the last stroke. [ ] or Ctrl+wheel: radius";
 }
 
 } // namespace forefront

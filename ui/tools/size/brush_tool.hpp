@@ -32,6 +32,10 @@ class BrushTool final : public Tool {
 
   private:
     bool key(const CanvasEvent &event, Shell &context);
+    /// Begins a stroke; with Shift, it goes straight on from the end of the last one.
+    void begin(const CanvasEvent &event, Shell &context);
+    /// Takes the spacing at a place as the one to paint.
+    void pick(Vec2 place, Shell &context);
     /// Paints from the previous place to `to`.
     void stroke(Vec2 to, Shell &context);
     bool erases() const { return erases_ || state_->brushMode == DabMode::Erase; }
@@ -49,6 +53,8 @@ class BrushTool final : public Tool {
     std::shared_ptr<EditState> state_;
     bool erases_;
     std::optional<Vec2> pointer_, last_;
+    std::optional<Vec2> end_;                         ///< of the last stroke
+    bool straight_ = false, picks_ = false;           ///< Shift or Ctrl is held, as of the last event
     std::string stroke_;                              ///< key of the stroke in progress; empty: none
     std::function<double(Vec2)> around_{};            ///< spacing when the stroke began; empty: none
     double strokeRadius_ = 0.0, strokeSpacing_ = 0.0; ///< of the stroke in progress
