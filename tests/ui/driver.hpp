@@ -47,6 +47,8 @@ class Driver {
     void press(Pixel pixel, MouseButton button = MouseButton::Left);
     void release(Pixel pixel, MouseButton button = MouseButton::Left);
     void drag(Pixel from, Pixel to, int steps = 8, Modifiers modifiers = {});
+    /// Presses or releases the keys of modifiers; they are seen with the next event.
+    void hold(Modifiers modifiers, bool pressed);
     void key(int code, Modifiers modifiers = {});
     void type(std::string_view text);
     /// Types lower-case letters and digits like a keyboard: each key, then its character.
@@ -69,7 +71,6 @@ class Driver {
 
   private:
     void push(const InputEvent &event);
-    void hold(Modifiers modifiers, bool pressed);
     void drain();
 
     std::unique_ptr<EglPlatform> platform_;

@@ -322,6 +322,33 @@ TEST_CASE("Select: a box selects entire shapes, Ctrl+A selects all, Ctrl+D dupli
     CHECK(driver.document().shapes.empty());
 }
 
+TEST_CASE("Select: a drag with Alt is a lasso, which leaves out what lies in its bay") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {2, 2});
+    driver.rectangle({4, 1}, {5, 2});
+    driver.rectangle({4, 4}, {5, 5});
+    driver.key('V');
+    driver.context().selection.clear();
+    const std::vector<Vec2> way = {{0.5, 0.5}, {5.5, 0.5}, {5.5, 5.5}, {3.5, 5.5}, {3.5, 2.5}, {3, 2.5}, {0.5, 2.4}};
+    driver.hold({Modifiers::kAlt}, true);
+    driver.press(driver.pixel(way.front()));
+    for (const Vec2 place : way) {
+        driver.moveToPlace(place);
+    }
+    driver.release(driver.pixel(way.back()));
+    driver.hold({Modifiers::kAlt}, false);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1, 2, 3});
+    const std::vector<Vec2> bay = {{0.5, 0.5}, {5.5, 0.5}, {5.5, 5.5}, {5.2, 5.5}, {5.2, 2.5}, {0.5, 2.5}};
+    driver.hold({Modifiers::kAlt}, true);
+    driver.press(driver.pixel(bay.front()));
+    for (const Vec2 place : bay) {
+        driver.moveToPlace(place);
+    }
+    driver.release(driver.pixel(bay.back()));
+    driver.hold({Modifiers::kAlt}, false);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1, 2});
+}
+
 TEST_CASE("Select: a second click on a shape selects one segment, which can have its own tag and name") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

@@ -163,6 +163,19 @@ TEST_CASE("PickIndex: finds the parts of sources, markers, and everything in a b
     CHECK(shapes.sources == std::set<std::uint32_t>{0});
     CHECK(shapes.markers.size() == 1);
     CHECK(index.inBox({{0.5, -1}, {5.5, 5.5}}, true).nodes == std::set<NodeRef>{{1, 1}, {1, 2}, {2, 0}});
+
+    // The same box as a loop selects the same; without its corner at (5, 9), half of it.
+    const std::vector<Vec2> whole = {{-1, -1}, {5, -1}, {5, 9}, {-1, 9}}, cut = {{-1, -1}, {5, -1}, {-1, 9}};
+    CHECK(index.inLoop(whole, false).shapes == shapes.shapes);
+    CHECK(index.inLoop(whole, false).sources == shapes.sources);
+    CHECK(index.inLoop(whole, false).markers == shapes.markers);
+    CHECK(index.inLoop(cut, false).sources.empty());
+    CHECK(index.inLoop(cut, false).markers.size() == 1);
+    const std::vector<Vec2> hand = {{0.5, -1}, {5.5, -1}, {5.5, 5.5}, {4.5, 5.5}, {4.5, 0.5}, {0.5, 0.5}};
+    for (const NodeRef node : index.inLoop(hand, true).nodes) {
+        CHECK(node != NodeRef{1, 2}); // inside the box of the loop, but not inside the loop
+    }
+    CHECK(index.inLoop(hand, true).nodes.size() < 3);
 }
 
 TEST_CASE("PickIndex: a hundred thousand searches among a hundred thousand nodes visit few nodes each") {

@@ -265,6 +265,49 @@ std::optional<std::uint32_t> PickIndex::marker(Vec2 p, double tolerance) const {
     return best;
 }
 
+namespace {
+
+/// Returns the points of a source that must be inside what selects it.
+std::vector<Vec2> pointsOf(const SizeSource &source) {
+    switch (source.shape) {
+    case SourceShape::Box: {
+        const std::array<Vec2, 4> corners = SourceBox(source).corners();
+        return {corners.begin(), corners.end()};
+    }
+    case SourceShape::Line:
+        return {source.a, source.b};
+    default:
+        return {source.a};
+    }
+}
+
+} // namespace
+
+Selection PickIndex::inLoop(std::span<const Vec2> loop, bool handles) const {
+    constexpr double kFineLoopChords = 1e-3; // of the radius
+    Box2 box;
+    for (const Vec2 p : loop) {
+        box.add(p);
+    }
+    Selection selection = inBox(box, handles);
+    const auto holds = [&](const std::vector<Vec2> &points) {
+        return std::ranges::all_of(points, [&](Vec2 p) { return locate(loop, p) == PointPlace::Inside; });
+    };
+    std::erase_if(selection.shapes, [&](std::uint32_t id) {
+        const Shape &shape = *findShape(*document_, id);
+        return !holds(chordsOf(shape, outlineOf(shape), kFineLoopChords).nodes);
+    });
+    std::erase_if(selection.nodes, [&](const NodeRef &node) {
+        return locate(loop, handlesOf(*findShape(*document_, node.shape))[node.node]) != PointPlace::Inside;
+    });
+    std::erase_if(selection.sources,
+                  [&](std::uint32_t source) { return !holds(pointsOf(document_->spacing.sources[source])); });
+    std::erase_if(selection.markers, [&](std::uint32_t marker) {
+        return locate(loop, document_->regionMarkers[marker].at) != PointPlace::Inside;
+    });
+    return selection;
+}
+
 Selection PickIndex::inBox(const Box2 &box, bool handles) const {
     Selection selection;
     if (handles) {
@@ -285,13 +328,8 @@ Selection PickIndex::inBox(const Box2 &box, bool handles) const {
         }
     });
     for (std::uint32_t k = 0; k < document_->spacing.sources.size(); ++k) {
-        const SizeSource &source = document_->spacing.sources[k];
-        const std::array<Vec2, 4> corners = SourceBox(source).corners();
-        const bool inside =
-            source.shape == SourceShape::Box
-                ? std::all_of(corners.begin(), corners.end(), [&](Vec2 corner) { return box.contains(corner); })
-                : box.contains(source.a) && (source.shape != SourceShape::Line || box.contains(source.b));
-        if (inside) {
+        const std::vector<Vec2> points = pointsOf(document_->spacing.sources[k]);
+        if (std::ranges::all_of(points, [&](Vec2 p) { return box.contains(p); })) {
             selection.sources.insert(k);
         }
     }

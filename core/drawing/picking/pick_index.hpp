@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -87,6 +88,8 @@ class PickIndex {
 
     /// Returns everything entirely inside a box; with `handles`, nodes instead of shapes.
     Selection inBox(const Box2 &box, bool handles) const;
+    /// Returns the same for a closed line drawn by hand, by the even-odd rule; curves count as fine chords.
+    Selection inLoop(std::span<const Vec2> loop, bool handles) const;
 
   private:
     struct Entry {

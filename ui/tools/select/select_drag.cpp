@@ -19,6 +19,9 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
     over_ = true;
     if (mode_ == Mode::Boxing) {
         boxPlace_ = event.place;
+        if (!lasso_.empty()) {
+            lasso_.push_back(event.place);
+        }
         return;
     }
     if (mode_ == Mode::Transforming) {

@@ -175,9 +175,17 @@ void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     }
     const Theme &theme = context.theme;
     if (mode_ == Mode::Boxing) {
-        const Box2 box = boxOf(pressPlace_, boxPlace_);
-        painter.fillRectangle(box, fade(theme.selection, 0.12));
-        painter.rectangle(box, theme.selection, 1.0);
+        if (lasso_.empty()) {
+            const Box2 box = boxOf(pressPlace_, boxPlace_);
+            painter.fillRectangle(box, fade(theme.selection, 0.12));
+            painter.rectangle(box, theme.selection, 1.0);
+        }
+        for (std::size_t k = 1; k < lasso_.size(); ++k) {
+            painter.line(lasso_[k - 1], lasso_[k], theme.selection, 1.0);
+        }
+        if (lasso_.size() > 2) {
+            painter.dashed(lasso_.back(), lasso_.front(), theme.selection, 1.0);
+        }
     }
     if (mode_ == Mode::Moving) {
         drawSnapMark(painter, context, snapped_);
@@ -242,7 +250,8 @@ std::string SelectTool::statusText(const Shell &context) const {
     case Mode::Transforming:
         return TransformHandles::statusText(grabbed_.transform);
     case Mode::Boxing:
-        return "Selects the shapes inside the box, or the nodes if no whole shape is inside";
+        return lasso_.empty() ? "Selects the shapes inside the box, or the nodes if no whole shape is inside"
+                              : "Selects the shapes inside the lasso, or the nodes if no whole shape is inside";
     case Mode::Grabbed:
     case Mode::Idle:
         break;
@@ -261,7 +270,7 @@ std::string SelectTool::statusText(const Shell &context) const {
     if (over_ && hover_.kind == Hit::Kind::Node) {
         return "Drag to move the node and those joined with it, Alt-drag to detach it, Delete to remove it";
     }
-    return "Click or drag a box to select, drag to move, double-click a segment to insert a node";
+    return "Click or drag a box (Alt: lasso) to select, drag to move, double-click a segment to insert a node";
 }
 
 } // namespace forefront

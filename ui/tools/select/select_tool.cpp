@@ -154,6 +154,10 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     adds_ = adds_ && grabbed_.kind != Hit::Kind::Control;
     if (grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside) {
         mode_ = Mode::Boxing;
+        lasso_.clear();
+        if (event.modifiers.alt()) {
+            lasso_.push_back(event.place);
+        }
         return;
     }
     if (adds_ || !wasSelected_) {
@@ -199,24 +203,31 @@ void SelectTool::insertAt(const Hit &hit, Shell &context) {
     mode_ = Mode::Grabbed;
 }
 
+void SelectTool::selectInside(Vec2 end, Shell &context) {
+    const std::shared_ptr<const PickIndex> index = state_->index(context);
+    const auto found = [&](bool handles) {
+        Selection inside =
+            lasso_.empty() ? index->inBox(boxOf(pressPlace_, end), handles) : index->inLoop(lasso_, handles);
+        state_->picks.apply(inside);
+        return inside;
+    };
+    Selection inside = found(false);
+    if (inside.empty()) {
+        inside = found(true); // without a whole shape inside, the nodes there
+    }
+    if (!adds_) {
+        context.selection.clear();
+    }
+    context.selection.shapes.merge(inside.shapes);
+    context.selection.nodes.merge(inside.nodes);
+    context.selection.sources.merge(inside.sources);
+    context.selection.markers.merge(inside.markers);
+}
+
 void SelectTool::release(const CanvasEvent &event, Shell &context) {
     const bool moved = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
     if (mode_ == Mode::Boxing && moved) {
-        const Box2 box = boxOf(pressPlace_, event.place);
-        // A box without a whole shape inside selects the nodes inside it.
-        Selection inside = state_->index(context)->inBox(box, false);
-        state_->picks.apply(inside);
-        if (inside.empty()) {
-            inside = state_->index(context)->inBox(box, true);
-        }
-        if (!adds_) {
-            context.selection.clear();
-        }
-        state_->picks.apply(inside);
-        context.selection.shapes.merge(inside.shapes);
-        context.selection.nodes.merge(inside.nodes);
-        context.selection.sources.merge(inside.sources);
-        context.selection.markers.merge(inside.markers);
+        selectInside(event.place, context);
     } else if (mode_ == Mode::Moving) {
         joinMoved(context);
     } else if (mode_ == Mode::Boxing) {

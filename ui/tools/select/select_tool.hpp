@@ -16,8 +16,9 @@
 
 namespace forefront {
 
-/// Selects by click and box; drags nodes, control points, segments, shapes, sources and markers; inserts a node by a
-/// double-click on a segment, renames by one on a label; scales and rotates the selection with its handles.
+/// Selects by click, box and, with Alt, lasso; drags nodes, control points, segments, shapes, sources and markers;
+/// inserts a node by a double-click on a segment, renames by one on a label; scales and rotates the selection with its
+/// handles.
 class SelectTool final : public Tool {
   public:
     explicit SelectTool(std::shared_ptr<EditState> state) : state_(state), transform_(std::move(state)) {}
@@ -83,6 +84,8 @@ class SelectTool final : public Tool {
     /// Handles numbers typed during a drag. Returns true if the event was used.
     bool typedMove(const CanvasEvent &event, Shell &context);
     void release(const CanvasEvent &event, Shell &context);
+    /// Selects what is inside the box or the lasso.
+    void selectInside(Vec2 end, Shell &context);
     bool key(const CanvasEvent &event, Shell &context);
     void insertAt(const Hit &hit, Shell &context);
     void nudge(Vec2 direction, bool far, bool repeated, Shell &context);
@@ -110,7 +113,8 @@ class SelectTool final : public Tool {
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Pixel pressPixel_{};
     Vec2 pressPlace_, boxPlace_;
-    CanvasEvent last_; ///< of the drag
+    std::vector<Vec2> lasso_; ///< the places of a drag with Alt, which selects inside them; empty: a box does
+    CanvasEvent last_;        ///< of the drag
     NumericEntry entry_;
     Snapped snapped_;
     std::shared_ptr<const Document> start_; ///< document when the drag began
