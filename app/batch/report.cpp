@@ -75,6 +75,8 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     report.improve = options.improve;
     report.elements = options.elements;
     report.quads = outcome.quads;
+    report.elementOrder = options.order;
+    report.order = outcome.order;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
     report.secondsImprove = outcome.secondsImprove;
@@ -105,6 +107,52 @@ Diagnostics notConvex(const QuadReport &quads) {
     found.front().severity = Severity::Warning;
     found.front().at = quads.firstNotConvex;
     return found;
+}
+
+namespace {
+
+/// Returns a note on the straight edges with one reason; nothing if there are none.
+Diagnostics straightNote(const SecondOrderReport &order, StraightReason reason, const char *one, const char *many,
+                         const char *why, const char *advice) {
+    constexpr std::size_t kShown = 5;
+    std::size_t count = 0;
+    std::string places;
+    Diagnostics note;
+    for (const StraightEdge &edge : order.straight) {
+        if (edge.reason != reason) {
+            continue;
+        }
+        if (count == 0) {
+            note = error("straight-edge", "", advice);
+            note.front().severity = Severity::Note;
+            note.front().at = edge.at;
+        } else if (count < kShown) {
+            places += (count == 1 ? "; others at " : ", ") + placeText(edge.at);
+        }
+        ++count;
+    }
+    if (count > 0) {
+        note.front().message = std::to_string(count) + (count == 1 ? one : many) + why + places +
+                               (count > kShown ? " and more; --stats lists all" : "");
+    }
+    return note;
+}
+
+} // namespace
+
+Diagnostics straightEdges(const SecondOrderReport &order) {
+    Diagnostics notes =
+        straightNote(order, StraightReason::Folded, " edge along a curve is", " edges along curves are",
+                     " straight, since an element would fold", "choose smaller elements there to follow the curve");
+    const Diagnostics meeting = straightNote(
+        order, StraightReason::Meeting, " edge along a curve is", " edges along curves are",
+        " straight, to stay clear of another edge across a gap", "choose smaller elements there to follow the curve");
+    const Diagnostics crossing =
+        straightNote(order, StraightReason::Crossing, " edge along a curve is", " edges along curves are",
+                     " straight, where curves meet or come too close to follow", "keep the curves apart there");
+    notes.insert(notes.end(), meeting.begin(), meeting.end());
+    notes.insert(notes.end(), crossing.begin(), crossing.end());
+    return notes;
 }
 
 namespace {
@@ -198,6 +246,17 @@ void addQuads(const QuadReport &quads, JsonWriter &json) {
     json.endObject();
 }
 
+void addOrder(const SecondOrderReport &order, JsonWriter &json) {
+    json.key("second_order").beginObject();
+    json.member("curved_edges", order.curvedEdges);
+    json.key("straight_edges").beginArray();
+    for (const StraightEdge &edge : order.straight) {
+        json.beginObject().member("x", edge.at.x).member("y", edge.at.y);
+        json.member("reason", wordOf(edge.reason)).endObject();
+    }
+    json.endArray().endObject();
+}
+
 } // namespace
 
 std::string statisticsJson(const RunReport &report) {
@@ -218,6 +277,9 @@ std::string statisticsJson(const RunReport &report) {
     json.member("seconds_improve", report.secondsImprove).member("peak_bytes", report.peakBytes);
     if (report.elements != Elements::Triangles) {
         addQuads(report.quads, json);
+    }
+    if (report.elementOrder == ElementOrder::Second) {
+        addOrder(report.order, json);
     }
     json.member("hash", toHex(report.hash));
     return json.endObject().text();
