@@ -112,46 +112,39 @@ Diagnostics notConvex(const QuadReport &quads) {
 namespace {
 
 /// Returns a note on the straight edges with one reason; nothing if there are none.
-Diagnostics straightNote(const SecondOrderReport &order, StraightReason reason, const char *one, const char *many,
-                         const char *why, const char *advice) {
+Diagnostics straightNote(const SecondOrderReport &order, StraightReason reason, const char *why, const char *advice) {
     constexpr std::size_t kShown = 5;
     std::size_t count = 0;
     std::string places;
-    Diagnostics note;
     for (const StraightEdge &edge : order.straight) {
-        if (edge.reason != reason) {
-            continue;
+        if (edge.reason == reason && count++ < kShown) {
+            places += (count == 1 ? ": at " : ", ") + placeText(edge.at);
         }
-        if (count == 0) {
-            note = error("straight-edge", "", advice);
-            note.front().severity = Severity::Note;
-            note.front().at = edge.at;
-        } else if (count < kShown) {
-            places += (count == 1 ? "; others at " : ", ") + placeText(edge.at);
-        }
-        ++count;
     }
-    if (count > 0) {
-        note.front().message = std::to_string(count) + (count == 1 ? one : many) + why + places +
-                               (count > kShown ? " and more; --stats lists all" : "");
+    if (count == 0) {
+        return {};
     }
+    Diagnostics note =
+        error("straight-edge",
+              (count == 1 ? "1 edge along a curve is" : std::to_string(count) + " edges along curves are") +
+                  (" straight, " + std::string(why)) + places + (count > kShown ? " and more; --stats lists all" : ""),
+              advice);
+    note.front().severity = Severity::Note;
     return note;
 }
 
 } // namespace
 
 Diagnostics straightEdges(const SecondOrderReport &order) {
-    Diagnostics notes =
-        straightNote(order, StraightReason::Folded, " edge along a curve is", " edges along curves are",
-                     " straight, since an element would fold", "choose smaller elements there to follow the curve");
-    const Diagnostics meeting = straightNote(
-        order, StraightReason::Meeting, " edge along a curve is", " edges along curves are",
-        " straight, to stay clear of another edge across a gap", "choose smaller elements there to follow the curve");
-    const Diagnostics crossing =
-        straightNote(order, StraightReason::Crossing, " edge along a curve is", " edges along curves are",
-                     " straight, where curves meet or come too close to follow", "keep the curves apart there");
-    notes.insert(notes.end(), meeting.begin(), meeting.end());
-    notes.insert(notes.end(), crossing.begin(), crossing.end());
+    constexpr const char *kSmaller = "choose smaller elements there to follow the curve";
+    Diagnostics notes;
+    for (const Diagnostics &part :
+         {straightNote(order, StraightReason::Folded, "since an element would fold", kSmaller),
+          straightNote(order, StraightReason::Meeting, "to stay clear of another edge across a gap", kSmaller),
+          straightNote(order, StraightReason::Crossing, "where curves meet or come too close to follow",
+                       "keep the curves apart there")}) {
+        notes.insert(notes.end(), part.begin(), part.end());
+    }
     return notes;
 }
 

@@ -196,10 +196,12 @@ def check_calculix(mesh, file, folder):
         near(reaction[1], -2.0 * along[0], 1e-4)
 
 
+# The stresses of this problem do not depend on Poisson's ratio; with 0, stresses through the thickness, which CalculiX's
+# expanded elements have at single nodes, do not disturb them.
 PULLED = """*INCLUDE, INPUT=%s
 *MATERIAL, NAME=M
 *ELASTIC
-1000., 0.3
+1000., 0.
 *SOLID SECTION, ELSET=plate, MATERIAL=M
 1.
 *BOUNDARY
