@@ -49,15 +49,15 @@ std::vector<Station> stations() {
 }
 
 /// The shape functions of a triangle of 6 nodes with their derivatives.
-struct Shape {
+struct QuadraticShape {
     std::array<double, 6> value;
     std::array<Vec2, 6> slope;
 };
 
-Shape shapeAt(double x, double y) {
+QuadraticShape shapeAt(double x, double y) {
     const std::array<double, 3> l = {1.0 - x - y, x, y};
     const std::array<Vec2, 3> d = {Vec2{-1, -1}, Vec2{1, 0}, Vec2{0, 1}};
-    Shape shape;
+    QuadraticShape shape;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         shape.value[k] = l[k] * (2.0 * l[k] - 1.0);
@@ -73,7 +73,7 @@ Shape shapeAt(double x, double y) {
 struct Mapped {
     Vec2 place;
     double weight = 0.0;
-    Shape shape;
+    QuadraticShape shape;
 };
 
 Mapped mapped(const PlacedCell &cell, const Station &station) {

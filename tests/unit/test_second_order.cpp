@@ -79,7 +79,7 @@ double farthestMiddle(const Mesh &mesh, const SecondOrderReport &report) {
     return farthest;
 }
 
-Domain square() {
+Domain squareOfFourSides() {
     Domain domain;
     addLoop(domain, std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     return domain;
@@ -127,7 +127,7 @@ TEST_CASE("halfLength: halves every kind of curve, the same for either direction
 }
 
 TEST_CASE("raiseOrder: straight edges get their exact middles, shared by both elements") {
-    MeshingJob job = secondOrderJob(square());
+    MeshingJob job = secondOrderJob(squareOfFourSides());
     job.spacing.size = 0.25;
     const MeshingOutcome outcome = meshedInOrder(job);
     job.options.order = ElementOrder::First;
@@ -250,6 +250,18 @@ TEST_CASE("raiseOrder: kept chords of curves that cross stay straight where the 
     job.domain.nodes = {{-1, -2}, {-1, 2}, {-3, 0}, {2, -2}, {2, 2}, {4, 0}};
     job.domain.curves[1] = Curve::quadratic({2, -2}, {-0.9, 0}, {2, 2});
     CHECK(meshedInOrder(job).order.curvedEdges == 2); // now they pass
+}
+
+TEST_CASE("raiseOrder: a stretch that lies elsewhere, or is a point, bends nothing") {
+    for (const CurveStretch &stretch : {CurveStretch{0, 0.0, 1.0}, CurveStretch{0, 0.4, 0.4}}) {
+        MeshingJob job = secondOrderJob(squareOfFourSides());
+        job.domain.curves = {Curve::quadratic({5, 5}, {6, 7}, {7, 5})};
+        job.domain.segments[0].stretch = stretch;
+        job.options.keepBoundary = true;
+        const MeshingOutcome outcome = meshedInOrder(job);
+        CHECK(outcome.order == SecondOrderReport{});
+        forEachCell(outcome.mesh, [](const PlacedCell &cell, std::size_t) { CHECK(cell.isStraight()); });
+    }
 }
 
 TEST_CASE("raiseOrder: where curves cross, so that the mesh follows chords, edges are straight and reported") {

@@ -57,7 +57,7 @@ class MiddlePlaces {
             }
             if (isChord[i]) {
                 addStraight(ofSide_[sides[0]], StraightReason::Crossing, report);
-            } else if (!mesh_.edgeStretches.empty() && mesh_.edgeStretches[i].follows()) {
+            } else if (!mesh_.edgeStretches.empty() && isAlong(mesh_.edgeStretches[i], edge)) {
                 bendEdge(ofSide_[sides[0]], edge, mesh_.edgeStretches[i], sides);
             }
         }
@@ -152,6 +152,23 @@ class MiddlePlaces {
 
     void addStraight(std::uint32_t middle, StraightReason reason, SecondOrderReport &report) const {
         report.straight.push_back({nodeOf(middle), places_[middle], reason});
+    }
+
+    /// Returns true if an edge follows its stretch: of a curve that bends, and with ends that are near those of the
+    /// edge. As in curveChains(), other stretches do not count.
+    bool isAlong(const CurveStretch &stretch, const TaggedEdge &edge) const {
+        if (stretch.curve >= mesh_.curves.size()) {
+            return false; // kNoCurve, too
+        }
+        const Curve &curve = mesh_.curves[stretch.curve];
+        const Vec2 a = mesh_.nodes[index(edge.a)], b = mesh_.nodes[index(edge.b)];
+        const auto inRange = [](double t) { return t >= 0.0 && t <= 1.0; };
+        if (curve.kind() == CurveKind::Line || !curve.finite() || !inRange(stretch.t0) || !inRange(stretch.t1) ||
+            stretch.t0 == stretch.t1) {
+            return false;
+        }
+        const double reach = 0.5 * distance(a, b);
+        return distance(curve.point(stretch.t0), a) <= reach && distance(curve.point(stretch.t1), b) <= reach;
     }
 
     void bendEdge(std::uint32_t middle, const TaggedEdge &tagged, const CurveStretch &stretch,
