@@ -7,7 +7,9 @@
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/files/common/dropped_fields.hpp"
 #include "core/files/files.hpp"
@@ -16,6 +18,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +38,8 @@ Examples:
         the same mesh in two formats
   forefront convert quads.msh -o triangles.node --triangles
         quadrilaterals become triangles, and elements of second order become several of first order
+  forefront convert plate.msh -o second.msh --order 2
+        elements with nodes in the middles of their edges, which stay straight
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -45,6 +50,8 @@ struct ConvertArguments {
     std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
     std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
     bool triangles = false;               ///< split all elements into triangles of 3 nodes
+    std::optional<ElementOrder> order;    ///< raise the order of elements to this one
+    std::optional<QuadNodes> quadNodes;
     bool quiet = false;
 
     /// Returns the stream for messages: stderr if a mesh goes to standard output.
@@ -87,6 +94,42 @@ Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) 
     return {};
 }
 
+/// Changes the elements as the options ask. Returns the faults of a mesh that cannot be changed so.
+Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const Progress &progress) {
+    const auto noEffect = [&](const std::string &text) {
+        if (!arguments.quiet) {
+            printFaults(noteOf("no-effect", text));
+        }
+    };
+    if (arguments.triangles && mesh.blocks.size() == 1 && mesh.blocks.front().kind() == CellKind::Triangle3) {
+        noEffect("--triangles has no effect: all elements are triangles of 3 nodes");
+    }
+    if (arguments.triangles) {
+        mesh = takeTriangulated(std::move(mesh)).mesh;
+    }
+    if (!arguments.order) {
+        return {};
+    }
+    std::size_t second = 0;
+    for (const CellBlock &block : mesh.blocks) {
+        second += block.traits().order == 2 ? block.size() : 0;
+    }
+    if (second == mesh.elementCount()) {
+        noEffect("--order has no effect: all elements are of second order");
+        return {};
+    }
+    if (second > 0) {
+        return error("mixed-orders",
+                     std::to_string(second) + " of " + std::to_string(mesh.elementCount()) +
+                         " elements are of second order; expected elements of first order alone",
+                     "add --triangles, which makes all of them triangles of first order");
+    }
+    SecondOrderReport report;
+    return raiseOrder(mesh, arguments.quadNodes.value_or(QuadNodes::Eight), {}, report, progress)
+               ? Diagnostics{}
+               : cancelled("converting");
+}
+
 void printSize(const Mesh &mesh, const ConvertArguments &arguments) {
     std::string text = std::to_string(mesh.nodes.size()) + " nodes";
     for (const CellBlock &block : mesh.blocks) {
@@ -120,12 +163,8 @@ int runConvert(const ConvertArguments &arguments) {
             allFormats().locateFaults(file->path, error("empty-mesh", "the mesh has no elements"), file->options),
             interrupt);
     }
-    const bool onlyTriangles = mesh.blocks.size() == 1 && mesh.blocks.front().kind() == CellKind::Triangle3;
-    if (arguments.triangles && onlyTriangles && !arguments.quiet) {
-        printFaults(noteOf("no-effect", "--triangles has no effect: all elements are triangles of 3 nodes"));
-    }
-    if (arguments.triangles) {
-        mesh = takeTriangulated(std::move(mesh)).mesh;
+    if (const Diagnostics faults = changeElements(mesh, arguments, progress); !faults.empty()) {
+        return refuse(allFormats().locateFaults(file->path, faults, file->options), interrupt);
     }
     if (const Diagnostics unsupported = checkConverted(mesh, arguments); !unsupported.empty()) {
         return refuse(unsupported, interrupt);
@@ -155,6 +194,15 @@ int convertCommand(int argc, const char *const *argv) {
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
+    app.add_option_function<std::string>(
+           "--order", [&arguments](const std::string &) { arguments.order = ElementOrder::Second; },
+           "2: add nodes in the middles of edges, which stay straight")
+        ->check(oneOf(std::span(wordsOf<ElementOrder>()).last(1)))
+        ->type_name("ORDER");
+    addWordOption<QuadNodes>(app, "--quad-nodes", arguments.quadNodes,
+                             "nodes of a quadrilateral of order 2: 8 (default), or 9 with one in its centre")
+        ->needs("--order")
+        ->type_name("N");
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;

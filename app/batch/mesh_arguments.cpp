@@ -26,6 +26,8 @@ Examples:
         edges of length 5 where the picture is black, 200 where it is white
   forefront mesh plate.poly -o plate.inp --size 0.5 --elements quads
         quadrilaterals alone
+  forefront mesh plate.json -o plate.inp --order 2
+        triangles of 6 nodes, whose edges follow the curves of the domain
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -72,6 +74,14 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
         "triangles (default), quads: quadrilaterals everywhere, or mixed: quadrilaterals where they "
         "are well shaped, else triangles")
         ->type_name("SHAPES");
+    addWordOption<ElementOrder>(
+        app, "--order", arguments.order,
+        "1 (default), or 2: elements with nodes in the middles of their edges, on the curves of "
+        "the domain")
+        ->type_name("ORDER");
+    addWordOption<QuadNodes>(app, "--quad-nodes", arguments.quadNodes,
+                             "nodes of a quadrilateral of order 2: 8 (default), or 9 with one in its centre")
+        ->type_name("N");
     addWordOption<Method>(app, "--method", arguments.method,
                           "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
         ->type_name("METHOD");

@@ -34,6 +34,8 @@ struct MeshArguments {
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     std::optional<Elements> elements;
+    std::optional<ElementOrder> order;
+    std::optional<QuadNodes> quadNodes;
     bool keepBoundary = false;
     bool verify = false;
     bool repair = false;

@@ -131,6 +131,8 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
     options.verify = arguments.verify;
     options.elements = arguments.elements.value_or(options.elements);
+    options.order = arguments.order.value_or(options.order);
+    options.quadNodes = arguments.quadNodes.value_or(options.quadNodes);
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
@@ -158,6 +160,11 @@ Diagnostics unusedOptions(const MeshArguments &arguments, const MeshingJob &job,
         if (arguments.threads) {
             add("--threads", "quadrilaterals are made on one thread");
         }
+    }
+    if (arguments.quadNodes && job.options.order == ElementOrder::First) {
+        add("--quad-nodes", "elements of order 1 have nodes at their corners alone; add --order 2");
+    } else if (arguments.quadNodes && job.options.elements == Elements::Triangles) {
+        add("--quad-nodes", "the elements are triangles");
     }
     return notes;
 }
@@ -297,6 +304,7 @@ int runMesh(const MeshArguments &arguments) {
         printFaults(faults);
         printFaults(flatElements(report.quality));
         printFaults(notConvex(report.quads));
+        printFaults(straightEdges(report.order));
     }
     const Status printed = printResult(arguments, report);
     return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);

@@ -75,6 +75,8 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     report.improve = options.improve;
     report.elements = options.elements;
     report.quads = outcome.quads;
+    report.elementOrder = options.order;
+    report.order = outcome.order;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
     report.secondsImprove = outcome.secondsImprove;
@@ -105,6 +107,45 @@ Diagnostics notConvex(const QuadReport &quads) {
     found.front().severity = Severity::Warning;
     found.front().at = quads.firstNotConvex;
     return found;
+}
+
+namespace {
+
+/// Returns a note on the straight edges with one reason; nothing if there are none.
+Diagnostics straightNote(const SecondOrderReport &order, StraightReason reason, const char *why, const char *advice) {
+    constexpr std::size_t kShown = 5;
+    std::size_t count = 0;
+    std::string places;
+    for (const StraightEdge &edge : order.straight) {
+        if (edge.reason == reason && count++ < kShown) {
+            places += (count == 1 ? ": at " : ", ") + placeText(edge.at);
+        }
+    }
+    if (count == 0) {
+        return {};
+    }
+    Diagnostics note =
+        error("straight-edge",
+              (count == 1 ? "1 edge along a curve is" : std::to_string(count) + " edges along curves are") +
+                  (" straight, " + std::string(why)) + places + (count > kShown ? " and more; --stats lists all" : ""),
+              advice);
+    note.front().severity = Severity::Note;
+    return note;
+}
+
+} // namespace
+
+Diagnostics straightEdges(const SecondOrderReport &order) {
+    constexpr const char *kSmaller = "choose smaller elements there to follow the curve";
+    Diagnostics notes;
+    for (const Diagnostics &part :
+         {straightNote(order, StraightReason::Folded, "since an element would fold", kSmaller),
+          straightNote(order, StraightReason::Meeting, "to stay clear of another edge across a gap", kSmaller),
+          straightNote(order, StraightReason::Crossing, "where curves meet or come too close to follow",
+                       "keep the curves apart there")}) {
+        notes.insert(notes.end(), part.begin(), part.end());
+    }
+    return notes;
 }
 
 namespace {
@@ -198,6 +239,17 @@ void addQuads(const QuadReport &quads, JsonWriter &json) {
     json.endObject();
 }
 
+void addOrder(const SecondOrderReport &order, JsonWriter &json) {
+    json.key("second_order").beginObject();
+    json.member("curved_edges", order.curvedEdges);
+    json.key("straight_edges").beginArray();
+    for (const StraightEdge &edge : order.straight) {
+        json.beginObject().member("x", edge.at.x).member("y", edge.at.y);
+        json.member("reason", wordOf(edge.reason)).endObject();
+    }
+    json.endArray().endObject();
+}
+
 } // namespace
 
 std::string statisticsJson(const RunReport &report) {
@@ -218,6 +270,9 @@ std::string statisticsJson(const RunReport &report) {
     json.member("seconds_improve", report.secondsImprove).member("peak_bytes", report.peakBytes);
     if (report.elements != Elements::Triangles) {
         addQuads(report.quads, json);
+    }
+    if (report.elementOrder == ElementOrder::Second) {
+        addOrder(report.order, json);
     }
     json.member("hash", toHex(report.hash));
     return json.endObject().text();

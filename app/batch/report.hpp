@@ -31,6 +31,8 @@ struct RunReport : MeshReport {
     ImproveLevel improve = ImproveLevel::None;
     Elements elements = Elements::Triangles;
     QuadReport quads; ///< unless the elements are triangles
+    ElementOrder elementOrder = ElementOrder::First;
+    SecondOrderReport order; ///< of a mesh of second order
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far
 
@@ -47,6 +49,8 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
 Diagnostics flatElements(const MeshQuality &quality);
 /// Returns a warning if quadrilaterals of a mesh are not convex; else nothing.
 Diagnostics notConvex(const QuadReport &quads);
+/// Returns notes on edges along curves that are straight, with their places; nothing if there are none.
+Diagnostics straightEdges(const SecondOrderReport &order);
 /// Returns the JSON object that mesh --stats writes.
 std::string statisticsJson(const RunReport &report);
 /// Returns the JSON object that check --stats writes: the verdict, then the figures of the mesh by the same names.

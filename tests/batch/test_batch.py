@@ -127,6 +127,53 @@ class Meshing(Case):
         self.assertIn("% of the interior nodes irregular", done.stdout)
         self.assertIn("quadrilaterals", self.stats("plate.poly", "-o", "mixed.msh", "--elements", "mixed"))
 
+    def test_elements_of_second_order_follow_curves(self):
+        self.write("disc.json", """{"format": "forefront", "version": 2,
+            "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [2, 0]]}]}""")
+        for words, kind in (((), "triangle6"), (("--elements", "quads"), "quadrilateral8"),
+                            (("--elements", "quads", "--quad-nodes", "9"), "quadrilateral9")):
+            stats = self.stats("disc.json", "-o", "disc.msh", "-o", "disc.vtu", "--order", "2", "--verify", *words)
+            self.assertEqual(stats["elements_by_kind"], {kind: stats["elements"]})
+            self.assertLess(abs(stats["area"] / (4 * math.pi) - 1), 2e-6)  # with chords: 4e-3
+            self.assertGreater(stats["second_order"]["curved_edges"], 20)
+            self.assertEqual(stats["second_order"]["straight_edges"], [])
+            for name in ("disc.msh", "disc.vtu"):
+                self.assertIn(stats["hash"], self.call("check", name).stdout)
+                self.assertIn("valid for the domain", self.call("check", name, "--domain", "disc.json").stdout)
+        self.assertNotIn("second_order", self.stats("disc.json"))
+        self.assertIn("--quad-nodes has no effect", self.call("mesh", "disc.json", "-o", "a.msh", "--quad-nodes", "9").stderr)
+        refused = self.call("mesh", "disc.json", "-o", "disc.su2", "--order", "2", code=1).stderr
+        self.assertRegex(refused, r"SU2 files hold no .*triangles of 6 nodes")
+        self.call("mesh", "disc.json", "-o", "a.msh", "--order", "3", code=2)
+
+    def test_a_project_keeps_the_shapes_and_the_order_of_its_elements(self):
+        self.write("disc.json", """{"format": "forefront", "version": 2,
+            "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [2, 0]]}],
+            "options": {"elements": "quads", "order": 2, "quadNodes": 9}}""")
+        stats = self.stats("disc.json")
+        self.assertEqual(stats["elements_by_kind"], {"quadrilateral9": stats["elements"]})
+        triangles = self.stats("disc.json", "--elements", "triangles", "--order", "1")
+        self.assertNotIn("elements_by_kind", triangles)
+        refused = self.call("film", "disc.json", "-o", "a.gif", code=1).stderr
+        self.assertIn("[not-stepped]", refused)
+        text = self.read("disc.json")
+        for wrong in (("quads", "hexagons"), ("2, \"quad", "3, \"quad"), ("9}", "7}")):
+            self.write("wrong.json", text.replace(*wrong))
+            self.call("mesh", "wrong.json", "-o", "a.msh", code=1)
+
+    def test_edges_that_stay_straight_are_reported(self):
+        self.write("hole.json", """{"format": "forefront", "version": 2, "spacing": {"size": 1}, "shapes": [
+            {"id": 1, "kind": "rectangle", "nodes": [[-1.2, -1.2], [1.2, 1.2]]},
+            {"id": 2, "kind": "circle", "nodes": [[0, 0], [1, 0]], "tag": 2}],
+            "elementCounts": [{"tag": 2, "elements": 3}]}""")
+        done = self.call("mesh", "hole.json", "-o", "hole.msh", "--order", "2", "--verify")
+        stats = self.stats("hole.json", "--order", "2")
+        straight = stats["second_order"]["straight_edges"]
+        self.assertEqual(len(straight), 3)
+        self.assertEqual({edge["reason"] for edge in straight}, {"folded"})
+        self.assertIn("note: 3 edges along curves are straight, since an element would fold", done.stderr)
+        self.assertIn("valid for the domain", self.call("check", "hole.msh", "--domain", "hole.json").stdout)
+
     def test_the_spacing_is_the_one_asked_for(self):
         coarse = self.stats("plate.poly", "--size", "0.4")["elements"]
         fine = self.stats("plate.poly", "--size", "0.2")["elements"]
@@ -1644,6 +1691,18 @@ class Convert(Case):
         self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.5")
         self.call("convert", "plate.msh", "-o", "same.msh", "--triangles", "-q")
         self.assertEqual(self.read("plate.msh"), self.read("same.msh"))
+
+    def test_elements_can_get_nodes_in_the_middles_of_their_edges(self):
+        for name, kind in (("second.msh", 8), ("second.vtu", 9)):
+            done = self.call("convert", "cells.msh", "-o", name, "--order", "2", "--quad-nodes", str(kind))
+            self.assertIn(f"{kind + 3} nodes, 1 triangle of 6 nodes, 1 quadrilateral of {kind} nodes\n", done.stdout)
+            self.assertIn(f"valid: {kind + 3} nodes, 2 elements", self.call("check", name).stdout)
+        again = self.call("convert", "second.msh", "-o", "third.msh", "--order", "2").stderr
+        self.assertIn("--order has no effect", again)
+        self.call("convert", "cells.msh", "-o", "a.msh", "--order", "1", code=2)
+        self.call("convert", "cells.msh", "-o", "a.msh", "--quad-nodes", "9", code=2)
+        refused = self.call("convert", "cells.msh", "-o", "a.su2", "--order", "2", code=1).stderr
+        self.assertIn("[unsupported-elements]", refused)
 
     def test_values_are_left_out_with_a_note(self):
         self.write("flux.msh", self.CELLS + "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n1\n3 1.5\n$EndElementData\n"

@@ -1,6 +1,7 @@
 """Checks of exported meshes with quadrilaterals and cells of second order: what other programs see must be the same cells,
 node by node. check_readers.py runs them."""
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -195,6 +196,45 @@ def check_calculix(mesh, file, folder):
         near(reaction[1], -2.0 * along[0], 1e-4)
 
 
+# The stresses of this problem do not depend on Poisson's ratio; with 0, stresses through the thickness, which CalculiX's
+# expanded elements have at single nodes, do not disturb them.
+PULLED = """*INCLUDE, INPUT=%s
+*MATERIAL, NAME=M
+*ELASTIC
+1000., 0.
+*SOLID SECTION, ELSET=plate, MATERIAL=M
+1.
+*BOUNDARY
+left, 1, 1, 0.
+bottom, 2, 2, 0.
+*STEP
+*STATIC
+*DSLOAD
+S_right, P, -1.
+*EL FILE, OUTPUT=2D
+S
+*END STEP
+"""
+
+
+def check_plate(mesh, file, folder, kind):
+    """The largest stress at a hole of a fifth of the width of a plate: 3.14 times the tension at its ends (R. C. J.
+    Howland, On the stresses in the neighbourhood of a circular hole in a strip under tension, 1930)."""
+    hole = {rounded(node) for *_, nodes in mesh.edges(5) for node in nodes}
+    if "edge3" in {cell[0] for cell in mesh.edges(5)}:
+        for place in hole:
+            near(math.hypot(*place), 1.0, 2e-9)
+    same({cell[0] for cell in mesh.elements()}, {kind}, "kinds")
+    (folder / "plate.inp").write_text(PULLED % file)
+    run = subprocess.run(["ccx", "plate"], cwd=folder, capture_output=True, text=True)
+    assert run.returncode == 0 and "ERROR" not in run.stdout, run.stdout[-2000:]
+    top = 1 + next(k for k, node in enumerate(mesh.nodes) if rounded(node) == (0.0, 1.0))
+    lines = (folder / "plate.frd").read_text().splitlines()
+    first = next(k for k, line in enumerate(lines) if line.startswith(" -4  STRESS"))
+    along = next(float(line[13:25]) for line in lines[first:] if line.startswith(" -1") and int(line[3:13]) == top)
+    assert abs(along / 3.14 - 1) < 0.01, f"stress factor {along}"
+
+
 def check_triangle(mesh, base):
     """Triangle's files: the fourth, fifth and sixth nodes are on the edges opposite to the first, second and third."""
     def rows(extension):
@@ -293,5 +333,8 @@ def checks(samples):
     add("MEDIT of mixed by meshio", check_meshio, mixed, mixed.files["medit"], data=("medit:ref", "medit:ref"))
     add("Abaqus of mixed by meshio", check_meshio, mixed, mixed.files["inp"], "abaqus", edges=False)  # knows no CPS6
     add("SU2 of mixed by meshio", check_meshio, mixed, mixed.files["su2"], "su2")
+    for name, kind in (("plate6", "triangle6"), ("plate8", "quadrilateral8"), ("plate4", "quadrilateral4")):
+        plate = Cells(folder, name)
+        add(f"Abaqus of {name} by CalculiX: stress at a hole", check_plate, plate, plate.files["inp"], folder, kind)
     add("Triangle files of curved6", check_triangle, curved, curved.files["triangle"])
     return result

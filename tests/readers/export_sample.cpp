@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -193,6 +194,57 @@ int exportAllCells(const std::filesystem::path &folder) {
     return 0;
 }
 
+/// A quarter of a plate of width 10 and length 20 with a hole of radius 1 about the origin, "hole" a true arc.
+Domain quarterOfPlate() {
+    Domain domain;
+    domain.nodes = {{1, 0}, {10, 0}, {10, 5}, {0, 5}, {0, 1}};
+    domain.segments = {{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 4, 4}};
+    domain.curves = {Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, 0.5 * std::numbers::pi)};
+    constexpr std::uint32_t kChords = 32;
+    for (std::uint32_t k = 0; k < kChords; ++k) { // from (1, 0) to (0, 1)
+        const std::uint32_t from = k == 0 ? 0 : static_cast<std::uint32_t>(domain.nodes.size() - 1);
+        const double t0 = static_cast<double>(k) / kChords, t1 = static_cast<double>(k + 1) / kChords;
+        if (k + 1 < kChords) {
+            domain.nodes.push_back(domain.curves[0].point(t1));
+        }
+        const auto to = static_cast<std::uint32_t>(k + 1 < kChords ? domain.nodes.size() - 1 : 4);
+        domain.segments.push_back({from, to, 5, SegmentRole::Boundary, {0, t0, t1}});
+    }
+    domain.boundaryNames = {{1, "bottom"}, {2, "right"}, {3, "top"}, {4, "left"}, {5, "hole"}};
+    domain.regionNames = {{1, "plate"}};
+    return domain;
+}
+
+/// The plate in triangles of second order, and in quadrilaterals of both orders; those of first order are smaller.
+int exportPlates(const std::filesystem::path &folder) {
+    struct Kind {
+        const char *name;
+        Elements elements;
+        ElementOrder order;
+        const char *spacing;
+    };
+    constexpr Kind kKinds[] = {
+        {"plate6", Elements::Triangles, ElementOrder::Second, "0.1 + 0.2*max(0, sqrt(x*x+y*y)-1)"},
+        {"plate8", Elements::Quads, ElementOrder::Second, "0.1 + 0.2*max(0, sqrt(x*x+y*y)-1)"},
+        {"plate4", Elements::Quads, ElementOrder::First, "0.02 + 0.1*max(0, sqrt(x*x+y*y)-1)"}};
+    for (const Kind &kind : kKinds) {
+        MeshingJob job;
+        job.domain = quarterOfPlate();
+        job.spacing.expression = kind.spacing;
+        job.options.elements = kind.elements;
+        job.options.order = kind.order;
+        job.options.verify = true;
+        const Result<MeshingOutcome> outcome = meshDomain(job);
+        if (!outcome) {
+            return fail(outcome.faults());
+        }
+        if (const int code = exportCells(folder, kind.name, outcome->mesh); code != 0) {
+            return code;
+        }
+    }
+    return 0;
+}
+
 int printFigures(const std::filesystem::path &path, const char *field) {
     const Result<MeshField> read = allFormats().readField(path, field);
     if (!read) {
@@ -237,5 +289,6 @@ int main(int argc, char **argv) {
     int code = exportDomain(folder, "sample", twoRegions(), 0.25);
     code = code != 0 ? code : exportDomain(folder, "twins", twins(), 0.25);
     code = code != 0 ? code : exportDomain(folder, "strip", strip(), 0.5);
-    return code != 0 ? code : exportAllCells(folder);
+    code = code != 0 ? code : exportAllCells(folder);
+    return code != 0 ? code : exportPlates(folder);
 }

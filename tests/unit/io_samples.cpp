@@ -98,6 +98,9 @@ Document fullDocument() {
     document.options.improve = ImproveLevel::Best;
     document.options.threads = 3;
     document.options.maxElements = 123'456;
+    document.options.elements = Elements::Mixed;
+    document.options.order = ElementOrder::Second;
+    document.options.quadNodes = QuadNodes::Nine;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         document.limits[limit] = std::max(limitInfo(limit).isMinimum ? 0.5 : 70.5, limitInfo(limit).minimum);
     }

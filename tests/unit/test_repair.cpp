@@ -34,7 +34,7 @@ std::vector<std::uint32_t> addLoop(Domain &domain, const std::vector<Vec2> &poly
     return nodes;
 }
 
-std::vector<Vec2> square(double x, double y, double side) {
+std::vector<Vec2> squareLoop(double x, double y, double side) {
     return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
@@ -63,7 +63,7 @@ std::size_t constraintCount(const Domain &domain) {
 
 TEST_CASE("repair: the pieces of a divided segment share its number of elements") {
     Domain domain;
-    addLoop(domain, square(0.0, 0.0, 10.0));
+    addLoop(domain, squareLoop(0.0, 0.0, 10.0));
     for (const Vec2 p : {Vec2{1.0, 5.0}, Vec2{9.0, 5.0}, Vec2{7.0, 2.0}, Vec2{7.0, 8.0}}) {
         domain.nodes.push_back(p);
     }
@@ -93,7 +93,7 @@ TEST_CASE("repair: the pieces of a divided segment share its number of elements"
 
 TEST_CASE("repair: merges nodes, drops duplicate, empty and unreferenced parts, and reports each change") {
     Domain domain;
-    addLoop(domain, square(0, 0, 1));
+    addLoop(domain, squareLoop(0, 0, 1));
     domain.nodes.push_back({0, 0});
     domain.segments[3].b = 4;             // closes with a second node in the same place
     domain.segments.push_back({1, 1});    // no length
@@ -148,21 +148,21 @@ TEST_CASE("repair: crossings become nodes, and tags stay with the pieces") {
 
 TEST_CASE("repair: crossing loops follow the even-odd rule") {
     Domain domain;
-    addLoop(domain, square(0, 0, 2));
-    addLoop(domain, square(1, 1, 2));
+    addLoop(domain, squareLoop(0, 0, 2));
+    addLoop(domain, squareLoop(1, 1, 2));
     CHECK(insideArea(repaired(domain)) == 6.0);
 }
 
 TEST_CASE("repair: neighbours that share part of a side keep it as a constraint") {
     Domain domain;
-    addLoop(domain, square(0, 0, 2), 1);
-    addLoop(domain, square(2, 1, 2), 2);
+    addLoop(domain, squareLoop(0, 0, 2), 1);
+    addLoop(domain, squareLoop(2, 1, 2), 2);
     const Domain whole = repaired(domain);
     CHECK(insideArea(whole) == 8.0);
     CHECK(constraintCount(whole) == 1);
     Domain row; // whole sides in common
     for (int i = 0; i < 5; ++i) {
-        addLoop(row, square(i, 0, 1));
+        addLoop(row, squareLoop(i, 0, 1));
     }
     CHECK(insideArea(repaired(row)) == 5.0);
     CHECK(constraintCount(repaired(row)) == 4);
@@ -170,9 +170,9 @@ TEST_CASE("repair: neighbours that share part of a side keep it as a constraint"
 
 TEST_CASE("repair: a loop given twice counts once") {
     Domain domain;
-    addLoop(domain, square(0, 0, 4));
-    addLoop(domain, square(1, 1, 1));
-    addLoop(domain, square(0, 0, 4));
+    addLoop(domain, squareLoop(0, 0, 4));
+    addLoop(domain, squareLoop(1, 1, 1));
+    addLoop(domain, squareLoop(0, 0, 4));
     const Domain whole = repaired(domain);
     CHECK(insideArea(whole) == 15.0);
     CHECK(constraintCount(whole) == 0);
@@ -191,7 +191,7 @@ TEST_CASE("repair: a boundary folded onto itself is dropped outside the domain a
 
 TEST_CASE("repair: lines that should meet in one point do so despite rounding") {
     Domain domain;
-    addLoop(domain, square(-2, -2, 4));
+    addLoop(domain, squareLoop(-2, -2, 4));
     for (int i = 0; i < 7; ++i) { // spokes through the origin
         const double angle = 0.3 + 0.4 * i;
         const auto a = static_cast<std::uint32_t>(domain.nodes.size());
@@ -299,15 +299,15 @@ TEST_CASE("repair: names the given node and segment that each part comes from") 
 
 TEST_CASE("repair: leaves and reports faults that cannot be repaired safely") {
     Domain open;
-    addLoop(open, square(0, 0, 1));
+    addLoop(open, squareLoop(0, 0, 1));
     open.segments.pop_back();
     CHECK(codes(validate(repair(open)->domain)) == std::set<std::string>{"open-chain"});
     Domain number;
-    addLoop(number, square(0, 0, 1));
+    addLoop(number, squareLoop(0, 0, 1));
     number.nodes[1].x = std::numeric_limits<double>::quiet_NaN();
     CHECK(codes(validate(repair(number)->domain)).contains("non-finite"));
     Domain index;
-    addLoop(index, square(0, 0, 1));
+    addLoop(index, squareLoop(0, 0, 1));
     index.segments[0].b = 1000;
     CHECK(codes(validate(repair(index)->domain)).contains("bad-index"));
     CHECK(codes(validate(repair({})->domain)) == std::set<std::string>{"empty-domain"});
@@ -315,7 +315,7 @@ TEST_CASE("repair: leaves and reports faults that cannot be repaired safely") {
 
 TEST_CASE("repair: a stop request ends it, whatever the domain and the tolerance") {
     Domain domain;
-    addLoop(domain, square(0, 0, 1));
+    addLoop(domain, squareLoop(0, 0, 1));
     std::stop_source stop;
     REQUIRE(repair(domain, 0.0, stop.get_token()).ok());
     stop.request_stop();

@@ -311,8 +311,22 @@ class ProjectReader {
         if (const auto most = object.find("maxElements")) {
             options.maxElements = static_cast<std::uint64_t>(check_.integer(*most, 1, kMaxElements, "\"maxElements\""));
         }
-        check_.noteUnknown(
-            object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads", "maxElements"});
+        elements(object);
+        check_.noteUnknown(object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads",
+                                    "maxElements", "elements", "order", "quadNodes"});
+    }
+
+    void elements(const JsonValue &object) {
+        MeshingOptions &options = document_.options;
+        if (const auto shapes = object.find("elements")) {
+            options.elements = static_cast<Elements>(check_.choice(*shapes, wordsOf<Elements>(), "the elements"));
+        }
+        if (const auto order = object.find("order")) {
+            options.order = check_.integer(*order, 1, 2, "\"order\"") == 2 ? ElementOrder::Second : ElementOrder::First;
+        }
+        if (const auto nodes = object.find("quadNodes")) {
+            options.quadNodes = check_.integer(*nodes, 8, 9, "\"quadNodes\"") == 9 ? QuadNodes::Nine : QuadNodes::Eight;
+        }
     }
 
     void limits(const JsonValue &object) {

@@ -115,6 +115,16 @@ class ProjectWriter {
              << ", \"gridRows\": " << options.gridRows
              << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false") << ", \"improve\": \""
              << wordOf(options.improve) << "\", \"threads\": " << options.threads;
+        const MeshingOptions usual;
+        if (options.elements != usual.elements) {
+            out_ << ", \"elements\": \"" << wordOf(options.elements) << '"';
+        }
+        if (options.order != usual.order) {
+            out_ << ", \"order\": " << wordOf(options.order);
+        }
+        if (options.quadNodes != usual.quadNodes) {
+            out_ << ", \"quadNodes\": " << wordOf(options.quadNodes);
+        }
         if (options.maxElements != kDefaultMaxElements) {
             out_ << ", \"maxElements\": " << options.maxElements;
         }

@@ -45,6 +45,9 @@ Diagnostics remesh(AdaptOutcome &outcome, const MeshingJob &given, const TriMesh
     if (given.options.elements != Elements::Triangles) {
         return error("not-triangles", "adaptive meshing makes triangles alone", "choose triangles as elements");
     }
+    if (given.options.order != ElementOrder::First) {
+        return error("not-first-order", "adaptive meshing makes elements of first order alone", "choose order 1");
+    }
     Result<SpacingSpec> spacing = adaptedSpacing(mesh, estimate, target, progress);
     if (!spacing) {
         return spacing.faults();

@@ -297,6 +297,24 @@ double leastJacobianRatio(const PlacedCell &cell) {
     return minimumOf(BezierPatch(cell).determinant(), straightDeterminant(cell), kTolerance, kNever, -kNever).ratio;
 }
 
+double jacobianUniformity(const PlacedCell &cell) {
+    constexpr double kTolerance = 1e-6, kNever = -std::numeric_limits<double>::infinity();
+    Bernstein determinant = BezierPatch(cell).determinant();
+    Bernstein scale = determinant;
+    double largest = 0.0;
+    for (std::size_t k = 0; k < scale.count(); ++k) {
+        largest = std::max(largest, std::abs(determinant[k]));
+    }
+    for (std::size_t k = 0; k < scale.count(); ++k) {
+        scale[k] = largest;
+    }
+    const double least = minimumOf(determinant, scale, kTolerance, kNever, -kNever).ratio;
+    for (std::size_t k = 0; k < determinant.count(); ++k) {
+        determinant[k] = -determinant[k];
+    }
+    return least / -minimumOf(determinant, scale, kTolerance, kNever, -kNever).ratio;
+}
+
 double jacobianAt(const PlacedCell &cell, Vec2 reference) {
     const std::array<Vec2, 2> along = BezierPatch(cell).derivatives(reference);
     return cross(along[0], along[1]);

@@ -16,6 +16,10 @@ std::optional<Vec2> foldIn(const PlacedCell &cell);
 /// to 1e-6, by the same bound. The polygon of its corners must be convex.
 double leastJacobianRatio(const PlacedCell &cell);
 
+/// Returns the minimum of the Jacobian determinant over an element of second order, divided by its maximum, to 1e-6, by
+/// the same bound: 1 for a triangle or parallelogram with straight edges. The maximum must be positive.
+double jacobianUniformity(const PlacedCell &cell);
+
 /// Returns the Jacobian determinant of an element of second order at a place of the reference element, for checks: the
 /// triangle (0,0), (1,0), (0,1) or the square [0,1]².
 double jacobianAt(const PlacedCell &cell, Vec2 reference);

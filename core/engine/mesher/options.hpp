@@ -5,6 +5,7 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/grid/grid_kind.hpp"
 #include "core/engine/improve/improve_level.hpp"
+#include "core/engine/mesh/second_order.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <array>
@@ -50,6 +51,9 @@ inline constexpr std::uint64_t kDefaultMaxElements = 50'000'000;
 struct MeshingOptions {
     /// Quadrilaterals are made by a front of their own on one thread, whatever the method and the number of threads.
     Elements elements = Elements::Triangles;
+    /// Of second order, nodes in the middles of edges lie on the curves of the domain; see raiseOrder().
+    ElementOrder order = ElementOrder::First;
+    QuadNodes quadNodes = QuadNodes::Eight; ///< of quadrilaterals of second order
     Method method = Method::Fast;
     GridKind grid = GridKind::Hierarchical;
     int gridColumns = 0; ///< uniform grid only; 0: automatic

@@ -3,6 +3,7 @@
 #include "core/engine/domain/domain_graph.hpp"
 #include "core/engine/improve/improve.hpp"
 #include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/quads/quad_mesh.hpp"
@@ -24,6 +25,7 @@ struct MeshingState {
     WorkCounters work{};    ///< of the front
     ImproveReport improvement{};
     QuadReport quadReport{};
+    SecondOrderReport secondOrder{};
     Mesh mesh{}; ///< the result, once the last stage has run
 };
 

@@ -47,6 +47,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.work = state.work;
     outcome.improvement = state.improvement;
     outcome.quads = state.quadReport;
+    outcome.order = std::move(state.secondOrder);
     outcome.mesh = std::move(state.mesh);
     return outcome;
 }

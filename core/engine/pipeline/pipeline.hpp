@@ -6,6 +6,7 @@
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/improve/improve.hpp"
 #include "core/engine/mesh/mesh.hpp"
+#include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/quads/quad_report.hpp"
@@ -43,6 +44,7 @@ struct MeshingOutcome {
     WorkCounters work;
     ImproveReport improvement;   ///< of triangles
     QuadReport quads;            ///< of a mesh of quadrilaterals
+    SecondOrderReport order;     ///< of a mesh of second order
     double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅
     double secondsImprove = 0.0; ///< CPU time of the improvement
     double secondsWall = 0.0;    ///< wall clock time of both; less than their sum where threads share the work

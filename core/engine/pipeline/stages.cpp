@@ -28,6 +28,9 @@ bool improvesTriangles(const MeshingOptions &options) {
 bool improvesQuads(const MeshingOptions &options) {
     return makesQuads(options) && options.improve != ImproveLevel::None;
 }
+bool raisesOrder(const MeshingOptions &options) {
+    return options.order == ElementOrder::Second;
+}
 bool verifies(const MeshingOptions &options) {
     return options.verify;
 }
@@ -41,10 +44,12 @@ std::span<const Stage> stagesOfFront() {
 }
 
 std::span<const Stage> stagesAfterFront() {
-    static constexpr std::array kStages = {
-        Stage{StageTime::Improve, improveStage, improvesTriangles}, Stage{StageTime::Mesh, blocksStage, makesTriangles},
-        Stage{StageTime::Improve, quadCleanupStage, improvesQuads}, Stage{StageTime::Mesh, quadBlocksStage, makesQuads},
-        Stage{StageTime::Improve, verifyStage, verifies}};
+    static constexpr std::array kStages = {Stage{StageTime::Improve, improveStage, improvesTriangles},
+                                           Stage{StageTime::Mesh, blocksStage, makesTriangles},
+                                           Stage{StageTime::Improve, quadCleanupStage, improvesQuads},
+                                           Stage{StageTime::Mesh, quadBlocksStage, makesQuads},
+                                           Stage{StageTime::Mesh, orderStage, raisesOrder},
+                                           Stage{StageTime::Improve, verifyStage, verifies}};
     return kStages;
 }
 

@@ -38,6 +38,8 @@ Status quadCleanupStage(MeshingState &state, const Progress &progress);
 Status quadBlocksStage(MeshingState &state, const Progress &progress);
 /// Makes the mesh of blocks, to which the triangles move.
 Status blocksStage(MeshingState &state, const Progress &progress);
+/// Adds nodes in the middles of edges. Changes `mesh` to one of second order; sets `secondOrder`.
+Status orderStage(MeshingState &state, const Progress &progress);
 /// Checks the mesh of blocks against the domain. Faults: those of verifyAgainst().
 Status verifyStage(MeshingState &state, const Progress &progress);
 

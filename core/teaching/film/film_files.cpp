@@ -169,6 +169,7 @@ Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progre
         if (plan.isPage()) {
             return writePage(job, plan, progress);
         }
+        job.options.order = ElementOrder::First; // a film shows the triangles as the front made them
         Result<MeshStepper> stepper = MeshStepper::create(std::move(job), {{}, progress.stop});
         if (!stepper) {
             return progress.cancelled() ? Filming::cancelled() : stepper.faults();

@@ -27,6 +27,7 @@ struct SteppedAdvances {
 
 Result<SteppedAdvances> stepThrough(MeshingJob job, const RunPagePlan &plan, const Progress &progress) {
     job.options.improve = ImproveLevel::None;
+    job.options.order = ElementOrder::First;
     Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
     if (!stepper) {
         return stepper.faults();
@@ -136,7 +137,9 @@ Result<WrittenRunPage> writeRunPage(const MeshingJob &job, const RunPagePlan &pl
     Mesh improved;
     const bool improves = steps->complete && job.options.improve != ImproveLevel::None;
     if (improves) {
-        Result<MeshingOutcome> outcome = meshDomain(job, progress);
+        MeshingJob shown = job;
+        shown.options.order = ElementOrder::First; // as the front made them
+        Result<MeshingOutcome> outcome = meshDomain(shown, progress);
         if (!outcome) {
             return outcome.faults();
         }

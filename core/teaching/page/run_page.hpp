@@ -27,8 +27,9 @@ struct WrittenRunPage {
 };
 
 /// Runs a job and writes an HTML page that plays it: canvas, timeline, the ten steps with their values, candidates and
-/// captions. The page needs no network and nothing beside it. Faults: those of the job, bad-range (the run ends before
-/// the page begins), too-large (more than RunPagePlan::kMaxAdvances), cancelled; those of the sink are its own.
+/// captions. Elements are shown with their corners alone. The page needs no network and nothing beside it. Faults:
+/// those of the job, bad-range (the run ends before the page begins), too-large (more than RunPagePlan::kMaxAdvances),
+/// cancelled; those of the sink are its own.
 Result<WrittenRunPage> writeRunPage(const MeshingJob &job, const RunPagePlan &plan, TextWriter &out,
                                     const Progress &progress);
 

@@ -185,6 +185,7 @@ class AdvanceComparison {
 Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvance> trace,
                                      std::optional<std::uint64_t> steps, const Progress &progress) {
     job.options.improve = ImproveLevel::None;
+    job.options.order = ElementOrder::First;
     Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
     if (!stepper) {
         return stepper.faults();

@@ -99,6 +99,7 @@ class TraceWriter {
 
 Status writeTrace(MeshingJob job, std::optional<std::uint64_t> steps, TextWriter &out, const Progress &progress) {
     job.options.improve = ImproveLevel::None;
+    job.options.order = ElementOrder::First;
     const std::string_view method = wordOf(job.options.method), grid = wordOf(job.options.grid);
     Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
     if (!stepper) {
