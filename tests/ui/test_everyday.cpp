@@ -192,6 +192,26 @@ TEST_CASE("Export: after a click on a solver, what is typed is the name") {
     CHECK(std::filesystem::exists(place.path / "channel.su2"));
 }
 
+TEST_CASE("Export: another format changes the ending of the typed name alone") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key(key::k2);
+    driver.settle();
+    driver.key('E', kControl);
+    driver.settle();
+    driver.click("dialog/export/name");
+    driver.key('A', kControl);
+    driver.type((place.path / "channel.v2").string());
+    driver.click("dialog/export/preset/su2");
+    driver.frames(3);
+    driver.click("dialog/export/preset/paraview");
+    driver.frames(3);
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(std::filesystem::exists(place.path / "channel.v2.vtu"));
+}
+
 TEST_CASE("Open: letters and arrow keys go through the list of files") {
     const TemporaryFolder place;
     Draughtsman driver;

@@ -20,6 +20,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <set>
@@ -37,6 +38,7 @@ class InspectorPanel final : public Panel {
     void draw(Shell &context) override;
 
   private:
+    void drawSelection(Shell &context) const;
     void drawHere(Shell &context) const;
     void drawShape(Shell &context, const Shape &shape) const;
     void drawShapeButtons(Shell &context, const Shape &shape) const;
@@ -328,7 +330,8 @@ void InspectorPanel::drawMany(Shell &context) const {
     }
     const Box2 box = boundsOf(document, selection);
     if (!box.empty()) {
-        ui::field(context, "Extent", ui::number(box.size().x) + " \xc3\x97 " + ui::number(box.size().y), form::kLabel);
+        ui::field(context, "Extent", ui::grouped(box.size().x) + " \xc3\x97 " + ui::grouped(box.size().y),
+                  form::kLabel);
     }
     if (ui::button(context, "inspector/delete", "Delete all")) {
         context.actions.run("edit.delete", context);
@@ -336,6 +339,14 @@ void InspectorPanel::drawMany(Shell &context) const {
 }
 
 void InspectorPanel::draw(Shell &context) {
+    constexpr double kReserved =
+        320.0; // design pixels, as for most shapes: other panels stay when the selection changes
+    const float top = ImGui::GetCursorPosY();
+    drawSelection(context);
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + context.px(kReserved)));
+}
+
+void InspectorPanel::drawSelection(Shell &context) const {
     const std::shared_ptr<const Document> held =
         context.document.current(); // keeps it alive: fields below may replace it
     const Selection &selection = context.selection;
