@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace forefront::test {
 
@@ -71,12 +72,6 @@ void drawShapes(Driver &driver) {
 void expectClearPanels(Driver &driver) {
     Shell &context = driver.context();
     drawShapes(driver);
-    for (const auto &panel : context.panels) {
-        if (panel->place() == PanelPlace::Column && std::string_view(panel->id()) != "inspector") {
-            driver.showPanel(panel->id());
-            driver.settle();
-        }
-    }
     const auto select = [&](const std::string &what, Selection selection) {
         context.selection = std::move(selection);
         driver.showPanel("inspector");
@@ -92,9 +87,14 @@ void expectClearPanels(Driver &driver) {
     select("line", {.sources = {1}});
     select("region", {.markers = {0}});
     context.selection.clear();
-    for (const char *panel : {"spacing", "checks", "meshing", "adapt"}) {
+    const std::pair<WorkspaceKind, const char *> panels[] = {{WorkspaceKind::Size, "spacing"},
+                                                             {WorkspaceKind::Judge, "checks"},
+                                                             {WorkspaceKind::Mesh, "meshing"},
+                                                             {WorkspaceKind::Judge, "adapt"}};
+    for (const auto &[workspace, panel] : panels) {
+        driver.workspace(workspace);
         driver.showPanel(panel);
-        expectClear(driver, panel, {"spacing", "checks", "meshing", "adapt"});
+        expectClear(driver, panel, {panel});
     }
 }
 
