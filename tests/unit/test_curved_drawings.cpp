@@ -6,6 +6,8 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/engine/domain/validate.hpp"
+#include "core/engine/geometry/path_curve.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
 #include "core/files/text/atomic_file.hpp"
