@@ -20,7 +20,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <set>
@@ -38,7 +37,6 @@ class InspectorPanel final : public Panel {
     void draw(Shell &context) override;
 
   private:
-    void drawSelection(Shell &context) const;
     void drawHere(Shell &context) const;
     void drawShape(Shell &context, const Shape &shape) const;
     void drawShapeButtons(Shell &context, const Shape &shape) const;
@@ -339,14 +337,6 @@ void InspectorPanel::drawMany(Shell &context) const {
 }
 
 void InspectorPanel::draw(Shell &context) {
-    constexpr double kReserved =
-        320.0; // design pixels, as for most shapes: other panels stay when the selection changes
-    const float top = ImGui::GetCursorPosY();
-    drawSelection(context);
-    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + context.px(kReserved)));
-}
-
-void InspectorPanel::drawSelection(Shell &context) const {
     const std::shared_ptr<const Document> held =
         context.document.current(); // keeps it alive: fields below may replace it
     const Selection &selection = context.selection;
