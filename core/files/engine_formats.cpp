@@ -33,8 +33,13 @@ constexpr CellSet kNetgenCells = {CellKind::Point,         CellKind::Edge2,     
                                   CellKind::Quadrilateral8};
 
 constexpr const char *kGroups = "Keeps regions, boundary parts and points as physical groups, with their names.";
-constexpr const char *kCellData =
-    "Keeps the numbers of regions and boundary parts as cell data; boundary edges are separate cells.";
+constexpr const char *kVtuData =
+    "Keeps regions, boundary parts and points as their numbers in the cell arrays region and boundary, with boundary "
+    "edges and points as cells of their own; their names are field data, one array for each name.";
+constexpr const char *kVtkData =
+    "Keeps regions, boundary parts and points as their numbers in the cell arrays region, boundary and MaterialID, "
+    "with "
+    "boundary edges and points as cells of their own; their names are those of look-up tables.";
 
 /// Returns the common description of all Gmsh formats.
 constexpr Format gmsh(const char *id, const char *name, const char *program,
@@ -87,7 +92,7 @@ constexpr std::array kFormats = {
                      .readsFields = true,
                      .holds = kAllCells,
                      .program = "ParaView",
-                     .keeps = kCellData},
+                     .keeps = kVtuData},
            .recognise = looksLikeVtu,
            .readMesh = readVtu,
            .readFields = readVtuFields,
@@ -100,7 +105,7 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .readsFields = true,
                      .holds = kAllCells,
-                     .keeps = kCellData},
+                     .keeps = kVtkData},
            .recognise = looksLikeVtk,
            .readMesh = readVtk,
            .readFields = readVtkFields,

@@ -86,6 +86,39 @@ TEST_CASE("Column: in a narrow window it opens over the canvas on demand") {
     CHECK(driver.canvas().width == docked);
 }
 
+TEST_CASE("Column: panels stay in place when something else is selected, or a part of the mesh is probed") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.settle();
+    const auto top = [&](const char *widget) {
+        driver.settle();
+        REQUIRE(driver.has(widget));
+        return driver.context().widgets.find(widget)->rect.y;
+    };
+    driver.context().selection.clear();
+    const double shapes = top("panel/shapes"), parameters = top("panel/parameters"), add = top("parameters/add");
+    for (const Selection &selection :
+         {Selection{.shapes = {1}}, Selection{.segments = {{1, 0}}}, Selection{.nodes = {{1, 0}}}}) {
+        driver.context().selection = selection;
+        CHECK(top("panel/shapes") == shapes);
+        CHECK(top("panel/parameters") == parameters);
+        CHECK(top("parameters/add") == add);
+    }
+    driver.context().selection.clear();
+    driver.key(key::k2);
+    driver.settle();
+    driver.workspace(WorkspaceKind::Judge);
+    driver.showPanel("probe");
+    const double next = top("probe/next"), heading = top("panel/probe");
+    for (int k = 0; k < 3; ++k) {
+        driver.click("probe/next");
+        CHECK(driver.context().probe.chosen.has_value());
+        CHECK(top("probe/next") == next);
+        CHECK(top("panel/probe") == heading);
+    }
+}
+
 TEST_CASE("Column: the names of layers do not reach into the next column") {
     for (const double scale : {1.0, 2.0}) {
         Driver driver({}, {1280, 800}, scale);

@@ -43,7 +43,7 @@ TEST_CASE("Parameters: fields accept expressions; a change updates all dependent
     CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
     CHECK(*driver.document().spacing.size == doctest::Approx(1.0 / 3.0));
     CHECK(driver.document().spacing.names.at("gap") == doctest::Approx(1.0 / 3.0));
-    CHECK(driver.undoLabel() == "Change parameter");
+    CHECK(driver.undoLabel() == "Change parameter r to 1");
     driver.key('Z', kControl);
     CHECK(circleRadius(*driver.document().shapes[0]) == 3.0);
     CHECK(driver.document().parameters[0].expression == "1.5");

@@ -59,3 +59,68 @@ TEST_CASE("Paste: boundary parts and points keep their sizes in another drawing,
     CHECK(driver.document().shapes.size() == 2);
     CHECK(driver.document().spacing.partSizes.at(1) == PartSize{0.5, 0.1});
 }
+
+TEST_CASE("Clipboard: copy, paste beside the original, and cut") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {3, 2});
+    driver.key('V');
+    driver.key('C', kControl);
+    driver.key('V', kControl);
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.document().shapes[1]->nodes != driver.document().shapes[0]->nodes);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    CHECK(driver.undoLabel() == "Paste");
+    driver.key('X', kControl);
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK(driver.undoLabel() == "Cut");
+    driver.key('N', kControl); // another drawing, as in another window
+    driver.settle();
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    REQUIRE(driver.document().shapes.empty());
+    driver.key('V', kControl);
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->kind() == ShapeKind::Rectangle);
+}
+
+TEST_CASE("Clipboard: a second paste is offset from the first") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {3, 2});
+    driver.key('V');
+    driver.key('C', kControl);
+    driver.key('V', kControl);
+    driver.key('V', kControl);
+    REQUIRE(driver.document().shapes.size() == 3);
+    const auto corner = [&](std::size_t k) { return driver.document().shapes[k]->nodes[0]; };
+    CHECK(corner(1) != corner(0));
+    CHECK(corner(2) != corner(0));
+    CHECK(corner(2) != corner(1));
+}
+
+TEST_CASE("Clipboard: cut removes only what it copies") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}});
+    driver.polygon({{5, 1}, {7, 1}, {7, 3}, {5, 3}});
+    driver.context().selection.shapes = {1};
+    driver.context().selection.nodes = {{2, 0}};
+    driver.context().selection.segments = {{2, 2}};
+    driver.key('X', kControl);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{5, 1}, {7, 1}, {7, 3}, {5, 3}});
+    driver.key('V', kControl);
+    CHECK(driver.document().shapes.size() == 2);
+}
+
+TEST_CASE("Clipboard: two columns of a spreadsheet become a shape; other text is refused") {
+    Draughtsman driver;
+    driver.platform().setClipboard("1\t0\n0.5\t0.1\n0\t0\n0.5\t-0.1\n");
+    driver.key('V', kControl);
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 0}, {0.5, 0.1}, {0, 0}, {0.5, -0.1}});
+    driver.platform().setClipboard("nothing to draw");
+    driver.key('V', kControl);
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK(driver.logHas("no-drawing"));
+}

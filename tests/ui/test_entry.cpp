@@ -81,7 +81,7 @@ TEST_CASE("Ctrl+A in a number typed on the canvas selects its text, not the shap
     NumericEntry entry;
     type(entry, "12.5", kSize);
     CHECK(press(entry, 'A', kSize, {Modifiers::kControl}) == NumericEntry::Answer::Used);
-    CHECK(entry.label() == "w [12.5]   h");
+    CHECK(entry.label() == "width [12.5]   height");
     press(entry, key::k0 + 7, kSize); // the key, then its character
     type(entry, "7", kSize);
     CHECK(entry.value(EntryField::Width) == 7.0);

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 
@@ -190,6 +191,43 @@ TEST_CASE("Export: after a click on a solver, what is typed is the name") {
     driver.key(key::kEnter);
     driver.settle();
     CHECK(std::filesystem::exists(place.path / "channel.su2"));
+}
+
+TEST_CASE("Export: another format changes the ending of the typed name alone") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key(key::k2);
+    driver.settle();
+    driver.key('E', kControl);
+    driver.settle();
+    driver.click("dialog/export/name");
+    driver.key('A', kControl);
+    driver.type((place.path / "channel.v2").string());
+    driver.click("dialog/export/preset/su2");
+    driver.frames(3);
+    driver.click("dialog/export/preset/paraview");
+    driver.frames(3);
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(std::filesystem::exists(place.path / "channel.v2.vtu"));
+}
+
+TEST_CASE("Notes: when opening a file leaves something out, a button of the notice opens the log") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "label.svg") << R"(<svg viewBox="0 0 10 10"><rect width="9" height="6"/>)"
+                                            << R"(<text x="3" y="5">Label</text></svg>)";
+    Draughtsman driver;
+    driver.key('O', kControl);
+    driver.settle();
+    driver.chooseFile("open", place.path / "label.svg");
+    driver.frames(5);
+    REQUIRE(driver.logHas("left-out"));
+    REQUIRE(driver.has("canvas/error/log"));
+    driver.click("canvas/error/log");
+    driver.frames(5);
+    CHECK(driver.has("panel/log"));
+    CHECK_FALSE(driver.has("canvas/error/log"));
 }
 
 TEST_CASE("Open: letters and arrow keys go through the list of files") {

@@ -114,7 +114,7 @@ TEST_CASE("Live: a drawing with faults keeps the last mesh, out of date, until t
     driver.settle();
     CHECK(driver.run().meshHash == hash);
     CHECK(driver.context().run.outOfDate());
-    CHECK(driver.has("status/faults"));
+    CHECK(driver.has("status/checks"));
     CHECK(driver.logged("triangles") == 0);
     driver.key('Z', {Modifiers::kControl});
     driver.settle();

@@ -124,6 +124,58 @@ TEST_CASE("Naming: the menu of a segment sets its tag, F2 names a shape on the c
     CHECK(namer.document().shapes[0]->name == "plate");
 }
 
+TEST_CASE("Naming: F2 on a shape whose boundary is one part names that part, and a switch offers the shape") {
+    Draughtsman driver;
+    driver.key('C');
+    driver.dragPlaces({5, 5}, {7, 5});
+    driver.key('V');
+    const auto name = [&](std::string_view text) {
+        driver.type(text);
+        driver.key(key::kEnter);
+        driver.settle();
+    };
+    driver.context().selection = {.shapes = {1}};
+    driver.key(key::kF1 + 1);
+    driver.settle();
+    REQUIRE(driver.has("naming/thing/Boundary tag"));
+    name("cylinder");
+    const Shape &circle = *driver.document().shapes[0];
+    CHECK(driver.document().boundaryNames.at(circle.tag) == "cylinder");
+    CHECK(circle.name.empty());
+    driver.key(key::kF1 + 1);
+    driver.settle();
+    driver.click("naming/thing/Shape name");
+    driver.settle();
+    REQUIRE(driver.has("naming/name"));
+    name("rod");
+    CHECK(driver.document().shapes[0]->name == "rod");
+    CHECK(driver.document().boundaryNames.at(driver.document().shapes[0]->tag) == "cylinder");
+    // A segment has no other name.
+    driver.context().selection = {.segments = {{1, 0}}};
+    driver.key(key::kF1 + 1);
+    driver.settle();
+    CHECK_FALSE(driver.has("naming/thing/Boundary tag"));
+    name("hull");
+    CHECK(driver.document().boundaryNames.at(driver.document().shapes[0]->tag) == "hull");
+}
+
+TEST_CASE("Naming: what was typed before the switch stays") {
+    Namer namer; // whose sides have several tags: the shape comes first
+    namer.context().selection = {.shapes = {1}};
+    namer.key(key::kF1 + 1);
+    namer.settle();
+    REQUIRE(namer.has("naming/thing/Boundary tag"));
+    namer.type("plate");
+    namer.click("naming/thing/Boundary tag");
+    namer.settle();
+    CHECK(namer.context().naming.text == "plate");
+    namer.key(key::kEnter);
+    namer.settle();
+    CHECK(namer.document().shapes[0]->name.empty());
+    CHECK(namer.document().shapes[0]->segmentTags.empty());
+    CHECK(namer.document().boundaryNames.at(namer.document().shapes[0]->tag) == "plate");
+}
+
 TEST_CASE("Naming: the field on the canvas closes when undo removes what it names, or another drawing is opened") {
     Namer namer;
     namer.rectangle({2, 2}, {3, 3});

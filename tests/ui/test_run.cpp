@@ -273,7 +273,7 @@ TEST_CASE("Run: a refused domain is reported with its location, and the log link
     bow->nodes = {{0, 0}, {10, 10}, {10, 0}, {0, 10}}; // crosses itself at (5, 5)
     document.shapes[0] = bow;
     load(driver, document);
-    CHECK(driver.has("status/faults"));
+    CHECK(driver.has("status/checks"));
     driver.key(key::k2);
     driver.settle();
     CHECK(driver.run().state == RunState::Failed);

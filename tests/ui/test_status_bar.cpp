@@ -42,6 +42,55 @@ TEST_CASE("Checks: one line says whether all is well, with the worst value and i
     CHECK_FALSE(driver.has("checks/summary"));
 }
 
+TEST_CASE("Checks: the status bar has one verdict, also for a drawing with errors and warnings") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {6, 6});
+    driver.rectangle({4, 4}, {9, 8});
+    driver.key('V');
+    driver.settle();
+    REQUIRE_FALSE(driver.context().preview->faults.empty());
+    CHECK(driver.has("status/checks"));
+    CHECK_FALSE(driver.has("status/faults"));
+    CHECK(checksSummary(driver.context()).state == ChecksSummary::State::Violated);
+    driver.click("status/checks");
+    driver.settle();
+    CHECK(driver.has("checks/violated"));
+
+    auto preview = std::make_shared<DocumentPreview>(*driver.context().preview);
+    for (Diagnostic &fault : preview->faults) {
+        fault.severity = Severity::Warning;
+    }
+    const std::size_t warnings = preview->faults.size();
+    driver.context().preview = preview;
+    const ChecksSummary summary = checksSummary(driver.context());
+    CHECK(summary.warns);
+    CHECK(summary.state == ChecksSummary::State::Ready);
+    CHECK(summary.brief == std::to_string(warnings) + (warnings == 1 ? " warning" : " warnings"));
+}
+
+TEST_CASE("Checks: shapes that overlap are offered a union there, too") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {6, 6});
+    driver.rectangle({4, 4}, {9, 8});
+    driver.key('V');
+    driver.workspace(WorkspaceKind::Judge);
+    driver.showPanel("checks");
+    driver.settle();
+    REQUIRE(driver.has("checks/combine"));
+    REQUIRE(driver.has("checks/repair"));
+    CHECK_FALSE(driver.context()
+                    .widgets.find("checks/combine")
+                    ->rect.overlaps(driver.context().widgets.find("checks/repair")->rect));
+    driver.click("checks/combine");
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 1); // previewed
+    driver.click("dialog/combine/ok");
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK(driver.undoLabel() == "Combine shapes");
+    CHECK_FALSE(driver.has("checks/combine"));
+}
+
 TEST_CASE("Status bar: the chip of the mesh leads to a new mesh when the drawing has changed") {
     Draughtsman driver;
     CHECK_FALSE(driver.has("status/mesh"));

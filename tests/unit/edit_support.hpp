@@ -2,6 +2,7 @@
 
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <doctest/doctest.h>
 
@@ -102,5 +103,26 @@ class Random {
   private:
     std::uint64_t state_;
 };
+
+/// Returns true if two domains have the same nodes, curves and segments.
+inline bool sameDomain(const Domain &a, const Domain &b) {
+    const auto same = [](const DomainSegment &s, const DomainSegment &t) {
+        return s.a == t.a && s.b == t.b && s.tag == t.tag && s.role == t.role && s.stretch == t.stretch;
+    };
+    return a.nodes == b.nodes && a.curves == b.curves &&
+           std::equal(a.segments.begin(), a.segments.end(), b.segments.begin(), b.segments.end(), same);
+}
+
+/// Returns the number of curved segments of all shapes.
+inline std::size_t curvedSegments(const Document &document) {
+    std::size_t count = 0;
+    for (const auto &shape : document.shapes) {
+        const Outline outline = outlineOf(*shape);
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            count += outline.isCurved(k) ? 1U : 0U;
+        }
+    }
+    return count;
+}
 
 } // namespace forefront::edit_test

@@ -110,6 +110,29 @@ TEST_CASE("setElementCount: each segment gets the number; tags and names stay, a
     CHECK(none.spacing.partSizes == document.spacing.partSizes);
 }
 
+TEST_CASE("setElementCount: tens of thousands of segments are changed in one pass; each keeps its growth") {
+    std::vector<Vec2> corners;
+    constexpr std::uint32_t kCorners = 20'000;
+    for (std::uint32_t k = 0; k < kCorners; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / kCorners;
+        corners.push_back({std::cos(angle), std::sin(angle)});
+    }
+    Document document = *addShapes({}, {makeShape(ShapeKind::Polygon, corners), square({5, 5}, 1)});
+    document = *setSegmentSize(document, {{1, 7}}, SegmentSize{.size = 1e-4, .growth = 0.6});
+    std::set<SegmentRef> segments{{2, 1}};
+    for (std::uint32_t k = 0; k < kCorners; ++k) {
+        segments.insert({1, k});
+    }
+    const Document next = *setElementCount(document, segments, 2);
+    CHECK(next.shapes[0]->segmentSizes.size() == kCorners);
+    CHECK(next.shapes[0]->segmentSizes.at(7).growth == 0.6);
+    CHECK(next.shapes[0]->segmentSizes.at(8).growth == PartSize{}.growth);
+    CHECK(next.shapes[1]->segmentSizes.size() == 1);
+    CHECK(elementCount(next, {1, kCorners - 1}) == 2U);
+    segments.insert({2, 9}); // which does not exist
+    CHECK(setElementCount(document, segments, 2).faults().front().code == "no-such-segment");
+}
+
 TEST_CASE("setElementCount: a number of one segment takes precedence over that of its boundary part") {
     Document document = *addShapes({}, {square({0, 0}, 2)});
     document.boundaryNames = {{1, "wall"}};

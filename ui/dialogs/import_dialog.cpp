@@ -34,7 +34,7 @@ constexpr double kMaxReport = 150; ///< height of the faults and notes, in desig
 
 std::string extent(const Box2 &box, double scale) {
     return box.empty() ? std::string("nothing")
-                       : ui::number(scale * box.size().x) + " \xc3\x97 " + ui::number(scale * box.size().y);
+                       : ui::grouped(scale * box.size().x) + " \xc3\x97 " + ui::grouped(scale * box.size().y);
 }
 
 bool mixesLines(const Document &drawing) {

@@ -30,7 +30,9 @@ void nameOnCanvas(Shell &context, NamedThing thing) {
     if (context.menu.running && camera.viewport.contains(context.menu.at)) {
         at = context.menu.at;
     }
+    std::optional<NamedThing> other = otherThing(document, context.selection, thing);
     context.naming.openOnCanvas(std::move(thing), at, context.document);
+    context.naming.other = std::move(other);
     context.animate();
 }
 

@@ -2,86 +2,27 @@
 
 #include "core/drawing_files/documents.hpp"
 #include "core/files/files.hpp"
-#include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/open_mesh.hpp"
-#include "ui/dialogs/recovery.hpp"
 #include "ui/editor/apply_settings.hpp"
-#include "ui/editor/canvas_input.hpp"
 #include "ui/editor/cursor.hpp"
-#include "ui/editor/imgui_bridge.hpp"
-#include "ui/editor/snapshot_pace.hpp"
+#include "ui/editor/editor_parts.hpp"
 #include "ui/editor/state_file.hpp"
 #include "ui/layers/layers.hpp"
-#include "ui/panels/adapted_rounds.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/platform/steady_seconds.hpp"
-#include "ui/shell/canvas.hpp"
 #include "ui/shell/main_window.hpp"
-#include "ui/shell/start_page.hpp"
 #include "ui/tools/make_tools.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/judging.hpp"
-#include "ui/workspace/view/follow_camera.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace forefront {
-
-struct Editor::Parts {
-    Parts(Platform &platform, EditorSetup given)
-        : options(std::move(given)), bridge(platform), context(platform), canvas(context.background) {}
-
-    EditorSetup options;
-    InputQueue input;
-    ImGuiBridge bridge;
-    Shell context;
-    Canvas canvas;
-    CanvasInput canvasInput;
-    shell::StartPage startPage;
-    FollowCamera follower;
-    std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
-    Settings savedSettings;
-    std::string shownTitle;
-    double lastFrame = 0.0;
-    std::uint64_t frames = 0;
-    std::uint64_t flagRevision = 0; ///< revision of the document that the view's flag refers to
-    PixelSize size;
-    SnapshotPace pace;
-    double lastEnd = 0.0;          ///< steady time when the last frame ended
-    double previewTaken = 0.0;     ///< steady time when a preview or raster was last taken
-    bool drewNews = false;         ///< this frame draws a new snapshot, or a part of it
-    double newsSeconds = 0.0;      ///< that drawing the new snapshot has taken
-    bool showedCancelling = false; ///< a frame that shows the cancelling has been presented
-    bool drewBusy = false;         ///< the last frame showed a run as busy
-    bool reportedBusy = false;     ///< the state file says that the editor has not settled
-
-    bool newsDue() const;
-    bool previewDue() const;
-    bool due(NewsPace news) const;
-    double untilTurn() const;
-    bool gestureUnderWay() const;
-    bool keySharesFrame(const InputEvent &event) const;
-    void refreshLook();
-    void takeResults(bool cancels);
-    void dropFlag();
-    void followDocument();
-    void followFront(double seconds);
-    void handleEvents(const std::vector<InputEvent> &events);
-    void buildInterface();
-    void showTitle();
-    bool inputWaits() const;
-    std::vector<InputEvent> takeInput();
-    void recordFrame(double begin, bool cancelling, bool busy);
-    void rememberSettings();
-};
 
 bool Editor::Parts::newsDue() const {
     if (context.run.cancelling() && !showedCancelling) {
@@ -231,204 +172,6 @@ bool Editor::open(const std::filesystem::path &file) {
     }
     showOpened(parts_->context, *read, notes, file);
     return true;
-}
-
-void Editor::Parts::refreshLook() {
-    const double scale = context.platform.contentScale() * context.settings.scale;
-    const auto wanted = static_cast<float>(std::round(scale * 64.0) / 64.0);
-    const bool fonts = context.fonts.body == nullptr || wanted != context.scale;
-    if (fonts) {
-        context.scale = wanted;
-        std::string warning;
-        context.fonts = loadFonts(wanted, warning);
-        if (!warning.empty() && frames == 0) {
-            context.log.add(Diagnostic{.severity = Severity::Warning, .code = "missing-font", .message = warning});
-        }
-        bridge.fontsChanged();
-        context.animate();
-    }
-    if (fonts || frames == 0 || context.theme.kind != context.settings.theme) {
-        context.theme = makeTheme(context.settings.theme);
-        applyTheme(context.theme, context.scale);
-        context.animate();
-    }
-}
-
-/// `cancels`: the user cancels in this frame; the next frame must show that before any new snapshot.
-void Editor::Parts::takeResults(bool cancels) {
-    context.log.setTime(context.platform.now());
-    SnapshotLayers wanted{.mesh = false, .front = false};
-    for (const LayerSlot &slot : context.layers) {
-        if (slot.visible) {
-            slot.layer->request(wanted);
-        }
-    }
-    wanted.mesh = true; // the panels show its figures
-    wanted.explanation = wanted.explanation || context.view.following || context.lessons.open;
-    context.run.want(wanted);
-    const auto before = context.run.snapshot();
-    if (newsDue() && !cancels) {
-        context.run.refresh();
-    }
-    drewNews = before != context.run.snapshot() || newsSeconds > 0.0;
-    if (recovery) {
-        recovery->follow(context);
-    }
-    if (context.sides.follow(context.run, *context.document.current())) {
-        context.animate();
-    }
-    if (context.task.refresh()) {
-        context.animate();
-    }
-    followPicture(context);
-    followFile(context);
-    // A gesture or a dialog may belong to the document that the result replaces.
-    if (context.task.ready() && !ImGui::IsAnyMouseDown() && !context.dialogs.any()) {
-        context.task.finish();
-        context.animate();
-    }
-    if (followAdaptation(context)) {
-        context.animate();
-    }
-    JudgeRequest request = judgeRequest(context);
-    request.quality = context.sides.mesh() != nullptr;
-    if (context.sides.judge(request)) {
-        context.animate();
-    }
-    context.judge.submit(request);
-    const bool judged = context.judge.refresh();
-    context.judgement = context.judge.now();
-    context.probe.follow(context.judgement->of.mesh ? context.judgement->of.mesh->version : 0);
-    bool previewed = false;
-    if (drewNews || previewDue()) {
-        previewed = context.examiner.refresh();
-        context.preview = context.examiner.preview();
-        previewTaken = steadySeconds();
-    }
-    if (before != context.run.snapshot() || previewed || judged) {
-        context.animate();
-    }
-}
-
-/// Removes the mark of a fault once the document has changed.
-void Editor::Parts::dropFlag() {
-    if (flagRevision != context.document.revision()) {
-        flagRevision = context.document.revision();
-        context.view.flag.reset();
-    }
-}
-
-void Editor::Parts::followDocument() {
-    const bool previewed = context.preview->revision == context.document.revision();
-    const bool gestureOver = previewed && !ImGui::IsAnyMouseDown();
-    context.run.live = context.settings.live;
-    context.run.liveBudget = context.settings.liveBudget;
-    context.run.follow(gestureOver, hasErrors(context.preview->faults));
-    // During a gesture, previews keep step with meshes: both need the same field, and are drawn together.
-    if (!gestureUnderWay() || context.run.followedRevision() == context.run.meshRevision()) {
-        context.examiner.submit(context.document.sharedDomain(), context.document.revision(),
-                                context.document.spacing());
-    }
-}
-
-/// `seconds`: since the last frame.
-void Editor::Parts::followFront(double seconds) {
-    if (!context.view.following) {
-        follower.reset();
-        return;
-    }
-    constexpr double kLongestFrame = 1.0 / 30.0; // the first frame after a pause must not jump
-    const Moment moment = momentOf(context.run.now());
-    if (!moment) {
-        return;
-    }
-    const AdvanceExplanation &advance = *moment.advance;
-    constexpr double kAtOnce = 1e3;
-    const double time = context.settings.reduceMotion ? kAtOnce : std::min(seconds, kLongestFrame);
-    if (follower.follow(context.view, {boxOf(advance), distance(advance.a, advance.b)}, time,
-                        static_cast<double>(context.scale))) {
-        context.animate();
-    }
-}
-
-void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
-    for (const InputEvent &event : events) {
-        if (event.kind == InputKind::Close) {
-            context.closeRequested = true;
-        } else if (event.kind == InputKind::Focus && event.pressed) {
-            context.fileWatch.lookNow();
-            context.pictures.lookNow();
-            canvasInput.dispatch(event, context);
-        } else if (event.kind == InputKind::Drop) {
-            for (const std::string &path : event.paths) {
-                openDropped(context, path);
-            }
-        } else {
-            canvasInput.dispatch(event, context);
-        }
-    }
-    if (!events.empty()) {
-        context.redraw = 3;
-    }
-    if (context.closeRequested) {
-        context.closeRequested = false;
-        if (!context.actions.run("file.quit", context)) {
-            context.quit = true;
-        }
-    }
-}
-
-void Editor::Parts::buildInterface() {
-    const shell::Layout layout = shell::layOut(context);
-    if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.canvas))) {
-        context.animate();
-    }
-    if (context.view.fitPending && frames >= 1) {
-        context.view.fitPending = false;
-        const bool following = context.view.following; // from here on, as on a page of a lesson
-        const std::uint64_t jumps = context.view.jumps;
-        context.actions.run("view.fit", context);
-        context.view.jumps = jumps; // a drawing that was just opened appears in its place
-        context.view.following = following;
-    }
-    ui::markRect(context, "canvas", layout.canvas);
-    shell::drawMenuBar(context, layout.menu);
-    shell::drawOptionsBar(context, layout.options);
-    shell::drawToolStrip(context, layout.tools);
-    shell::drawLessons(context, layout.lessons);
-    shell::drawSides(context, layout.sides, layout.figures);
-    shell::drawBelow(context, layout.below);
-    shell::drawTimeline(context, layout.timeline);
-    shell::drawStatusBar(context, layout.status);
-    shell::drawRulers(context, layout);
-    shell::drawCanvasNotes(context, layout.open);
-    shell::drawLegendLimit(context);
-    startPage.draw(context, layout.open);
-    shell::drawPlates(context, layout);
-    shell::drawColumn(context, layout.column); // may lie over the canvas
-    shell::drawContextMenu(context);
-    shell::drawNameField(context, layout.canvas);
-    context.dialogs.draw(context);
-    shell::drawShadows(context);
-}
-
-void Editor::Parts::showTitle() {
-    const std::string title =
-        (context.document.dirty() ? "\xe2\x80\xa2 " : "") + context.document.title() + " \xe2\x80\x93 Forefront";
-    if (title != shownTitle) {
-        shownTitle = title;
-        context.platform.setTitle(title);
-    }
-}
-
-void Editor::Parts::rememberSettings() {
-    if (options.settingsFolder.empty()) {
-        return;
-    }
-    if (Settings settings = settingsToSave(context); savedSettings != settings) {
-        saveSettings(options.settingsFolder / "settings.json", settings);
-        savedSettings = std::move(settings);
-    }
 }
 
 /// Returns true while a field, dialog or menu that is to receive the next input is about to appear or to take the

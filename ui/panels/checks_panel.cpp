@@ -47,14 +47,31 @@ class ChecksPanel final : public Panel {
         ImGui::SameLine();
         ui::wrappedText(summary.line);
         ui::mark(context, violated ? "checks/violated" : "checks/summary");
-        if (anyRepairable(context.preview->faults)) {
-            ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(78));
+        drawCures(context);
+    }
+
+    /// Draws a row of buttons for what can be done about the faults of the drawing.
+    static void drawCures(Shell &context) {
+        const bool repairs = anyRepairable(context.preview->faults);
+        if (repairs) {
             if (ui::button(context, "checks/repair", "Repair", ui::ButtonKind::Primary, true, 78.0F)) {
                 context.actions.run("edit.repair", context);
             }
             ui::tooltip(context, "Split segments where they cross, merge duplicates and drop parts outside the domain. "
                                  "The log reports every change.");
         }
+        const Action *const combine = context.actions.find("edit.combine");
+        if (combine == nullptr || !combine->enabled(context)) {
+            return;
+        }
+        if (repairs) {
+            ImGui::SameLine(0, context.px(6));
+        }
+        if (ui::button(context, "checks/combine", "Union\xe2\x80\xa6", ui::ButtonKind::Plain, true, 78.0F)) {
+            context.actions.run("edit.combine", context);
+        }
+        ui::tooltip(context, "Join the shapes that overlap into one, with a preview; or subtract, intersect or divide "
+                             "them");
     }
 
     static void drawList(Shell &context, const Diagnostics &faults) {

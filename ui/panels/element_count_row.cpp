@@ -110,7 +110,7 @@ void drawMeshed(Shell &context, SegmentRef segment, double count) {
     if (!meshed || static_cast<double>(*meshed) == count) {
         return;
     }
-    ui::small(context, "The mesh has " + std::to_string(*meshed) + " here.", true);
+    ui::small(context, "The mesh has " + ui::count(*meshed) + " here.", true);
     ui::mark(context, "inspector/elements/meshed");
     ui::tooltip(context,
                 static_cast<double>(*meshed) > count

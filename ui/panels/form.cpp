@@ -25,6 +25,7 @@ float halfWidth(const Workspace &context) {
 float wordBefore(Workspace &context, const char *word, float width) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, word);
+    ui::markCaption(context, word);
     const float field = width - ImGui::GetItemRectSize().x / context.scale - 4.0F;
     ImGui::SameLine(0, context.px(4));
     return field;

@@ -12,7 +12,7 @@
 namespace forefront::form {
 
 /// Width of the label column, design pixels.
-inline constexpr double kLabel = 92.0;
+inline constexpr double kLabel = 100.0;
 
 void label(Workspace &context, const char *text);
 /// Draws a number field; returns true when a new number was entered. For `address` see ui::inputNumber().

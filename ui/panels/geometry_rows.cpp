@@ -152,13 +152,9 @@ void geometryRows(Shell &context, const Shape &shape) {
     if (shape.is<PointForm>()) {
         return;
     }
-    ui::field(context, "Length", ui::number(lengthOf(shape), 5), form::kLabel);
+    ui::field(context, "Length", ui::grouped(lengthOf(shape)), form::kLabel);
     if (isClosed(shape)) {
-        const double area = areaOf(shape);
-        const bool large = area >= 1e5 && area < 1e15; // its digits are grouped
-        ui::field(context, "Area",
-                  large ? ui::count(static_cast<std::uint64_t>(std::llround(area))) : ui::number(area, 5),
-                  form::kLabel);
+        ui::field(context, "Area", ui::grouped(areaOf(shape)), form::kLabel);
     }
 }
 
@@ -166,9 +162,9 @@ namespace {
 
 /// Draws the length of a straight part or of an arc of a rectangle with rounded corners, and the number that sets it.
 void roundedSegmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
-    ui::field(context, "Length", ui::number(partLengths(shape)[ref.segment].length, 5), form::kLabel);
+    ui::field(context, "Length", ui::grouped(partLengths(shape)[ref.segment].length), form::kLabel);
     if (isRoundedCorner(shape, ref.segment)) {
-        ui::field(context, "Radius", ui::number(shape.as<RectangleForm>().radius, 5), form::kLabel);
+        ui::field(context, "Radius", ui::grouped(shape.as<RectangleForm>().radius), form::kLabel);
         return;
     }
     const bool across = ref.segment % 2 == 0;
@@ -198,7 +194,7 @@ void segmentRows(Shell &context, const Shape &shape, SegmentRef ref) {
                                  addressOf(shape, Quantity::ArcRadius, ref.segment))) {
             context.applyCommand(setArcRadius(document, ref, radius), "Change radius");
         }
-        ui::field(context, "Length", ui::number(curve.length(), 5), form::kLabel);
+        ui::field(context, "Length", ui::grouped(curve.length()), form::kLabel);
         return;
     }
     const std::vector<Vec2> handles = handlesOf(shape);

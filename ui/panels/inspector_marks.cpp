@@ -98,7 +98,7 @@ void areaRow(Shell &context, const MarkedRegion &marker) {
     ui::mark(context, "inspector/swatch");
     ImGui::SameLine(0, context.px(8));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(face != kNoIndex ? ui::number(faces->faces()[face].area, 6).c_str() : "not in a face");
+    ImGui::TextUnformatted(face != kNoIndex ? ui::grouped(faces->faces()[face].area, 6).c_str() : "not in a face");
     ui::mark(context, "inspector/area");
     ui::rowTooltip(context, "Area of the face around the marker, to its curves and without its holes");
 }

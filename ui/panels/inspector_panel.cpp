@@ -328,7 +328,8 @@ void InspectorPanel::drawMany(Shell &context) const {
     }
     const Box2 box = boundsOf(document, selection);
     if (!box.empty()) {
-        ui::field(context, "Extent", ui::number(box.size().x) + " \xc3\x97 " + ui::number(box.size().y), form::kLabel);
+        ui::field(context, "Extent", ui::grouped(box.size().x) + " \xc3\x97 " + ui::grouped(box.size().y),
+                  form::kLabel);
     }
     if (ui::button(context, "inspector/delete", "Delete all")) {
         context.actions.run("edit.delete", context);

@@ -59,10 +59,8 @@ void drawLimit(Shell &context, MeshLimit limit) {
     const std::string name = std::string("checks/") + std::string(wordOf(limit));
     std::string label = info.name;
     label.front() = static_cast<char>(label.front() - 'a' + 'A');
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, label);
+    ui::rowLabel(context, label.c_str(), kLimitLabel);
     ui::tooltip(context, info.meaning);
-    ImGui::SameLine(context.px(kLimitLabel));
     std::optional<double> value = context.document.current()->limits[limit];
     if (form::optionalField(context, name, value, "off", kField)) {
         setLimit(context, limit, value);

@@ -135,7 +135,8 @@ class ParametersPanel final : public Panel {
     }
 
     void rename(Shell &context, std::size_t index, const std::string &name) {
-        finish(context, index, renameParameter(*context.document.current(), index, name), "Rename parameter");
+        finish(context, index, renameParameter(*context.document.current(), index, name),
+               "Rename parameter " + rows_[index].shown.name + " to " + name);
     }
 
     void change(Shell &context, std::size_t index, const std::string &expression) {
@@ -146,11 +147,13 @@ class ParametersPanel final : public Panel {
             refuse(context, index, error("bad-parameter", fault));
             return;
         }
-        finish(context, index, setParameters(*context.document.current(), std::move(parameters)), "Change parameter");
+        const std::string label = "Change parameter " + parameters[index].name + " to " + expression;
+        finish(context, index, setParameters(*context.document.current(), std::move(parameters)), label);
     }
 
     void remove(Shell &context, std::size_t index) {
-        finish(context, index, removeParameter(*context.document.current(), index), "Remove parameter");
+        finish(context, index, removeParameter(*context.document.current(), index),
+               "Remove parameter " + rows_[index].shown.name);
     }
 
     /// Refuses what was entered into a field of the row, or shows below the row why a command is impossible.
@@ -166,7 +169,7 @@ class ParametersPanel final : public Panel {
         context.animate();
     }
 
-    void finish(Shell &context, std::size_t index, Result<Document> next, const char *label) {
+    void finish(Shell &context, std::size_t index, Result<Document> next, const std::string &label) {
         if (next) {
             rows_[index].fault.clear();
             context.applyCommand(std::move(next), label);

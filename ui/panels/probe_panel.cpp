@@ -29,6 +29,7 @@ class ProbePanel final : public Panel {
             ui::mark(context, "probe/empty");
             return;
         }
+        const float top = ImGui::GetCursorPosY();
         ImGui::PushFont(context.fonts.small);
         drawRanking(context, *judgement);
         const std::optional<MeshPick> pick = context.probe.chosen ? context.probe.chosen : context.probe.hovered;
@@ -43,6 +44,8 @@ class ProbePanel final : public Panel {
             drawPart(context, *pick);
         }
         ImGui::PopFont();
+        constexpr double kReserved = 250.0; // design pixels, as for most parts: nothing moves when one is shown
+        ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + context.px(kReserved)));
     }
 
   private:

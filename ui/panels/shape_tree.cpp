@@ -92,7 +92,7 @@ std::string rowDetail(const Document &document, const TreeRow &row) {
         return countOf(row.count, "segment", "segments");
     case RowKind::Region: {
         const double area = document.regionMarkers[row.index].maxArea;
-        return area > 0.0 ? "area \xe2\x89\xa4 " + ui::number(area, 3) : std::string();
+        return area > 0.0 ? "area \xe2\x89\xa4 " + ui::grouped(area, 3) : std::string();
     }
     default:
         return ui::count(row.count);

@@ -86,7 +86,7 @@ class StatisticsPanel final : public Panel {
              "area/\xce\xa3l\xc2\xb2, arithmetic mean; 1: equilateral");
         cell(context, "Ne", ui::count(q.elements), "Elements");
         cell(context, "\xce\xb1 geom.", ui::format("%.4f", q.alphaGeometricMean), "Geometric mean of \xce\xb1");
-        cell(context, "area", ui::format("%.6g", q.area), "Total area of the elements");
+        cell(context, "area", ui::grouped(q.area, 6), "Total area of the elements");
         cell(context, "\xce\xb1 min", ui::format("%.4f", q.alphaMin), "Shape factor of the worst element");
         cell(context, "\xce\x93", ui::count(run.frontSegments), "Segments on the generation front now");
         cell(context, "\xce\xb4 mean", ui::format("%.4f", q.deltaMean),

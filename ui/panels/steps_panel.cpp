@@ -48,7 +48,7 @@ const CandidateTrace *scored(const Moment &moment) {
 std::string workText(const Moment &moment, Step step) {
     const StepWork &work = moment.work[static_cast<std::size_t>(step)];
     return work.segments == 0 ? std::string()
-                              : " of " + std::to_string(work.segments) + " in " + std::to_string(work.cells) +
+                              : " of " + ui::count(work.segments) + " in " + ui::count(work.cells) +
                                     (work.cells == 1 ? " cell" : " cells");
 }
 
@@ -67,7 +67,7 @@ std::string finding(const Moment &moment, int step) {
     case Step::IdealPoint:
         return "(" + ui::number(e.ideal.x) + ", " + ui::number(e.ideal.y) + ")";
     case Step::FindCandidates:
-        return std::to_string(moment.candidates) + workText(moment, Step::FindCandidates);
+        return ui::count(moment.candidates) + workText(moment, Step::FindCandidates);
     case Step::Score: {
         const CandidateTrace *best = scored(moment);
         return best == nullptr
@@ -75,7 +75,7 @@ std::string finding(const Moment &moment, int step) {
                    : ui::format("%.3f \xc2\xb7 %.2f \xc2\xb7 %.2f", best->alpha, best->deltaAC, best->deltaCB);
     }
     case Step::Test:
-        return std::to_string(moment.tests) + workText(moment, Step::Test);
+        return ui::count(moment.tests) + workText(moment, Step::Test);
     case Step::Update:
         return e.deferred ? "deferred" : std::string();
     default:

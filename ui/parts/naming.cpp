@@ -194,6 +194,7 @@ void Naming::openOnCanvas(NamedThing what, Pixel place, const DocumentStore &sto
     text = what.name(*store.current());
     revision = store.revision();
     thing = std::move(what);
+    other.reset();
     inPanel = false;
     at = place;
     frames = 0;
@@ -201,6 +202,16 @@ void Naming::openOnCanvas(NamedThing what, Pixel place, const DocumentStore &sto
     choice = -1;
     edited = false;
     everywhere = label;
+}
+
+void Naming::swapThings(const Document &document) {
+    std::swap(thing, other);
+    if (!edited) {
+        text = thing->name(document);
+    }
+    fault.clear();
+    choice = -1;
+    everywhere = false;
 }
 
 void applyName(Shell &context, const NamedThing &thing, const std::string &name) {
@@ -276,7 +287,10 @@ std::optional<NamedThing> boundaryPartOf(const Document &document, const Selecti
 
 std::optional<NamedThing> namedThing(const Document &document, const Selection &selection) {
     if (selection.size() == 1 && selection.shapes.size() == 1) {
-        return NamedThing{.kind = NamedThing::Kind::Shape, .shape = *selection.shapes.begin()};
+        const Shape *const shape = findShape(document, *selection.shapes.begin());
+        const bool severalParts = shape != nullptr && !shape->segmentTags.empty();
+        return severalParts ? std::optional(NamedThing{.kind = NamedThing::Kind::Shape, .shape = shape->id})
+                            : boundaryPartOf(document, selection);
     }
     if (selection.size() == 1 && selection.markers.size() == 1) {
         return NamedThing{.kind = NamedThing::Kind::Region, .marker = *selection.markers.begin()};
@@ -285,6 +299,18 @@ std::optional<NamedThing> namedThing(const Document &document, const Selection &
         return NamedThing{.kind = NamedThing::Kind::Source, .source = *selection.sources.begin()};
     }
     return boundaryPartOf(document, selection);
+}
+
+std::optional<NamedThing> otherThing(const Document &document, const Selection &selection, const NamedThing &thing) {
+    if (selection.size() != 1 || selection.shapes.size() != 1) {
+        return std::nullopt;
+    }
+    if (thing.kind == NamedThing::Kind::Shape) {
+        return boundaryPartOf(document, selection);
+    }
+    return thing.kind == NamedThing::Kind::Part
+               ? std::optional(NamedThing{.kind = NamedThing::Kind::Shape, .shape = *selection.shapes.begin()})
+               : std::nullopt;
 }
 
 } // namespace forefront

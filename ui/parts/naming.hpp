@@ -49,6 +49,7 @@ struct NamedThing {
 /// The field in which something is named: in a row of the Shapes panel, or on the canvas.
 struct Naming {
     std::optional<NamedThing> thing; ///< while its field is open
+    std::optional<NamedThing> other; ///< what a switch in the field on the canvas offers to name in its place
     bool inPanel = false;
     Pixel at{};                 ///< of the field on the canvas
     std::uint64_t revision = 0; ///< of the document when that was opened
@@ -66,14 +67,19 @@ struct Naming {
     void openInPanel(NamedThing what);
     /// `label`: its label on the canvas was clicked, which means all parts with the name.
     void openOnCanvas(NamedThing what, Pixel place, const DocumentStore &store, bool label = false);
+    /// Names the other thing in the field on the canvas; a text that was typed stays.
+    void swapThings(const Document &document);
     void close() { thing.reset(); }
 };
 
 /// Gives the thing a name, as one step of the history.
 void applyName(Shell &context, const NamedThing &thing, const std::string &name);
-/// Returns the item of a selection that F2 renames: a shape, the boundary part of several shapes or segments, a region
-/// or a size source.
+/// Returns the item of a selection that F2 renames: the boundary part of segments and shapes, a region or a size
+/// source; of a single shape with several boundary parts the shape.
 std::optional<NamedThing> namedThing(const Document &document, const Selection &selection);
+/// Returns what the field for `thing` offers to name in its place: of a single selected shape its boundary part or the
+/// shape itself; otherwise nothing.
+std::optional<NamedThing> otherThing(const Document &document, const Selection &selection, const NamedThing &thing);
 /// Returns the boundary part or region whose label is at a pixel of the canvas.
 std::optional<NamedThing> labelAt(const Shell &context, Pixel pixel);
 /// Returns a selection of the named item, as far as it can be selected.

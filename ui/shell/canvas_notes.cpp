@@ -245,7 +245,8 @@ const MessageLog::Entry *newsOf(Workspace &context, std::size_t &more) {
     return &*first;
 }
 
-void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnostic) {
+/// Draws the buttons of a message; `more` counts the faults that followed it.
+void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnostic, std::size_t more) {
     if (diagnostic.at) {
         flow.item("goto");
         if (ui::button(context, "canvas/error/goto", "Show")) {
@@ -256,7 +257,7 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
     const Action *const combine = meets ? context.actions.find("edit.combine") : nullptr;
     if (combine != nullptr && combine->enabled(context)) {
         flow.item("combine");
-        if (ui::button(context, "canvas/error/combine", "Combine\xe2\x80\xa6")) {
+        if (ui::button(context, "canvas/error/combine", "Union\xe2\x80\xa6")) {
             context.actions.run("edit.combine", context);
         }
     }
@@ -265,6 +266,13 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
         if (ui::button(context, "canvas/error/repair", "Repair")) {
             context.actions.run("edit.repair", context);
         }
+    }
+    if ((more > 0 || diagnostic.code == "left-out") && !context.plates.log) {
+        flow.item("log");
+        if (ui::button(context, "canvas/error/log", "Log")) {
+            context.actions.run("view.log", context);
+        }
+        ui::tooltip(context, "Show all messages");
     }
 }
 
@@ -309,7 +317,7 @@ void drawNews(Shell &context, const PixelRect &canvas) {
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("message");
         drawMessage(context, diagnostic, std::min(context.px(520), flow.room()), more);
-        drawNewsButtons(context, flow, diagnostic);
+        drawNewsButtons(context, flow, diagnostic, more);
     }
     ui::markWindow(context, "canvas/news");
 }

@@ -192,10 +192,12 @@ std::vector<Section> sectionsOf(const Shell &context, const std::vector<Panel *>
         const auto &folded = changesOf(context).folded;
         const bool called =
             std::find(context.called.begin(), context.called.end(), panel->id()) != context.called.end();
-        sections.push_back({.open = !isFolded(context, panel->id()),
-                            .keepsOpen = called || folded.contains(panel->id()) || context.revealedPanel == panel->id(),
-                            .first = called,
-                            .content = storage.GetFloat(ImGui::GetID(panel->id()))});
+        const bool selected = !context.selection.empty() && std::string_view(panel->id()) == "inspector";
+        sections.push_back(
+            {.open = !isFolded(context, panel->id()),
+             .keepsOpen = called || selected || folded.contains(panel->id()) || context.revealedPanel == panel->id(),
+             .first = called,
+             .content = storage.GetFloat(ImGui::GetID(panel->id()))});
     }
     return sections;
 }

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,11 +66,28 @@ void drawNames(Shell &context, const std::vector<std::string> &names) {
     }
 }
 
+/// Draws the switch between the boundary part and the name of a single shape.
+void drawThings(Shell &context, const Document &document) {
+    static constexpr std::array<const char *, 2> kThings{"Boundary tag", "Shape name"};
+    Naming &naming = context.naming;
+    int choice = naming.thing->kind == NamedThing::Kind::Shape ? 1 : 0;
+    if (ui::segmented(context, "naming/thing", kThings, choice, static_cast<float>(kNameWidth))) {
+        naming.swapThings(document);
+        context.widgets.fields.request("naming/name");
+        context.animate();
+    }
+    ui::tooltip(context, "The boundary tag names a part of the boundary for solvers; the name of the shape is for the "
+                         "drawing alone");
+}
+
 /// Draws the field and handles its keys: Enter applies, Esc leaves, the arrows go through the names.
 void drawEntry(Shell &context, const Document &document) {
     Naming &naming = context.naming;
     if (naming.frames++ == 0) {
         context.widgets.fields.request("naming/name");
+    }
+    if (naming.other) {
+        drawThings(context, document);
     }
     ui::small(context, naming.thing->title(document));
     const std::string before = naming.text;

@@ -79,18 +79,24 @@ void drawOverflowButton(Shell &context, const PixelRect &rect) {
 }
 
 /// Draws what a click does where there is room for it, after the options.
-void drawHint(const Shell &context, const Tool &tool, float room) {
+void drawHint(Shell &context, const Tool &tool, float room) {
     std::string hint = tool.statusText(context);
     const std::string typing = tool.typingHint(context);
     const auto widthOf = [](const std::string &text) { return ImGui::CalcTextSize(text.c_str()).x; };
     if (!hint.empty() && !typing.empty() && widthOf(hint + ". " + typing) < room) {
         hint += ". " + typing;
     }
-    if (!hint.empty() && widthOf(hint) < room) {
+    // What does not fit is left out from the end, a sentence at a time.
+    while (!hint.empty() && widthOf(hint) >= room) {
+        const std::size_t stop = hint.rfind(". ");
+        hint.erase(stop == std::string::npos ? 0 : stop);
+    }
+    if (!hint.empty()) {
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
         ImGui::TextUnformatted(hint.c_str());
         ImGui::PopStyleColor();
+        ui::mark(context, "options/hint");
     }
 }
 

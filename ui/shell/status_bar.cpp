@@ -205,38 +205,35 @@ void addFigures(Cells &cells, Shell &context) {
     }
 }
 
-/// Adds the verdict of the checks; a click leads to them.
+/// Adds the one verdict of all checks, of the drawing and of the mesh; a click leads to them.
 void addChecks(Cells &cells, Shell &context) {
-    const std::size_t faults = context.preview->faults.size();
-    if (faults > 0 &&
-        cells.addRight("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), context.theme.warn)) {
-        if (cells.clicked("faults")) {
-            context.actions.run("view.firstFault", context);
-        }
-        ui::tooltip(context, toString(context.preview->faults.front()) + "\nClick to go there");
-    }
     const ChecksSummary summary = checksSummary(context);
     const bool violated = summary.state == ChecksSummary::State::Violated;
-    if (summary.brief.empty() ||
-        !cells.addRight("checks", summary.brief, violated ? context.theme.text : context.theme.muted,
-                        violated ? context.theme.bad : context.theme.good)) {
+    const Theme &theme = context.theme;
+    if (summary.brief.empty() || !cells.addRight("checks", summary.brief, violated ? theme.text : theme.muted,
+                                                 violated        ? theme.bad
+                                                 : summary.warns ? theme.warn
+                                                                 : theme.good)) {
         return;
     }
     if (cells.clicked("checks")) {
         chooseWorkspace(context, WorkspaceKind::Judge);
         showPanel(context, "checks");
     }
-    ui::tooltip(context, summary.line + "\nClick to see all checks");
+    const Diagnostics &faults = context.preview->faults;
+    ui::tooltip(context,
+                summary.line + (faults.empty() ? "" : "\n" + toString(faults.front())) + "\nClick to see all checks");
 }
 
-/// Adds the badge of the log: the number of warnings and errors since it was last open.
+/// Adds the badge of the log: the number of warnings and errors since it was last open, except those that a field or
+/// dialog shows.
 void addLog(Cells &cells, Shell &context) {
     const auto &entries = context.log.entries();
     if (context.plates.log && !entries.empty()) {
         context.logSeen = entries.back().number;
     }
     const auto news = std::count_if(entries.begin(), entries.end(), [&](const MessageLog::Entry &entry) {
-        return entry.number > context.logSeen && entry.diagnostic.severity != Severity::Note;
+        return entry.number > context.logSeen && entry.announced && entry.diagnostic.severity != Severity::Note;
     });
     const std::string text = news > 0 ? "Log  " + std::to_string(news) : "Log";
     if (!cells.addRight("log", text, news > 0 ? context.theme.warn : context.theme.muted)) {

@@ -29,6 +29,7 @@ void Flow::label(std::string_view text) {
     }
     ImGui::AlignTextToFramePadding();
     muted(context_, text);
+    markCaption(context_, text);
     ImGui::SameLine();
 }
 

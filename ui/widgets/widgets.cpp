@@ -1,6 +1,5 @@
 #include "ui/widgets/widgets.hpp"
 
-#include "core/engine/base/number_text.hpp"
 #include "ui/widgets/field_frame.hpp"
 #include "ui/widgets/text_wrap.hpp"
 
@@ -10,10 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <utility>
@@ -385,9 +381,29 @@ void heading(WidgetContext &context, std::string_view text) {
     ImGui::PopFont();
 }
 
+void markCaption(WidgetContext &context, std::string_view text) {
+    mark(context, "caption/" + std::string(text) + '/' + std::to_string(std::lround(ImGui::GetItemRectMin().y)));
+}
+
+namespace {
+
+/// Goes to the column of the fields: beside the label just drawn, or below one that leaves no gap.
+void toColumn(const WidgetContext &context, double width) {
+    constexpr double kGap = 6.0; // design pixels
+    const float column = context.px(width);
+    if (ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX() + context.px(kGap) > column) {
+        ImGui::SetCursorPosX(column);
+    } else {
+        ImGui::SameLine(column);
+    }
+}
+
+} // namespace
+
 void field(WidgetContext &context, std::string_view label, std::string_view value, double width) {
     muted(context, label);
-    ImGui::SameLine(context.px(width));
+    markCaption(context, label);
+    toColumn(context, width);
     ImGui::TextUnformatted(value.data(), value.data() + value.size());
 }
 
@@ -400,7 +416,8 @@ void muted(WidgetContext &context, std::string_view text) {
 void rowLabel(WidgetContext &context, const char *text, double width) {
     ImGui::AlignTextToFramePadding();
     muted(context, text);
-    ImGui::SameLine(context.px(width));
+    markCaption(context, text);
+    toColumn(context, width);
 }
 
 void small(WidgetContext &context, std::string_view text, bool wrap) {
@@ -431,55 +448,6 @@ bool badge(WidgetContext &context, std::string_view name, std::string_view text,
                  text.data() + text.size());
     ImGui::PopFont();
     return pressed;
-}
-
-std::string count(std::uint64_t value) {
-    const std::string digits = std::to_string(value);
-    std::string grouped;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) {
-            grouped += "\xe2\x80\xaf"; // narrow no-break space
-        }
-        grouped += digits[i];
-    }
-    return grouped;
-}
-
-std::string format(const char *pattern, ...) {
-    va_list arguments;
-    va_start(arguments, pattern);
-    char buffer[512];
-    std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
-    va_end(arguments);
-    return buffer;
-}
-
-std::string number(double value, int digits) {
-    const double size = std::abs(value);
-    if (!(size >= 1e-4 && size < 1e9)) { // also 0 and non-finite values
-        return format("%.*g", digits, value);
-    }
-    const int whole = static_cast<int>(std::floor(std::log10(size))) + 1;
-    std::string text = format("%.*f", std::max(0, digits - whole), value);
-    if (text.find('.') != std::string::npos) {
-        text.erase(text.find_last_not_of('0') + 1);
-        text.erase(text.find_last_not_of('.') + 1);
-    }
-    return text;
-}
-
-std::string editedNumber(double value) {
-    const double size = std::abs(value);
-    if (value != 0.0 && !(size >= 1e-4 && size < 1e15)) {
-        return exactText(value);
-    }
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-    return {text.data(), end.ptr};
-}
-
-std::string mean(double value) {
-    return format("%.*f", value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2, value);
 }
 
 } // namespace forefront::ui

@@ -90,10 +90,14 @@ bool link(WidgetContext &context, std::string_view name, std::string_view text);
 
 /// Draws the heading of a group.
 void heading(WidgetContext &context, std::string_view text);
-/// Draws a muted label and its value in the column where rowLabel() of this width has its field.
+/// Draws a muted label and its value in the column where rowLabel() of this width has its field; below a label that
+/// needs more room.
 void field(WidgetContext &context, std::string_view label, std::string_view value, double width);
 void muted(WidgetContext &context, std::string_view text);
-/// Draws the muted label of a row in a column of this width, in design pixels. Draw the field next.
+/// Marks the label just drawn as "caption/TEXT/Y", where Y is its place on the screen: labels repeat between panels.
+void markCaption(WidgetContext &context, std::string_view text);
+/// Draws the muted label of a row in a column of this width, in design pixels; a wider label is on a line of its own,
+/// above the field. Draw the field next.
 void rowLabel(WidgetContext &context, const char *text, double width);
 void small(WidgetContext &context, std::string_view text, bool wrap = false);
 /// Shows `text` while the last item is hovered.
@@ -114,6 +118,8 @@ std::string format(const char *pattern, ...) __attribute__((format(printf, 1, 2)
 /// Formats a number for display, with `digits` significant digits, all digits before the point and no trailing zeros:
 /// "0.05", "12.3", "140". Uses an exponent only below 0.0001 and from 10⁹.
 std::string number(double value, int digits = 4);
+/// Formats a number as number() does, with grouped digits before the point: "12 345.5".
+std::string grouped(double value, int digits = 5);
 /// Formats a number for editing: the shortest text that is read as the same number, with an exponent only for very
 /// small and very large numbers.
 std::string editedNumber(double value);

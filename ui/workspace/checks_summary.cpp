@@ -38,6 +38,17 @@ ChecksSummary limitsSummary(const std::vector<LimitVerdict> &verdicts) {
                                        counted(judged, "limit met", "limits met")};
 }
 
+/// Adds the number of warnings to a verdict without errors.
+ChecksSummary withWarnings(ChecksSummary summary, std::size_t warnings) {
+    if (warnings > 0) {
+        const std::string text = counted(warnings, "warning", "warnings");
+        summary.line += ", " + text;
+        summary.brief += (summary.brief.empty() ? "" : ", ") + text;
+        summary.warns = true;
+    }
+    return summary;
+}
+
 } // namespace
 
 ChecksSummary checksSummary(const Workspace &context) {
@@ -51,7 +62,9 @@ ChecksSummary checksSummary(const Workspace &context) {
     if (context.run.now().mesh == nullptr && context.document.current()->shapes.empty()) {
         return {};
     }
-    return limitsSummary(context.judgement->verdicts);
+    const auto warnings = static_cast<std::size_t>(std::count_if(
+        faults.begin(), faults.end(), [](const Diagnostic &fault) { return fault.severity == Severity::Warning; }));
+    return withWarnings(limitsSummary(context.judgement->verdicts), warnings);
 }
 
 } // namespace forefront

@@ -11,13 +11,14 @@ struct Workspace;
 struct ChecksSummary {
     enum class State : std::uint8_t {
         None,    ///< nothing to check
-        Ready,   ///< the drawing has no faults, and no limits are checked
+        Ready,   ///< the drawing has no errors, and no limits are checked
         Met,     ///< the mesh meets all limits
-        Violated ///< the drawing has faults, or the mesh violates a limit
+        Violated ///< the drawing has errors, or the mesh violates a limit
     };
     State state = State::None;
-    std::string line;  ///< "1 limit fails: minimum angle 32.9° < 34°"
-    std::string brief; ///< for the status bar: "1 limit fails"; empty: nothing was checked
+    std::string line;   ///< "1 limit fails: minimum angle 32.9° < 34°"
+    std::string brief;  ///< for the status bar: "1 limit fails"; empty: nothing to tell
+    bool warns = false; ///< the drawing has warnings, which `line` and `brief` count
 };
 
 ChecksSummary checksSummary(const Workspace &context);

@@ -102,23 +102,26 @@ Result<Document> setElementCount(const Document &document, const std::set<Segmen
         return error("bad-number",
                      "expected 1 to " + std::to_string(kMaxElementCount) + " elements, got " + std::to_string(*count));
     }
-    Result<Document> next = document;
-    for (const SegmentRef segment : segments) {
-        const Shape *const shape = findShape(document, segment.shape);
+    std::map<SegmentRef, SegmentSize> sizes;
+    const Shape *shape = nullptr;
+    std::vector<std::optional<double>> lengths; // of its segments
+    for (const SegmentRef segment : segments) { // in the order of their shapes
+        if (shape == nullptr || shape->id != segment.shape) {
+            shape = findShape(document, segment.shape);
+            lengths = shape != nullptr ? countableLengths(*shape) : std::vector<std::optional<double>>();
+        }
         if (shape == nullptr || segment.segment >= taggedSegments(*shape)) {
             return error("no-such-segment", "segment not found");
         }
-        if (!(countableLength(*shape, segment.segment).value_or(0.0) > 0.0)) {
+        const bool listed = segment.segment < lengths.size();
+        if (!listed || !(lengths[segment.segment].value_or(0.0) > 0.0)) {
             return error("not-possible", "elements can be counted along a single line or curve only");
         }
         const SegmentSize *const own = segmentSize(document, segment);
         const double growth = own != nullptr ? own->growth : growthOf(document, segmentTag(*shape, segment.segment));
-        next = setSegmentSize(*next, {segment}, SegmentSize{.size = 0.0, .elements = *count, .growth = growth});
-        if (!next) {
-            return next;
-        }
+        sizes.emplace(segment, SegmentSize{.size = 0.0, .elements = *count, .growth = growth});
     }
-    return next;
+    return setSegmentSizes(document, sizes);
 }
 
 Result<Document> setPartElements(const Document &document, std::int32_t tag, std::optional<PartElements> elements) {

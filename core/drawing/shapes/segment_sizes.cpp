@@ -17,12 +17,20 @@ namespace {
 
 using SizeMap = std::map<std::uint32_t, SegmentSize>;
 
-/// Calls change(sizes, segment) for each segment, with the sizes of its shape.
-template <class Change>
-Result<Document> changeEachSegment(const Document &document, const std::set<SegmentRef> &segments,
-                                   const Change &change) {
+const SegmentRef &refOf(const SegmentRef &segment) {
+    return segment;
+}
+
+const SegmentRef &refOf(const std::pair<const SegmentRef, SegmentSize> &sized) {
+    return sized.first;
+}
+
+/// Calls change(sizes, segment) for each element of a set or map of segments, with the sizes of its shape.
+template <class Segments, class Change>
+Result<Document> changeEachSegment(const Document &document, const Segments &segments, const Change &change) {
     std::vector<Shape> shapes;
-    for (const SegmentRef &segment : segments) {
+    for (const auto &each : segments) {
+        const SegmentRef &segment = refOf(each);
         if (shapes.empty() || shapes.back().id != segment.shape) {
             const Shape *const shape = findShape(document, segment.shape);
             if (shape == nullptr) {
@@ -33,7 +41,7 @@ Result<Document> changeEachSegment(const Document &document, const std::set<Segm
         if (segment.segment >= taggedSegments(shapes.back())) {
             return error("no-such-segment", "segment not found");
         }
-        change(shapes.back().segmentSizes, segment.segment);
+        change(shapes.back().segmentSizes, each);
     }
     return replaceShapes(document, std::move(shapes));
 }
@@ -62,24 +70,30 @@ bool hasSegmentSizes(const Document &document) {
 
 Result<Document> setSegmentSize(const Document &document, const std::set<SegmentRef> &segments,
                                 const std::optional<SegmentSize> &size) {
-    return changeEachSegment(document, segments, [&](SizeMap &sizes, std::uint32_t segment) {
+    return changeEachSegment(document, segments, [&](SizeMap &sizes, const SegmentRef &segment) {
         if (size) {
-            sizes[segment] = *size;
+            sizes[segment.segment] = *size;
         } else {
-            sizes.erase(segment);
+            sizes.erase(segment.segment);
         }
+    });
+}
+
+Result<Document> setSegmentSizes(const Document &document, const std::map<SegmentRef, SegmentSize> &sizes) {
+    return changeEachSegment(document, sizes, [](SizeMap &sizesOfShape, const auto &sized) {
+        sizesOfShape[sized.first.segment] = sized.second;
     });
 }
 
 Result<Document> changeSegmentSizes(const Document &document, const std::set<SegmentRef> &segments,
                                     const SegmentSizeChange &change) {
-    return changeEachSegment(document, segments, [&](SizeMap &sizes, std::uint32_t segment) {
+    return changeEachSegment(document, segments, [&](SizeMap &sizes, const SegmentRef &segment) {
         if (change.size) {
-            SegmentSize &changed = sizes[segment];
+            SegmentSize &changed = sizes[segment.segment];
             changed.size = *change.size;
             changed.elements = 0;
         }
-        if (const auto found = sizes.find(segment); change.growth && found != sizes.end()) {
+        if (const auto found = sizes.find(segment.segment); change.growth && found != sizes.end()) {
             found->second.growth = *change.growth;
         }
     });

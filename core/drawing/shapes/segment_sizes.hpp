@@ -26,6 +26,9 @@ bool hasSegmentSizes(const Document &document);
 Result<Document> setSegmentSize(const Document &document, const std::set<SegmentRef> &segments,
                                 const std::optional<SegmentSize> &size);
 
+/// Sets a size for each of the segments. Errors as for setSegmentSize().
+Result<Document> setSegmentSizes(const Document &document, const std::map<SegmentRef, SegmentSize> &sizes);
+
 /// A change of the sizes of segments; unset members leave their values unchanged.
 struct SegmentSizeChange {
     std::optional<double> size;   ///< takes the place of a number of elements

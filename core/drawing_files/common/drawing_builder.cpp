@@ -1,6 +1,7 @@
 #include "core/drawing_files/common/drawing_builder.hpp"
 
 #include "core/drawing/arrangement/assembly/feature_gaps.hpp"
+#include "core/drawing/arrangement/assembly/short_segments.hpp"
 #include "core/drawing/arrangement/repeated_lines/near_lines.hpp"
 #include "core/drawing/arrangement/snapping/snap_lines.hpp"
 #include "core/drawing_files/common/line_outline.hpp"
@@ -159,6 +160,7 @@ Result<Domain> DrawingBuilder::finish() {
     }
     noteSmallDomain(arranged->domain, lines);
     noteFeatureGaps(*arranged);
+    noteShortSegments(*arranged);
     noteLines(*arranged);
     recordOrigin(*arranged);
     return std::move(arranged->domain);
@@ -363,6 +365,26 @@ void DrawingBuilder::noteFeatureGaps(const Arrangement &arrangement) const {
                          " apart, first at " + placeText(gaps.first) + "; --weld " +
                          numberText(kSpare * gaps.widest, 3) + " joins them",
                      offsetOf(arrangement.stretches[gaps.segment].piece));
+    }
+}
+
+/// Reports pairs of nodes so close together that the mesh is refined around them, as where a line crosses both sides
+/// of a sliver.
+void DrawingBuilder::noteShortSegments(const Arrangement &arrangement) const {
+    constexpr double kNear = 2e-4; // fraction of the diagonal
+    if (source_.notes == nullptr) {
+        return;
+    }
+    const Domain &domain = arrangement.domain;
+    const ShortSegments found = findShortSegments(domain, kNear * domain.bounds().diagonal());
+    if (found.count > 0) {
+        const bool one = found.count == 1;
+        source_.note(
+            "close-nodes",
+            (one ? std::string("two nodes are only ") : std::to_string(found.count) + " pairs of nodes are at most ") +
+                numberText(found.longest, 3) + " apart, which refines the mesh " + (one ? "at " : "first at ") +
+                placeText(found.first) + "; --weld " + numberText(kSpare * found.longest, 3) + " merges them",
+            offsetOf(arrangement.stretches[found.segment].piece));
     }
 }
 

@@ -82,6 +82,7 @@ class DrawingBuilder {
     bool joinsAlone(const Arrangement &lines, double tolerance, double near) const;
     void noteSmallDomain(const Domain &domain, const Box2 &lines) const;
     void noteFeatureGaps(const Arrangement &arrangement) const;
+    void noteShortSegments(const Arrangement &arrangement) const;
     void noteLines(const Arrangement &arrangement) const;
     void noteManyLines(const Arrangement &arrangement, std::size_t lines) const;
     void noteNearLines(const Arrangement &arrangement) const;

@@ -346,6 +346,10 @@ void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std:
                       context.theme.popup, context.fonts.strong);
         y += 24.0;
     }
+    if (const std::string prompt = typingPrompt(); !prompt.empty()) {
+        painter.label(at, {16.0, y}, prompt, context.theme.muted, context.theme.popup, context.fonts.small);
+        y += 22.0;
+    }
     if (entry_.isWrong()) {
         painter.label(at, {16.0, y}, entry_.fault(), context.theme.bad, context.theme.popup, context.fonts.small);
     } else if (!followsEntry()) {

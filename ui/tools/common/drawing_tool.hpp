@@ -29,11 +29,15 @@ class DrawingTool : public Tool {
     bool undo(Shell &context) override;
     std::string undoLabel(const Shell &) const override { return hasBegun() ? "last point" : ""; }
     std::string typingHint(const Shell &context) const override;
+    /// Returns the line below the typed numbers: what Tab and Enter do. Empty while none is typed.
+    std::string typingPrompt() const { return entry_.prompt(goal()); }
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:
     /// Handles a node placed by a click, a typed number or the end of a drag.
     virtual void place(Vec2 at, Shell &context) = 0;
+    /// Returns what Enter does once the typed numbers determine the next node, such as "place the centre".
+    virtual std::string_view goal() const { return "place the node"; }
     /// Draws the unfinished shape.
     virtual void drawSketch(CanvasPainter &painter, Shell &context) = 0;
     /// Returns the last node placed, while a shape is unfinished.

@@ -69,10 +69,11 @@ Result<double> read(EntryField field, std::string_view text, const NamedValues &
     return number;
 }
 
-const char *symbol(EntryField field) {
-    static constexpr std::array<const char *, kEntryFields> kSymbols{"x", "y", "d", "\xe2\x88\xa0", "w",
-                                                                     "h", "r", "d", "\xc3\x97"};
-    return kSymbols[static_cast<std::size_t>(field)];
+/// Returns the name of a quantity, as the labels and prompts on the canvas have it.
+const char *nameOf(EntryField field) {
+    static constexpr std::array<const char *, kEntryFields> kNames{"x",      "y",      "distance", "angle", "width",
+                                                                   "height", "radius", "diameter", "factor"};
+    return kNames[static_cast<std::size_t>(field)];
 }
 
 /// Returns a value that was typed as `expression`: a number as it was typed, or the value of a formula with all its
@@ -392,7 +393,7 @@ void NumericEntry::moveOn(bool back) {
 }
 
 bool NumericEntry::determined() const {
-    const auto has = [this](EntryField field) { return values_[static_cast<std::size_t>(field)].has_value(); };
+    const auto has = [this](EntryField field) { return value(field).has_value(); };
     if (fields_.size() == 1 && value(fields_.front())) {
         return true;
     }
@@ -431,7 +432,7 @@ std::string NumericEntry::label() const {
         if (!open_ && !known) {
             continue;
         }
-        result += (result.empty() ? "" : "   ") + std::string(symbol(field));
+        result += (result.empty() ? "" : "   ") + std::string(nameOf(field));
         const std::string stored = known ? shown(*known, expressions_[static_cast<std::size_t>(field)]) : std::string();
         if (open_ == field) {
             result += ' ' + typedText(stored);
@@ -440,6 +441,20 @@ std::string NumericEntry::label() const {
         }
     }
     return result;
+}
+
+std::string NumericEntry::prompt(std::string_view goal) const {
+    if (!open_ || isWrong()) {
+        return {};
+    }
+    const bool places = determined() || pair().has_value();
+    std::string text = "Enter: " + (places ? std::string(goal) : "keep " + std::string(nameOf(*open_)));
+    const std::vector<EntryField> shown = visible();
+    if (shown.size() > 1 && !pair()) {
+        const auto at = static_cast<std::size_t>(std::find(shown.begin(), shown.end(), *open_) - shown.begin());
+        text = "Tab: " + std::string(nameOf(shown[(at + 1) % shown.size()])) + "   " + text;
+    }
+    return text;
 }
 
 void drawUsedOnce(CanvasPainter &painter, const Workspace &context, const NumericEntry &entry, Vec2 at, double y) {

@@ -72,8 +72,11 @@ class NumericEntry {
     const std::string &fault() const { return fault_; }
     /// Clears all fields, after a node was placed or the drawing was cancelled.
     void clear() { *this = {}; }
-    /// Returns the visible fields in one line: "w 6   h 5_". Empty if nothing is typed.
+    /// Returns the visible fields in one line: "width 6   height 5_". Empty if nothing is typed.
     std::string label() const;
+    /// Returns what Tab and Enter do now: "Tab: y   Enter: place the centre", where `goal` is what Enter does once the
+    /// numbers suffice. Empty if no field is open, or its text is invalid.
+    std::string prompt(std::string_view goal) const;
 
   private:
     Answer key(const CanvasEvent &event);
@@ -84,6 +87,7 @@ class NumericEntry {
     Answer accept();
     void moveOn(bool back);
     bool store();
+    /// Returns true if the numbers, with the one being typed, determine what is asked for.
     bool determined() const;
     bool anchored() const { return fields_.empty() || fields_.front() != EntryField::X; }
     bool shows(EntryField field) const;

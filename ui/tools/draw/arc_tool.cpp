@@ -48,6 +48,16 @@ std::span<const EntryField> ArcTool::entryFields() const {
     return places_.size() == 2 ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
 }
 
+std::string_view ArcTool::goal() const {
+    if (places_.size() == 2) {
+        return "draw the arc";
+    }
+    if (byCentre()) {
+        return places_.empty() ? "place the centre" : "place the start";
+    }
+    return places_.empty() ? "place the start" : "place the end";
+}
+
 Vec2 ArcTool::fitted(Vec2 at) {
     if (!byCentre() || places_.size() < 2) {
         return at;
@@ -182,16 +192,16 @@ void ArcTool::drawOptions(Shell &context, ui::Flow &flow) {
 std::string ArcTool::statusText(const Shell &) const {
     switch (places_.size()) {
     case 0:
-        return byCentre() ? "Click the centre of the arc, or type x, Tab, y"
-                          : "Click where the arc begins, or type x, Tab, y";
+        return byCentre() ? "Click the centre of the arc, or type x, Tab, y, Enter"
+                          : "Click where the arc begins, or type x, Tab, y, Enter";
     case 1:
-        return byCentre() ? "Click where the arc begins, or type the radius, Tab, angle"
-                          : "Click where the arc ends, or type distance, Tab, angle, or a position such as 4,3";
+        return byCentre() ? "Click where the arc begins, or type the radius, Tab, angle, Enter"
+                          : "Click where the arc ends, or type distance, Tab, angle, Enter. Position: 4,3";
     default:
-        return byCentre() ? "Move around the centre and click where the arc ends, or type the angle of its end. "
-                            "Backspace: remove the start"
-                          : "Click a point on the arc, or point to its side and type the radius. Backspace: remove the "
-                            "last end";
+        return byCentre() ? "Move around the centre and click where the arc ends, or type the direction of its end "
+                            "as an angle, Enter. Backspace: remove the start"
+                          : "Click a point on the arc, or point to its side and type the radius, Enter. Backspace: "
+                            "remove the last end";
     }
 }
 

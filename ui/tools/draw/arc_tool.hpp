@@ -23,6 +23,7 @@ class ArcTool final : public DrawingTool {
 
   protected:
     void place(Vec2 at, Shell &context) override;
+    std::string_view goal() const override;
     void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override;
     void cancel() override { places_.clear(); }

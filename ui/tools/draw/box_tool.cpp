@@ -87,6 +87,15 @@ void BoxTool::place(Vec2 at, Shell &context) {
     first_.reset();
 }
 
+std::string_view BoxTool::goal() const {
+    if (first_) {
+        return kind_ == ShapeKind::Circle    ? "draw the circle"
+               : kind_ == ShapeKind::Ellipse ? "draw the ellipse"
+                                             : "draw the rectangle";
+    }
+    return kind_ == ShapeKind::Circle ? "place the centre" : "place the first corner";
+}
+
 std::string BoxTool::typedSize(bool across) const {
     const std::optional<TypedPair> pair = entry_.pair();
     const EntryField field = across ? EntryField::Width : EntryField::Height;
@@ -203,17 +212,18 @@ void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
 
 std::string BoxTool::statusText(const Shell &) const {
     if (kind_ == ShapeKind::Ellipse) {
-        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or a position "
-                        "such as x4,3. Shift: circle"
-                      : "Drag from corner to corner of its box. Inside another shape it becomes a hole";
+        return first_ ? "Click the opposite corner of its box, or type width, Tab, height, Enter. Shift: circle. "
+                        "Negative: left, down. Position of the corner: x4,3"
+                      : "Click or drag from a corner of its box, or type x, Tab, y, Enter. Inside another shape it "
+                        "becomes a hole";
     }
     if (isBox()) {
-        return first_ ? "Click the opposite corner, or type width, Tab, height (negative: left, down), or a position "
-                        "such as x4,3. Shift: square"
-                      : "Drag from corner to corner, or type x, Tab, y. Inside another shape it becomes a hole";
+        return first_ ? "Click the opposite corner, or type width, Tab, height, Enter. Shift: square. "
+                        "Negative: left, down. Position of the corner: x4,3"
+                      : "Click or drag from a corner, or type x, Tab, y, Enter. Inside another shape it becomes a hole";
     }
-    return first_ ? "Click a point on the circle, or type the radius, or D and the diameter"
-                  : "Drag from the centre, or type x, Tab, y. Inside another shape it becomes a hole";
+    return first_ ? "Click a point on the circle, or type the radius, Enter, or D, the diameter, Enter"
+                  : "Click or drag from the centre, or type x, Tab, y, Enter. Inside another shape it becomes a hole";
 }
 
 } // namespace forefront

@@ -22,6 +22,7 @@ class BoxTool final : public DrawingTool {
 
   protected:
     void place(Vec2 at, Shell &context) override;
+    std::string_view goal() const override;
     void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override { return first_; }
     void cancel() override { first_.reset(); }

@@ -398,28 +398,31 @@ std::string PenTool::statusText(const Shell &) const {
                                            : "Drag to draw a line freehand";
     }
     if (mode_ == PenMode::Spline && !path_.empty() && !(kind_ == ShapeKind::Polygon && canClose())) {
-        return "Click the next point of the curve, or type distance, Tab, angle, or a position such as 4,3. "
-               "Enter: finish, Backspace: remove the last point";
+        return "Click the next point of the curve, or type distance, Tab, angle, Enter. Enter alone: finish. "
+               "Position: 4,3. Backspace: remove the last point";
     }
     if (path_.empty() && mode_ == PenMode::Spline) {
-        return "Click the points of a smooth curve, or type x, Tab, y. Enter: finish";
+        return "Click the points of a smooth curve, or type x, Tab, y, Enter. Enter alone: finish";
     }
     if (path_.empty()) {
         return kind_ == ShapeKind::Polygon
-                   ? "Click for corners, drag for curves, or type x, Tab, y. A polygon inside another becomes a hole"
-                   : "Click for corners, drag for curves, or type x, Tab, y. The mesh follows the line";
+                   ? "Click for corners, drag for curves, or type x, Tab, y, Enter. A polygon inside another becomes a "
+                     "hole"
+                   : "Click for corners, drag for curves, or type x, Tab, y, Enter. The mesh follows the line";
     }
     if (drawsArc()) {
         return wantsMiddle() ? "Click a point on the arc. A: tangent arc, L: line, Backspace: remove the last node"
                : isTangent()
-                   ? "Click where the arc ends, or point there and type the radius, Tab, the angle that it turns. "
-                     "A: arc through a point, L: line"
-                   : "Click where the arc ends, or type distance, Tab, angle. Backspace: remove the point";
+                   ? "Click where the arc ends, or point there and type the radius, Tab, the angle that it turns, "
+                     "Enter. A: arc through a point, L: line"
+                   : "Click where the arc ends, or type distance, Tab, angle, Enter. Backspace: remove the point";
     }
     return kind_ == ShapeKind::Polygon && canClose()
-               ? "Click the first node or press Enter to close. A: arc, Backspace: remove the last node, Esc: cancel"
-               : "Click the next corner, drag for a curve, or type distance, Tab, angle, or a position such as 4,3. "
-                 "A: arc, Enter: finish, Backspace: remove the last node";
+               ? "Click the next corner, or type distance, Tab, angle, Enter. Click the first node or press Enter "
+                 "alone "
+                 "to close. A: arc, Backspace: remove the last node, Esc: cancel"
+               : "Click the next corner, drag for a curve, or type distance, Tab, angle, Enter. Enter alone: finish. "
+                 "Position: 4,3. A: arc, Backspace: remove the last node";
 }
 
 } // namespace forefront

@@ -16,7 +16,7 @@ class PointTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &) const override {
-        return "Click where the mesh must have a node, or type x, Tab, y";
+        return "Click where the mesh must have a node, or type x, Tab, y, Enter";
     }
 
   protected:

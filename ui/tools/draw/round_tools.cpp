@@ -90,8 +90,8 @@ void RegularPolygonTool::drawOptions(Shell &context, ui::Flow &flow) {
 }
 
 std::string RegularPolygonTool::statusText(const Shell &) const {
-    return centre_ ? "Click a corner, or type the radius, Tab, angle. Shift: angle steps"
-                   : "Drag from the centre to a corner. Inside another shape it becomes a hole";
+    return centre_ ? "Click a corner, or type the radius, Tab, angle, Enter. Shift: angle steps"
+                   : "Click or drag from the centre, or type x, Tab, y, Enter. Inside another shape it becomes a hole";
 }
 
 } // namespace forefront

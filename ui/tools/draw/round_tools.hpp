@@ -21,6 +21,7 @@ class RegularPolygonTool final : public DrawingTool {
 
   protected:
     void place(Vec2 at, Shell &context) override;
+    std::string_view goal() const override { return centre_ ? "draw the polygon" : "place the centre"; }
     void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override { return centre_; }
     void cancel() override { centre_.reset(); }

@@ -37,6 +37,12 @@ std::span<const EntryField> SlotTool::entryFields() const {
     return centres_.size() == 2 ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
 }
 
+std::string_view SlotTool::goal() const {
+    return centres_.empty()       ? "place the first centre"
+           : centres_.size() == 1 ? "place the second centre"
+                                  : "draw the slot";
+}
+
 double SlotTool::radiusTo(Vec2 at) const {
     const double reach = distanceToSegment(centres_[0], centres_[1], at);
     return entry_.value(EntryField::Radius).value_or(reach);
@@ -116,13 +122,13 @@ void SlotTool::drawOptions(Shell &context, ui::Flow &flow) {
 std::string SlotTool::statusText(const Shell &) const {
     switch (centres_.size()) {
     case 0:
-        return "Click the centre of one end, or type x, Tab, y. Inside another shape it becomes a hole";
+        return "Click the centre of one end, or type x, Tab, y, Enter. Inside another shape it becomes a hole";
     case 1:
-        return "Click the centre of the other end, or type distance, Tab, angle, or a position such as 4,3";
+        return "Click the centre of the other end, or type the length between the centres, Tab, angle, Enter. "
+               "Position: 4,3";
     default:
-        return "Click a point on the side, or type the radius of the ends, or D and the width. Backspace: remove the "
-               "last "
-               "centre";
+        return "Click a point on the side, or type the radius of the ends, Enter, or D, the width, Enter. "
+               "Backspace: remove the last centre";
     }
 }
 

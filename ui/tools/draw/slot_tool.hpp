@@ -22,6 +22,7 @@ class SlotTool final : public DrawingTool {
 
   protected:
     void place(Vec2 at, Shell &context) override;
+    std::string_view goal() const override;
     void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override {
         return centres_.empty() ? std::nullopt : std::optional(centres_.back());

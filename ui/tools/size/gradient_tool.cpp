@@ -194,7 +194,9 @@ void GradientTool::drawOptions(Shell &context, ui::Flow &flow) {
 }
 
 std::string GradientTool::statusText(const Shell &) const {
-    return first_ ? "Click the other end" : "Drag from the fine end to the coarse one, or the other way round";
+    return first_ ? "Click the other end, or type distance, Tab, angle, Enter"
+                  : "Click or drag from the fine end to the coarse one, or the other way round; or type x, Tab, y, "
+                    "Enter";
 }
 
 } // namespace forefront

@@ -21,6 +21,7 @@ class GradientTool final : public DrawingTool {
 
   protected:
     void place(Vec2 at, Shell &context) override;
+    std::string_view goal() const override { return first_ ? "add the gradient" : "place the first end"; }
     void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override { return first_; }
     void cancel() override { first_.reset(); }

@@ -108,6 +108,15 @@ std::span<const EntryField> SourceTool::entryFields() const {
     return first_ && shape() == SourceShape::Circle ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
 }
 
+std::string_view SourceTool::goal() const {
+    if (first_ || shape() == SourceShape::Point) {
+        return "add the source";
+    }
+    return shape() == SourceShape::Line     ? "place the first end"
+           : shape() == SourceShape::Circle ? "place the centre"
+                                            : "place the first corner";
+}
+
 Vec2 SourceTool::typedPlace(const TypedPair &pair) const {
     // A pair typed after the first corner is width and height.
     return first_ && shape() == SourceShape::Box ? *first_ + pair.value : DrawingTool::typedPlace(pair);
@@ -165,15 +174,19 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
 std::string SourceTool::statusText(const Shell &) const {
     switch (shape()) {
     case SourceShape::Point:
-        return "Click where the elements should be small";
+        return "Click where the elements should be small, or type x, Tab, y, Enter";
     case SourceShape::Line:
-        return first_ ? "Click the other end" : "Drag a line along which the elements should be small";
+        return first_ ? "Click the other end, or type distance, Tab, angle, Enter"
+                      : "Click or drag from one end of a line along which the elements should be small, or type x, "
+                        "Tab, y, Enter";
     case SourceShape::Circle:
-        return first_ ? "Click a point on the circle, or type the radius"
-                      : "Drag a disc from its centre; the elements will be small inside it";
+        return first_ ? "Click a point on the circle, or type the radius, Enter, or D, the diameter, Enter"
+                      : "Click or drag from the centre of a disc, or type x, Tab, y, Enter. The elements will be small "
+                        "inside it";
     case SourceShape::Box:
-        return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
-                      : "Drag a box; the elements will be small inside it. Shift: square";
+        return first_ ? "Click the opposite corner, or type width, Tab, height, Enter. Shift: square"
+                      : "Click or drag from a corner of a box, or type x, Tab, y, Enter. The elements will be small "
+                        "inside it. Shift: square";
     }
     return {};
 }

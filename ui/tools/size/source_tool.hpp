@@ -20,6 +20,7 @@ class SourceTool final : public DrawingTool {
 
   protected:
     void place(Vec2 at, Shell &context) override;
+    std::string_view goal() const override;
     void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override { return first_; }
     std::span<const EntryField> entryFields() const override;

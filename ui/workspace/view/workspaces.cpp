@@ -8,14 +8,15 @@ namespace {
 
 using Ids = std::string_view;
 
-constexpr std::array<Ids, 4> kDrawPanels{"shapes", "inspector", "parameters", "names"};
+// What follows the selection is below what does not, which stays in place.
+constexpr std::array<Ids, 4> kDrawPanels{"shapes", "parameters", "inspector", "names"};
 constexpr std::array<Ids, 1> kDrawFolded{"names"};
 constexpr std::array<Ids, 14> kDrawTools{"select", "polygon", "polyline", "rectangle", "circle", "ellipse", "regular",
                                          "slot",   "arc",     "point",    "trim",      "region", "measure", "picture"};
 constexpr std::array<Ids, 9> kDrawLayers{"domain",  "boundary", "faults",  "marks", "mesh",
                                          "lattice", "picture",  "regions", "labels"};
 
-constexpr std::array<Ids, 3> kSizePanels{"inspector", "spacing", "parameters"};
+constexpr std::array<Ids, 3> kSizePanels{"spacing", "parameters", "inspector"};
 constexpr std::array<Ids, 1> kSizeFolded{"parameters"};
 constexpr std::array<Ids, 8> kSizeTools{"select", "source", "gradient", "brush",
                                         "eraser", "region", "measure",  "picture"};
