@@ -28,6 +28,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront convert IN -o OUT  write a mesh in other formats  (forefront convert --help)
   forefront film IN -o GIF     film a run step by step        (forefront film --help)
   forefront trace IN -o JSON   write every advance of a run   (forefront trace --help)
+  forefront rules              list the classic method's rules (forefront rules --help)
   forefront tables             reproduce the published tables (forefront tables --help)
   forefront --version          print the version
   forefront --help             print this help
@@ -74,7 +75,7 @@ using Command = int (*)(int, const char *const *);
 Command batchCommand(std::string_view name) {
     constexpr std::pair<std::string_view, Command> kCommands[] = {
         {"mesh", meshCommand}, {"check", checkCommand}, {"adapt", adaptCommand},  {"convert", convertCommand},
-        {"film", filmCommand}, {"trace", traceCommand}, {"tables", tablesCommand}};
+        {"film", filmCommand}, {"trace", traceCommand}, {"rules", rulesCommand},  {"tables", tablesCommand}};
     const auto *const found =
         std::find_if(std::begin(kCommands), std::end(kCommands), [&](const auto &c) { return c.first == name; });
     return found != std::end(kCommands) ? found->second : nullptr;
@@ -101,7 +102,7 @@ int dispatch(int argc, const char *const *argv) {
     if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
         return wrongUsage("forefront",
                           "unknown command or file '" + std::string(command) +
-                              "'; expected view, mesh, check, adapt, convert, film, trace, tables or an existing file");
+                              "'; expected view, mesh, check, adapt, convert, film, trace, rules, tables or an existing file");
     }
     return editorCommand(argc, argv, false);
 }

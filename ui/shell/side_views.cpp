@@ -23,19 +23,20 @@ namespace {
 constexpr double kTitleHeight = 26.0; ///< design pixels
 constexpr double kZoomStep = 1.18;
 
-constexpr std::array<FigureColumn, 7> kRunColumns{
+constexpr std::array<FigureColumn, 8> kRunColumns{
     {{"advances", "Advances", "Advances of the front so far"},
      {"elements", "Ne", "Elements made so far"},
      {"front", "Nb", "Mean number of segments on the front"},
      {"neighbours", "Nc", "Mean number of neighbouring segments that the background grid returns per element"},
-     {"tests", "Ns", "Mean number of segments tested for intersection per element"},
+     {"considered", "Ns", "Mean number of segments near enough to be considered per element, as in Lo's tables"},
+     {"tests", "Nt", "Mean number of exact intersection tests per element"},
      {"cells", "Cells", "Mean number of cells of the background grid visited per element"},
      {"time", "Time, ms", "CPU time spent advancing the front"}}};
 
 FigureRow rowOf(std::string name, const SessionSnapshot &run) {
     const RunFigures f = figuresOf(run);
     return {std::move(name),
-            {static_cast<double>(f.advances), static_cast<double>(f.elements), f.front, f.neighbours, f.tests, f.cells,
+            {static_cast<double>(f.advances), static_cast<double>(f.elements), f.front, f.neighbours, f.considered, f.tests, f.cells,
              1e3 * f.seconds}};
 }
 

@@ -30,12 +30,15 @@ void ApexSearch<Grid, Trace>::evaluateSpacing(Base &base) {
     const Vec2 normal = (1.0 / base.length) * leftNormal(base.b - base.a);
     const auto idealFor = [&](double rho) {
         const double height = std::sqrt(std::max(0.0, rho * rho - 0.25 * base.length * base.length));
-        return middle + std::max(height, kMinHeight * base.length) * normal;
+        return middle + std::max(height, rules_.minHeight * base.length) * normal;
     };
     const double atMiddle = spacing_.at(middle);
-    const double atIdeal = spacing_.at(idealFor(clampedToBase(atMiddle, base.length)));
-    base.fieldRho = 0.5 * (atMiddle + atIdeal);
-    base.rho = clampedToBase(base.fieldRho, base.length);
+    base.fieldRho = atMiddle;
+    if (rules_.rhoAtC > 0.0) {
+        const double atIdeal = spacing_.at(idealFor(clampedToBase(atMiddle, base.length, rules_)));
+        base.fieldRho = (1.0 - rules_.rhoAtC) * atMiddle + rules_.rhoAtC * atIdeal;
+    }
+    base.rho = clampedToBase(base.fieldRho, base.length, rules_);
     base.ideal = idealFor(base.rho);
     trace_.evaluateSpacing(base);
 }
@@ -74,7 +77,9 @@ bool ApexSearch<Grid, Trace>::seenAll(const Base &base) const {
 
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candidate &apex) {
-    gather(reach(base, limits.radius * (1.0 + slack_)));
+    const double radius = limits.newNodes ? std::max(limits.radius, clearReach_ * base.rho) : limits.radius;
+    gather(reach(base, radius * (1.0 + slack_)));
+    work_.considered += static_cast<std::uint32_t>(neighbours_.size()) - 1U; // without AB, which is among them
     rank(base, limits);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         trace_.beginTest(i);
@@ -142,7 +147,9 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
     work_.candidates += static_cast<std::uint32_t>(candidates_.size());
     bool withdrawn = false;
     if (limits.newNodes) {
-        withdrawn = !idealIsClear(base) || (state_.smallNodesLeft == 0 && base.small());
+        crowds_ = mayCrowd_ && !idealIsClear(base, kCrowded, kCrowded);
+        withdrawn = (rules_.withdraw && !idealIsClear(base, rules_.nodeClearance, rules_.segmentClearance)) ||
+                    (state_.smallNodesLeft == 0 && (base.small() || crowds_));
         if (!withdrawn) {
             candidates_.push_back({score(base, base.ideal), base.ideal, kNoNode, kNoSlot});
             ++work_.candidates;
@@ -161,10 +168,10 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
 /// Returns true if the ideal point keeps its distance from Γ. Just the minimum distance is enough: beside a square
 /// corner, half a segment away from the other side, that is the rule.
 template <class Grid, class Trace>
-bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
+bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base, double nodeClearance, double segmentClearance) const {
     const double rho2 = (1.0 - slack_) * base.rho * base.rho;
-    const double node2 = kNodeClearance * kNodeClearance * rho2;
-    const double segment2 = kSegmentClearance * kSegmentClearance * rho2;
+    const double node2 = nodeClearance * nodeClearance * rho2;
+    const double segment2 = segmentClearance * segmentClearance * rho2;
     return std::none_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
         if (n.slot == base.slotA) {
             return false;
@@ -176,8 +183,8 @@ bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
 
 template <class Grid, class Trace>
 double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
-    return shapeFactor(base.a, base.b, p) * spacingConformity(distance(base.a, p), base.rho) *
-           spacingConformity(distance(base.b, p), base.rho);
+    return rules_.score(shapeFactor(base.a, base.b, p), spacingConformity(distance(base.a, p), base.rho),
+                        spacingConformity(distance(base.b, p), base.rho));
 }
 
 /// Tests a candidate (step 8). All tests are exact; unless `flat`, the area must be positive and nodes of Γ outside the

@@ -11,11 +11,11 @@
 namespace forefront {
 
 /// Minimum height of the ideal point above AB, in units of |AB|.
-inline constexpr double kMinHeight = 0.5;
+inline constexpr double kMinHeight = FrontRules{}.minHeight;
 
 /// Returns ρ clamped against the length of the base (step 3), which keeps neighbouring elements within a factor of two.
-inline double clampedToBase(double rho, double length) {
-    return std::clamp(rho, 0.55 * length, 2.0 * length);
+inline double clampedToBase(double rho, double length, const FrontRules &rules = {}) {
+    return std::clamp(rho, rules.minRho * length, rules.maxRho * length);
 }
 
 /// A new node closer to Γ than this fraction of the node spacing counts as small, see FrontState::smallNodesLeft.
@@ -46,10 +46,11 @@ struct Candidate {
 
 /// The work of the searches in one advance.
 struct SearchWork {
-    std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0, rejected = 0;
+    std::uint32_t delivered = 0, considered = 0, tested = 0, cells = 0, candidates = 0, rejected = 0;
 
     void store(AdvanceDelta &delta) const {
         delta.delivered = delivered;
+        delta.considered = considered;
         delta.tested = tested;
         delta.cells = cells;
         delta.candidates = candidates;
@@ -73,11 +74,15 @@ class ApexSearch {
         bool flat = false; ///< accept flat elements, and sides that rounding cannot tell from touching a node of Γ
     };
 
-    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace, Ties ties)
-        : state_(state), grid_(grid), spacing_(spacing), trace_(trace),
-          droppedBits_(ties == Ties::Rounded ? kTieBits : 0U), slack_(ties == Ties::Rounded ? kTieWidth : 0.0) {}
+    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace, Ties ties,
+               const FrontRules &rules)
+        : state_(state), grid_(grid), spacing_(spacing), trace_(trace), rules_(rules),
+          droppedBits_(ties == Ties::Rounded ? kTieBits : 0U), slack_(ties == Ties::Rounded ? kTieWidth : 0.0),
+          mayCrowd_(!rules.withdraw || std::min(rules.nodeClearance, rules.segmentClearance) < kCrowded),
+          clearReach_(std::max(rules.withdraw ? std::max(rules.nodeClearance, rules.segmentClearance) : 0.0,
+                               mayCrowd_ ? kCrowded : 0.0)) {}
 
-    /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is the mean of its values at the midpoint of AB and at
+    /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is a mean of its values at the midpoint of AB and at
     /// the ideal point that follows from the first.
     void evaluateSpacing(Base &base);
     /// Returns a box that contains or meets everything that find() depends on.
@@ -88,6 +93,10 @@ class ApexSearch {
     /// element only where the search has found no other among thousands of segments or all of Γ, or where three
     /// segments are left.
     void force(const Base &base, double radius, Candidate &apex);
+
+    /// Returns true if the ideal point of the last search is nearer to Γ than any clearance should allow. Such a node
+    /// counts as small; see FrontState::smallNodesLeft.
+    bool idealCrowds() const { return crowds_; }
 
     void startCounting() { work_ = {}; }
     const SearchWork &work() const { return work_; }
@@ -102,7 +111,7 @@ class ApexSearch {
 
     void gather(const Box2 &box);
     void rank(const Base &base, const Limits &limits);
-    bool idealIsClear(const Base &base) const;
+    bool idealIsClear(const Base &base, double nodeClearance, double segmentClearance) const;
     double score(const Base &base, Vec2 p) const;
     bool seenAll(const Base &base) const;
     Verdict test(const Base &base, const Candidate &candidate, bool flat);
@@ -115,8 +124,14 @@ class ApexSearch {
     const Grid &grid_;
     const SpacingField &spacing_;
     Trace &trace_;
+    FrontRules rules_;
     unsigned droppedBits_; ///< of scores, see orderKey()
     double slack_;         ///< relative, of squared distances that equal a limit and of heights that equal 0
+    /// Distance from Γ, in ρ, below which a new node counts as small if the rules allow it at all.
+    static constexpr double kCrowded = 0.25;
+    bool mayCrowd_;        ///< the rules allow such nodes
+    double clearReach_;    ///< the largest distance from the ideal point that idealIsClear() looks at, in ρ
+    bool crowds_ = false;  ///< see idealCrowds()
 
     std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
     std::uint32_t stamp_ = 0;

@@ -31,6 +31,7 @@ RunFigures figuresOf(const SessionSnapshot &snapshot) {
             .elements = work.elements,
             .front = work.frontMean(),
             .neighbours = work.neighboursMean(),
+            .considered = work.consideredMean(),
             .tests = work.testsMean(),
             .cells = static_cast<double>(work.cellsVisited) / elements,
             .seconds = snapshot.secondsMesh};
