@@ -74,8 +74,8 @@ using Command = int (*)(int, const char *const *);
 /// Returns the batch command of this name; null if there is none.
 Command batchCommand(std::string_view name) {
     constexpr std::pair<std::string_view, Command> kCommands[] = {
-        {"mesh", meshCommand}, {"check", checkCommand}, {"adapt", adaptCommand},  {"convert", convertCommand},
-        {"film", filmCommand}, {"trace", traceCommand}, {"rules", rulesCommand},  {"tables", tablesCommand}};
+        {"mesh", meshCommand}, {"check", checkCommand}, {"adapt", adaptCommand}, {"convert", convertCommand},
+        {"film", filmCommand}, {"trace", traceCommand}, {"rules", rulesCommand}, {"tables", tablesCommand}};
     const auto *const found =
         std::find_if(std::begin(kCommands), std::end(kCommands), [&](const auto &c) { return c.first == name; });
     return found != std::end(kCommands) ? found->second : nullptr;
@@ -100,9 +100,10 @@ int dispatch(int argc, const char *const *argv) {
     }
     std::error_code none;
     if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
-        return wrongUsage("forefront",
-                          "unknown command or file '" + std::string(command) +
-                              "'; expected view, mesh, check, adapt, convert, film, trace, rules, tables or an existing file");
+        return wrongUsage(
+            "forefront",
+            "unknown command or file '" + std::string(command) +
+                "'; expected view, mesh, check, adapt, convert, film, trace, rules, tables or an existing file");
     }
     return editorCommand(argc, argv, false);
 }

@@ -32,7 +32,7 @@ struct RunReport : MeshReport {
     ImproveLevel improve = ImproveLevel::None;
     Elements elements = Elements::Triangles;
     FrontRules rules{}; ///< the defaults unless the method is classic
-    QuadReport quads; ///< unless the elements are triangles
+    QuadReport quads;   ///< unless the elements are triangles
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far
 

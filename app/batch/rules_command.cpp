@@ -46,11 +46,12 @@ void printList() {
     for (const FrontRule rule : valuesOf<FrontRule>()) {
         const FrontRuleInfo &info = frontRuleInfo(rule);
         std::printf("%s: %s; default %s; step %d, %s\n        %s: %s\n", std::string(wordOf(rule)).c_str(),
-                    boundsText(info).c_str(), valueText(FrontRules(), rule).c_str(), info.step,
-                    originText(info.origin), info.name, info.meaning);
+                    boundsText(info).c_str(), valueText(FrontRules(), rule).c_str(), info.step, originText(info.origin),
+                    info.name, info.meaning);
     }
-    std::printf("\nLo's: part of his method as described. Ours: chosen for this program, where the description leaves it "
-                "open.\n");
+    std::printf(
+        "\nLo's: part of his method as described. Ours: chosen for this program, where the description leaves it "
+        "open.\n");
 }
 
 } // namespace

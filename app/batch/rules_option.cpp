@@ -5,9 +5,10 @@
 namespace forefront {
 
 void addRulesOption(CLI::App &app, std::optional<std::filesystem::path> &file) {
-    app.add_option("--rules", file,
-                   "rules of the classic method, such as {\"base\": \"oldest\", \"radius\": 2}, instead of those of the "
-                   "project; 'forefront rules' lists them")
+    app.add_option(
+           "--rules", file,
+           "rules of the classic method, such as {\"base\": \"oldest\", \"radius\": 2}, instead of those of the "
+           "project; 'forefront rules' lists them")
         ->type_name("FILE.json");
 }
 

@@ -77,9 +77,9 @@ bool ApexSearch<Grid, Trace>::seenAll(const Base &base) const {
 
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candidate &apex) {
-    const double radius = limits.newNodes ? std::max(limits.radius, clearReach_ * base.rho) : limits.radius;
+    const double clearance = limits.newNodes ? std::max(nodeClearance_, segmentClearance_) * base.rho : 0.0;
+    const double radius = std::max(limits.radius, clearance);
     gather(reach(base, radius * (1.0 + slack_)));
-    work_.considered += static_cast<std::uint32_t>(neighbours_.size()) - 1U; // without AB, which is among them
     rank(base, limits);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         trace_.beginTest(i);
@@ -147,9 +147,7 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
     work_.candidates += static_cast<std::uint32_t>(candidates_.size());
     bool withdrawn = false;
     if (limits.newNodes) {
-        crowds_ = mayCrowd_ && !idealIsClear(base, kCrowded, kCrowded);
-        withdrawn = (rules_.withdraw && !idealIsClear(base, rules_.nodeClearance, rules_.segmentClearance)) ||
-                    (state_.smallNodesLeft == 0 && (base.small() || crowds_));
+        withdrawn = !idealIsClear(base) || (state_.smallNodesLeft == 0 && base.small());
         if (!withdrawn) {
             candidates_.push_back({score(base, base.ideal), base.ideal, kNoNode, kNoSlot});
             ++work_.candidates;
@@ -168,10 +166,10 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
 /// Returns true if the ideal point keeps its distance from Γ. Just the minimum distance is enough: beside a square
 /// corner, half a segment away from the other side, that is the rule.
 template <class Grid, class Trace>
-bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base, double nodeClearance, double segmentClearance) const {
+bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
     const double rho2 = (1.0 - slack_) * base.rho * base.rho;
-    const double node2 = nodeClearance * nodeClearance * rho2;
-    const double segment2 = segmentClearance * segmentClearance * rho2;
+    const double node2 = nodeClearance_ * nodeClearance_ * rho2;
+    const double segment2 = segmentClearance_ * segmentClearance_ * rho2;
     return std::none_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
         if (n.slot == base.slotA) {
             return false;
@@ -228,6 +226,7 @@ bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &can
 /// tests have dealt with them.
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) {
+    work_.considered += static_cast<std::uint32_t>(neighbours_.size()) - 1U; // without AB, which is among them
     const Box2 box = boxOf(from, to.position);
     for (const Neighbour &n : neighbours_) {
         const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;

@@ -78,9 +78,8 @@ class ApexSearch {
                const FrontRules &rules)
         : state_(state), grid_(grid), spacing_(spacing), trace_(trace), rules_(rules),
           droppedBits_(ties == Ties::Rounded ? kTieBits : 0U), slack_(ties == Ties::Rounded ? kTieWidth : 0.0),
-          mayCrowd_(!rules.withdraw || std::min(rules.nodeClearance, rules.segmentClearance) < kCrowded),
-          clearReach_(std::max(rules.withdraw ? std::max(rules.nodeClearance, rules.segmentClearance) : 0.0,
-                               mayCrowd_ ? kCrowded : 0.0)) {}
+          nodeClearance_(rules.withdraw ? rules.nodeClearance : kLeastClearance),
+          segmentClearance_(rules.withdraw ? rules.segmentClearance : kLeastClearance) {}
 
     /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is a mean of its values at the midpoint of AB and at
     /// the ideal point that follows from the first.
@@ -93,10 +92,6 @@ class ApexSearch {
     /// element only where the search has found no other among thousands of segments or all of Γ, or where three
     /// segments are left.
     void force(const Base &base, double radius, Candidate &apex);
-
-    /// Returns true if the ideal point of the last search is nearer to Γ than any clearance should allow. Such a node
-    /// counts as small; see FrontState::smallNodesLeft.
-    bool idealCrowds() const { return crowds_; }
 
     void startCounting() { work_ = {}; }
     const SearchWork &work() const { return work_; }
@@ -111,7 +106,7 @@ class ApexSearch {
 
     void gather(const Box2 &box);
     void rank(const Base &base, const Limits &limits);
-    bool idealIsClear(const Base &base, double nodeClearance, double segmentClearance) const;
+    bool idealIsClear(const Base &base) const;
     double score(const Base &base, Vec2 p) const;
     bool seenAll(const Base &base) const;
     Verdict test(const Base &base, const Candidate &candidate, bool flat);
@@ -127,11 +122,7 @@ class ApexSearch {
     FrontRules rules_;
     unsigned droppedBits_; ///< of scores, see orderKey()
     double slack_;         ///< relative, of squared distances that equal a limit and of heights that equal 0
-    /// Distance from Γ, in ρ, below which a new node counts as small if the rules allow it at all.
-    static constexpr double kCrowded = 0.25;
-    bool mayCrowd_;        ///< the rules allow such nodes
-    double clearReach_;    ///< the largest distance from the ideal point that idealIsClear() looks at, in ρ
-    bool crowds_ = false;  ///< see idealCrowds()
+    double nodeClearance_, segmentClearance_; ///< of the ideal point, in ρ
 
     std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
     std::uint32_t stamp_ = 0;

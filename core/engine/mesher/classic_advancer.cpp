@@ -32,7 +32,6 @@ bool ClassicAdvancer<Grid, Trace>::advance(AdvanceDelta &delta) {
             delta.forced = true;
         }
         update_.addElement(base, apex, delta);
-        delta.smallNode = delta.smallNode || (delta.kind == AdvanceDelta::Kind::NewNode && search_.idealCrowds());
     }
     FrontUpdate<Grid>::forEachNew(delta, [&](SlotId id) { state_.order.offer(front, id); });
     trace_.end(state_, delta, apex.position);

@@ -160,7 +160,7 @@ bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Boxes &boxes, const F
     if (!boxes.reach.overlaps(box)) { // exactly the same for every grid
         return false;
     }
-    ++work.considered;
+    work.considered += 2; // for each of the two outer sides
     const double size2 = fan.size * fan.size;
     if (nearSegment(fan.apex, a, b, kSideClearance * kSideClearance * size2)) {
         return true;

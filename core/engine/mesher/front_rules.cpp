@@ -25,51 +25,59 @@ const RuleRow &rowOf(FrontRule rule) {
     using enum RuleKind;
     static constexpr RuleRow kRows[] = {
         {&FrontRules::base,
-         {"order of bases", "Which segment of the front is taken first. Lo's method takes the shortest, so that large "
+         {"order of bases",
+          "Which segment of the front is taken first. Lo's method takes the shortest, so that large "
           "elements do not block the way of small ones.",
           "", 2, Lo, Choice, 0, 3}},
         {&FrontRules::seed,
          {"seed", "Seed of the random order of bases. Each seed gives an order of its own, the same in every run.", "",
           2, Ours, Whole, 0, 1'000'000}},
         {&FrontRules::minRho,
-         {"minimum of ρ", "The spacing at AB is at least this many lengths of AB, so that neighbouring elements differ "
+         {"minimum of ρ",
+          "The spacing at AB is at least this many lengths of AB, so that neighbouring elements differ "
           "little in size.",
           "|AB|", 3, Ours, Number, 0.1, 1}},
         {&FrontRules::maxRho,
-         {"maximum of ρ", "The spacing at AB is at most this many lengths of AB.", "|AB|", 3, Ours, Number, 1, 4}},
+         {"maximum of ρ", "The spacing at AB is at most this many lengths of AB.", "|AB|", 3, Ours, Number, 1.5, 4}},
         {&FrontRules::rhoAtC,
-         {"share of ρ near C", "The spacing at AB is a mean of ρ near C, with this share, and ρ at the midpoint of AB. "
+         {"share of ρ near C",
+          "The spacing at AB is a mean of ρ near C, with this share, and ρ at the midpoint of AB. "
           "Lo takes the midpoint alone: 0.",
           "", 3, Ours, Number, 0, 1}},
         {&FrontRules::minHeight,
-         {"minimum height of C", "C lies on the bisector of AB where AC and CB have the length ρ, but at least this "
+         {"minimum height of C",
+          "C lies on the bisector of AB where AC and CB have the length ρ, but at least this "
           "high above AB.",
           "|AB|", 4, Ours, Number, 0.1, 1}},
         {&FrontRules::radius,
          {"search radius", "Front nodes within this distance of C are candidates.", "ρ", 5, Ours, Number, 0.2, 5}},
         {&FrontRules::secondRadius,
-         {"second search radius", "The distance within which front nodes are candidates if the base was deferred "
+         {"second search radius",
+          "The distance within which front nodes are candidates if the base was deferred "
           "before.",
           "ρ", 5, Ours, Number, 0.2, 10}},
         {&FrontRules::withdraw,
-         {"withdrawal of C", "Withdraw C where a node or a segment of the front is nearer than its clearance. Without "
-          "it, only a limited number of nodes come very near the front.",
+         {"withdrawal of C",
+          "Withdraw C where a node or a segment of the front is nearer than its clearance. Without "
+          "it, C is withdrawn only within 0.3 ρ, where elements would be nearly flat.",
           "", 7, Ours, Switch, 0, 1}},
         {&FrontRules::nodeClearance,
-         {"clearance from nodes", "C is withdrawn if a node of the front is nearer than this.", "ρ", 7, Ours, Number, 0,
-          1.5}},
+         {"clearance from nodes", "C is withdrawn if a node of the front is nearer than this.", "ρ", 7, Ours, Number,
+          kLeastClearance, 1.5}},
         {&FrontRules::segmentClearance,
          {"clearance from segments", "C is withdrawn if a segment of the front is nearer than this.", "ρ", 7, Ours,
-          Number, 0, 1.5}},
+          Number, kLeastClearance, 1.5}},
         {&FrontRules::shapeWeight,
          {"weight of the shape", "Exponent of the shape factor α(ABC) in the score. 0: the shape does not count.", "",
           6, Ours, Number, 0, 8}},
         {&FrontRules::spacingWeight,
-         {"weight of the spacing", "Exponent of the spacing conformity δ(AC)·δ(CB) in the score. 0: the lengths do not "
+         {"weight of the spacing",
+          "Exponent of the spacing conformity δ(AC)·δ(CB) in the score. 0: the lengths do not "
           "count.",
           "", 6, Ours, Number, 0, 8}},
         {&FrontRules::defer,
-         {"deferral", "Put a base back once if no candidate passes. Without it, the base is closed with existing nodes "
+         {"deferral",
+          "Put a base back once if no candidate passes. Without it, the base is closed with existing nodes "
           "at once.",
           "", 8, Ours, Switch, 0, 1}},
     };

@@ -12,18 +12,22 @@
 
 namespace FOREFRONT_API forefront {
 
+/// Minimum clearance of the ideal point from Γ, in ρ. Nearer nodes leave elements that rounding cannot tell from flat
+/// ones, and no bound on their number.
+inline constexpr double kLeastClearance = 0.3;
+
 /// The rules of the classic method that can be changed. frontRuleInfo() describes each one and bounds it; any
 /// combination of values within the bounds gives a valid mesh. Other methods and quadrilaterals do not use them.
 struct FrontRules {
     BaseRule base = BaseRule::Shortest;
-    std::uint32_t seed = 1;        ///< of BaseRule::Random
-    double minRho = 0.55;          ///< minimum of ρ, in |AB|
-    double maxRho = 2.0;           ///< maximum of ρ, in |AB|
-    double rhoAtC = 0.5;           ///< share of ρ near C in the mean; the rest is ρ at the midpoint of AB
-    double minHeight = 0.5;        ///< minimum height of C above AB, in |AB|
-    double radius = 1.2;           ///< of the first search around C, in ρ
-    double secondRadius = 1.75;    ///< of the search for a base that was deferred, in ρ
-    bool withdraw = true;          ///< withdraw C where Γ is nearer than the clearances
+    std::uint32_t seed = 1;     ///< of BaseRule::Random
+    double minRho = 0.55;       ///< minimum of ρ, in |AB|
+    double maxRho = 2.0;        ///< maximum of ρ, in |AB|
+    double rhoAtC = 0.5;        ///< share of ρ near C in the mean; the rest is ρ at the midpoint of AB
+    double minHeight = 0.5;     ///< minimum height of C above AB, in |AB|
+    double radius = 1.2;        ///< of the first search around C, in ρ
+    double secondRadius = 1.75; ///< of the search for a base that was deferred, in ρ
+    bool withdraw = true;       ///< withdraw C where Γ is nearer than the clearances; else only within kLeastClearance
     double nodeClearance = 0.65;   ///< minimum distance of C from nodes of Γ, in ρ
     double segmentClearance = 0.5; ///< minimum distance of C from segments of Γ, in ρ
     double shapeWeight = 1.0;      ///< exponent of α(ABC) in the score
@@ -86,10 +90,10 @@ enum class RuleKind : std::uint8_t {
 
 /// The description of a rule. Words and switches are numbers here: the place of the word, 0 or 1.
 struct FrontRuleInfo {
-    const char *name;        ///< "search radius"
-    const char *meaning;     ///< a sentence for help and tooltips
-    const char *unit;        ///< "ρ", "|AB|" or empty
-    int step;                ///< of the ten that it belongs to
+    const char *name;    ///< "search radius"
+    const char *meaning; ///< a sentence for help and tooltips
+    const char *unit;    ///< "ρ", "|AB|" or empty
+    int step;            ///< of the ten that it belongs to
     RuleOrigin origin;
     RuleKind kind;
     double minimum, maximum;

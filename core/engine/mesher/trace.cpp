@@ -145,9 +145,9 @@ std::string baseText(const AdvanceExplanation &explanation, const TraceEvent &ev
     if (event.equal == 0) {
         return "one of the " + kind + " segments of the front, taken as base AB";
     }
-    return text(event.equal == 1 ? "the " + kind + " segment of the front"
-                                 : "the oldest of the " + std::to_string(event.equal) + ' ' + kind +
-                                       " segments of the front");
+    return text(event.equal == 1
+                    ? "the " + kind + " segment of the front"
+                    : "the oldest of the " + std::to_string(event.equal) + ' ' + kind + " segments of the front");
 }
 
 std::string sortText(const AdvanceExplanation &explanation, const TraceEvent &event) {

@@ -104,13 +104,13 @@ struct AdvanceExplanation {
     std::vector<Box2> cells;     ///< visited cells of the background grid, in order
     std::uint32_t delivered = 0; ///< segments that the grid delivered
     std::vector<TraceEvent> events;
-    Vec2 apex;                             ///< apex of the elements made, unless deferred
-    ElementId element = kNoElement;        ///< first element made
-    unsigned elements = 0;                 ///< number of elements made
-    std::vector<std::array<Vec2, 3>> made; ///< corners of the elements made
+    Vec2 apex;                              ///< apex of the elements made, unless deferred
+    ElementId element = kNoElement;         ///< first element made
+    unsigned elements = 0;                  ///< number of elements made
+    std::vector<std::array<Vec2, 3>> made;  ///< corners of the elements made
     BaseRule baseRule = BaseRule::Shortest; ///< classic method
-    bool earlierDeferred = false;          ///< classic method: a segment that comes earlier waits, since it was deferred
-    bool walked = false;                   ///< fast method: the base continues the walk along the front
+    bool earlierDeferred = false; ///< classic method: a segment that comes earlier waits, since it was deferred
+    bool walked = false;          ///< fast method: the base continues the walk along the front
 };
 
 /// Returns a moment as a caption: "Edge 41-42: node 7 accepted (α 0.982); 2 candidates rejected: 2 cross the front; 1

@@ -14,9 +14,9 @@ namespace forefront {
 namespace {
 
 constexpr std::array<std::string_view, 5> kLessonMembers = {"format", "version", "title", "about", "pages"};
-constexpr std::array<std::string_view, 14> kPageMembers = {
-    "title",    "text",   "document", "method", "grid",  "improve",   "rules",
-    "position", "layers", "panel",    "camera", "range", "highlight", "question"};
+constexpr std::array<std::string_view, 14> kPageMembers = {"title",   "text",  "document",  "method",  "grid",
+                                                           "improve", "rules", "position",  "layers",  "panel",
+                                                           "camera",  "range", "highlight", "question"};
 
 class LessonReader {
   public:

@@ -48,10 +48,10 @@ template <>
 struct EnumWords<LessonValue> {
     static constexpr auto kLast = LessonValue::Chosen;
     static constexpr std::array<std::string_view, 28> kList = {
-        "advance", "finished", "front",     "elements", "new-nodes",  "deferrals",  "forced",
-        "Nb",         "Nc",       "Ns",        "Nt",       "cells",      "min-alpha",  "mean-alpha",
-        "mean-delta", "base",     "rho",       "field-rho", "radius",    "candidates", "winner",
-        "rejected",   "tests",    "visited",   "delivered", "alpha",     "score",      "chosen"};
+        "advance",    "finished", "front",   "elements",  "new-nodes", "deferrals",  "forced",
+        "Nb",         "Nc",       "Ns",      "Nt",        "cells",     "min-alpha",  "mean-alpha",
+        "mean-delta", "base",     "rho",     "field-rho", "radius",    "candidates", "winner",
+        "rejected",   "tests",    "visited", "delivered", "alpha",     "score",      "chosen"};
 };
 
 /// The state that lesson values are read from.

@@ -260,9 +260,10 @@ Notes
   only growth and efficiency can be compared. Efficiency: time without grid / time with it.
   Lo had no grid, 30x20 and 60x40; any other grid is compared with his figures for 60x40, his best.
   Lo's Nc is not reliable in the larger rows (Nc*Ne is 2^24 there: a sum that stopped growing).
-  Ns: the segments near enough to be considered, for each element: those that reach into the search region, without AB.
-  Lo does not define his Ns. It is the same with and without a grid, as ours is, and of the same size; exact tests, Nt,
-  are far fewer, since segments that share an end with AC or CB, or whose box does not overlap theirs, need none.
+  Ns: the segments near enough to be considered, per element: those that reach into the search region, without AB, once
+  for each candidate side AC and CB. Lo does not say how he counts his; it is the same with and without a grid, as ours
+  is, and of a similar size. Nt: those of them that are tested exactly; the others share an end with the side, or their
+  box does not overlap its box.
   Every grid gives the same mesh, bit for bit; the hash is that of the raw mesh.
 )";
 
@@ -287,8 +288,7 @@ std::string tableLines(const RowFigures &row) {
             cell(6, 4, line.alphaImproved, ours) + cell(6, ours ? 4 : 3, line.delta) +
             cell(6, 4, line.deltaImproved, ours) + cell(7, 0, line.front) +
             cell(9, 2, line.neighbours, line.neighbours > 0.0) + cell(6, 3, line.considered) +
-            cell(6, 3, line.tests, ours) +
-            (ours ? ' ' + line.hash : std::string()) + '\n';
+            cell(6, 3, line.tests, ours) + (ours ? ' ' + line.hash : std::string()) + '\n';
     }
     return text;
 }
@@ -313,8 +313,7 @@ std::string tableCsv(const std::vector<RowFigures> &rows) {
                     optional(ours, "%.5g", line.alphaImproved) + format(",%.5g,", line.delta) +
                     optional(ours, "%.5g", line.deltaImproved) + format(",%.6g,", line.front) +
                     optional(line.neighbours > 0.0, "%.6g", line.neighbours) + format(",%.5g,", line.considered) +
-                    optional(ours, "%.5g", line.tests) + ',' +
-                    line.hash + '\n';
+                    optional(ours, "%.5g", line.tests) + ',' + line.hash + '\n';
         }
     }
     return text;

@@ -200,8 +200,7 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
                 return faults;
             }
             describeMesh(std::move(run->mesh), *prepared, progress, figures);
-        } else if (hash != figures.hash || run->work.tested != tested ||
-                   run->work.considered != considered) {
+        } else if (hash != figures.hash || run->work.tested != tested || run->work.considered != considered) {
             return error("grid-changes-mesh", "row " + std::string(row.row) + ": the mesh with the grid " + grid.name +
                                                   " differs from that with the grid " + figures.grids.front().grid);
         }

@@ -66,25 +66,28 @@ class AdvanceComparison {
         const bool longest = rules_.base == BaseRule::Longest;
         const std::string deferred = ", but those that were deferred come after all others";
         if (rules_.base == BaseRule::Oldest) {
-            return ". The oldest is taken first" + deferred + ": those of the boundary come first, in their order, and of "
+            return ". The oldest is taken first" + deferred +
+                   ": those of the boundary come first, in their order, and of "
                    "two new ones AC is older than CB";
         }
         if (std::abs(here - there) <= tolerance_) {
-            return std::string(". Of segments that are equally ") + (longest ? "long" : "short") + " the oldest is taken: those of the boundary come first, in "
+            return std::string(". Of segments that are equally ") + (longest ? "long" : "short") +
+                   " the oldest is taken: those of the boundary come first, in "
                    "their order, and of two new ones AC is older than CB";
         }
-        return longest == (here > there) ? std::string(". The ") + (longest ? "longest" : "shortest") +
-                                               " is taken first" + deferred
-                                         : "";
+        return longest == (here > there)
+                   ? std::string(". The ") + (longest ? "longest" : "shortest") + " is taken first" + deferred
+                   : "";
     }
     std::string spacing() const {
         if (!theirs_.rho || same(*theirs_.rho, ours_.rho)) {
             return {};
         }
         return "rho is " + numberText(ours_.rho, 6) + "; yours is " + numberText(*theirs_.rho, 6) +
-               (same(*theirs_.rho, ours_.fieldRho) ? ", which is rho before it is clamped to [" + numberText(rules_.minRho, 6) +
-                                                         ", " + numberText(rules_.maxRho, 6) + "] times |AB|"
-                                                   : "");
+               (same(*theirs_.rho, ours_.fieldRho)
+                    ? ", which is rho before it is clamped to [" + numberText(rules_.minRho, 6) + ", " +
+                          numberText(rules_.maxRho, 6) + "] times |AB|"
+                    : "");
     }
     std::string ideal() const {
         if (!theirs_.ideal || same(*theirs_.ideal, ours_.ideal)) {
@@ -222,8 +225,7 @@ Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvan
         }
         const TracedAdvance &other = trace[result.advances];
         result.difference =
-            AdvanceComparison(*stepper->explanation(), stepper->front().size(), other, rules, tolerance)
-                .difference();
+            AdvanceComparison(*stepper->explanation(), stepper->front().size(), other, rules, tolerance).difference();
         if (!result.difference.empty()) {
             result.offset = other.offset;
             return result;
