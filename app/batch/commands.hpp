@@ -26,6 +26,9 @@ int filmCommand(int argc, const char *const *argv);
 /// Runs `forefront tables ...` and returns the exit code; argv[0] is the word "tables".
 int tablesCommand(int argc, const char *const *argv);
 
+/// Runs `forefront rules ...` and returns the exit code; argv[0] is the word "rules".
+int rulesCommand(int argc, const char *const *argv);
+
 /// Runs `forefront trace ...` and returns the exit code; argv[0] is the word "trace".
 int traceCommand(int argc, const char *const *argv);
 

@@ -3,6 +3,7 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/outputs.hpp"
+#include "app/batch/rules_option.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -85,6 +86,7 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     addWordOption<Method>(app, "--method", arguments.method,
                           "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
         ->type_name("METHOD");
+    addRulesOption(app, arguments.rules);
     app.add_option("--grid", grid,
                    "background grid: " + wordList<GridKind>() + ", or uniform:COLSxROWS; default " +
                        std::string(wordOf(MeshingOptions().grid)))

@@ -42,6 +42,7 @@ struct MeshArguments {
     DrawingArguments drawing;
     bool strict = false;
     std::optional<Method> method;
+    std::optional<std::filesystem::path> rules; ///< of the classic method
     std::optional<ImproveLevel> improve;
     std::optional<unsigned> threads;
     std::optional<double> maxElements;

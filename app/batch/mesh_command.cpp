@@ -8,6 +8,7 @@
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
+#include "app/batch/rules_option.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
@@ -122,7 +123,7 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
     return {};
 }
 
-void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
+Diagnostics applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     if (arguments.grid) {
         options.grid = *arguments.grid;
         options.gridColumns = arguments.gridColumns;
@@ -137,6 +138,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
     applyMaxElements(arguments.maxElements, options);
+    return applyRules(arguments.rules, options);
 }
 
 /// Returns notes on options that have no effect on this run.
@@ -276,10 +278,12 @@ int runMesh(const MeshArguments &arguments) {
     if (faults.empty() && arguments.repair) {
         faults = repairDomain(arguments, input, progress, *job, repaired);
     }
+    if (faults.empty()) {
+        faults = applyOptions(arguments, job->options);
+    }
     if (!faults.empty()) {
         return refuse(faults, interrupt);
     }
-    applyOptions(arguments, job->options);
 
     const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
     if (!outcome) {

@@ -3,6 +3,7 @@
 #include "core/engine/base/hash.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/json/json_writer.hpp"
+#include "core/files/rules/rules_json.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -74,6 +75,9 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     report.work = outcome.work;
     report.improve = options.improve;
     report.elements = options.elements;
+    if (options.elements == Elements::Triangles && options.method == Method::Classic) {
+        report.rules = options.rules;
+    }
     report.quads = outcome.quads;
     report.elementOrder = options.order;
     report.order = outcome.order;
@@ -261,7 +265,8 @@ std::string statisticsJson(const RunReport &report) {
     addFigures(report, json);
     json.member("front_mean", report.work.frontMean());
     if (report.elements == Elements::Triangles) { // the two-coloured front does not count the work of its searches
-        json.member("neighbours_mean", report.work.neighboursMean()).member("tests_mean", report.work.testsMean());
+        json.member("neighbours_mean", report.work.neighboursMean());
+        json.member("considered_mean", report.work.consideredMean()).member("tests_mean", report.work.testsMean());
         json.member("cells_mean", perElement(report.work.cellsVisited));
         json.member("candidates_mean", perElement(report.work.candidates));
     }
@@ -273,6 +278,10 @@ std::string statisticsJson(const RunReport &report) {
     }
     if (report.elementOrder == ElementOrder::Second) {
         addOrder(report.order, json);
+    }
+    if (report.rules != FrontRules()) {
+        json.key("rules");
+        writeRules(report.rules, json);
     }
     json.member("hash", toHex(report.hash));
     return json.endObject().text();
@@ -356,7 +365,8 @@ std::string summary(const RunReport &report) {
         q.alphaMean, q.alphaGeometricMean, q.alphaMin, q.minAngle, q.maxAngle, conformityLine(q).c_str(), cpu,
         report.secondsPrepare, report.secondsMesh, report.secondsImprove,
         cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
-    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + size +
+    const std::string rules = report.rules == FrontRules() ? "" : "changed rules: " + changesText(report.rules) + '\n';
+    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + rules + size +
            (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + text;
 }
 

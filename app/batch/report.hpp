@@ -5,6 +5,7 @@
 #include "core/engine/mesh/mesh_extent.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/sharp_corners.hpp"
+#include "core/engine/mesher/front_rules.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 
 #include <cstdint>
@@ -30,7 +31,8 @@ struct RunReport : MeshReport {
     WorkCounters work;
     ImproveLevel improve = ImproveLevel::None;
     Elements elements = Elements::Triangles;
-    QuadReport quads; ///< unless the elements are triangles
+    FrontRules rules{}; ///< the defaults unless the method is classic
+    QuadReport quads;   ///< unless the elements are triangles
     ElementOrder elementOrder = ElementOrder::First;
     SecondOrderReport order; ///< of a mesh of second order
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;

@@ -2,6 +2,7 @@
 
 #include "app/batch/exit_code.hpp"
 #include "app/batch/option_notes.hpp"
+#include "app/batch/rules_option.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
@@ -28,6 +29,9 @@ Result<MeshingJob> readJob(const RunArguments &arguments, const Input &input) {
     job.options.method = arguments.method.value_or(job.options.method);
     job.options.grid = arguments.grid.value_or(job.options.grid);
     applyMaxElements(arguments.maxElements, job.options);
+    if (Diagnostics faults = applyRules(arguments.rules, job.options); !faults.empty()) {
+        return faults;
+    }
     return job;
 }
 
@@ -44,6 +48,7 @@ void addRunOptions(CLI::App &app, RunArguments &arguments) {
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
     addMaxElementsOption(app, arguments.maxElements);
+    addRulesOption(app, arguments.rules);
 }
 
 std::variant<OpenedRun, int> openRun(const std::string &command, const RunArguments &arguments,

@@ -25,10 +25,11 @@ struct RunArguments {
     std::optional<double> size;
     std::optional<std::string> expression;
     std::optional<double> maxElements;
+    std::optional<std::filesystem::path> rules; ///< of the classic method
 };
 
-/// Adds the argument IN and the options --input-format, --set, --method, --grid, --size, --spacing, --max-elements and
-/// those of addDrawingOptions().
+/// Adds the argument IN and the options --input-format, --set, --method, --grid, --size, --spacing, --max-elements,
+/// --rules and those of addDrawingOptions().
 void addRunOptions(CLI::App &app, RunArguments &arguments);
 
 /// The input of a run, read.

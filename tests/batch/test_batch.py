@@ -26,7 +26,7 @@ import zlib
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "delta_area_mean",
          "min_angle_deg",
-         "max_angle_deg", "front_mean", "neighbours_mean", "tests_mean", "cells_mean",
+         "max_angle_deg", "front_mean", "neighbours_mean", "considered_mean", "tests_mean", "cells_mean",
          "candidates_mean", "forced_mean", "flat_elements", "seconds_mesh", "seconds_improve",
          "improve", "sharp_corners", "narrow_places", "min_angle_elsewhere_deg", "peak_bytes", "hash"]
 
@@ -1210,7 +1210,7 @@ class Refusing(Case):
         self.assertIsNone(checked["delta_mean"])  # no spacing is given
         self.assertIsNone(checked["delta_area_mean"])
         del checked["delta_mean"], checked["delta_area_mean"]
-        run = {"front_mean", "neighbours_mean", "tests_mean", "cells_mean", "candidates_mean", "forced_mean", "improve",
+        run = {"front_mean", "neighbours_mean", "considered_mean", "tests_mean", "cells_mean", "candidates_mean", "forced_mean", "improve",
                "seconds_prepare", "seconds_mesh", "seconds_improve", "peak_bytes"}
         self.assertEqual(set(given) - set(checked), run | {"delta_mean", "delta_area_mean"})
         self.assertEqual(checked, {key: given[key] for key in checked})

@@ -70,6 +70,7 @@ TEST_CASE("Adapt: rounds meet the target of an expression; each mesh can be show
     const std::size_t last = driver.adaptation().rounds.size() - 1;
     CHECK(driver.context().adaptation.selected == last);
     CHECK(driver.run().meshHash == meshHash(driver.roundMesh(last))); // shown as it was made
+    CHECK(driver.context().run.showsAdapted());
     CHECK(driver.context().judgement->of.field == "estimated error");
     CHECK(driver.context().judgement->values == driver.adaptation().rounds[last]->errors);
 

@@ -42,11 +42,14 @@ TEST_CASE("Lockstep: runs with other grids make the same mesh at each advance wi
         CHECK(runs.latest(0)->advance == advance);
         CHECK(runs.latest(1)->advance == advance);
         CHECK(runs.latest(0)->stateHash == runs.latest(1)->stateHash);
+        CHECK(samePosition(*runs.latest(0), *runs.latest(1)));
     }
     settle(runs, 0, true);
     const RunFigures none = figuresOf(*runs.latest(0)), uniform = figuresOf(*runs.latest(1));
     CHECK(none.elements == uniform.elements);
     CHECK(none.tests == uniform.tests); // the classic method tests the same segments with every grid
+    CHECK(none.considered == uniform.considered);
+    CHECK(none.considered > none.tests);
     CHECK(none.neighbours > uniform.neighbours);
     CHECK(none.cells < uniform.cells);
     CHECK(none.front == uniform.front);
@@ -59,6 +62,10 @@ TEST_CASE("Lockstep: a shorter run waits at its end") {
     CHECK(fast->complete);
     CHECK(classic->complete);
     CHECK(fast->advance < classic->advance); // it makes up to three elements per advance
+    CHECK(samePosition(*fast, *classic));    // both at their ends
+    SessionSnapshot before = *classic;
+    before.advance = fast->advance - 1;
+    CHECK_FALSE(samePosition(*fast, before));
 }
 
 } // namespace forefront

@@ -341,17 +341,17 @@ TEST_CASE("BaseOrder: of lengths that differ only by rounding the oldest comes f
         REQUIRE(front[first].length > front[second].length);
         BaseOrder order;
         order.rebuild(front);
-        CHECK(shortestBases(front, first).equal == 3);
-        CHECK(shortestBases(front, fourth).equal == 0);
-        CHECK_FALSE(shortestBases(front, first).shorterDeferred);
+        CHECK(firstBases(front, {}, first).equal == 3);
+        CHECK(firstBases(front, {}, fourth).equal == 0);
+        CHECK_FALSE(firstBases(front, {}, first).earlierDeferred);
         for (const SlotId side : {first, second, third}) {
             CHECK(order.take(front) == side);
             front.setFailureClass(side, 1);
             order.offer(front, side);
         }
-        CHECK(shortestBases(front, first).equal == 0);
-        CHECK(shortestBases(front, fourth).equal == 2);
-        CHECK(shortestBases(front, fourth).shorterDeferred);
+        CHECK(firstBases(front, {}, first).equal == 0);
+        CHECK(firstBases(front, {}, fourth).equal == 2);
+        CHECK(firstBases(front, {}, fourth).earlierDeferred);
         CHECK(order.take(front) == fourth);
     }
 }

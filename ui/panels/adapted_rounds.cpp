@@ -93,7 +93,7 @@ void showRound(Shell &context, std::size_t round) {
         fields.fields[request.field] = adapted.values;
         fields.elementFields[kErrorField] = adapted.errors;
     }
-    context.run.showFile(std::move(fields));
+    context.run.showAdapted(std::move(fields));
     adaptation.selected = round;
     adaptation.shown = context.run.now().mesh->version;
     showMeshColours(context);

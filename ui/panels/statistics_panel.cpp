@@ -19,10 +19,10 @@ std::string timeText(double seconds) {
 /// Returns the glossary term that explains a figure, or null.
 const char *termOf(std::string_view label) {
     constexpr std::pair<std::string_view, const char *> kTerms[] = {
-        {"Nn", "counters"},        {"Ne", "counters"},           {"Nb", "counters"},         {"Nc", "counters"},
-        {"Ns", "counters"},        {"\xce\xb1", "shape-factor"}, {"\xce\xb4", "conformity"}, {"\xce\x93", "front"},
-        {"cells", "grid"},         {"candidates", "candidates"}, {"deferred", "deferral"},   {"forced", "closing"},
-        {"improve", "improvement"}};
+        {"Nn", "counters"},    {"Ne", "counters"},        {"Nb", "counters"},           {"Nc", "counters"},
+        {"Ns", "counters"},    {"Nt", "counters"},        {"\xce\xb1", "shape-factor"}, {"\xce\xb4", "conformity"},
+        {"\xce\x93", "front"}, {"cells", "grid"},         {"candidates", "candidates"}, {"deferred", "deferral"},
+        {"forced", "closing"}, {"improve", "improvement"}};
     for (const auto &[start, term] : kTerms) {
         if (label.starts_with(start)) {
             return term;
@@ -96,7 +96,9 @@ class StatisticsPanel final : public Panel {
         cell(context, "Nc", ui::mean(w.neighboursMean()),
              "Mean number of nearby segments that the background grid returns per element");
         cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Largest angle");
-        cell(context, "Ns", ui::mean(w.testsMean()), "Mean number of segments tested for intersection per element");
+        cell(context, "Ns", ui::mean(w.consideredMean()),
+             "Mean number of segments near enough to be considered per element, for each candidate side");
+        cell(context, "Nt", ui::mean(w.testsMean()), "Mean number of exact intersection tests per element");
         const auto perElement = [&w](std::uint64_t sum) {
             return w.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(w.elements);
         };

@@ -40,7 +40,8 @@ void drawFigureTable(WidgetContext &context, std::span<const FigureColumn> colum
         ui::muted(context, rows[k].name);
         for (std::size_t c = 0; c < columns.size(); ++c) {
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(figureText(rows[k].figures[c], rows[0].figures[c], k > 0).c_str());
+            ImGui::TextUnformatted(
+                figureText(rows[k].figures[c], rows[0].figures[c], k > 0 && rows[k].comparable).c_str());
             ui::mark(context, std::string("sides/") + columns[c].id + '/' + std::to_string(k));
         }
     }

@@ -20,6 +20,7 @@ struct FigureColumn {
 struct FigureRow {
     std::string name;
     std::vector<std::optional<double>> figures; ///< one per column; not set: unknown
+    bool comparable = true;                     ///< with the first row: ratios mean something
 };
 
 /// Draws a table of figures. Every row but the first also shows the ratios to the first row.

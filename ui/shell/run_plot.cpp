@@ -23,12 +23,16 @@ struct PlotCurve {
 };
 
 std::array<PlotCurve, 4> curvesOf(const Theme &theme) {
-    return {{{"segments of \xce\x93", "Number of segments on the front", &Sample::front, theme.front, false},
-             {"tests per element", "Mean number of segments tested for intersection per element", &Sample::tests,
-              theme.visited, false},
-             {"mean \xce\xb1", "Mean shape factor of the elements made", &Sample::alphaMean, theme.good, true},
-             {"minimum \xce\xb1", "Shape factor of the worst element made", &Sample::alphaMin, fade(theme.bad, 0.75),
-              true}}};
+    return {{{"segments of \xce\x93", "Number of segments on the front, mean over the advances of a point of the curve",
+              &Sample::front, theme.front, false},
+             {"tests per element", "Mean number of exact intersection tests per element, over the advances of a point",
+              &Sample::tests, theme.visited, false},
+             {"mean \xce\xb1", "Mean shape factor of the elements made in the advances of a point", &Sample::alphaMean,
+              theme.good, true},
+             {"minimum \xce\xb1",
+              "Shape factor of the worst element made in the advances of a point; the Statistics panel has that of the "
+              "mesh",
+              &Sample::alphaMin, fade(theme.bad, 0.75), true}}};
 }
 
 /// The rectangle of the curves, in pixels.
@@ -134,7 +138,11 @@ void drawRunPlot(Shell &context, const TimeAxis &axis, float top) {
     }
     const std::size_t last = run.curves->samples.size() - 1;
     const auto index = static_cast<std::size_t>(shown / run.curves->advancesPerSample);
-    drawNames(context, run.curves->samples[std::min(index, last)], top, axis.left - context.px(14));
+    Sample sample = run.curves->samples[std::min(index, last)];
+    if (run.complete && shown >= run.known) {
+        sample.front = 0.0F; // the front is empty now, whatever its mean over the last advances
+    }
+    drawNames(context, sample, top, axis.left - context.px(14));
 }
 
 } // namespace forefront::shell

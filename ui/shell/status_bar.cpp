@@ -149,7 +149,9 @@ MeshChip meshChip(const Shell &context) {
         return {"not meshed", theme.muted, "Click to mesh (2)"};
     }
     if (context.run.showsFile()) {
-        return {"mesh of a file", theme.muted, "A mesh read from a file, unchanged"};
+        return context.run.showsAdapted()
+                   ? MeshChip{"adapted mesh", theme.muted, "A mesh of the rounds of Adapt"}
+                   : MeshChip{"mesh of a file", theme.muted, "A mesh read from a file, unchanged"};
     }
     if (context.run.outOfDate()) {
         return {"out of date, press 2", theme.warn, "The drawing has changed; click to mesh it again"};

@@ -166,7 +166,9 @@ std::string stateText(const Shell &context) {
     }
     const bool atEnd = run.complete && run.advance == run.known;
     if (context.run.showsFile()) {
-        return "A mesh read from a file, unchanged; remesh its outline to watch the front.";
+        return context.run.showsAdapted()
+                   ? "A mesh of the rounds of Adapt, without its front; mesh the drawing to watch a front."
+                   : "A mesh read from a file, unchanged; remesh its outline to watch the front.";
     }
     if (atEnd && context.run.outOfDate() && !context.preview->faults.empty()) {
         return "The mesh is out of date: " + faultText(context.preview->faults.front());

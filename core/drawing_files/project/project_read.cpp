@@ -12,6 +12,7 @@
 #include "core/drawing_files/project/project_words.hpp"
 #include "core/files/json/json_check.hpp"
 #include "core/files/json/json_outline.hpp"
+#include "core/files/rules/rules_json.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -311,9 +312,12 @@ class ProjectReader {
         if (const auto most = object.find("maxElements")) {
             options.maxElements = static_cast<std::uint64_t>(check_.integer(*most, 1, kMaxElements, "\"maxElements\""));
         }
+        if (const auto rules = object.find("rules")) {
+            options.rules = readRules(*rules, check_);
+        }
         elements(object);
         check_.noteUnknown(object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads",
-                                    "maxElements", "elements", "order", "quadNodes"});
+                                    "maxElements", "elements", "order", "quadNodes", "rules"});
     }
 
     void elements(const JsonValue &object) {

@@ -8,6 +8,7 @@
 #include "core/drawing_files/project/project_words.hpp"
 #include "core/files/json/json.hpp"
 #include "core/files/json/json_text.hpp"
+#include "core/files/rules/rules_json.hpp"
 #include "core/files/text/atomic_file.hpp"
 
 #include <utility>
@@ -127,6 +128,10 @@ class ProjectWriter {
         }
         if (options.maxElements != kDefaultMaxElements) {
             out_ << ", \"maxElements\": " << options.maxElements;
+        }
+        if (options.rules != FrontRules()) {
+            out_ << ", \"rules\": ";
+            writeRules(options.rules, out_);
         }
         out_ << '}';
     }

@@ -1,5 +1,6 @@
 #include "core/engine/front/base_order.hpp"
 
+#include "core/engine/base/hash.hpp"
 #include "core/engine/front/order_key.hpp"
 
 #include <algorithm>
@@ -7,6 +8,23 @@
 #include <utility>
 
 namespace forefront {
+
+std::int64_t BaseOrdering::keyOf(const FrontSlot &slot) const {
+    switch (rule) {
+    case BaseRule::Shortest:
+        return orderKey(slot.length);
+    case BaseRule::Longest:
+        return -orderKey(slot.length);
+    case BaseRule::Oldest:
+        return slot.mark.serial;
+    case BaseRule::Random:
+        break;
+    }
+    Hash64 drawn;
+    drawn.add(static_cast<std::uint64_t>(seed));
+    drawn.add(static_cast<std::uint64_t>(slot.mark.serial));
+    return static_cast<std::int64_t>(drawn.value() >> 1U);
+}
 
 bool BaseOrder::ComesLater::operator()(const Entry &a, const Entry &b) const {
     const std::uint32_t batchA = a.serial >> kBatchBits, batchB = b.serial >> kBatchBits;
@@ -16,15 +34,21 @@ bool BaseOrder::ComesLater::operator()(const Entry &a, const Entry &b) const {
     return a.key != b.key ? a.key > b.key : a.serial > b.serial;
 }
 
-bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass) {
+bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass) const {
     const FrontSlot &slot = front[entry.slot];
     return slot.alive && slot.mark.serial == entry.serial && classOf(slot) == entryClass;
 }
 
-std::size_t BaseOrder::classOf(const FrontSlot &slot) {
+std::size_t BaseOrder::classOf(const FrontSlot &slot) const {
     constexpr unsigned kDroppedBits = 52 - kTieBits - kDigits;
-    return slot.mark.failureClass > 0 ? kDeferred + std::min<std::size_t>(slot.mark.failureClass, kFailureClasses) - 1
-                                      : static_cast<std::size_t>(orderKey(slot.length) >> kDroppedBits);
+    if (slot.mark.failureClass > 0) {
+        return kDeferred + std::min<std::size_t>(slot.mark.failureClass, kFailureClasses) - 1;
+    }
+    if (!byLength()) {
+        return 0;
+    }
+    const auto lengthClass = static_cast<std::size_t>(orderKey(slot.length) >> kDroppedBits);
+    return ordering_.rule == BaseRule::Shortest ? lengthClass : kDeferred - 1 - lengthClass;
 }
 
 std::size_t BaseOrder::lowestClass() const {
@@ -46,7 +70,7 @@ void BaseOrder::push(const GenerationFront &front, SlotId id) {
         heapOf_[c] = static_cast<std::uint32_t>(heaps_.size());
     }
     Heap &heap = heaps_[heapOf_[c] - 1U];
-    heap.push_back({orderKey(slot.length), slot.mark.serial, id});
+    heap.push_back({ordering_.keyOf(slot), slot.mark.serial, id});
     std::push_heap(heap.begin(), heap.end(), orderOf(c));
     filled_[c / 64] |= std::uint64_t{1} << (c % 64);
     summary_[c / 64 / 64] |= std::uint64_t{1} << (c / 64 % 64);
@@ -121,10 +145,10 @@ SlotId BaseOrder::take(const GenerationFront &front) {
     return id;
 }
 
-ShortestBases shortestBases(const GenerationFront &front, SlotId base) {
+FirstBases firstBases(const GenerationFront &front, const BaseOrdering &ordering, SlotId base) {
     const std::uint32_t baseClass = front[base].mark.failureClass;
-    const std::int64_t baseKey = orderKey(front[base].length);
-    ShortestBases found;
+    const std::int64_t baseKey = ordering.keyOf(front[base]);
+    FirstBases found;
     bool first = true;
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         const SlotId id{i};
@@ -132,12 +156,12 @@ ShortestBases shortestBases(const GenerationFront &front, SlotId base) {
             continue;
         }
         const std::uint32_t failureClass = front[id].mark.failureClass;
-        const std::int64_t key = orderKey(front[id].length);
+        const std::int64_t key = ordering.keyOf(front[id]);
         first = first && std::pair{failureClass, key} >= std::pair{baseClass, baseKey};
         found.equal += failureClass == baseClass && key == baseKey ? 1U : 0U;
-        found.shorterDeferred = found.shorterDeferred || (failureClass > baseClass && key < baseKey);
+        found.earlierDeferred = found.earlierDeferred || (failureClass > baseClass && key < baseKey);
     }
-    return first ? found : ShortestBases{};
+    return first ? found : FirstBases{};
 }
 
 } // namespace forefront

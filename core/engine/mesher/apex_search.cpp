@@ -30,12 +30,15 @@ void ApexSearch<Grid, Trace>::evaluateSpacing(Base &base) {
     const Vec2 normal = (1.0 / base.length) * leftNormal(base.b - base.a);
     const auto idealFor = [&](double rho) {
         const double height = std::sqrt(std::max(0.0, rho * rho - 0.25 * base.length * base.length));
-        return middle + std::max(height, kMinHeight * base.length) * normal;
+        return middle + std::max(height, rules_.minHeight * base.length) * normal;
     };
     const double atMiddle = spacing_.at(middle);
-    const double atIdeal = spacing_.at(idealFor(clampedToBase(atMiddle, base.length)));
-    base.fieldRho = 0.5 * (atMiddle + atIdeal);
-    base.rho = clampedToBase(base.fieldRho, base.length);
+    base.fieldRho = atMiddle;
+    if (rules_.rhoAtC > 0.0) {
+        const double atIdeal = spacing_.at(idealFor(clampedToBase(atMiddle, base.length, rules_)));
+        base.fieldRho = (1.0 - rules_.rhoAtC) * atMiddle + rules_.rhoAtC * atIdeal;
+    }
+    base.rho = clampedToBase(base.fieldRho, base.length, rules_);
     base.ideal = idealFor(base.rho);
     trace_.evaluateSpacing(base);
 }
@@ -74,7 +77,9 @@ bool ApexSearch<Grid, Trace>::seenAll(const Base &base) const {
 
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candidate &apex) {
-    gather(reach(base, limits.radius * (1.0 + slack_)));
+    const double clearance = limits.newNodes ? std::max(nodeClearance_, segmentClearance_) * base.rho : 0.0;
+    const double radius = std::max(limits.radius, clearance);
+    gather(reach(base, radius * (1.0 + slack_)));
     rank(base, limits);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         trace_.beginTest(i);
@@ -163,8 +168,8 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
     const double rho2 = (1.0 - slack_) * base.rho * base.rho;
-    const double node2 = kNodeClearance * kNodeClearance * rho2;
-    const double segment2 = kSegmentClearance * kSegmentClearance * rho2;
+    const double node2 = nodeClearance_ * nodeClearance_ * rho2;
+    const double segment2 = segmentClearance_ * segmentClearance_ * rho2;
     return std::none_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
         if (n.slot == base.slotA) {
             return false;
@@ -176,8 +181,8 @@ bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
 
 template <class Grid, class Trace>
 double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
-    return shapeFactor(base.a, base.b, p) * spacingConformity(distance(base.a, p), base.rho) *
-           spacingConformity(distance(base.b, p), base.rho);
+    return rules_.score(shapeFactor(base.a, base.b, p), spacingConformity(distance(base.a, p), base.rho),
+                        spacingConformity(distance(base.b, p), base.rho));
 }
 
 /// Tests a candidate (step 8). All tests are exact; unless `flat`, the area must be positive and nodes of Γ outside the
@@ -221,6 +226,7 @@ bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &can
 /// tests have dealt with them.
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) {
+    work_.considered += static_cast<std::uint32_t>(neighbours_.size()) - 1U; // without AB, which is among them
     const Box2 box = boxOf(from, to.position);
     for (const Neighbour &n : neighbours_) {
         const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;

@@ -11,11 +11,11 @@
 namespace forefront {
 
 /// Minimum height of the ideal point above AB, in units of |AB|.
-inline constexpr double kMinHeight = 0.5;
+inline constexpr double kMinHeight = FrontRules{}.minHeight;
 
 /// Returns ρ clamped against the length of the base (step 3), which keeps neighbouring elements within a factor of two.
-inline double clampedToBase(double rho, double length) {
-    return std::clamp(rho, 0.55 * length, 2.0 * length);
+inline double clampedToBase(double rho, double length, const FrontRules &rules = {}) {
+    return std::clamp(rho, rules.minRho * length, rules.maxRho * length);
 }
 
 /// A new node closer to Γ than this fraction of the node spacing counts as small, see FrontState::smallNodesLeft.
@@ -46,10 +46,11 @@ struct Candidate {
 
 /// The work of the searches in one advance.
 struct SearchWork {
-    std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0, rejected = 0;
+    std::uint32_t delivered = 0, considered = 0, tested = 0, cells = 0, candidates = 0, rejected = 0;
 
     void store(AdvanceDelta &delta) const {
         delta.delivered = delivered;
+        delta.considered = considered;
         delta.tested = tested;
         delta.cells = cells;
         delta.candidates = candidates;
@@ -73,11 +74,14 @@ class ApexSearch {
         bool flat = false; ///< accept flat elements, and sides that rounding cannot tell from touching a node of Γ
     };
 
-    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace, Ties ties)
-        : state_(state), grid_(grid), spacing_(spacing), trace_(trace),
-          droppedBits_(ties == Ties::Rounded ? kTieBits : 0U), slack_(ties == Ties::Rounded ? kTieWidth : 0.0) {}
+    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace, Ties ties,
+               const FrontRules &rules)
+        : state_(state), grid_(grid), spacing_(spacing), trace_(trace), rules_(rules),
+          droppedBits_(ties == Ties::Rounded ? kTieBits : 0U), slack_(ties == Ties::Rounded ? kTieWidth : 0.0),
+          nodeClearance_(rules.withdraw ? rules.nodeClearance : kLeastClearance),
+          segmentClearance_(rules.withdraw ? rules.segmentClearance : kLeastClearance) {}
 
-    /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is the mean of its values at the midpoint of AB and at
+    /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is a mean of its values at the midpoint of AB and at
     /// the ideal point that follows from the first.
     void evaluateSpacing(Base &base);
     /// Returns a box that contains or meets everything that find() depends on.
@@ -115,8 +119,10 @@ class ApexSearch {
     const Grid &grid_;
     const SpacingField &spacing_;
     Trace &trace_;
+    FrontRules rules_;
     unsigned droppedBits_; ///< of scores, see orderKey()
     double slack_;         ///< relative, of squared distances that equal a limit and of heights that equal 0
+    double nodeClearance_, segmentClearance_; ///< of the ideal point, in ρ
 
     std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
     std::uint32_t stamp_ = 0;

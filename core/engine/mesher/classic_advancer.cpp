@@ -15,15 +15,16 @@ bool ClassicAdvancer<Grid, Trace>::advance(AdvanceDelta &delta) {
     delta = update_.begin(slotA);
     search_.startCounting();
     const std::size_t segments = front.segments();
-    trace_.takeShortest(state_, slotA);
+    trace_.takeFirst(state_, slotA);
     trace_.begin(state_, base);
     search_.evaluateSpacing(base);
 
     Candidate apex;
+    const FrontRules &rules = state_.rules;
     const bool secondTime = delta.markA.failureClass > 0;
-    const double radius = (secondTime ? kSecondRadius : kFirstRadius) * base.rho;
+    const double radius = (secondTime ? rules.secondRadius : rules.radius) * base.rho;
     const bool found = search_.find(base, {radius, true}, apex);
-    if (!found && !secondTime) {
+    if (!found && !secondTime && rules.defer) {
         update_.defer(slotA, delta);
     } else {
         if (!found) {

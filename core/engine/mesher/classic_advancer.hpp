@@ -4,13 +4,9 @@
 
 namespace forefront {
 
-// Radii of the first and the second search around the ideal point, in ρ.
-inline constexpr double kFirstRadius = 1.2;
-inline constexpr double kSecondRadius = 1.75;
-
 /// The classic method: Lo's ten steps. Each advance takes the shortest base (see BaseOrder) and makes at most
-/// one element. Lengths and scores that differ only by rounding are equal: then the oldest segment goes first, and the
-/// node with the lowest number.
+/// one element. FrontRules holds what can be changed; this text tells the defaults. Lengths and scores that differ only
+/// by rounding are equal: then the oldest segment goes first, and the node with the lowest number.
 ///
 /// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is
 /// deferred once; the second time, after a wider search, only existing nodes are taken and the search grows until it
@@ -18,7 +14,8 @@ inline constexpr double kSecondRadius = 1.75;
 /// triangulation, in which every segment has a visible apex: that last search cannot fail. By Euler's formula, each
 /// element made without a new node lowers the number of elements still needed by one. New nodes keep a distance in
 /// proportion to the node spacing from Γ, hence from all nodes, so only finitely many fit; those far smaller than the
-/// node spacing are counted against FrontState::smallNodesLeft.
+/// node spacing are counted against FrontState::smallNodesLeft. None of this depends on the order of bases, the radii,
+/// the score or the deferral; the clearances have a minimum.
 template <class Grid, class Trace>
 class ClassicAdvancer {
   public:
@@ -27,7 +24,7 @@ class ClassicAdvancer {
     static constexpr double kCellPerLength = 3.5;
 
     ClassicAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, Trace trace)
-        : state_(state), trace_(trace), search_(state, grid, spacing, trace_, Ties::Rounded),
+        : state_(state), trace_(trace), search_(state, grid, spacing, trace_, Ties::Rounded, state.rules),
           update_(state, grid, nullptr) {}
     ClassicAdvancer(const ClassicAdvancer &) = delete; // its parts share one trace
     ClassicAdvancer &operator=(const ClassicAdvancer &) = delete;

@@ -4,10 +4,6 @@
 
 namespace forefront {
 
-// Minimum distances of the ideal point from nodes and segments of Γ, in ρ; it is withdrawn where one is nearer.
-inline constexpr double kNodeClearance = 0.65;
-inline constexpr double kSegmentClearance = 0.5;
-
 /// Returns true if p is nearer to the segment ab than the square root of `distance2`. Does not divide.
 inline bool nearSegment(Vec2 p, Vec2 a, Vec2 b, double distance2) {
     const Vec2 d = b - a;

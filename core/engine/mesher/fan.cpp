@@ -15,6 +15,8 @@ namespace {
 // sizes.
 constexpr double kMaxDistance = 1.3;
 constexpr double kFanClearance = 0.8;
+// Minimum distance of the apex from segments of Γ, in element sizes.
+constexpr double kSideClearance = FrontRules{}.segmentClearance;
 
 Vec2 idealPoint(Vec2 a, Vec2 b, double length, double size) {
     const double rho = clampedToBase(size, length);
@@ -158,8 +160,9 @@ bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Boxes &boxes, const F
     if (!boxes.reach.overlaps(box)) { // exactly the same for every grid
         return false;
     }
+    work.considered += 2; // for each of the two outer sides
     const double size2 = fan.size * fan.size;
-    if (nearSegment(fan.apex, a, b, kSegmentClearance * kSegmentClearance * size2)) {
+    if (nearSegment(fan.apex, a, b, kSideClearance * kSideClearance * size2)) {
         return true;
     }
     const auto end = fan.nodes.begin() + fan.segments + 1;
@@ -228,8 +231,11 @@ bool FanBuilder<Grid, Trace>::blocksCorner(const Fan &corner, const Box2 &box, c
          nearlyOnSegment(corner.at[0], corner.at[2], n.position))) { // else the element left there would be flat
         return true;
     }
-    return boxOf(corner.at[0], corner.at[2]).overlaps(boxOf(n.position, state_.front.start(n.next))) &&
-           meets(corner.at[0], corner.nodes[0], corner.at[2], corner.nodes[2], n, work);
+    if (!boxOf(corner.at[0], corner.at[2]).overlaps(boxOf(n.position, state_.front.start(n.next)))) {
+        return false;
+    }
+    ++work.considered;
+    return meets(corner.at[0], corner.nodes[0], corner.at[2], corner.nodes[2], n, work);
 }
 
 FOREFRONT_INSTANTIATE_FOR_GRIDS_AND_TRACES(FanBuilder)

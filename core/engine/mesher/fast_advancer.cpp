@@ -297,7 +297,8 @@ typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::searchApe
                                                                                   Vec2 &apex) {
     search_.evaluateSpacing(base);
     const bool secondTime = delta.markA.failureClass > 0;
-    const double radius = (secondTime ? kSecondRadius : kFirstRadius) * base.rho;
+    constexpr FrontRules kRules;
+    const double radius = (secondTime ? kRules.secondRadius : kRules.radius) * base.rho;
     Candidate found;
     const Box2 *limit = limits();
     if (limit != nullptr) {

@@ -21,7 +21,8 @@ class FastAdvancer {
 
     FastAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, Trace trace)
         : state_(state), trace_(trace), fans_(state, grid, spacing, trace_),
-          search_(state, grid, spacing, trace_, Ties::Exact), update_(state, grid, &spacing), spacing_(spacing) {}
+          search_(state, grid, spacing, trace_, Ties::Exact, FrontRules{}), update_(state, grid, &spacing),
+          spacing_(spacing) {}
     FastAdvancer(const FastAdvancer &) = delete; // its parts share one trace
     FastAdvancer &operator=(const FastAdvancer &) = delete;
 

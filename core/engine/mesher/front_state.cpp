@@ -25,9 +25,9 @@ bool lengthsDiffer(const GenerationFront &front) {
 
 } // namespace
 
-FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare)
-    : front(boundary), care(frontCare), strips(std::make_shared<const FrontStrips>()), nodes(boundary.nodes),
-      manyFaces(boundary.regions.size() > 1),
+FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare, const FrontRules &frontRules)
+    : front(boundary), rules(frontRules), order({rules.base, rules.seed}), care(frontCare),
+      strips(std::make_shared<const FrontStrips>()), nodes(boundary.nodes), manyFaces(boundary.regions.size() > 1),
       smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {
     const bool first = frontCare.boundaryFirst && lengthsDiffer(front);
     walkRules = {frontCare.fineClasses, first ? static_cast<std::uint32_t>(boundary.nodes.size()) : 0U};

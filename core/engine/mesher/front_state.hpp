@@ -6,6 +6,7 @@
 #include "core/engine/front/walk_order.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/engine/mesher/front_care.hpp"
+#include "core/engine/mesher/front_rules.hpp"
 #include "core/engine/mesher/front_strips.hpp"
 #include "core/engine/mesher/statistics.hpp"
 
@@ -23,12 +24,14 @@ struct Walk {
 
 /// The state of a run without its background grid: Γ, the order of bases, and the nodes and elements so far.
 struct FrontState {
-    explicit FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare = {});
+    explicit FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare = {},
+                        const FrontRules &frontRules = {});
     /// The state of a part of Γ that advances alone, in one strip. New nodes get ids from `firstNew` on. Reads neither
     /// the nodes nor the elements of `whole`.
     FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyStrip, std::uint32_t firstNew);
 
     GenerationFront front;
+    FrontRules rules;    ///< classic method
     BaseOrder order;     ///< classic method
     FrontCare care;      ///< fast method, like the members below
     WalkRules walkRules; ///< of the whole run; `walkOrder` adopts them when it is cleared
@@ -78,7 +81,7 @@ struct AdvanceDelta {
     Walk walk;                 ///< before the advance
     std::uint32_t strip = 0;   ///< before the advance
     std::uint32_t logged = 0;  ///< size of the log of the order before the advance
-    std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0;
+    std::uint32_t delivered = 0, considered = 0, tested = 0, cells = 0, candidates = 0;
 
     /// Returns the number of elements made.
     unsigned elements() const {

@@ -221,6 +221,7 @@ void FrontUpdate<Grid>::count(const AdvanceDelta &delta, std::size_t segments, b
     add(work.forced, delta.forced);
     add(work.frontSum, segments);
     add(work.delivered, delta.delivered);
+    add(work.considered, delta.considered);
     add(work.tested, delta.tested);
     add(work.cellsVisited, delta.cells);
     add(work.candidates, delta.candidates);

@@ -17,8 +17,8 @@ template <template <class, class> class Advancer, class Grid>
 class GridMesher final : public Mesher {
   public:
     GridMesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
-               const FrontCare &care, Grid grid)
-        : Mesher(std::move(boundary), std::move(spacing), care), grid_(std::move(grid)),
+               const FrontCare &care, const FrontRules &rules, Grid grid)
+        : Mesher(std::move(boundary), std::move(spacing), care, rules), grid_(std::move(grid)),
           advancer_(state_, grid_, *spacing_, NoTrace{}) {
         Advancer<Grid, NoTrace>::prepare(state_, *boundary_, *spacing_);
         insertFront();
@@ -107,7 +107,7 @@ std::unique_ptr<Mesher> createOn(std::shared_ptr<const DiscreteDomain> boundary,
         Grid grid = Grid::create(
             {*boundary, *spacing, options.gridColumns, options.gridRows, Advancer<Grid, NoTrace>::kCellPerLength});
         return std::make_unique<GridMesher<Advancer, Grid>>(std::move(boundary), std::move(spacing),
-                                                            careFor(options.improve), std::move(grid));
+                                                            careFor(options.improve), options.rules, std::move(grid));
     };
     return options.method == Method::Classic ? create.template operator()<ClassicAdvancer>()
                                              : create.template operator()<FastAdvancer>();
@@ -145,8 +145,8 @@ void addTags(TriMesh &mesh, const DiscreteDomain &boundary, const std::vector<st
 }
 
 Mesher::Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
-               const FrontCare &care)
-    : boundary_(std::move(boundary)), spacing_(std::move(spacing)), state_(*boundary_, care) {}
+               const FrontCare &care, const FrontRules &rules)
+    : boundary_(std::move(boundary)), spacing_(std::move(spacing)), state_(*boundary_, care, rules) {}
 
 std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> boundary,
                                        std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options) {

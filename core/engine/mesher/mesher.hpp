@@ -66,7 +66,7 @@ class Mesher {
 
   protected:
     Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
-           const FrontCare &care);
+           const FrontCare &care, const FrontRules &rules);
     /// Restores everything but the background grid and the order of the classic method, which follow from Γ.
     void restoreState(const Checkpoint &checkpoint, const MadeSoFar &made);
 

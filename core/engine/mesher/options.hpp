@@ -6,6 +6,7 @@
 #include "core/engine/grid/grid_kind.hpp"
 #include "core/engine/improve/improve_level.hpp"
 #include "core/engine/mesh/second_order.hpp"
+#include "core/engine/mesher/front_rules.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 
 #include <array>
@@ -68,6 +69,8 @@ struct MeshingOptions {
 
     /// Check the finished mesh against its domain, as verifyAgainst() does. Faults end the run.
     bool verify = false;
+
+    FrontRules rules{}; ///< of the classic method
 
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };

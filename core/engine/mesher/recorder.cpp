@@ -18,9 +18,10 @@ void Recorder::eventWithTies(Step step, std::uint32_t candidate, std::size_t equ
     out_.events.back().equal = static_cast<std::uint32_t>(equal);
 }
 
-void Recorder::takeShortest(const FrontState &state, SlotId slotA) {
+void Recorder::takeFirst(const FrontState &state, SlotId slotA) {
     roundsTies_ = true;
-    shortest_ = shortestBases(state.front, slotA);
+    rules_ = state.rules;
+    first_ = firstBases(state.front, {rules_.base, rules_.seed}, slotA);
 }
 
 void Recorder::begin(const FrontState &state, const Base &base) {
@@ -32,8 +33,9 @@ void Recorder::begin(const FrontState &state, const Base &base) {
     out_.b = base.b;
     out_.nodeA = base.nodeA;
     out_.nodeB = base.nodeB;
-    out_.shorterDeferred = shortest_.shorterDeferred;
-    eventWithTies(Step::TakeBase, kNoIndex, shortest_.equal);
+    out_.baseRule = rules_.base;
+    out_.earlierDeferred = first_.earlierDeferred;
+    eventWithTies(Step::TakeBase, kNoIndex, first_.equal);
 }
 
 void Recorder::evaluateSpacing(const Base &base) {
@@ -55,7 +57,7 @@ void Recorder::rank(const Base &base, std::span<const Candidate> candidates, dou
         candidate.rho = base.rho;
         candidate.deltaAC = spacingConformity(distance(base.a, position), base.rho);
         candidate.deltaCB = spacingConformity(distance(base.b, position), base.rho);
-        candidate.score = candidate.alpha * candidate.deltaAC * candidate.deltaCB;
+        candidate.score = rules_.score(candidate.alpha, candidate.deltaAC, candidate.deltaCB);
         candidate.verdict = verdict;
         out_.candidates.push_back(std::move(candidate));
     };

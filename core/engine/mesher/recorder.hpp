@@ -18,7 +18,7 @@ namespace FOREFRONT_API forefront {
 /// Records nothing and costs nothing: every call compiles to nothing.
 struct NoTrace {
     void takeBase(bool) {}
-    void takeShortest(const FrontState &, SlotId) {}
+    void takeFirst(const FrontState &, SlotId) {}
     void begin(const FrontState &, const Base &) {}
     void evaluateSpacing(const Base &) {}
     void visitCell(const Box2 &) {}
@@ -42,7 +42,7 @@ class Recorder {
     /// Records the chosen base; `continuesWalk`: it follows the base before along the front.
     void takeBase(bool continuesWalk) { out_.walked = continuesWalk; }
     /// Records a base of the classic method, which compares lengths and scores within rounding.
-    void takeShortest(const FrontState &state, SlotId slotA);
+    void takeFirst(const FrontState &state, SlotId slotA);
     /// Discards the record of a base that is left to a later strip (step 2).
     void begin(const FrontState &state, const Base &base);
     /// Records steps 3 and 4.
@@ -80,7 +80,8 @@ class Recorder {
     std::uint32_t firstOfSearch_ = 0; ///< index of the first candidate of the search ranked last
     std::uint32_t underTest_ = 0;     ///< index of the candidate under test
     bool roundsTies_ = false;         ///< classic method
-    ShortestBases shortest_;          ///< classic method
+    FrontRules rules_{};              ///< classic method
+    FirstBases first_;                ///< classic method
 };
 
 } // namespace forefront

@@ -128,14 +128,26 @@ std::string baseText(const AdvanceExplanation &explanation, const TraceEvent &ev
     if (explanation.walked) {
         return "next along the front, taken as base AB";
     }
-    if (event.equal == 0) {
-        return "one of the shortest segments of the front, taken as base AB";
+    const auto text = [&](const std::string &chosen) {
+        return chosen +
+               (explanation.earlierDeferred ? ", leaving out those deferred, taken as base AB" : ", taken as base AB");
+    };
+    switch (explanation.baseRule) {
+    case BaseRule::Oldest:
+        return text("the oldest segment of the front");
+    case BaseRule::Random:
+        return text("a segment of the front drawn at random");
+    case BaseRule::Shortest:
+    case BaseRule::Longest:
+        break;
     }
-    const std::string shortest =
-        event.equal == 1 ? "the shortest segment of the front"
-                         : "the oldest of the " + std::to_string(event.equal) + " shortest segments of the front";
-    return shortest +
-           (explanation.shorterDeferred ? ", leaving out those deferred, taken as base AB" : ", taken as base AB");
+    const std::string kind = explanation.baseRule == BaseRule::Shortest ? "shortest" : "longest";
+    if (event.equal == 0) {
+        return "one of the " + kind + " segments of the front, taken as base AB";
+    }
+    return text(event.equal == 1
+                    ? "the " + kind + " segment of the front"
+                    : "the oldest of the " + std::to_string(event.equal) + ' ' + kind + " segments of the front");
 }
 
 std::string sortText(const AdvanceExplanation &explanation, const TraceEvent &event) {

@@ -4,6 +4,7 @@
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/vec2.hpp"
+#include "core/engine/front/base_rule.hpp"
 
 #include <array>
 #include <cstdint>
@@ -81,8 +82,8 @@ struct TraceEvent {
     std::uint32_t cellsSeen = 0;        ///< cells visited so far: cells[0 .. cellsSeen)
     std::uint32_t candidatesSeen = 0;   ///< candidates proposed so far: candidates[0 .. candidatesSeen)
     std::uint32_t delivered = 0;        ///< segments that the grid has delivered so far
-    /// Classic method. TakeBase: the number of segments as short as AB within rounding, with AB; 0 if there are shorter
-    /// ones. Sort: the number of candidates with the best score within rounding.
+    /// Classic method. TakeBase: the number of segments that come first by the order of bases within rounding, with AB;
+    /// 0 if others come before it. Sort: the number of candidates with the best score within rounding.
     std::uint32_t equal = 0;
 };
 
@@ -103,12 +104,13 @@ struct AdvanceExplanation {
     std::vector<Box2> cells;     ///< visited cells of the background grid, in order
     std::uint32_t delivered = 0; ///< segments that the grid delivered
     std::vector<TraceEvent> events;
-    Vec2 apex;                             ///< apex of the elements made, unless deferred
-    ElementId element = kNoElement;        ///< first element made
-    unsigned elements = 0;                 ///< number of elements made
-    std::vector<std::array<Vec2, 3>> made; ///< corners of the elements made
-    bool shorterDeferred = false;          ///< classic method: a shorter segment waits, which was deferred
-    bool walked = false;                   ///< fast method: the base continues the walk along the front
+    Vec2 apex;                              ///< apex of the elements made, unless deferred
+    ElementId element = kNoElement;         ///< first element made
+    unsigned elements = 0;                  ///< number of elements made
+    std::vector<std::array<Vec2, 3>> made;  ///< corners of the elements made
+    BaseRule baseRule = BaseRule::Shortest; ///< classic method
+    bool earlierDeferred = false; ///< classic method: a segment that comes earlier waits, since it was deferred
+    bool walked = false;          ///< fast method: the base continues the walk along the front
 };
 
 /// Returns a moment as a caption: "Edge 41-42: node 7 accepted (α 0.982); 2 candidates rejected: 2 cross the front; 1

@@ -31,9 +31,14 @@ RunFigures figuresOf(const SessionSnapshot &snapshot) {
             .elements = work.elements,
             .front = work.frontMean(),
             .neighbours = work.neighboursMean(),
+            .considered = work.consideredMean(),
             .tests = work.testsMean(),
-            .cells = static_cast<double>(work.cellsVisited) / elements,
-            .seconds = snapshot.secondsMesh};
+            .cells = static_cast<double>(work.cellsVisited) / elements};
+}
+
+bool samePosition(const SessionSnapshot &a, const SessionSnapshot &b) {
+    const auto atEnd = [](const SessionSnapshot &run) { return run.complete && run.advance == run.known; };
+    return a.advance == b.advance || (atEnd(a) && atEnd(b));
 }
 
 Lockstep::Lockstep(const MeshingJob &job, std::vector<RunVariant> variants, const std::function<void()> &wake) {

@@ -32,11 +32,14 @@ struct RunFigures {
     std::uint64_t advances = 0, elements = 0;
     double front = 0.0;      ///< Nb: mean number of segments of the front per advance
     double neighbours = 0.0; ///< Nc: mean number of neighbouring segments delivered by the grid per element
-    double tests = 0.0;      ///< Ns: mean number of segments tested for intersection per element
+    double considered = 0.0; ///< Ns: segments near enough to be considered per element, for each side
+    double tests = 0.0;      ///< Nt: mean number of exact intersection tests per element
     double cells = 0.0;      ///< cells visited per element
-    double seconds = 0.0;    ///< CPU time of the run up to the furthest advance
 };
 RunFigures figuresOf(const SessionSnapshot &snapshot);
+/// Returns true if the figures of two runs can be compared: both have made the same number of advances, or both are at
+/// their ends.
+bool samePosition(const SessionSnapshot &a, const SessionSnapshot &b);
 
 /// Runs of one job with different methods or grids, kept at the same advance. Call all members from one thread; only
 /// wait() blocks.

@@ -106,12 +106,12 @@ const std::vector<GlossaryTerm> kTerms = {
      {"grid", "counters"},
      figures::neighbours},
     {"counters",
-     "Nn, Ne, Nb, Nc, Ns",
-     {"nb", "nc", "ns"},
+     "Nn, Ne, Nb, Nc, Ns, Nt",
+     {"nb", "nc", "ns", "nt"},
      "Nn is the number of nodes, Ne the number of elements. The others are averages over a run: Nb is the number of "
-     "segments "
-     "on the front; Nc is the number of segments that the grid returns for each element; Ns is the number of "
-     "exact intersection tests for each element.",
+     "segments on the front. The others count segments for each element: Nc those that the grid returns; Ns those "
+     "near enough to be considered, which reach into the search region, once for AC and once for CB; Nt those of them "
+     "that are tested exactly. Lo prints Nb, Nc and Ns.",
      {"grid", "neighbours"},
      figures::neighbours},
     {"rejection",

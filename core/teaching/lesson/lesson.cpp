@@ -19,13 +19,14 @@ std::size_t questionsOf(const Lesson &lesson) {
 }
 
 std::shared_ptr<const Document> documentOf(const LessonPage &page) {
-    if (!page.document || (!page.method && !page.grid && !page.improve)) {
+    if (!page.document || (!page.method && !page.grid && !page.improve && !page.rules)) {
         return page.document;
     }
     auto document = std::make_shared<Document>(*page.document);
     document->options.method = page.method.value_or(document->options.method);
     document->options.grid = page.grid.value_or(document->options.grid);
     document->options.improve = page.improve.value_or(document->options.improve);
+    document->options.rules = page.rules.value_or(document->options.rules);
     return document;
 }
 

@@ -87,6 +87,7 @@ struct LessonPage {
     std::optional<Method> method;        ///< instead of that of the document
     std::optional<GridKind> grid;        ///< instead of that of the document
     std::optional<ImproveLevel> improve; ///< instead of that of the document
+    std::optional<FrontRules> rules;     ///< instead of those of the document
     LessonPosition position;
     std::optional<std::vector<std::string>> layers; ///< ids of the visible layers; not set: as they are
     std::string panel;                              ///< id of the panel to show; empty: as it is
@@ -106,7 +107,7 @@ struct Lesson {
 /// Returns the number of pages with a question.
 std::size_t questionsOf(const Lesson &lesson);
 
-/// Returns the document of a page with the method, grid and improvement level of the page.
+/// Returns the document of a page with the method, grid, improvement level and rules of the page.
 std::shared_ptr<const Document> documentOf(const LessonPage &page);
 
 /// Returns true if the answer of a question is choice `index`.

@@ -1,6 +1,7 @@
 #include "core/teaching/lesson/lesson_read.hpp"
 
 #include "core/files/json/json_check.hpp"
+#include "core/files/rules/rules_json.hpp"
 #include "core/teaching/lesson/question_read.hpp"
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace forefront {
 namespace {
 
 constexpr std::array<std::string_view, 5> kLessonMembers = {"format", "version", "title", "about", "pages"};
-constexpr std::array<std::string_view, 13> kPageMembers = {"title",   "text",      "document", "method", "grid",
-                                                           "improve", "position",  "layers",   "panel",  "camera",
-                                                           "range",   "highlight", "question"};
+constexpr std::array<std::string_view, 14> kPageMembers = {"title",   "text",  "document",  "method",  "grid",
+                                                           "improve", "rules", "position",  "layers",  "panel",
+                                                           "camera",  "range", "highlight", "question"};
 
 class LessonReader {
   public:
@@ -112,6 +113,9 @@ class LessonReader {
         word(item, "method", page.method);
         word(item, "grid", page.grid);
         word(item, "improve", page.improve);
+        if (const auto rules = item.find("rules")) {
+            page.rules = readRules(*rules, check_);
+        }
         if (const auto position = item.find("position")) {
             page.position = readPosition(*position, check_);
         }
@@ -135,7 +139,7 @@ class LessonReader {
         if (!page.documentName.empty() || item.find("document")) {
             return;
         }
-        for (const char *member : {"method", "grid", "improve", "position"}) {
+        for (const char *member : {"method", "grid", "improve", "rules", "position"}) {
             if (const auto value = item.find(member)) {
                 check_.fault(*value, "no-document", inQuotes(member) + " has no effect without a document",
                              "add \"document\" to this page or to an earlier one");
@@ -159,6 +163,7 @@ class LessonReader {
         page.method.reset();
         page.grid.reset();
         page.improve.reset();
+        page.rules.reset();
         page.position = {};
         page.camera = {};
         if (!isInFolder(value, page.documentName) || !names_.document || page.documentName.empty()) {

@@ -89,6 +89,8 @@ std::optional<double> valueOf(LessonValue value, const LessonState &state) {
         return run.work.frontMean();
     case LessonValue::Delivered:
         return run.work.neighboursMean();
+    case LessonValue::Considered:
+        return run.work.consideredMean();
     case LessonValue::Tested:
         return run.work.testsMean();
     case LessonValue::CellsMean:

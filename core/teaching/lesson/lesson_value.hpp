@@ -23,7 +23,8 @@ enum class LessonValue : std::uint8_t {
     Forced,     ///< elements that the closing stage has made so far
     FrontMean,  ///< Nb
     Delivered,  ///< Nc
-    Tested,     ///< Ns
+    Considered, ///< Ns
+    Tested,     ///< Nt
     CellsMean,  ///< cells of the grid visited, per element
     MinAlpha,   ///< of the mesh shown
     MeanAlpha,  ///< of the mesh shown
@@ -46,11 +47,11 @@ enum class LessonValue : std::uint8_t {
 template <>
 struct EnumWords<LessonValue> {
     static constexpr auto kLast = LessonValue::Chosen;
-    static constexpr std::array<std::string_view, 27> kList = {
-        "advance", "finished", "front",     "elements", "new-nodes",  "deferrals",  "forced",
-        "Nb",      "Nc",       "Ns",        "cells",    "min-alpha",  "mean-alpha", "mean-delta",
-        "base",    "rho",      "field-rho", "radius",   "candidates", "winner",     "rejected",
-        "tests",   "visited",  "delivered", "alpha",    "score",      "chosen"};
+    static constexpr std::array<std::string_view, 28> kList = {
+        "advance",    "finished", "front",   "elements",  "new-nodes", "deferrals",  "forced",
+        "Nb",         "Nc",       "Ns",      "Nt",        "cells",     "min-alpha",  "mean-alpha",
+        "mean-delta", "base",     "rho",     "field-rho", "radius",    "candidates", "winner",
+        "rejected",   "tests",    "visited", "delivered", "alpha",     "score",      "chosen"};
 };
 
 /// The state that lesson values are read from.

@@ -181,7 +181,7 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
         return prepared.faults();
     }
     figures.boundaryNodes = prepared->boundary->nodes.size();
-    std::uint64_t tested = 0;
+    std::uint64_t considered = 0, tested = 0;
     for (const TableGrid &grid : grids) {
         const std::string stage = std::string(row.row) + ", grid " + grid.name;
         Result<GridRun> run = advanceWith(grid, job, *prepared, stage, progress);
@@ -191,14 +191,16 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
         const std::uint64_t hash = meshHash(run->mesh);
         if (figures.grids.empty()) {
             figures.hash = hash;
+            considered = run->work.considered;
             tested = run->work.tested;
             figures.front = run->work.frontMean();
+            figures.considered = run->work.consideredMean();
             figures.tests = run->work.testsMean();
             if (Status faults = describeError(run->mesh, *found, *prepared, progress, figures); !faults.empty()) {
                 return faults;
             }
             describeMesh(std::move(run->mesh), *prepared, progress, figures);
-        } else if (hash != figures.hash || run->work.tested != tested) {
+        } else if (hash != figures.hash || run->work.tested != tested || run->work.considered != considered) {
             return error("grid-changes-mesh", "row " + std::string(row.row) + ": the mesh with the grid " + grid.name +
                                                   " differs from that with the grid " + figures.grids.front().grid);
         }

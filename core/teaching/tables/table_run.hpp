@@ -49,7 +49,8 @@ struct RowFigures {
     double alphaImproved = 0.0, deltaImproved = 0.0, alphaMinImproved = 0.0;
     double secondsImprove = 0.0;         ///< CPU time
     double front = 0.0;                  ///< Nb
-    double tests = 0.0;                  ///< Ns
+    double considered = 0.0;             ///< Ns, as Lo counts it
+    double tests = 0.0;                  ///< Nt, exact tests
     std::uint64_t hash = 0;              ///< of the raw mesh, the same for every grid
     std::optional<AdaptFigures> adapted; ///< rows 3 and 4
     std::vector<GridFigures> grids;

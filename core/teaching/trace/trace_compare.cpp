@@ -25,8 +25,9 @@ bool sameVerdict(Verdict a, Verdict b) {
 /// Compares one advance with what another program says of it.
 class AdvanceComparison {
   public:
-    AdvanceComparison(const AdvanceExplanation &ours, std::size_t front, const TracedAdvance &theirs, double tolerance)
-        : ours_(ours), front_(front), theirs_(theirs), tolerance_(tolerance) {}
+    AdvanceComparison(const AdvanceExplanation &ours, std::size_t front, const TracedAdvance &theirs,
+                      const FrontRules &rules, double tolerance)
+        : ours_(ours), front_(front), theirs_(theirs), rules_(rules), tolerance_(tolerance) {}
 
     /// Returns the first difference; empty if there is none.
     std::string difference() const {
@@ -59,22 +60,34 @@ class AdvanceComparison {
     std::string baseReason() const {
         const double here = distance(ours_.a, ours_.b), there = distance(theirs_.a, theirs_.b);
         const bool classic = !ours_.events.empty() && ours_.events.front().equal > 0;
-        if (!classic) {
+        if (!classic || rules_.base == BaseRule::Random) {
             return {};
         }
+        const bool longest = rules_.base == BaseRule::Longest;
+        const std::string deferred = ", but those that were deferred come after all others";
+        if (rules_.base == BaseRule::Oldest) {
+            return ". The oldest is taken first" + deferred +
+                   ": those of the boundary come first, in their order, and of "
+                   "two new ones AC is older than CB";
+        }
         if (std::abs(here - there) <= tolerance_) {
-            return ". Of segments that are equally short the oldest is taken: those of the boundary come first, in "
+            return std::string(". Of segments that are equally ") + (longest ? "long" : "short") +
+                   " the oldest is taken: those of the boundary come first, in "
                    "their order, and of two new ones AC is older than CB";
         }
-        return here < there ? ". The shortest is taken first, but those that were deferred come after all others" : "";
+        return longest == (here > there)
+                   ? std::string(". The ") + (longest ? "longest" : "shortest") + " is taken first" + deferred
+                   : "";
     }
     std::string spacing() const {
         if (!theirs_.rho || same(*theirs_.rho, ours_.rho)) {
             return {};
         }
         return "rho is " + numberText(ours_.rho, 6) + "; yours is " + numberText(*theirs_.rho, 6) +
-               (same(*theirs_.rho, ours_.fieldRho) ? ", which is rho before it is clamped to [0.55, 2] times |AB|"
-                                                   : "");
+               (same(*theirs_.rho, ours_.fieldRho)
+                    ? ", which is rho before it is clamped to [" + numberText(rules_.minRho, 6) + ", " +
+                          numberText(rules_.maxRho, 6) + "] times |AB|"
+                    : "");
     }
     std::string ideal() const {
         if (!theirs_.ideal || same(*theirs_.ideal, ours_.ideal)) {
@@ -177,6 +190,7 @@ class AdvanceComparison {
     const AdvanceExplanation &ours_;
     std::size_t front_;
     const TracedAdvance &theirs_;
+    const FrontRules &rules_;
     double tolerance_;
 };
 
@@ -186,6 +200,7 @@ Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvan
                                      std::optional<std::uint64_t> steps, const Progress &progress) {
     job.options.improve = ImproveLevel::None;
     job.options.order = ElementOrder::First;
+    const FrontRules rules = job.options.method == Method::Classic ? job.options.rules : FrontRules();
     Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
     if (!stepper) {
         return stepper.faults();
@@ -211,7 +226,7 @@ Result<TraceComparison> compareTrace(MeshingJob job, std::span<const TracedAdvan
         }
         const TracedAdvance &other = trace[result.advances];
         result.difference =
-            AdvanceComparison(*stepper->explanation(), stepper->front().size(), other, tolerance).difference();
+            AdvanceComparison(*stepper->explanation(), stepper->front().size(), other, rules, tolerance).difference();
         if (!result.difference.empty()) {
             result.offset = other.offset;
             return result;

@@ -2,6 +2,7 @@
 
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/files/json/json_text.hpp"
+#include "core/files/rules/rules_json.hpp"
 
 #include <limits>
 #include <string_view>
@@ -16,6 +17,14 @@ class TraceWriter {
   public:
     TraceWriter(MeshStepper &stepper, TextWriter &out) : stepper_(stepper), out_(out), json_(out) {}
 
+    /// Writes the rules if they differ from their defaults.
+    void rules(const FrontRules &rules) {
+        if (rules != FrontRules()) {
+            out_ << "\"rules\": ";
+            writeRules(rules, json_);
+            out_ << ",\n";
+        }
+    }
     /// Writes the divided boundary: the nodes by number, and the segments of Γ before the first advance, oldest first.
     void boundary() {
         out_ << "\"boundary\": {\"nodes\": [";
@@ -101,6 +110,7 @@ Status writeTrace(MeshingJob job, std::optional<std::uint64_t> steps, TextWriter
     job.options.improve = ImproveLevel::None;
     job.options.order = ElementOrder::First;
     const std::string_view method = wordOf(job.options.method), grid = wordOf(job.options.grid);
+    const FrontRules rules = job.options.method == Method::Classic ? job.options.rules : FrontRules();
     Result<MeshStepper> stepper = MeshStepper::create(std::move(job), progress);
     if (!stepper) {
         return stepper.faults();
@@ -109,6 +119,7 @@ Status writeTrace(MeshingJob job, std::optional<std::uint64_t> steps, TextWriter
     TraceWriter trace(*stepper, out);
     out << "{\"format\": \"forefront-trace\", \"version\": 1, \"method\": \"" << method << "\", \"grid\": \"" << grid
         << "\",\n";
+    trace.rules(rules);
     trace.boundary();
     out << ",\n\"advances\": [";
     while (out.ok() && stepper->position() < last && stepper->advance() == 1) {

@@ -209,6 +209,12 @@ void RunControl::showFile(FileMesh read) {
     opened->meshHash = read.hash;
     opened->mesh = std::move(read.view);
     opened_ = std::move(opened);
+    adapted_ = false;
+}
+
+void RunControl::showAdapted(MeshFields made) {
+    showFile(std::move(made));
+    adapted_ = true;
 }
 
 MeshingJob RunControl::job() const {

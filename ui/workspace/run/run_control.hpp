@@ -71,8 +71,12 @@ class RunControl final : public BackgroundActivity {
     void showFile(MeshFields read) { showFile(fileMeshOf(std::move(read))); }
     /// Returns the values of the mesh shown, one for each of its nodes or elements; null if there are none.
     std::shared_ptr<const FileFields> fields() const { return opened_ ? fields_ : nullptr; }
-    /// Returns true if the mesh shown was read from a file.
+    /// Shows a mesh of a round of adaptive refinement in the same way.
+    void showAdapted(MeshFields made);
+    /// Returns true if the mesh shown has no front to step through: it was read from a file, or made by Adapt.
     bool showsFile() const { return opened_ != nullptr; }
+    /// Returns true if the mesh shown was made by Adapt.
+    bool showsAdapted() const { return showsFile() && adapted_; }
     void want(SnapshotLayers layers);
 
     /// Returns the meshing job of the document as it is now.
@@ -157,7 +161,8 @@ class RunControl final : public BackgroundActivity {
     Breakpoints breakpoints_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
     const std::shared_ptr<const SessionSnapshot> empty_ = std::make_shared<const SessionSnapshot>();
-    std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file; null: the run's mesh is shown
+    std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file or of Adapt; null: the run's mesh is shown
+    bool adapted_ = false;                          ///< opened_ was made by Adapt
     std::shared_ptr<const FileFields> fields_;      ///< values of that mesh; null: none
     std::uint64_t openedCount_ = 0;
     /// The document revision and options that a run was started with.
