@@ -115,6 +115,7 @@ struct Shape {
     std::vector<std::vector<double>> cuts;
     bool hidden = false; ///< neither drawn nor picked, but part of the domain
     bool locked = false; ///< drawn, but neither picked nor moved
+    bool construction = false; ///< drawn and constrained, but not part of the domain
     /// Element sizes at nodes, by handle (see handlesOf()); not at the centre of a circle or an ellipse, nor at a slot.
     std::map<std::uint32_t, PartSize> nodeSizes;
     /// Element sizes along segments, by tagged part (see taggedSegments()), in place of those of their boundary parts.
