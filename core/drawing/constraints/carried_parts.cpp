@@ -97,9 +97,11 @@ std::optional<SketchPart> CarriedParts::node(const SketchPart &part) const {
     if (old->is<SlotForm>() && now != nullptr && isPath(*now)) {
         return SketchPart{part.shape, SketchPartKind::Centre, part.index == 0 ? 3U : 1U};
     }
+    if (old->is<RectangleForm>() && now != nullptr && isPath(*now) && now->nodes.size() == 4) {
+        return part; // its corners, which may have been turned as well
+    }
     const std::vector<Vec2> places = handlesOf(*old);
-    std::optional<SketchPart> found =
-        now != nullptr ? nodeIn(*now, places, isClosed(*old), part.index) : std::nullopt;
+    std::optional<SketchPart> found = now != nullptr ? nodeIn(*now, places, isClosed(*old), part.index) : std::nullopt;
     for (std::size_t k = 0; k < added_.size() && !found; ++k) {
         found = nodeIn(*findShape(next_, added_[k]), places, isClosed(*old), part.index);
     }
@@ -112,6 +114,9 @@ std::vector<SketchPart> CarriedParts::segment(const SketchPart &part) const {
     if (round && now != nullptr && isPath(*now)) {
         const bool whole = now->nodes.size() == 4; // else a node was inserted as well
         return whole ? std::vector<SketchPart>{part} : std::vector<SketchPart>();
+    }
+    if (old != nullptr && old->is<RectangleForm>() && now != nullptr && isPath(*now) && now->nodes.size() == 4) {
+        return part.index < 4 ? std::vector<SketchPart>{part} : std::vector<SketchPart>();
     }
     if (old == nullptr || !(isPath(*old) || old->is<RectangleForm>()) || part.index >= handleCount(*old)) {
         return {};
@@ -170,8 +175,8 @@ std::vector<SketchPart> CarriedParts::images(const SketchPart &part) const {
     }
     const std::optional<SketchPart> from = node({part.shape, SketchPartKind::Node, part.index});
     if (from && from->index != inner.index) {
-        inner.kind = part.kind == SketchPartKind::StartControl ? SketchPartKind::EndControl
-                                                               : SketchPartKind::StartControl;
+        inner.kind =
+            part.kind == SketchPartKind::StartControl ? SketchPartKind::EndControl : SketchPartKind::StartControl;
     }
     return {inner};
 }

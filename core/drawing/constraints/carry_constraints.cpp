@@ -87,7 +87,7 @@ class ConstraintCarrier {
 
     void add(ConstraintKind kind, std::vector<SketchPart> parts) {
         Result<SketchConstraint> made = makeConstraint(next_, kind, std::move(parts));
-        if (made) {
+        if (made && holdsIn(next_, *made)) {
             next_.nextId = made->id + 1;
             next_.constraints.push_back(std::make_shared<const SketchConstraint>(*std::move(made)));
         }
@@ -100,6 +100,11 @@ class ConstraintCarrier {
         }
     }
 
+    bool isLevel(const std::vector<SketchPart> &side) const {
+        const Result<SketchConstraint> level = makeConstraint(next_, ConstraintKind::Horizontal, side);
+        return level && holdsIn(next_, *level);
+    }
+
     /// Adds the constraints that the form of a shape implied before it became a path.
     void keepForm(const Shape &old) {
         const auto segment = [&](std::uint32_t k) {
@@ -108,13 +113,21 @@ class ConstraintCarrier {
             return images.empty() ? std::vector<SketchPart>() : std::vector<SketchPart>{images.front()};
         };
         if (old.is<RectangleForm>()) {
+            const bool level = isLevel(segment(0));
             for (std::uint32_t k = 0; k < 4; ++k) {
-                add(k % 2 == 0 ? ConstraintKind::Horizontal : ConstraintKind::Vertical, segment(k));
+                std::vector<SketchPart> side = segment(k);
+                if (level) {
+                    add(k % 2 == 0 ? ConstraintKind::Horizontal : ConstraintKind::Vertical, std::move(side));
+                } else if (k > 0) { // it was turned
+                    const std::vector<SketchPart> last = segment(k - 1);
+                    side.insert(side.end(), last.begin(), last.end());
+                    add(ConstraintKind::Perpendicular, std::move(side));
+                }
             }
         } else if (old.is<CircleForm>()) {
             for (std::uint32_t k = 1; k < 4; ++k) {
-                add(ConstraintKind::Concentric, {{old.id, SketchPartKind::Segment, 0},
-                                                 {old.id, SketchPartKind::Segment, k}});
+                add(ConstraintKind::Concentric,
+                    {{old.id, SketchPartKind::Segment, 0}, {old.id, SketchPartKind::Segment, k}});
             }
         } else if (old.is<SlotForm>()) {
             for (std::uint32_t k = 0; k < 4; ++k) {

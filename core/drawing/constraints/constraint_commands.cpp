@@ -26,22 +26,10 @@ Diagnostics noSuchConstraint() {
 /// Returns the index of a constraint; the number of constraints if there is none.
 std::size_t indexOf(const Document &document, std::uint32_t id) {
     const auto &list = document.constraints;
-    const auto found = std::lower_bound(list.begin(), list.end(), id,
-                                        [](const auto &constraint, std::uint32_t wanted) { return constraint->id < wanted; });
+    const auto found = std::lower_bound(list.begin(), list.end(), id, [](const auto &constraint, std::uint32_t wanted) {
+        return constraint->id < wanted;
+    });
     return static_cast<std::size_t>((found != list.end() && (*found)->id == id ? found : list.end()) - list.begin());
-}
-
-std::string freeName(const Document &document, ConstraintKind kind) {
-    std::set<std::string> taken;
-    for (const auto &constraint : document.constraints) {
-        taken.insert(constraint->name);
-    }
-    const std::string stem = kindName(kind) + ' ';
-    std::size_t number = 1;
-    while (taken.contains(stem + std::to_string(number))) {
-        ++number;
-    }
-    return stem + std::to_string(number);
 }
 
 /// Returns the nodes at the ends of a segment; for a slot, the centres at the ends of its sides.
@@ -135,19 +123,47 @@ const SketchConstraint *findConstraint(const Document &document, std::uint32_t i
 }
 
 std::string kindName(ConstraintKind kind) {
-    constexpr std::array<const char *, 20> kNames = {
-        "Coincident", "On curve",   "Midpoint", "Horizontal", "Vertical", "Parallel", "Perpendicular",
-        "Collinear",  "Tangent",    "Equal",    "Concentric", "Symmetric", "Fixed",   "Length",
-        "Distance",   "Horizontal distance",    "Vertical distance",       "Angle",   "Radius",
-        "Diameter"};
+    constexpr std::array<const char *, 20> kNames = {"Coincident",
+                                                     "On curve",
+                                                     "Midpoint",
+                                                     "Horizontal",
+                                                     "Vertical",
+                                                     "Parallel",
+                                                     "Perpendicular",
+                                                     "Collinear",
+                                                     "Tangent",
+                                                     "Equal",
+                                                     "Concentric",
+                                                     "Symmetric",
+                                                     "Fixed",
+                                                     "Length",
+                                                     "Distance",
+                                                     "Horizontal distance",
+                                                     "Vertical distance",
+                                                     "Angle",
+                                                     "Radius",
+                                                     "Diameter"};
     return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string freeConstraintName(const Document &document, ConstraintKind kind) {
+    std::set<std::string> taken;
+    for (const auto &constraint : document.constraints) {
+        taken.insert(constraint->name);
+    }
+    const std::string stem = kindName(kind) + ' ';
+    std::size_t number = 1;
+    while (taken.contains(stem + std::to_string(number))) {
+        ++number;
+    }
+    return stem + std::to_string(number);
 }
 
 Result<SketchConstraint> makeConstraint(const Document &document, ConstraintKind kind, std::vector<SketchPart> parts) {
     SketchConstraint constraint;
     constraint.id = document.nextId;
     constraint.kind = kind;
-    constraint.name = freeName(document, kind);
+    constraint.name = freeConstraintName(document, kind);
     constraint.parts = completed(document, kind, std::move(parts));
     if (const std::string fault = partsFault(document, kind, constraint.parts); !fault.empty()) {
         return error("bad-constraint", kindName(kind) + ": " + fault, "select these and try again");

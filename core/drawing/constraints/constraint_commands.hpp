@@ -19,6 +19,9 @@ const SketchConstraint *findConstraint(const Document &document, std::uint32_t i
 /// Returns the word for a kind, such as "Horizontal distance".
 std::string kindName(ConstraintKind kind);
 
+/// Returns the first name that no constraint has of the word for a kind with 1, 2, and so on.
+std::string freeConstraintName(const Document &document, ConstraintKind kind);
+
 /// Makes a constraint of parts, in any order, with the orientation and, for a dimension, the value that they have now.
 /// Its id is the next one of the document, its name the first free one, such as "Length 2". A length of a segment gets
 /// its ends as parts. Curves that meet at their ends become tangent there.

@@ -59,9 +59,9 @@ std::array<Ends, 2> directionsAtJoint(DocumentSketch &sketch, const SketchConstr
         default: {
             const bool start = end.index == part.index;
             const SketchPoint node = sketch.point(end);
-            pair[k] = {node, sketch.point({part.shape,
-                                           start ? SketchPartKind::StartControl : SketchPartKind::EndControl,
-                                           part.index})};
+            pair[k] = {node,
+                       sketch.point({part.shape, start ? SketchPartKind::StartControl : SketchPartKind::EndControl,
+                                     part.index})};
         }
         }
     }
@@ -171,11 +171,7 @@ class EquationWriter {
             const auto part = [across](SketchPoint q) { return across ? q.x : q.y; };
             SketchEquation equation;
             equation.kind = EquationKind::OnCubic;
-            equation.unknowns = {part(p),
-                                 t,
-                                 part(cubic.start),
-                                 part(cubic.startOffset),
-                                 part(cubic.endOffset),
+            equation.unknowns = {part(p),        t, part(cubic.start), part(cubic.startOffset), part(cubic.endOffset),
                                  part(cubic.end)};
             add(equation);
         }
@@ -183,8 +179,8 @@ class EquationWriter {
 
     void addMidpoint() {
         const SketchPoint m = sketch_.point(parts_[0]);
-        const Ends ends = parts_.size() == 2 ? sketch_.line(parts_[1])
-                                             : Ends{sketch_.point(parts_[1]), sketch_.point(parts_[2])};
+        const Ends ends =
+            parts_.size() == 2 ? sketch_.line(parts_[1]) : Ends{sketch_.point(parts_[1]), sketch_.point(parts_[2])};
         add(makeMean(m.x, ends.a.x, ends.b.x));
         add(makeMean(m.y, ends.a.y, ends.b.y));
     }
@@ -414,8 +410,7 @@ double measured(DocumentSketch &sketch, const SketchConstraint &constraint) {
         return std::fabs(between().y);
     case ConstraintKind::Angle: {
         const Ends first = sketch.direction(parts[0]), second = sketch.direction(parts[1]);
-        return constraint.side *
-               std::remainder(degreesBetween(sketch, first, second) - constraint.turn, 360.0);
+        return constraint.side * std::remainder(degreesBetween(sketch, first, second) - constraint.turn, 360.0);
     }
     case ConstraintKind::Radius:
     case ConstraintKind::Diameter: {

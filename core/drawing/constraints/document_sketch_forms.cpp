@@ -54,8 +54,7 @@ void DocumentSketch::holdFormula(const NumberAddress &address) {
     case Quantity::X:
     case Quantity::Y: {
         const bool across = address.quantity == Quantity::X;
-        const std::uint32_t node =
-            shape.is<RectangleForm>() ? nodeOfCorner(address.handle, across) : address.handle;
+        const std::uint32_t node = shape.is<RectangleForm>() ? nodeOfCorner(address.handle, across) : address.handle;
         hold({id, across ? Role::X : Role::Y, node});
         break;
     }

@@ -180,11 +180,11 @@ class Settler {
         }
         const std::string names = constraintNames(next_, smallest);
         const std::string held = sketch_.holdsNumbers() ? " where formulas and locked shapes hold their parts" : "";
-        return smallest.size() == 1 ? error("constraint-conflict", "constraint " + names + " cannot hold" + held,
-                                            "change it or remove it")
-                                    : error("constraint-conflict",
-                                            "constraints " + names + " cannot hold together" + held,
-                                            "change or remove one of them");
+        return smallest.size() == 1
+                   ? error("constraint-conflict", "constraint " + names + " cannot hold" + held,
+                           "change it or remove it")
+                   : error("constraint-conflict", "constraints " + names + " cannot hold together" + held,
+                           "change or remove one of them");
     }
 
     static std::set<std::uint32_t> violated(const SketchSystem &system) {

@@ -118,8 +118,8 @@ class ShapeChange {
         const Vec2 centre = vector(Role::X, Role::Y, 0, shape_.nodes[0]);
         const double before = circleRadius(shape_), radius = value(Role::Radius, 0).value_or(before);
         // A circle that only moves keeps the bits of its radius where the coordinates allow it.
-        shape_.nodes[1] = radius == before ? shape_.nodes[1] + (centre - shape_.nodes[0])
-                                           : centre + (radius / before) * arm;
+        shape_.nodes[1] =
+            radius == before ? shape_.nodes[1] + (centre - shape_.nodes[0]) : centre + (radius / before) * arm;
         shape_.nodes[0] = centre;
     }
 
@@ -180,8 +180,7 @@ std::optional<double> valueOf(const Shape &shape, Role role, std::uint32_t index
         }
         const std::array<double, 8> n = cubic->numbers();
         const bool start = role == Role::StartX || role == Role::StartY;
-        const Vec2 offset =
-            start ? Vec2{n[2], n[3]} - shape.nodes[index] : Vec2{n[4], n[5]} - endOf(shape, index);
+        const Vec2 offset = start ? Vec2{n[2], n[3]} - shape.nodes[index] : Vec2{n[4], n[5]} - endOf(shape, index);
         return part(offset, role == Role::StartX || role == Role::EndX);
     }
     }

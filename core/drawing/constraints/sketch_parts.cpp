@@ -110,9 +110,7 @@ std::optional<Vec2> placeOfPart(const Document &document, const SketchPart &part
         return handlesOf(shape)[part.index];
     }
     const std::array<double, 8> n = shape.path().curves[part.index].numbers();
-    const std::size_t at = part.kind == SketchPartKind::Centre         ? 0
-                           : part.kind == SketchPartKind::StartControl ? 2
-                                                                       : 4;
+    const std::size_t at = part.kind == SketchPartKind::Centre ? 0 : part.kind == SketchPartKind::StartControl ? 2 : 4;
     return Vec2{n[at], n[at + 1]};
 }
 
