@@ -1,7 +1,7 @@
 #include "core/drawing/constraints/settle.hpp"
 
 #include "core/drawing/constraints/constraint_equations.hpp"
-#include "core/drawing/document/equality.hpp"
+#include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
@@ -49,23 +49,34 @@ class Settler {
 
     Result<Document> run() {
         for (const std::vector<std::uint32_t> &part : independentParts(sketch_.system)) {
-            if (!isChanged(part) || holds(sketch_.system, part)) {
+            if (!isChanged(part) || rests(part)) {
                 continue;
             }
             const std::optional<std::vector<double>> solved = solve(part);
             if (!solved) {
                 return conflict(part);
             }
-            for (const std::uint32_t equation : part) {
-                for (const std::uint32_t unknown : sketch_.system.equations[equation].used()) {
-                    values_[unknown] = (*solved)[unknown];
-                }
-            }
+            take(part, *solved);
         }
         return checked();
     }
 
   private:
+    /// Takes the solution of a part. Numbers with given values get these exactly, not up to the tolerance.
+    void take(const std::vector<std::uint32_t> &part, const std::vector<double> &solved) {
+        for (const std::uint32_t k : part) {
+            for (const std::uint32_t unknown : sketch_.system.equations[k].used()) {
+                values_[unknown] = solved[unknown];
+            }
+        }
+        for (const std::uint32_t k : part) {
+            const SketchEquation &equation = sketch_.system.equations[k];
+            if (equation.kind == EquationKind::Value && !sketch_.system.held[equation.unknowns[0]]) {
+                values_[equation.unknowns[0]] = equation.value;
+            }
+        }
+    }
+
     /// Finds the unknowns that the command changed, and their values before it.
     void findMoved() {
         const std::size_t count = sketch_.system.values.size();
@@ -95,9 +106,19 @@ class Settler {
         });
     }
 
-    bool hasChangedConstraint(const std::vector<std::uint32_t> &part) const {
-        return std::any_of(part.begin(), part.end(), [&](std::uint32_t k) {
-            return changedConstraints_.contains(sketch_.system.equations[k].constraint);
+    /// Returns true if a part needs no solution. Points that coincide have no size to compare with.
+    bool rests(const std::vector<std::uint32_t> &part) const {
+        constexpr double kRounding = 1e-14;
+        return std::all_of(part.begin(), part.end(),
+                           [&](std::uint32_t k) {
+                               return holdsWithin(sketch_.system, sketch_.system.equations[k], kRounding, scale_);
+                           }) ||
+               holds(sketch_.system, part);
+    }
+
+    bool hasChangedConstraint(const SketchSystem &system) const {
+        return std::any_of(system.equations.begin(), system.equations.end(), [&](const SketchEquation &equation) {
+            return changedConstraints_.contains(equation.constraint);
         });
     }
 
@@ -111,9 +132,31 @@ class Settler {
         return system;
     }
 
+    /// Solves a part, with points on Bézier curves between the ends of these.
     std::optional<std::vector<double>> solve(const std::vector<std::uint32_t> &part) const {
         SketchSystem system = only(part);
-        if (hasChangedConstraint(part)) {
+        std::optional<std::vector<double>> solved = solveFreely(system);
+        if (!solved) {
+            return solved;
+        }
+        bool beyond = false;
+        for (const SketchEquation &equation : system.equations) {
+            const std::uint32_t t = equation.unknowns[1];
+            if (equation.kind == EquationKind::OnCubic && std::clamp((*solved)[t], 0.0, 1.0) != (*solved)[t]) {
+                (*solved)[t] = std::clamp((*solved)[t], 0.0, 1.0);
+                system.held[t] = beyond = true;
+            }
+        }
+        if (!beyond) {
+            return solved;
+        }
+        system.values = *std::move(solved);
+        std::optional<SketchSolution> within = solveSketch(system);
+        return within ? std::optional(std::move(within->values)) : std::nullopt;
+    }
+
+    std::optional<std::vector<double>> solveFreely(const SketchSystem &system) const {
+        if (hasChangedConstraint(system)) {
             std::optional<SketchSolution> solution = solveSketch(system);
             return solution ? std::optional(std::move(solution->values)) : std::nullopt;
         }
@@ -231,6 +274,7 @@ class Settler {
     const Document &before_, &next_;
     std::set<std::uint32_t> changedConstraints_;
     DocumentSketch sketch_;
+    double scale_ = drawingScale(next_);
     std::vector<double> values_, start_;
     std::vector<bool> moved_;
 };

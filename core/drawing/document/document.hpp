@@ -67,7 +67,7 @@ struct Document {
     /// another curve. The mesh follows the curve itself.
     double circleTolerance = 0.002;
     double curveTolerance = 0.0; ///< see Domain::curveTolerance
-    std::uint32_t nextId = 1; ///< of shapes and sketch constraints
+    std::uint32_t nextId = 1;    ///< of shapes and sketch constraints
     /// Relations and dimensions that the shapes satisfy, in the order of their ids.
     std::vector<std::shared_ptr<const SketchConstraint>> constraints;
     std::vector<Parameter> parameters;

@@ -99,7 +99,8 @@ struct NumberOwner {
 template <>
 struct EnumWords<NumberOwner::Kind> {
     static constexpr auto kLast = NumberOwner::Kind::Spacing;
-    static constexpr std::array<std::string_view, 6> kList = {"constraint", "part", "region", "shape", "source", "spacing"};
+    static constexpr std::array<std::string_view, 6> kList = {"constraint", "part",   "region",
+                                                              "shape",      "source", "spacing"};
 };
 
 /// The address of a number of a document.
@@ -112,7 +113,8 @@ struct EnumWords<NumberOwner::Kind> {
 /// "y", "x2", "y2", "angle", "radius", "size", "endSize", "growth" for a size source, "width" and "height" for a box,
 /// along its angle and across it; "region/K/x", "y", "area", "size", "growth" for a region marker; "part/TAG/size",
 /// "elements", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn",
-/// "elementsAcross", "curveTolerance"; "constraint/ID/value" for a dimension of the sketch. ID is the number of the shape or constraint; indices count from 0.
+/// "elementsAcross", "curveTolerance"; "constraint/ID/value" for a dimension of the sketch. ID is the number of the
+/// shape or constraint; indices count from 0.
 struct NumberAddress {
     NumberOwner owner;
     Quantity quantity = Quantity::Size;

@@ -74,26 +74,11 @@ enum class ConstraintKind : std::uint8_t {
 template <>
 struct EnumWords<ConstraintKind> {
     static constexpr auto kLast = ConstraintKind::Diameter;
-    static constexpr std::array<std::string_view, 20> kList = {"coincident",
-                                                               "onCurve",
-                                                               "midpoint",
-                                                               "horizontal",
-                                                               "vertical",
-                                                               "parallel",
-                                                               "perpendicular",
-                                                               "collinear",
-                                                               "tangent",
-                                                               "equal",
-                                                               "concentric",
-                                                               "symmetric",
-                                                               "fixed",
-                                                               "length",
-                                                               "distance",
-                                                               "horizontalDistance",
-                                                               "verticalDistance",
-                                                               "angle",
-                                                               "radius",
-                                                               "diameter"};
+    static constexpr std::array<std::string_view, 20> kList = {
+        "coincident",         "onCurve",          "midpoint",  "horizontal", "vertical",
+        "parallel",           "perpendicular",    "collinear", "tangent",    "equal",
+        "concentric",         "symmetric",        "fixed",     "length",     "distance",
+        "horizontalDistance", "verticalDistance", "angle",     "radius",     "diameter"};
 };
 
 /// Returns true for a dimension: a constraint with a value.
