@@ -496,6 +496,7 @@ TEST_CASE("Constraints: a project with bad constraints is refused with the place
 }
 
 TEST_CASE("Constraints: random commands leave constraints that hold, or are refused") {
+    std::size_t applied = 0, refused = 0, lost = 0;
     for (std::uint64_t seed = 1; seed <= 120; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -564,7 +565,9 @@ TEST_CASE("Constraints: random commands leave constraints that hold, or are refu
                 next = toggleClosed(document, document.shapes[0]->id);
             }
             next = next ? settleCommand(document, *next) : next;
+            next ? ++applied : ++refused;
             if (next) {
+                lost += lostConstraints(document, *next).size();
                 document = *std::move(next);
                 checkAllHold(document);
             }
@@ -574,6 +577,10 @@ TEST_CASE("Constraints: random commands leave constraints that hold, or are refu
         REQUIRE_MESSAGE(read.ok(), messageOf(read));
         CHECK(projectText(*read) == text);
     }
+    INFO(applied, " applied, ", refused, " refused, ", lost, " constraints lost");
+    CHECK(applied > 1500);
+    CHECK(refused > 300);
+    CHECK(lost > 5);
 }
 
 } // namespace forefront
