@@ -166,12 +166,15 @@ class Settler {
             firm.held[k] = firm.held[k] || moved_[k];
             firm.values[k] = moved_[k] ? system.values[k] : start_[k];
         }
-        std::optional<SketchSolution> followed = solveSketch(firm);
+        const auto valuesOf = [](std::optional<SketchSolution> solution) {
+            return solution ? std::optional(std::move(solution->values)) : std::nullopt;
+        };
+        std::optional<SketchSolution> followed = solveSketch(firm, SolveEffort::Plain);
         if (followed && followed->flips == 0) {
-            return std::move(followed->values);
+            return valuesOf(std::move(followed));
         }
         std::optional<std::vector<double>> dragged = drag(system);
-        return dragged ? dragged : followed ? std::optional(std::move(followed->values)) : std::nullopt;
+        return dragged ? dragged : valuesOf(followed ? std::move(followed) : solveSketch(firm));
     }
 
     /// Pulls the moved unknowns to their places, as far as the constraints let them go.
