@@ -581,6 +581,38 @@ class Meshing(Case):
         self.call("mesh", "hole.json", "-o", "hole.su2", "--size", "1")  # replaces the spacing of the project
         self.assertNotIn("MARKER_ELEMS= 24\n", self.read("hole.su2"))
 
+    def test_parameters_drive_the_dimensions_of_a_sketch(self):
+        self.write("part.json", """{"format": "forefront", "version": 2, "spacing": {"size": 4},
+            "shapes": [{"id": 1, "kind": "polygon", "nodes": [[0, 0], [40, 0], [40, 30], [0, 30]]},
+                       {"id": 2, "kind": "circle", "nodes": [[20, 15], [25, 15]], "tag": 2}],
+            "constraints": [
+                {"id": 3, "kind": "horizontal", "name": "Bottom", "of": ["shape/1/segment/0"]},
+                {"id": 4, "kind": "horizontal", "name": "Top", "of": ["shape/1/segment/2"]},
+                {"id": 5, "kind": "vertical", "name": "Right", "of": ["shape/1/segment/1"]},
+                {"id": 6, "kind": "vertical", "name": "Left", "of": ["shape/1/segment/3"]},
+                {"id": 7, "kind": "length", "name": "Width", "of": ["shape/1/node/0", "shape/1/node/1"], "value": 40},
+                {"id": 8, "kind": "length", "name": "Height", "of": ["shape/1/node/1", "shape/1/node/2"], "value": 30},
+                {"id": 9, "kind": "distance", "name": "Diagonal", "of": ["shape/1/node/0", "shape/1/node/2"], "value": 50},
+                {"id": 10, "kind": "fixed", "name": "Corner", "of": ["shape/1/node/0"]},
+                {"id": 11, "kind": "diameter", "name": "Hole", "of": ["shape/2/segment/0"], "value": 10},
+                {"id": 12, "kind": "midpoint", "name": "Centred",
+                 "of": ["shape/2/node/0", "shape/1/node/0", "shape/1/node/2"]}],
+            "parameters": {"s": "1", "h": "30", "d": "10"},
+            "formulas": {"constraint/7/value": "40*s", "constraint/8/value": "h*s", "constraint/9/value": "50*s",
+                         "constraint/11/value": "d"}}""")
+        for setting, width, height, d in ([], 40, 30, 10), (["--set", "d=20"], 40, 30, 20), \
+                (["--set", "s=2", "--set", "d=6"], 80, 60, 6):
+            self.call("mesh", "part.json", "-o", "part.vtu", "--stats", "part-stats.json", *setting)
+            area = json.loads(self.read("part-stats.json"))["area"]
+            self.assertAlmostEqual(area, width * height - 0.25 * math.pi * d * d, delta=0.005 * area)
+        refused = self.call("mesh", "part.json", "-o", "part.vtu", "--set", "h=31", code=1).stderr
+        self.assertIn("error: constraints Bottom, Right, Width, Height and Diagonal cannot hold together [constraint-conflict]",
+                      refused)
+        self.call("film", "part.json", "-o", "part.svg", "--set", "d=12")
+        self.call("mesh", "part.json", "-o", "part.msh", "--set", "d=20")
+        self.call("check", "part.msh", "--domain", "part.json", code=1)
+        self.call("check", "part.msh", "--domain", "part.json", "--set", "d=20")
+
     def test_film_and_check_set_parameters_too(self):
         self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.1},
             "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]]}],

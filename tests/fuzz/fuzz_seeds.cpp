@@ -88,6 +88,15 @@ Document smallDocument() {
     box.form = EllipseForm{};
     box.nodes = {{15, 1}, {17, 1}, {15, 2}};
     document.shapes.push_back(std::make_shared<const Shape>(box));
+    const auto constrain = [&document](ConstraintKind kind, std::vector<SketchPart> parts, double value = 0.0) {
+        SketchConstraint constraint{document.nextId++, kind, "c", std::move(parts), value, -1, 1, 90};
+        document.constraints.push_back(std::make_shared<const SketchConstraint>(std::move(constraint)));
+    };
+    document.nextId = 5;
+    constrain(ConstraintKind::Horizontal, {{1, SketchPartKind::Segment, 0}});
+    constrain(ConstraintKind::OnCurve, {{1, SketchPartKind::Node, 1}, {4, SketchPartKind::Segment, 0}});
+    constrain(ConstraintKind::Radius, {{2, SketchPartKind::Segment, 0}}, 1.0);
+    document.formulas = {{{NumberOwner::ofConstraint(7), Quantity::Value}, "1"}};
     document.regionMarkers = {{{1, 1}, 2, 0.5, 0.25, 0.1}};
     document.boundaryNames = {{2, "b"}};
     document.spacing.size = 0.1;

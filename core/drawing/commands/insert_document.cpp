@@ -1,5 +1,6 @@
 #include "core/drawing/commands/insert_document.hpp"
 
+#include "core/drawing/constraints/map_constraints.hpp"
 #include "core/drawing/formulas/bring_formulas.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
@@ -107,6 +108,8 @@ Document inserted(const Document &document, const Document &other, double scale,
     }
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
+    items.constraints = copyConstraints(next, other, items.shapes);
+    mapConstraints(next, fresh.shapes, PlaneMap::scaling({scale, scale}, {}));
     const std::size_t dropped = bringFormulas(next, other, items, scale);
     if (insertion != nullptr) {
         *insertion = {std::move(fresh), notesOf(dropped)};

@@ -103,7 +103,7 @@ class DrawingRepair {
         }
         for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
             const Shape &shape = *document_.shapes[k];
-            if (shape.is<PointForm>()) {
+            if (shape.is<PointForm>() && !shape.construction) {
                 const bool stays = (shape.use == ShapeUse::Constraint ? points : nodes).has(shape.nodes.front());
                 changed_[k] = stays ? 0 : 1;
                 if (stays && shape.use == ShapeUse::Constraint) {

@@ -1,5 +1,6 @@
 #include "core/drawing/commands/transform.hpp"
 
+#include "core/drawing/constraints/map_constraints.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/drawing/formulas/shift_formulas.hpp"
 #include "core/drawing/picking/selected_handles.hpp"
@@ -310,6 +311,7 @@ Result<Document> transformSelection(const Document &document, const Selection &s
             next.regionMarkers[k].at = map(next.regionMarkers[k].at);
         }
     }
+    mapConstraints(next, selection.shapes, map);
     if (map.isTranslation()) {
         moveFormulas(next, selection, map.shift);
     }
@@ -323,8 +325,10 @@ Result<Document> copySelection(const Document &document, const Selection &select
     }
     std::vector<Shape> shapes;
     std::vector<CopiedItem> copied;
+    std::vector<std::map<std::uint32_t, std::uint32_t>> copiesOf; // shapes with their copies, for each map
     Selection fresh;
     for (const PlaneMap &map : maps) {
+        copiesOf.emplace_back();
         if (Status status = checkMap(map); !status.empty()) {
             return status;
         }
@@ -332,6 +336,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (selection.shapes.contains(shape->id)) {
                 const std::uint32_t id = document.nextId + static_cast<std::uint32_t>(shapes.size());
                 fresh.shapes.insert(id);
+                copiesOf.back().emplace(shape->id, id);
                 copied.push_back({NumberOwner::ofShape(shape->id), NumberOwner::ofShape(id), shiftOf(map)});
                 shapes.push_back(*shape);
                 mapShape(shapes.back(), map);
@@ -360,6 +365,16 @@ Result<Document> copySelection(const Document &document, const Selection &select
                 next->regionMarkers.back().at = map(document.regionMarkers[k].at);
             }
         }
+    }
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+        std::set<std::uint32_t> made;
+        for (const auto &[from, to] : copiesOf[k]) {
+            made.insert(to);
+        }
+        for (const auto &[from, to] : copyConstraints(*next, document, copiesOf[k])) {
+            copied.push_back({NumberOwner::ofConstraint(from), NumberOwner::ofConstraint(to), {}});
+        }
+        mapConstraints(*next, made, maps[k]);
     }
     for (const CopiedItem &item : copied) {
         copyFormulas(*next, item.from, item.to);

@@ -3,6 +3,7 @@
 #include "core/drawing/document/background_picture.hpp"
 #include "core/drawing/document/number_address.hpp"
 #include "core/drawing/document/shape.hpp"
+#include "core/drawing/document/sketch_constraint.hpp"
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
@@ -66,7 +67,9 @@ struct Document {
     /// another curve. The mesh follows the curve itself.
     double circleTolerance = 0.002;
     double curveTolerance = 0.0; ///< see Domain::curveTolerance
-    std::uint32_t nextId = 1;
+    std::uint32_t nextId = 1;    ///< of shapes and sketch constraints
+    /// Relations and dimensions that the shapes satisfy, in the order of their ids.
+    std::vector<std::shared_ptr<const SketchConstraint>> constraints;
     std::vector<Parameter> parameters;
     std::map<NumberAddress, std::string> formulas; ///< of numbers of the document
     std::optional<BackgroundPicture> picture;      ///< below the drawing

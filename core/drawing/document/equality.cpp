@@ -13,9 +13,14 @@ bool sameDomain(const Document &a, const Document &b) {
                       [](const auto &s, const auto &t) { return s == t || *s == *t; });
 }
 
+bool sameConstraints(const Document &a, const Document &b) {
+    return std::equal(a.constraints.begin(), a.constraints.end(), b.constraints.begin(), b.constraints.end(),
+                      [](const auto &s, const auto &t) { return s == t || *s == *t; });
+}
+
 bool sameContent(const Document &a, const Document &b) {
     return a.options == b.options && a.limits == b.limits && a.parameters == b.parameters && a.formulas == b.formulas &&
-           a.picture == b.picture && a.elementCounts == b.elementCounts && sameDomain(a, b) &&
+           a.picture == b.picture && a.elementCounts == b.elementCounts && sameDomain(a, b) && sameConstraints(a, b) &&
            sameContent(a.spacing, b.spacing);
 }
 

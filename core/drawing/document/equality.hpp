@@ -7,8 +7,11 @@ namespace forefront {
 /// Returns true if two documents describe the same domain: they have the same shapes (ids included), markers and names.
 bool sameDomain(const Document &a, const Document &b);
 
-/// Returns true if two documents have the same shapes (ids included), markers, names, spacing, options, limits
-/// and background picture, regardless of where they are in memory; ignores `nextId`.
+/// Returns true if two documents have the same sketch constraints.
+bool sameConstraints(const Document &a, const Document &b);
+
+/// Returns true if two documents have the same shapes (ids included), markers, names, constraints, spacing, options,
+/// limits and background picture, regardless of where they are in memory; ignores `nextId`.
 bool sameContent(const Document &a, const Document &b);
 
 } // namespace forefront

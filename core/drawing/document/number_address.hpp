@@ -38,6 +38,7 @@ enum class Quantity : std::uint8_t {
     SegmentSize,
     SegmentsPerTurn,
     Size,
+    Value,
     Width,
     X,
     X2,
@@ -48,7 +49,7 @@ enum class Quantity : std::uint8_t {
 template <>
 struct EnumWords<Quantity> {
     static constexpr auto kLast = Quantity::Y2;
-    static constexpr std::array<std::string_view, 28> kList = {"angle",
+    static constexpr std::array<std::string_view, 29> kList = {"angle",
                                                                "arcRadius",
                                                                "area",
                                                                "bottom",
@@ -71,6 +72,7 @@ struct EnumWords<Quantity> {
                                                                "segmentSize",
                                                                "segmentsPerTurn",
                                                                "size",
+                                                               "value",
                                                                "width",
                                                                "x",
                                                                "x2",
@@ -80,10 +82,11 @@ struct EnumWords<Quantity> {
 
 /// The item of a document that a number belongs to.
 struct NumberOwner {
-    enum class Kind : std::uint8_t { Part, Region, Shape, Source, Spacing };
+    enum class Kind : std::uint8_t { Constraint, Part, Region, Shape, Source, Spacing };
     Kind kind = Kind::Spacing;
-    std::uint32_t id = 0; ///< of the shape; index of the source or marker; tag of the part
+    std::uint32_t id = 0; ///< of the shape or sketch constraint; index of the source or marker; tag of the part
 
+    static constexpr NumberOwner ofConstraint(std::uint32_t id) { return {Kind::Constraint, id}; }
     static constexpr NumberOwner ofPart(std::int32_t tag) { return {Kind::Part, static_cast<std::uint32_t>(tag)}; }
     static constexpr NumberOwner ofRegion(std::uint32_t index) { return {Kind::Region, index}; }
     static constexpr NumberOwner ofShape(std::uint32_t id) { return {Kind::Shape, id}; }
@@ -96,7 +99,8 @@ struct NumberOwner {
 template <>
 struct EnumWords<NumberOwner::Kind> {
     static constexpr auto kLast = NumberOwner::Kind::Spacing;
-    static constexpr std::array<std::string_view, 5> kList = {"part", "region", "shape", "source", "spacing"};
+    static constexpr std::array<std::string_view, 6> kList = {"constraint", "part",   "region",
+                                                              "shape",      "source", "spacing"};
 };
 
 /// The address of a number of a document.
@@ -109,7 +113,8 @@ struct EnumWords<NumberOwner::Kind> {
 /// "y", "x2", "y2", "angle", "radius", "size", "endSize", "growth" for a size source, "width" and "height" for a box,
 /// along its angle and across it; "region/K/x", "y", "area", "size", "growth" for a region marker; "part/TAG/size",
 /// "elements", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn",
-/// "elementsAcross", "curveTolerance". ID is the number of the shape; indices count from 0.
+/// "elementsAcross", "curveTolerance"; "constraint/ID/value" for a dimension of the sketch. ID is the number of the
+/// shape or constraint; indices count from 0.
 struct NumberAddress {
     NumberOwner owner;
     Quantity quantity = Quantity::Size;

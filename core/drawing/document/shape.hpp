@@ -113,8 +113,9 @@ struct Shape {
     /// domain; 1 alone: it is a single chord. Readers keep the chords of the domain that they read, since these are
     /// known not to cross anything. Empty: computed from the tolerance.
     std::vector<std::vector<double>> cuts;
-    bool hidden = false; ///< neither drawn nor picked, but part of the domain
-    bool locked = false; ///< drawn, but neither picked nor moved
+    bool hidden = false;       ///< neither drawn nor picked, but part of the domain
+    bool locked = false;       ///< drawn, but neither picked nor moved
+    bool construction = false; ///< drawn and constrained, but not part of the domain
     /// Element sizes at nodes, by handle (see handlesOf()); not at the centre of a circle or an ellipse, nor at a slot.
     std::map<std::uint32_t, PartSize> nodeSizes;
     /// Element sizes along segments, by tagged part (see taggedSegments()), in place of those of their boundary parts.

@@ -20,7 +20,9 @@ class DocumentDomain {
     Domain build() {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
             const Shape &shape = *document_.shapes[number];
-            shape.is<PointForm>() ? addPoint(shape, number) : addOutline(shape, number);
+            if (!shape.construction) {
+                shape.is<PointForm>() ? addPoint(shape, number) : addOutline(shape, number);
+            }
         }
         for (const MarkedRegion &region : document_.regionMarkers) {
             domain_.regionMarkers.push_back({region.at, region.tag});
@@ -149,7 +151,8 @@ class DocumentDomain {
 PlacedSizes placedSizes(const Document &document) {
     PlacedSizes placed;
     for (const auto &shape : document.shapes) {
-        const std::vector<Vec2> handles = shape->nodeSizes.empty() ? std::vector<Vec2>() : handlesOf(*shape);
+        const bool sized = !shape->nodeSizes.empty() && !shape->construction;
+        const std::vector<Vec2> handles = sized ? handlesOf(*shape) : std::vector<Vec2>();
         for (const auto &[node, part] : shape->nodeSizes) {
             if (node < handles.size()) {
                 placed.nodes.push_back({handles[node], part.size, part.growth, nodeName(*shape, node)});

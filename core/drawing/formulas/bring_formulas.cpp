@@ -1,5 +1,6 @@
 #include "core/drawing/formulas/bring_formulas.hpp"
 
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -54,10 +55,11 @@ std::set<std::string> sharedNames(const NamedValues &first, const NamedValues &s
 /// Returns the new address of a number that came with an item; none if its item did not come.
 std::optional<NumberAddress> newAddress(const NumberAddress &old, const ReceivedItems &items) {
     const auto &[kind, id] = old.owner;
-    const auto *const places = kind == NumberOwner::Kind::Shape    ? &items.shapes
-                               : kind == NumberOwner::Kind::Source ? &items.sources
-                               : kind == NumberOwner::Kind::Region ? &items.markers
-                                                                   : nullptr;
+    const auto *const places = kind == NumberOwner::Kind::Shape        ? &items.shapes
+                               : kind == NumberOwner::Kind::Source     ? &items.sources
+                               : kind == NumberOwner::Kind::Region     ? &items.markers
+                               : kind == NumberOwner::Kind::Constraint ? &items.constraints
+                                                                       : nullptr;
     if (places == nullptr || !places->contains(id)) {
         return std::nullopt;
     }
@@ -65,7 +67,12 @@ std::optional<NumberAddress> newAddress(const NumberAddress &old, const Received
 }
 
 /// Returns the factor of a number when the drawing is scaled.
-double factorOf(Quantity what, double scale) {
+double factorOf(const Document &document, const NumberAddress &address, double scale) {
+    if (address.owner.kind == NumberOwner::Kind::Constraint) {
+        const SketchConstraint *const dimension = findConstraint(document, address.owner.id);
+        return dimension != nullptr && dimension->kind == ConstraintKind::Angle ? 1.0 : scale;
+    }
+    const Quantity what = address.quantity;
     const bool unitless = what == Quantity::Growth || what == Quantity::Angle || what == Quantity::SegmentGrowth ||
                           what == Quantity::SegmentElements;
     return what == Quantity::Area ? scale * scale : unitless ? 1.0 : scale;
@@ -129,7 +136,7 @@ std::size_t bringFormulas(Document &document, const Document &from, const Receiv
     std::set<std::string> wanted;
     for (const auto &[old, text] : from.formulas) {
         const std::optional<NumberAddress> address = newAddress(old, items);
-        const std::string scaled = timesFactor(text, factorOf(old.quantity, scale));
+        const std::string scaled = timesFactor(text, factorOf(from, old, scale));
         const Result<double> value = evaluateFormula(from, scaled);
         if (address && value && hasValue(document, *address, *value)) {
             brought[*address] = scaled;

@@ -31,7 +31,7 @@ bool bringParameters(Document &document, const std::vector<Parameter> &from, con
 
 /// The items that a document has received from another document: maps from old to new ids and indices.
 struct ReceivedItems {
-    std::map<std::uint32_t, std::uint32_t> shapes{}, sources{}, markers{};
+    std::map<std::uint32_t, std::uint32_t> shapes{}, sources{}, markers{}, constraints{};
 };
 
 /// Adds the formulas of received items to a document, with the parameters that they use. `scale` is the factor by which

@@ -1,5 +1,6 @@
 #include "core/drawing/formulas/document_numbers.hpp"
 
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/source_numbers.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
@@ -283,6 +284,23 @@ std::optional<double> SpacingSpec::*spacingNumber(Quantity what) {
     }
 }
 
+/// Returns the value of a dimension of the sketch; none for another constraint.
+std::optional<double> dimensionValue(const Document &document, const NumberAddress &address) {
+    const SketchConstraint *const constraint = findConstraint(document, address.owner.id);
+    const bool has = constraint != nullptr && isDimension(constraint->kind) && address.quantity == Quantity::Value;
+    return has ? std::optional(constraint->value) : std::nullopt;
+}
+
+void setDimensionValue(Document &document, std::uint32_t id, double value) {
+    for (std::shared_ptr<const SketchConstraint> &place : document.constraints) {
+        if (place->id == id) {
+            SketchConstraint constraint = *place;
+            constraint.value = value;
+            place = std::make_shared<const SketchConstraint>(std::move(constraint));
+        }
+    }
+}
+
 /// Returns the index in `next` of the item at `index` in `before`. It is unchanged in lists of equal length, whose
 /// items were only edited.
 template <class T>
@@ -362,6 +380,8 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
                    : std::nullopt;
     case OwnerKind::Part:
         return boundaryNumber(document, address);
+    case OwnerKind::Constraint:
+        return dimensionValue(document, address);
     case OwnerKind::Spacing:
         break;
     }
@@ -387,6 +407,9 @@ Status setNumber(Document &document, const NumberAddress &address, double value)
         return setMarkerNumber(document.regionMarkers[address.owner.id], address.quantity, value);
     case OwnerKind::Part:
         return setBoundaryNumber(document, address, value);
+    case OwnerKind::Constraint:
+        setDimensionValue(document, address.owner.id, value);
+        return {};
     case OwnerKind::Spacing:
         if (address.quantity == Quantity::CurveTolerance) {
             document.curveTolerance = value;
@@ -405,6 +428,11 @@ Result<Document> checkedOwner(const Document &document, const NumberAddress &add
         return replaceSource(document, address.owner.id, document.spacing.sources[address.owner.id]);
     case OwnerKind::Region:
         return checkedRegion(document, address.owner.id);
+    case OwnerKind::Constraint: {
+        const SketchConstraint &constraint = *findConstraint(document, address.owner.id);
+        const std::string fault = constraintFault(document, constraint);
+        return fault.empty() ? Result<Document>(document) : error("bad-constraint", constraint.name + ": " + fault);
+    }
     case OwnerKind::Part: {
         const auto tag = static_cast<std::int32_t>(address.owner.id);
         const auto counted = document.elementCounts.find(tag);
@@ -447,6 +475,8 @@ std::string numberName(const Document &document, const NumberAddress &address) {
         return what + displayName(document.spacing.sources[id], id);
     case OwnerKind::Region:
         return what + "region marker " + std::to_string(id + 1);
+    case OwnerKind::Constraint:
+        return what + findConstraint(document, id)->name;
     case OwnerKind::Part:
         return what + boundaryName(document.boundaryNames, static_cast<std::int32_t>(id));
     case OwnerKind::Spacing:

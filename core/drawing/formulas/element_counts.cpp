@@ -36,7 +36,7 @@ bool hasAnyTag(const Shape &shape, const ElementCounts &tags) {
 std::map<std::int32_t, PartSegments> partsOf(const Document &document, const ElementCounts &tags) {
     std::map<std::int32_t, PartSegments> parts;
     for (const auto &shape : document.shapes) {
-        if (!hasAnyTag(*shape, tags)) {
+        if (shape->construction || !hasAnyTag(*shape, tags)) {
             continue;
         }
         const std::vector<PartLength> lengths = partLengths(*shape);

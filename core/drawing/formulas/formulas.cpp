@@ -1,5 +1,6 @@
 #include "core/drawing/formulas/formulas.hpp"
 
+#include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/formulas/bring_formulas.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
@@ -142,6 +143,27 @@ Result<Document> follow(Document document, NumberAddress &failed) {
 
 } // namespace
 
+namespace {
+
+/// Lets the constraints follow numbers that formulas have set.
+Result<Document> settledAfter(const Document &before, const Document &next, NumberAddress &failed) {
+    Result<Document> settled = settle(before, next);
+    for (const auto &[address, text] : next.formulas) {
+        if (!settled || before.constraints.empty()) {
+            break;
+        }
+        const std::optional<double> value = readNumber(next, address);
+        if (value && !hasValue(*settled, address, *value)) {
+            failed = address;
+            return error("bad-formula", "constraints contradict the formula '" + text + "'",
+                         "remove it, or a constraint of " + numberName(next, address));
+        }
+    }
+    return settled;
+}
+
+} // namespace
+
 Result<double> evaluateFormula(const Document &document, const std::string &text) {
     return evaluateExpression(text, document.spacing.names);
 }
@@ -149,6 +171,7 @@ Result<double> evaluateFormula(const Document &document, const std::string &text
 Result<Document> applyFormulas(const Document &document, NumberAddress *failed) {
     NumberAddress address;
     Result<Document> next = follow(document, address);
+    next = next ? settledAfter(document, *next, address) : next;
     if (!next && failed != nullptr) {
         *failed = address;
     }

@@ -55,7 +55,8 @@ NamedValues parameterValues(const std::vector<Parameter> &parameters);
 /// expression-value.
 Result<double> evaluateFormula(const Document &document, const std::string &text);
 
-/// Sets every number that has a formula to the formula's value. Errors: those of evaluateFormula() and of the commands
+/// Sets every number that has a formula to the formula's value, and moves what its constraints move: see settle().
+/// Errors: those of evaluateFormula(), of settle() and of the commands
 /// that set the numbers; bad-formula if there is no such number or formulas contradict each other. On an error
 /// `failed`, if not null, is set to the address.
 Result<Document> applyFormulas(const Document &document, NumberAddress *failed = nullptr);

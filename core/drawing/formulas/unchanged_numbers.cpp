@@ -38,6 +38,7 @@ bool UnchangedNumbers::contains(const NumberAddress &address) const {
         return sameSources_;
     case NumberOwner::Kind::Region:
         return sameMarkers_;
+    case NumberOwner::Kind::Constraint:
     case NumberOwner::Kind::Part:
     case NumberOwner::Kind::Spacing:
         break;

@@ -22,6 +22,9 @@ struct TagUse {
 TagUse tagUse(const Document &document, const BoundaryPart &part) {
     TagUse use;
     for (const auto &shape : document.shapes) {
+        if (shape->construction) {
+            continue;
+        }
         const bool whole = part.shapes.contains(shape->id);
         const std::size_t segments = taggedSegments(*shape);
         for (std::uint32_t k = 0; k < segments; ++k) {

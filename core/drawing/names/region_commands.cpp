@@ -142,6 +142,9 @@ Result<Document> setCircleTolerance(const Document &document, double tolerance) 
 std::vector<std::int32_t> boundaryTags(const Document &document) {
     std::set<std::int32_t> tags;
     for (const auto &shape : document.shapes) {
+        if (shape->construction) {
+            continue;
+        }
         if (shape->segmentTags.empty()) {
             tags.insert(shape->tag);
         }

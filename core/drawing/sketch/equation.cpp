@@ -205,6 +205,9 @@ double linearResidual(const SketchEquation &equation, const double *v, double *s
     case EquationKind::Difference:
         set({-1.0, 1.0});
         return v[1] - v[0] - equation.side * equation.value;
+    case EquationKind::Sum:
+        set({1.0, -1.0, -1.0});
+        return v[0] - v[1] - v[2];
     default: // Mean
         set({1.0, -0.5, -0.5});
         return v[0] - 0.5 * (v[1] + v[2]);
@@ -227,7 +230,7 @@ SketchEquation made(EquationKind kind, std::initializer_list<std::uint32_t> unkn
 } // namespace
 
 std::size_t unknownCount(EquationKind kind) {
-    constexpr std::array<std::uint8_t, 16> kCounts = {1, 2, 2, 3, 6, 7, 4, 5, 8, 8, 6, 8, 8, 8, 10, 6};
+    constexpr std::array<std::uint8_t, 17> kCounts = {1, 2, 2, 3, 3, 6, 7, 4, 5, 8, 8, 6, 8, 8, 8, 10, 6};
     return kCounts[static_cast<std::size_t>(kind)];
 }
 
@@ -245,6 +248,7 @@ double residualOf(const SketchEquation &equation, const double *values, double *
     case EquationKind::Value:
     case EquationKind::Equal:
     case EquationKind::Difference:
+    case EquationKind::Sum:
     case EquationKind::Mean:
         return linearResidual(equation, values, slopes);
     case EquationKind::PointLine:
@@ -282,6 +286,10 @@ SketchEquation makeEqual(std::uint32_t x, std::uint32_t y) {
 
 SketchEquation makeDifference(std::uint32_t x, std::uint32_t y, double value, double side) {
     return made(EquationKind::Difference, {x, y}, value, side);
+}
+
+SketchEquation makeSum(std::uint32_t x, std::uint32_t y, std::uint32_t offset) {
+    return made(EquationKind::Sum, {x, y, offset});
 }
 
 SketchEquation makeMean(std::uint32_t x, std::uint32_t y, std::uint32_t z) {

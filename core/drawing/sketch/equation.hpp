@@ -29,6 +29,7 @@ enum class EquationKind : std::uint8_t {
     Value,          ///< x: x = value
     Equal,          ///< x, y: x = y
     Difference,     ///< x, y: y - x = side·value
+    Sum,            ///< x, y, u: x = y + u, where u is an offset
     Mean,           ///< x, y, z: x = (y + z)/2
     PointLine,      ///< p, a, b: distance of p to the left of the line ab = side·value
     TangentLine,    ///< c, a, b, r: distance of c to the left of the line ab = side·r
@@ -74,6 +75,7 @@ double residualOf(const SketchEquation &equation, const double *values, double *
 SketchEquation makeValue(std::uint32_t x, double value);
 SketchEquation makeEqual(std::uint32_t x, std::uint32_t y);
 SketchEquation makeDifference(std::uint32_t x, std::uint32_t y, double value, double side);
+SketchEquation makeSum(std::uint32_t x, std::uint32_t y, std::uint32_t offset);
 SketchEquation makeMean(std::uint32_t x, std::uint32_t y, std::uint32_t z);
 SketchEquation makePointLine(SketchPoint p, SketchPoint a, SketchPoint b, double value, double side);
 SketchEquation makeTangentLine(SketchPoint centre, std::uint32_t radius, SketchPoint a, SketchPoint b, double side);

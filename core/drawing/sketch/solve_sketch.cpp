@@ -102,9 +102,9 @@ class PartSearch {
           spoiled_(system, start_) {}
 
     /// Returns the best solution, in the values of the sketch; none if there is none near by.
-    std::optional<SketchSolution> run() {
-        constexpr int kWays = 12;
-        for (int way = 0; way < kWays && !(best_ && best_->flips == 0); ++way) {
+    std::optional<SketchSolution> run(SolveEffort effort) {
+        const int ways = effort == SolveEffort::Plain ? 1 : 12;
+        for (int way = 0; way < ways && !(best_ && best_->flips == 0); ++way) {
             ScaledPart part = start_;
             if (solveBy(system_, part, way)) {
                 std::vector<double> values = system_.values;
@@ -147,13 +147,13 @@ bool holds(const SketchSystem &system, std::span<const std::uint32_t> equations)
     return residuals.size() == 0 || residuals.lpNorm<forefront_eigen::Infinity>() <= limit;
 }
 
-std::optional<SketchSolution> solveSketch(const SketchSystem &system) {
+std::optional<SketchSolution> solveSketch(const SketchSystem &system, SolveEffort effort) {
     SketchSolution solution{system.values, 0};
     for (const std::vector<std::uint32_t> &part : independentParts(system)) {
         if (holds(system, part)) {
             continue;
         }
-        const std::optional<SketchSolution> found = PartSearch(system, part).run();
+        const std::optional<SketchSolution> found = PartSearch(system, part).run(effort);
         if (!found) {
             return std::nullopt;
         }

@@ -2,6 +2,7 @@
 
 #include "core/drawing/sketch/sketch_system.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,11 +15,17 @@ struct SketchSolution {
     std::size_t flips = 0;      ///< corners that have changed their side, or edges and radii that nearly vanished
 };
 
+/// How much a solver tries.
+enum class SolveEffort : std::uint8_t {
+    Plain, ///< a plain solve only, quick where there may be no solution
+    Full   ///< all ways
+};
+
 /// Solves the parts of a sketch that do not hold, after an edit such as a new dimension. Tries a plain solve first,
 /// then ways that keep corners: limited steps, small parts of the change, nearby starts. Takes the first solution
 /// without flips, else the one with fewest. Returns none if no solution is found near by. Parts that hold keep their
 /// bits.
-std::optional<SketchSolution> solveSketch(const SketchSystem &system);
+std::optional<SketchSolution> solveSketch(const SketchSystem &system, SolveEffort effort = SolveEffort::Full);
 
 /// Returns true if some equations have a solution near the values of a sketch.
 bool solvable(const SketchSystem &system, std::span<const std::uint32_t> equations);

@@ -67,6 +67,10 @@ void readFormulas(const JsonValue &object, Document &document, JsonCheck &check)
     }
     const Diagnostic &fault = next.faults().front();
     const std::string text = toString(failed);
+    if (fault.code == "constraint-conflict") { // of several numbers together
+        check.fault(object, fault.code, fault.message, fault.advice);
+        return;
+    }
     check.fault(object.find(text).value_or(object), fault.code, "formula for " + inQuotes(text) + ": " + fault.message,
                 fault.advice);
 }

@@ -3,6 +3,7 @@
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/drawing_files/project/project_constraints.hpp"
 #include "core/drawing_files/project/project_curves.hpp"
 #include "core/drawing_files/project/project_element_counts.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace forefront {
@@ -65,6 +67,7 @@ class ProjectReader {
             check_.noteUnknown(*given, {"file", "at", "size", "opacity", "locked"});
         }
         nextId(root);
+        readConstraints(root, renumbered_, document_, check_);
         readElementCounts(root, document_, check_);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
@@ -72,7 +75,7 @@ class ProjectReader {
         }
         check_.noteUnknown(root, {"format", "version", "shapes", "regionMarkers", "boundaryNames", "regionNames",
                                   "spacing", "options", "limits", "nextId", "circleTolerance", "curveTolerance",
-                                  "parameters", "formulas", "picture", "elementCounts"});
+                                  "parameters", "formulas", "picture", "elementCounts", "constraints"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -184,6 +187,9 @@ class ProjectReader {
         if (const auto locked = item.find("locked")) {
             shape.locked = check_.flag(*locked, "\"locked\"");
         }
+        if (const auto construction = item.find("construction")) {
+            shape.construction = check_.flag(*construction, "\"construction\"");
+        }
         if (const auto tags = item.find("segmentTags");
             tags && check_.expect(*tags, JsonKind::Array, "\"segmentTags\"")) {
             for (const JsonValue tag : *tags) {
@@ -192,7 +198,7 @@ class ProjectReader {
             segmentTagCount(shape, *tags);
         }
         check_.noteUnknown(item, {"id", "kind", "use", "tag", "name", "nodes", "radius", "curves", "cuts",
-                                  "segmentTags", "nodeSizes", "segmentSizes", "hidden", "locked"});
+                                  "segmentTags", "nodeSizes", "segmentSizes", "hidden", "locked", "construction"});
         return shape;
     }
 
@@ -372,6 +378,7 @@ class ProjectReader {
             for (std::shared_ptr<const Shape> &shape : document_.shapes) {
                 Shape renumbered = *shape;
                 renumbered.id = document_.nextId++;
+                renumbered_.emplace(shape->id, renumbered.id);
                 shape = std::make_shared<const Shape>(std::move(renumbered));
             }
         }
@@ -386,6 +393,7 @@ class ProjectReader {
     std::vector<std::vector<std::size_t>> offsets_; ///< per shape: its list of nodes, then each node
     std::vector<std::size_t> markerOffsets_;
     std::set<std::uint32_t> ids_;
+    std::map<std::uint32_t, std::uint32_t> renumbered_; ///< ids of shapes that got others, and these
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/drawing_files/project/project_constraints.hpp"
 #include "core/drawing_files/project/project_curves.hpp"
 #include "core/drawing_files/project/project_element_counts.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
@@ -28,6 +29,7 @@ class ProjectWriter {
     void write(const Document &document) {
         out_ << "{\n  \"format\": \"forefront\",\n  \"version\": " << kProjectVersion;
         shapes(document);
+        writeConstraints(document, out_);
         regionMarkers(document.regionMarkers);
         names("boundaryNames", document.boundaryNames);
         names("regionNames", document.regionNames);
@@ -77,7 +79,8 @@ class ProjectWriter {
             writeCurves(*shape, out_);
             writeNodeSizes(*shape, out_);
             writeSegmentSizes(*shape, out_);
-            out_ << (shape->hidden ? ", \"hidden\": true" : "") << (shape->locked ? ", \"locked\": true" : "") << '}';
+            out_ << (shape->hidden ? ", \"hidden\": true" : "") << (shape->locked ? ", \"locked\": true" : "")
+                 << (shape->construction ? ", \"construction\": true" : "") << '}';
         });
         out_ << "\n  ]";
     }

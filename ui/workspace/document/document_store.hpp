@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/drawing/constraints/carry_constraints.hpp"
+#include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/document/history.hpp"
 #include "core/drawing/domain/shared_domain.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
@@ -33,12 +35,17 @@ class DocumentStore {
     std::string step() const { return std::to_string(loads_) + '/' + std::to_string(history_.position()); }
     /// Makes `next` the current document. Consecutive changes with the same non-empty `stroke` form one undo step until
     /// endStroke(), such as a drag or a brush stroke. Sizes of segments stay at their places, divided segments share
-    /// their number of elements, and numbers that were edited directly lose their formulas. Returns false if nothing
-    /// changed.
+    /// their number of elements, numbers that were edited directly lose their formulas, and constraints follow and move
+    /// what they must. Where they cannot hold, they stay violated: Workspace::applyCommand() refuses the command
+    /// before. Returns false if nothing changed.
     bool apply(Document next, std::string label, std::string_view stroke = {}) {
         carrySegmentSizes(*current(), next);
         carryElementCounts(*current(), next);
+        carryConstraints(*current(), next);
         carryFormulas(*current(), next);
+        if (Result<Document> settled = settle(*current(), next)) {
+            next = *std::move(settled);
+        }
         return tell(history_.commit(std::move(label), std::move(next), stroke));
     }
     /// Makes `next` the current document as it is, as one command that can be undone. Returns false if nothing changed.

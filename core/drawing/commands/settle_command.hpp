@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/engine/base/result.hpp"
+
+namespace forefront {
+
+/// Completes a command on a document: its constraints and formulas follow changed shapes, numbers that were edited
+/// directly lose their formulas, and the constraints move what they must. Error: constraint-conflict, see settle(). For
+/// constraints that could not follow, see lostConstraints().
+Result<Document> settleCommand(const Document &before, Document next);
+
+} // namespace forefront

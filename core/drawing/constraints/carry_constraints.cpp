@@ -1,0 +1,171 @@
+#include "core/drawing/constraints/carry_constraints.hpp"
+
+#include "core/drawing/constraints/carried_parts.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/constraints/orient.hpp"
+#include "core/drawing/constraints/sketch_parts.hpp"
+#include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+/// Moves the references of constraints, and adds constraints that keep forms.
+class ConstraintCarrier {
+  public:
+    ConstraintCarrier(const Document &before, Document &next) : before_(before), next_(next), parts_(before, next) {}
+
+    void run() {
+        std::vector<std::shared_ptr<const SketchConstraint>> kept;
+        for (const auto &pointer : next_.constraints) {
+            if (std::none_of(pointer->parts.begin(), pointer->parts.end(),
+                             [&](const SketchPart &part) { return parts_.changed(part.shape); })) {
+                kept.push_back(pointer);
+            } else if (std::optional<SketchConstraint> carried = carry(*pointer)) {
+                kept.push_back(*carried == *pointer ? pointer
+                                                    : std::make_shared<const SketchConstraint>(*std::move(carried)));
+            }
+        }
+        next_.constraints = std::move(kept);
+        for (const std::uint32_t id : turned_) {
+            keepForm(*findShape(before_, id));
+        }
+        for (const auto &[first, second] : divided_) {
+            keepTogether(first, second);
+        }
+    }
+
+  private:
+    std::optional<SketchConstraint> carry(const SketchConstraint &constraint) {
+        SketchConstraint carried = constraint;
+        carried.parts.clear();
+        for (const SketchPart &part : constraint.parts) {
+            const std::vector<SketchPart> images = parts_.images(part);
+            if (images.empty()) {
+                return std::nullopt;
+            }
+            noteForm(part.shape);
+            if (images.size() > 1 && constraint.kind == ConstraintKind::Midpoint) {
+                carried.parts.push_back(parts_.image({part.shape, SketchPartKind::Node, part.index}));
+                carried.parts.push_back(parts_.image(parts_.endOf(part)));
+                continue;
+            }
+            if (images.size() > 1 && constraint.kind == ConstraintKind::Equal &&
+                formOfPart(before_, part) == PartForm::Line) {
+                return std::nullopt; // it was about the whole length
+            }
+            noteDivision(images);
+            carried.parts.push_back(images.front());
+        }
+        if (!partsFault(next_, carried.kind, carried.parts).empty()) {
+            return std::nullopt;
+        }
+        return reoriented(next_, std::move(carried));
+    }
+
+    /// Notes a rectangle, circle or slot that became a path.
+    void noteForm(std::uint32_t id) {
+        const Shape *const old = findShape(before_, id), *const now = findShape(next_, id);
+        if (old != nullptr && now != nullptr && !isPath(*old) && isPath(*now)) {
+            turned_.insert(id);
+        }
+    }
+
+    void noteDivision(const std::vector<SketchPart> &images) {
+        for (std::size_t k = 1; k < images.size(); ++k) {
+            divided_.insert({images[k - 1], images[k]});
+        }
+    }
+
+    void add(ConstraintKind kind, std::vector<SketchPart> parts) {
+        Result<SketchConstraint> made = makeConstraint(next_, kind, std::move(parts));
+        if (made && holdsIn(next_, *made)) {
+            next_.nextId = made->id + 1;
+            next_.constraints.push_back(std::make_shared<const SketchConstraint>(*std::move(made)));
+        }
+    }
+
+    void keepTogether(const SketchPart &first, const SketchPart &second) {
+        const PartForm form = formOfPart(next_, first);
+        if (form == formOfPart(next_, second) && (form == PartForm::Line || form == PartForm::Circle)) {
+            add(form == PartForm::Line ? ConstraintKind::Collinear : ConstraintKind::Concentric, {first, second});
+        }
+    }
+
+    bool isLevel(const std::vector<SketchPart> &side) const {
+        const Result<SketchConstraint> level = makeConstraint(next_, ConstraintKind::Horizontal, side);
+        return level && holdsIn(next_, *level);
+    }
+
+    /// Adds the constraints that the form of a shape implied before it became a path.
+    void keepForm(const Shape &old) {
+        const auto segment = [&](std::uint32_t k) {
+            const std::vector<SketchPart> images = parts_.images({old.id, SketchPartKind::Segment, k});
+            noteDivision(images);
+            return images.empty() ? std::vector<SketchPart>() : std::vector<SketchPart>{images.front()};
+        };
+        if (old.is<RectangleForm>()) {
+            const bool level = isLevel(segment(0));
+            for (std::uint32_t k = 0; k < 4; ++k) {
+                std::vector<SketchPart> side = segment(k);
+                if (level) {
+                    add(k % 2 == 0 ? ConstraintKind::Horizontal : ConstraintKind::Vertical, std::move(side));
+                } else if (k > 0) { // it was turned
+                    const std::vector<SketchPart> last = segment(k - 1);
+                    side.insert(side.end(), last.begin(), last.end());
+                    add(ConstraintKind::Perpendicular, std::move(side));
+                }
+            }
+        } else if (old.is<CircleForm>()) {
+            for (std::uint32_t k = 1; k < 4; ++k) {
+                add(ConstraintKind::Concentric,
+                    {{old.id, SketchPartKind::Segment, 0}, {old.id, SketchPartKind::Segment, k}});
+            }
+        } else if (old.is<SlotForm>()) {
+            for (std::uint32_t k = 0; k < 4; ++k) {
+                std::vector<SketchPart> pair = segment(k), other = segment((k + 1) % 4);
+                pair.insert(pair.end(), other.begin(), other.end());
+                add(ConstraintKind::Tangent, std::move(pair));
+            }
+            std::vector<SketchPart> ends = segment(1), other = segment(3);
+            ends.insert(ends.end(), other.begin(), other.end());
+            add(ConstraintKind::Equal, std::move(ends));
+        }
+    }
+
+    const Document &before_;
+    Document &next_;
+    CarriedParts parts_;
+    std::set<std::uint32_t> turned_; ///< shapes that became paths
+    std::set<std::pair<SketchPart, SketchPart>> divided_;
+};
+
+} // namespace
+
+void carryConstraints(const Document &before, Document &next) {
+    if (!next.constraints.empty() && before.shapes != next.shapes) {
+        ConstraintCarrier(before, next).run();
+    }
+}
+
+std::vector<std::string> lostConstraints(const Document &before, const Document &after) {
+    std::vector<std::string> names;
+    if (before.constraints != after.constraints) {
+        for (const auto &constraint : before.constraints) {
+            if (findConstraint(after, constraint->id) == nullptr) {
+                names.push_back(constraint->name);
+            }
+        }
+    }
+    return names;
+}
+
+} // namespace forefront

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+
+#include <memory>
+
+namespace forefront {
+
+/// A drag of shapes that constraints bind, from the document where it began. Each step gives the solution nearest to
+/// that document, with what is dragged near the pointer, so that the way back leads to the same drawing.
+class ConstraintDrag {
+  public:
+    explicit ConstraintDrag(std::shared_ptr<const Document> start);
+    ~ConstraintDrag();
+    ConstraintDrag(ConstraintDrag &&) noexcept;
+    ConstraintDrag &operator=(ConstraintDrag &&) noexcept;
+
+    /// Returns a step of the drag: `moved` is the start with nodes or shapes moved by the pointer, and the same parts.
+    /// What is dragged comes as near to its place there as the constraints let it; where no solution is found, it stays
+    /// as in the step before. Parts that no constraint names are as in `moved`.
+    Document carry(const Document &moved);
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace forefront
