@@ -75,6 +75,10 @@ class Mesh(_core.MeshBase):
         """Returns triangles (t, 3) that cover the elements, and the element of each; nodes stay."""
         return self._triangles()
 
+    def triangulated(self) -> "Mesh":
+        """Returns the mesh with all elements split into triangles of 3 nodes, on the same nodes."""
+        return Mesh(self._triangulated())
+
     def quality(self, measure: str = "alpha") -> np.ndarray:
         """Returns the values of a measure of each element, edge or node.
 

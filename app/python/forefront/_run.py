@@ -1,12 +1,16 @@
 """Runs that are stepped, forward and back."""
 from __future__ import annotations
 
+import html
+import json
+import os
 from dataclasses import dataclass
 from typing import Any, Dict, Iterator, List, Optional
 
 import numpy as np
 
 from . import _core
+from ._errors import MeshError
 from ._mesh import Mesh
 from ._sizes import Job, job_of
 
@@ -94,6 +98,29 @@ class Run:
         start: number of advances done when the page opens. steps: number of advances after those; None: to the end.
         """
         return _core.run_page(*self._job.arguments, title, start, steps, progress)
+
+    def film(self, path: Any, *, start: int = 0, steps: Optional[int] = None, frames: int = 120, width: int = 800,
+             speed: float = 10.0, layers: Optional[List[str]] = None, progress: Any = None) -> int:
+        """Writes a film of the run from its beginning, and returns the number of frames.
+
+        path: FILE.gif, an animation; NAME-%d.png or .svg, a picture for each frame; FILE.png or .svg, the last moment;
+        FILE.html, a page. start: number of advances done at the first frame. steps: number of advances shown; None: to
+        the end. frames: at most. width: pixels. speed: frames per second of a GIF. layers: of 'mesh', 'boundary',
+        'front', 'candidates', 'grid', 'caption'.
+        """
+        given = {"start": start, "steps": steps, "frames": frames, "width": width, "speed": speed, "layers": layers}
+        return _core.run_film(*self._job.arguments, os.fspath(path), given, progress)[0]
+
+    def trace(self, steps: Optional[int] = None) -> Dict[str, Any]:
+        """Returns the boundary and every advance from the beginning, as ``forefront trace`` writes them."""
+        return json.loads(_core.run_trace(*self._job.arguments, steps))
+
+    def _repr_html_(self) -> Optional[str]:
+        try:
+            page = self.page()
+        except MeshError:  # too long for a page: the picture stands for it
+            return None
+        return f'<iframe srcdoc="{html.escape(page)}" width="100%" height="640" style="border:0"></iframe>'
 
     def _repr_svg_(self) -> str:
         return self.mesh._repr_svg_()

@@ -246,7 +246,8 @@ void bindMesh(py::module_ &module) {
         .def_property_readonly("hash", [](const PythonMesh &self) { return meshHash(*self.mesh); })
         .def_property_readonly("notes", [](const PythonMesh &self) { return faultList(self.notes); })
         .def_property_readonly("element_count", [](const PythonMesh &self) { return self.mesh->elementCount(); })
-        .def("_triangles", &triangleArrays);
+        .def("_triangles", &triangleArrays)
+        .def("_triangulated", [](const PythonMesh &self) { return pythonMesh(triangulated(*self.mesh).mesh); });
     bindMeshReports(mesh);
     module.def("mesh_from_arrays", &meshFromArrays);
 }

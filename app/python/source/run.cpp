@@ -7,10 +7,19 @@
 #include "app/python/source/progress_calls.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/files/text/text_writer.hpp"
+#include "core/teaching/film/film_files.hpp"
 #include "core/teaching/page/run_page.hpp"
+#include "core/teaching/trace/trace_write.hpp"
 
+#include <array>
+#include <filesystem>
+#include <optional>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace forefront::python {
 
@@ -93,6 +102,49 @@ std::string runPage(const PythonDomain &domain, const SpacingSpec &sizes, bool r
     return sink.text;
 }
 
+py::tuple runFilm(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces, const MeshingOptions &options,
+                  const std::filesystem::path &output, const py::dict &given, const py::object &callback) {
+    FilmPlan plan;
+    plan.output = output;
+    plan.title = output.stem().string();
+    plan.from = given["start"].cast<std::uint64_t>();
+    plan.steps = given["steps"].cast<std::optional<std::uint64_t>>();
+    plan.frames = given["frames"].cast<int>();
+    plan.width = given["width"].cast<int>();
+    plan.speed = given["speed"].cast<double>();
+    if (!given["layers"].is_none()) {
+        plan.layers.shown.fill(false);
+        for (const auto &word : given["layers"].cast<std::vector<std::string>>()) {
+            const std::optional<FilmLayer> layer = fromWord<FilmLayer>(word);
+            if (!layer) {
+                throw py::value_error("layers: expected " + wordList<FilmLayer>() + ", got '" + word + "'");
+            }
+            plan.layers.shown[static_cast<std::size_t>(*layer)] = true;
+        }
+    }
+    if (const std::string fault = outputFault(plan); !fault.empty()) {
+        throw py::value_error("path: " + fault);
+    }
+    const MeshingJob job = jobOf(domain, sizes, replaces, options);
+    const Progress progress = progressOf(callback);
+    const WrittenFilm film = valueOrRaise(withoutGil([&] { return writeFilm(job, plan, progress); }));
+    return py::make_tuple(film.frames, film.first, film.last);
+}
+
+std::string runTrace(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces, const MeshingOptions &options,
+                     std::optional<std::uint64_t> steps) {
+    const MeshingJob job = jobOf(domain, sizes, replaces, options);
+    const Progress progress = progressOf(py::none());
+    StringSink sink;
+    raiseErrors(withoutGil([&] {
+        TextWriter out(sink);
+        Status status = writeTrace(job, steps, out, progress);
+        out.flush();
+        return status;
+    }));
+    return sink.text;
+}
+
 /// Refuses the use of a run that was discarded because a callback raised an exception.
 MeshStepper &live(MeshStepper &run) {
     if (run.empty()) {
@@ -126,6 +178,8 @@ void bindRun(py::module_ &module) {
         .def("explanation", [](MeshStepper &run) { return explanationDict(live(run)); })
         .def("mesh", [](MeshStepper &run) { return pythonMesh(withoutGil([&] { return live(run).mesh(); })); });
     module.def("run_page", &runPage);
+    module.def("run_film", &runFilm);
+    module.def("run_trace", &runTrace);
 }
 
 } // namespace forefront::python

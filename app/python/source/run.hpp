@@ -4,7 +4,7 @@
 
 namespace forefront::python {
 
-/// Adds the stepping of a run, and the page that plays one, to the module.
+/// Adds the stepping of a run, and its page, film and trace, to the module.
 void bindRun(pybind11::module_ &module);
 
 } // namespace forefront::python

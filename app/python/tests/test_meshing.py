@@ -122,6 +122,8 @@ def test_options_reach_the_mesher(rectangle):
     assert ff.mesh(rectangle, 0.2, improve="none").quality().mean() < ff.mesh(rectangle, 0.2, improve="best").quality().mean()
     quads = ff.mesh(rectangle, 0.2, elements="quads")
     assert quads.elements.shape[1] == 4 and list(quads.blocks) == ["quadrilateral4"]
+    split = quads.triangulated()
+    assert split.elements.shape == (2 * len(quads.elements), 3) and np.array_equal(split.nodes, quads.nodes)
     assert quads.neighbours.shape == quads.elements.shape
     kept = ff.mesh(rectangle, 0.2, keep_boundary=True)
     assert len(kept.edges) == 4

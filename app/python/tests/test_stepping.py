@@ -44,3 +44,17 @@ def test_a_page_plays_the_run(rectangle):
     assert page.lstrip().lower().startswith("<!doctype html") and "Tank" in page and "http://" not in page.replace(
         "http://www.w3.org", "")
     assert "<svg" in ff.run(rectangle, 0.7)._repr_svg_()
+
+
+def test_films_traces_and_notebooks(rectangle, tmp_path):
+    run = ff.run(rectangle, 0.7, method="classic")
+    assert run.film(tmp_path / "run.gif", frames=5, width=120) == 5
+    assert (tmp_path / "run.gif").read_bytes()[:6] == b"GIF89a"
+    assert run.film(tmp_path / "run-%d.svg", frames=3, layers=["mesh", "front"]) == 3
+    assert sorted(path.name for path in tmp_path.glob("run-*.svg")) == ["run-1.svg", "run-2.svg", "run-3.svg"]
+    with pytest.raises(ValueError, match="layers: expected mesh"):
+        run.film(tmp_path / "run.gif", layers=["sky"])
+    trace = run.trace()
+    assert len(trace["advances"]) == len(list(run))
+    assert len(run.trace(steps=4)["advances"]) == 4
+    assert run._repr_html_().startswith("<iframe srcdoc=")
