@@ -222,9 +222,10 @@ py::list regionList(const PythonDomain &self) {
 }
 
 py::tuple repairDomain(const PythonDomain &self, double tolerance) {
-    Repaired repaired = valueOrRaise(withoutGil([&] { return repair(self.domain, tolerance); }));
+    const Domain domain = self.domain; // another thread may change it meanwhile
     PythonDomain result{{}, self.spacing, self.options};
-    carryElements(self.domain, repaired, result.spacing);
+    Repaired repaired = valueOrRaise(withoutGil([&] { return repair(domain, tolerance); }));
+    carryElements(domain, repaired, result.spacing);
     result.domain = std::move(repaired.domain);
     return py::make_tuple(std::move(result), faultList(notesWithPlaces(repaired.changes)));
 }
@@ -279,7 +280,8 @@ void bindDomain(py::module_ &module) {
         .def(
             "validate",
             [](const PythonDomain &self, std::size_t limit) {
-                return faultList(withoutGil([&] { return validate(self.domain, limit); }));
+                const Domain copy = self.domain; // another thread may change it meanwhile
+                return faultList(withoutGil([&] { return validate(copy, limit); }));
             },
             py::arg("limit") = kMaxListedFaults)
         .def("_limit_area",

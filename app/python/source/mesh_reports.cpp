@@ -13,6 +13,8 @@
 #include "core/files/inner_edges.hpp"
 #include "core/files/text/text_writer.hpp"
 
+#include <map>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <string>
@@ -71,16 +73,17 @@ MeshLimits limitsOf(const std::map<std::string, double> &given) {
     return limits;
 }
 
-py::list checkMesh(const PythonMesh &self, const PythonDomain *domain, const std::map<std::string, double> &given) {
+py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const std::map<std::string, double> &given) {
+    // A copy: another thread may change the domain meanwhile.
+    const std::optional<PythonDomain> domain = checked != nullptr ? std::optional(*checked) : std::nullopt;
     const MeshLimits limits = limitsOf(given);
     return faultList(withoutGil([&] {
-        Diagnostics faults = domain != nullptr
-                                 ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.elements)
-                                 : verify(*self.mesh);
+        Diagnostics faults =
+            domain ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.elements) : verify(*self.mesh);
         if (hasErrors(faults)) {
             return faults;
         }
-        if (domain != nullptr) {
+        if (domain) {
             const Diagnostics large = largeElements(*self.mesh, domain->domain, domain->spacing.placed.regions);
             faults.insert(faults.end(), large.begin(), large.end());
         }

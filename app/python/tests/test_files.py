@@ -1,5 +1,7 @@
 """Files, checks and figures."""
 import io
+import sys
+import types
 
 import numpy as np
 import pytest
@@ -101,3 +103,14 @@ def test_formats_and_meshio(plate):
     there = mesh.to_meshio()
     assert isinstance(there, meshio.Mesh) and len(there.cells_dict["triangle"]) == mesh.element_count
     assert there.field_data["hole"].tolist() == [6, 1]
+
+
+def test_a_triangulation_for_matplotlib(plate, monkeypatch):
+    """Matplotlib is not needed for the tests: a class in its place keeps what it is given."""
+    tri = types.ModuleType("matplotlib.tri")
+    tri.Triangulation = lambda x, y, triangles: (x, y, triangles)
+    monkeypatch.setitem(sys.modules, "matplotlib", types.ModuleType("matplotlib"))
+    monkeypatch.setitem(sys.modules, "matplotlib.tri", tri)
+    mesh = ff.mesh(plate, 0.3, elements="quads")
+    x, y, triangles = mesh.to_matplotlib()
+    assert np.array_equal(np.column_stack([x, y]), mesh.nodes) and triangles.shape == (2 * mesh.element_count, 3)
