@@ -7,7 +7,7 @@ from pathlib import Path
 # Rooms from the lowest up; "." is the folder itself. A file may include the rooms before its own; rooms in one string
 # are equals and must not include each other. "*" stands for all rooms that are not named.
 ORDERS = {
-    "core": ["engine", "files", "drawing", "drawing_files", "teaching", "."],
+    "core": ["engine", "files", "c", "drawing", "drawing_files", "teaching", "."],
     "core/engine": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
                     "quads", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],

@@ -1,0 +1,192 @@
+#include "app/python/source/job.hpp"
+
+#include "app/python/source/arrays.hpp"
+#include "app/python/source/faults.hpp"
+#include "app/python/source/shared_object.hpp"
+#include "core/engine/spacing/spec/size_grid.hpp"
+
+#include <algorithm>
+#include <pybind11/stl.h>
+#include <string>
+
+namespace forefront::python {
+
+namespace {
+
+/// Calls a size function of Python with arrays x and y. The GIL is taken for the call.
+void callSizes(const py::object &function, std::span<const Vec2> positions, std::span<double> sizes) {
+    const py::gil_scoped_acquire gil;
+    const auto count = static_cast<py::ssize_t>(positions.size());
+    py::array_t<double> x(count), y(count);
+    double *const toX = x.mutable_data(), *const toY = y.mutable_data();
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        toX[k] = positions[k].x;
+        toY[k] = positions[k].y;
+    }
+    const ArrayOf<double> values(function(x, y));
+    if (values.ndim() == 0) {
+        std::fill(sizes.begin(), sizes.end(), *values.data());
+    } else if (values.ndim() == 1 && values.size() == count) {
+        std::copy_n(values.data(), sizes.size(), sizes.begin());
+    } else {
+        throw py::value_error("size: expected the function to return one value for each of the " +
+                              std::to_string(count) + " points, or one number; got " + std::to_string(values.size()) +
+                              " values");
+    }
+}
+
+void setFunction(SpacingSpec &self, const py::object &function) {
+    const SharedObject held = sharedObject(function);
+    self.bulkFunction = [held](std::span<const Vec2> positions, std::span<double> sizes) {
+        callSizes(*held, positions, sizes);
+    };
+}
+
+void setGrid(SpacingSpec &self, const ArrayOf<double> &values, const py::object &origin, const py::object &pitch) {
+    if (values.ndim() != 2) {
+        throw py::value_error("values: expected an array of shape (rows, columns)");
+    }
+    SizeGrid grid;
+    grid.origin = pointOf(origin, "origin");
+    grid.pitch = pointOf(pitch, "pitch");
+    grid.rows = static_cast<std::size_t>(values.shape(0));
+    grid.columns = static_cast<std::size_t>(values.shape(1));
+    grid.values.assign(values.data(), values.data() + values.size());
+    self.background = valueOrRaise(backgroundOf(grid));
+}
+
+void setBackground(SpacingSpec &self, const ArrayOf<double> &nodes, const ArrayOf<std::uint32_t> &elements,
+                   const ArrayOf<double> &values) {
+    auto mesh = std::make_shared<BackgroundMesh>();
+    mesh->nodes = pointsOf(nodes, "nodes");
+    if (elements.ndim() != 2 || elements.shape(1) != 3) {
+        throw py::value_error("elements: expected an array of shape (m, 3)");
+    }
+    if (static_cast<std::size_t>(values.size()) != mesh->nodes.size()) {
+        throw py::value_error("values: expected one for each of the " + std::to_string(mesh->nodes.size()) +
+                              " nodes, got " + std::to_string(values.size()));
+    }
+    for (py::ssize_t k = 0; k < elements.size(); k += 3) {
+        const std::uint32_t *const e = elements.data() + k;
+        if (std::max({e[0], e[1], e[2]}) >= mesh->nodes.size()) {
+            throw py::value_error("elements: element " + std::to_string(k / 3) + " names a node that does not exist");
+        }
+        mesh->elements.push_back({e[0], e[1], e[2]});
+    }
+    mesh->values.assign(values.data(), values.data() + values.size());
+    self.background = mesh;
+}
+
+void addSource(SpacingSpec &self, const std::string &shape, const py::object &a, const py::object &b, double size,
+               double growth, double radius, const std::string &name, std::optional<double> endSize, double angle,
+               bool gradient, bool geometric) {
+    const std::optional<SourceShape> known = fromWord<SourceShape>(shape);
+    if (!known) {
+        throw py::value_error("shape: expected " + wordList<SourceShape>() + ", got '" + shape + "'");
+    }
+    SizeSource source{*known, pointOf(a, "a"), pointOf(b, "b"), radius, size, growth, name};
+    source.endSize = endSize;
+    source.angle = angle;
+    source.plane = gradient;
+    source.geometric = geometric;
+    self.sources.push_back(source);
+}
+
+template <class Enum>
+void setWord(Enum &value, const char *what, const std::string &word) {
+    const std::optional<Enum> known = fromWord<Enum>(word);
+    if (!known) {
+        throw py::value_error(std::string(what) + ": expected " + wordList<Enum>() + ", got '" + word + "'");
+    }
+    value = *known;
+}
+
+void bindSizes(py::module_ &module) {
+    py::class_<SpacingSpec>(module, "Sizes")
+        .def(py::init<>())
+        .def(py::init<const SpacingSpec &>())
+        .def_readwrite("size", &SpacingSpec::size)
+        .def_readwrite("expression", &SpacingSpec::expression)
+        .def_property(
+            "names",
+            [](const SpacingSpec &self) { return std::map<std::string, double>(self.names.begin(), self.names.end()); },
+            [](SpacingSpec &self, const std::map<std::string, double> &names) {
+                self.names = {names.begin(), names.end()};
+            })
+        .def_readwrite("keep_automatic", &SpacingSpec::keepAutomatic)
+        .def_readwrite("from_boundary", &SpacingSpec::fromBoundary)
+        .def_readwrite("segments_per_turn", &SpacingSpec::segmentsPerTurn)
+        .def_readwrite("elements_across", &SpacingSpec::elementsAcross)
+        .def_readwrite("minimum", &SpacingSpec::minimum)
+        .def_readwrite("maximum", &SpacingSpec::maximum)
+        .def_readwrite("gradation", &SpacingSpec::gradation)
+        .def("set_function", &setFunction)
+        .def("set_grid", &setGrid)
+        .def("set_background", &setBackground)
+        .def("add_source", &addSource)
+        .def("set_part",
+             [](SpacingSpec &self, std::int32_t tag, double size, double growth) {
+                 self.partSizes[tag] = {size, growth};
+             })
+        .def("add_node",
+             [](SpacingSpec &self, const py::object &at, double size, double growth) {
+                 self.placed.nodes.push_back({pointOf(at, "at"), size, growth});
+             })
+        .def("add_region", [](SpacingSpec &self, const py::object &at, double size, double maxArea, double growth) {
+            self.placed.regions.push_back({pointOf(at, "at"), maxArea, size, growth});
+        });
+}
+
+void bindOptions(py::module_ &module) {
+    py::class_<MeshingOptions>(module, "Options")
+        .def(py::init<>())
+        .def(py::init([](const PythonDomain &domain) { return domain.options; }))
+        .def("set_elements",
+             [](MeshingOptions &self, const std::string &word) { setWord(self.elements, "elements", word); })
+        .def("set_method", [](MeshingOptions &self, const std::string &word) { setWord(self.method, "method", word); })
+        .def("set_grid", [](MeshingOptions &self, const std::string &word) { setWord(self.grid, "grid", word); })
+        .def("set_improve",
+             [](MeshingOptions &self, const std::string &word) { setWord(self.improve, "improve", word); })
+        .def_readwrite("keep_boundary", &MeshingOptions::keepBoundary)
+        .def_readwrite("threads", &MeshingOptions::threads)
+        .def_readwrite("max_elements", &MeshingOptions::maxElements)
+        .def_readwrite("verify", &MeshingOptions::verify);
+}
+
+} // namespace
+
+void bindJob(py::module_ &module) {
+    bindSizes(module);
+    bindOptions(module);
+}
+
+MeshingJob jobOf(const PythonDomain &domain, const SpacingSpec &sizes, bool replaces, const MeshingOptions &options) {
+    MeshingJob job{domain.domain, domain.spacing, options};
+    SpacingSpec &spacing = job.spacing;
+    if (replaces) {
+        spacing.replaceRules(sizes);
+    } else {
+        const auto take = [](auto &to, const auto &from) {
+            if (from) {
+                to = from;
+            }
+        };
+        take(spacing.keepAutomatic, sizes.keepAutomatic);
+        take(spacing.segmentsPerTurn, sizes.segmentsPerTurn);
+        take(spacing.elementsAcross, sizes.elementsAcross);
+        take(spacing.minimum, sizes.minimum);
+        take(spacing.maximum, sizes.maximum);
+        take(spacing.gradation, sizes.gradation);
+        spacing.fromBoundary = spacing.fromBoundary || sizes.fromBoundary;
+        spacing.sources.insert(spacing.sources.end(), sizes.sources.begin(), sizes.sources.end());
+        for (const auto &[tag, size] : sizes.partSizes) {
+            spacing.partSizes[tag] = size;
+        }
+    }
+    const PlacedSizes &placed = sizes.placed;
+    spacing.placed.nodes.insert(spacing.placed.nodes.end(), placed.nodes.begin(), placed.nodes.end());
+    spacing.placed.regions.insert(spacing.placed.regions.end(), placed.regions.begin(), placed.regions.end());
+    return job;
+}
+
+} // namespace forefront::python

@@ -1,0 +1,144 @@
+#include "app/batch/report.hpp"
+#include "app/python/source/arrays.hpp"
+#include "app/python/source/domain.hpp"
+#include "app/python/source/faults.hpp"
+#include "app/python/source/mesh.hpp"
+#include "app/python/source/progress_calls.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/mesh/large_elements.hpp"
+#include "core/engine/mesh/limits.hpp"
+#include "core/engine/mesh/measures.hpp"
+#include "core/engine/mesh/verify.hpp"
+#include "core/files/files.hpp"
+#include "core/files/inner_edges.hpp"
+#include "core/files/text/text_writer.hpp"
+
+#include <map>
+#include <optional>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+#include <string>
+
+namespace forefront::python {
+
+namespace {
+
+py::array measureArray(const PythonMesh &self, const std::string &word) {
+    const std::optional<Measure> measure = fromWord<Measure>(word);
+    if (!measure) {
+        throw py::value_error("measure: expected " + wordList<Measure>() + ", got '" + word + "'");
+    }
+    const std::vector<double> values =
+        withoutGil([&] { return measureValues(*measure, *self.mesh, edgesOf(*self.mesh), self.spacing.get()); });
+    if (values.empty() && self.mesh->elementCount() > 0) {
+        throw py::value_error("measure: '" + word +
+                              "' compares with the node spacing, which is known only for a mesh that was made here");
+    }
+    return copyOfValues<double>(values);
+}
+
+std::string summaryJson(const PythonMesh &self) {
+    return withoutGil([&] {
+        const bool valid = !hasErrors(verify(*self.mesh, 1));
+        const MeshReport figures = reportOf(*self.mesh, self.spacing.get(), valid);
+        if (!self.made) {
+            return statisticsJson(figures, valid, {});
+        }
+        RunReport report;
+        static_cast<MeshReport &>(report) = figures;
+        report.work = self.made->work;
+        report.quads = self.made->quads;
+        report.elements = self.made->elements;
+        report.improve = self.made->improve;
+        report.secondsPrepare = self.made->secondsPrepare;
+        report.secondsMesh = self.made->secondsMesh;
+        report.secondsImprove = self.made->secondsImprove;
+        report.peakBytes = self.made->peakBytes;
+        return statisticsJson(report);
+    });
+}
+
+MeshLimits limitsOf(const std::map<std::string, double> &given) {
+    MeshLimits limits;
+    for (const auto &[word, value] : given) {
+        const std::optional<MeshLimit> limit = fromWord<MeshLimit>(word);
+        if (!limit) {
+            throw py::value_error("check: expected " + wordList<MeshLimit>() + ", got '" + word + "'");
+        }
+        if (const std::string fault = limitFault(*limit, value); !fault.empty()) {
+            throw py::value_error(word + ": " + fault);
+        }
+        limits[*limit] = value;
+    }
+    return limits;
+}
+
+py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const std::map<std::string, double> &given) {
+    // A copy: another thread may change the domain meanwhile.
+    const std::optional<PythonDomain> domain = checked != nullptr ? std::optional(*checked) : std::nullopt;
+    const MeshLimits limits = limitsOf(given);
+    return faultList(withoutGil([&] {
+        Diagnostics faults =
+            domain ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.elements) : verify(*self.mesh);
+        if (hasErrors(faults)) {
+            return faults;
+        }
+        if (domain) {
+            const Diagnostics large = largeElements(*self.mesh, domain->domain, domain->spacing.placed.regions);
+            faults.insert(faults.end(), large.begin(), large.end());
+        }
+        for (const LimitVerdict &verdict : checkLimits(*self.mesh, limits, self.spacing.get())) {
+            if (verdict.judged == 0 && verdict.limit == MeshLimit::MinDelta) {
+                const Diagnostics none = error("no-spacing", "min-delta needs a node spacing, and the mesh has none",
+                                               "check the mesh that mesh() returned");
+                faults.insert(faults.end(), none.begin(), none.end());
+            }
+            const Diagnostics broken = faultsOf(verdict);
+            faults.insert(faults.end(), broken.begin(), broken.end());
+        }
+        return faults;
+    }));
+}
+
+/// Returns the mesh as a format takes it: without inner edges where `keep` is false, or absent and the format takes
+/// every tagged edge for a boundary.
+std::optional<Mesh> outlineFor(const Mesh &mesh, const std::filesystem::path &path, const std::string &format,
+                               std::optional<bool> keep) {
+    const bool drops = keep ? !*keep : !acceptsInnerEdges(path, format);
+    return drops && hasInnerEdges(mesh) ? std::optional<Mesh>(withoutInnerEdges(mesh)) : std::nullopt;
+}
+
+py::list writeFile(const PythonMesh &self, const std::filesystem::path &path, const std::string &format,
+                   std::optional<bool> innerEdges, const py::object &callback) {
+    const Progress progress = progressOf(callback);
+    const Diagnostics notes = withoutGil([&] {
+        const std::optional<Mesh> outline = outlineFor(*self.mesh, path, format, innerEdges);
+        const MeshView view = outline ? MeshView(*outline) : MeshView(*self.mesh);
+        const Status written = writeMesh(path, view, format, progress);
+        return hasErrors(written) ? written : exportNotes(path, view, format);
+    });
+    raiseErrors(notes);
+    return faultList(notes);
+}
+
+py::bytes toBytes(const PythonMesh &self, const std::string &format, std::optional<bool> innerEdges) {
+    StringSink sink;
+    const Status written = withoutGil([&] {
+        const std::optional<Mesh> outline = outlineFor(*self.mesh, {}, format, innerEdges);
+        return writeMesh(sink, outline ? MeshView(*outline) : MeshView(*self.mesh), format);
+    });
+    raiseErrors(written);
+    return {sink.text};
+}
+
+} // namespace
+
+void bindMeshReports(py::class_<PythonMesh> &mesh) {
+    mesh.def("quality", &measureArray, py::arg("measure") = "alpha")
+        .def("_summary", &summaryJson)
+        .def("_check", &checkMesh)
+        .def("_write", &writeFile)
+        .def("to_bytes", &toBytes, py::arg("format"), py::arg("inner_edges") = py::none());
+}
+
+} // namespace forefront::python

@@ -1,0 +1,163 @@
+#include "app/python/source/reading.hpp"
+
+#include "app/python/source/arrays.hpp"
+#include "app/python/source/domain.hpp"
+#include "app/python/source/faults.hpp"
+#include "app/python/source/mesh.hpp"
+#include "app/python/source/progress_calls.hpp"
+#include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/documents.hpp"
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/files.hpp"
+
+#include <filesystem>
+#include <map>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+#include <string>
+
+namespace forefront::python {
+
+namespace {
+
+/// A path, or bytes with the id of their format.
+struct PythonFile {
+    std::filesystem::path path;
+    ImportOptions options;
+};
+
+PythonFile fileOf(const py::object &source, const std::string &format) {
+    PythonFile file;
+    file.options.formatId = format;
+    if (!format.empty() && allFormats().withId(format) == nullptr) {
+        throw py::value_error("format: unknown format '" + format + "'; see formats()");
+    }
+    if (py::isinstance<py::bytes>(source)) {
+        file.options.content = std::make_shared<const std::string>(source.cast<std::string>());
+        file.path = "<memory>";
+    } else {
+        file.path = source.cast<std::filesystem::path>();
+    }
+    return file;
+}
+
+/// Takes options of readers from keyword arguments.
+void setImportOptions(ImportOptions &options, const py::dict &given) {
+    for (const auto &[key, value] : given) {
+        const auto name = key.cast<std::string>();
+        if (name == "curve_tolerance") {
+            options.curveTolerance = value.cast<double>();
+        } else if (name == "weld") {
+            options.weldTolerance = value.cast<double>();
+        } else if (name == "layer") {
+            options.layer = value.cast<std::string>();
+        } else if (name == "names") {
+            options.nameProperty = value.cast<std::string>();
+        } else if (name == "strict") {
+            options.strict = value.cast<bool>();
+        } else if (name == "beyond_page") {
+            options.beyondPage = value.cast<bool>();
+        } else if (name == "drop_lines") {
+            options.dropLines = value.cast<bool>();
+        } else if (name == "stroke_areas") {
+            options.strokeAreas = value.cast<bool>();
+        } else if (name == "shape_regions") {
+            options.shapeRegions = value.cast<bool>();
+        } else if (name == "white_holes") {
+            options.whiteHoles = value.cast<bool>();
+        } else if (name == "degrees") {
+            const auto word = value.cast<std::string>();
+            if (word != "warn" && word != "keep" && word != "local") {
+                throw py::value_error("degrees: expected warn, keep or local, got '" + word + "'");
+            }
+            options.degrees = word == "warn" ? DegreeRule::Warn : word == "keep" ? DegreeRule::Keep : DegreeRule::Local;
+        } else if (name == "parameters") {
+            options.parameters = value.cast<std::map<std::string, std::string>>();
+        } else {
+            throw py::type_error("unknown option '" + name + "' of a reader");
+        }
+    }
+}
+
+Result<PythonDomain> readDomainFile(const PythonFile &file, ImportNotes &notes) {
+    const FileFormat *const format = !file.options.formatId.empty() ? allFormats().withId(file.options.formatId)
+                                     : file.options.content ? allFormats().detect(file.path, *file.options.content)
+                                                            : allFormats().detect(file.path);
+    if (format != nullptr && format->kind == FileKind::Project) {
+        const Result<Document> document = readDocument(file.path, file.options, &notes);
+        if (!document) {
+            return document.faults();
+        }
+        MeshingJob job = forefront::jobOf(*document);
+        return PythonDomain{std::move(job.domain), std::move(job.spacing), job.options};
+    }
+    Result<DomainFile> read = allFormats().readDomain(file.path, file.options, &notes);
+    return read ? Result<PythonDomain>(PythonDomain{std::move(read->domain), std::move(read->spacing), {}})
+                : read.faults();
+}
+
+py::tuple readDomainOf(const py::object &source, const std::string &format, const py::dict &given) {
+    PythonFile file = fileOf(source, format);
+    setImportOptions(file.options, given);
+    file.options.progress = progressOf(py::none());
+    ImportNotes notes;
+    PythonDomain domain = valueOrRaise(withoutGil([&] { return readDomainFile(file, notes); }));
+    return py::make_tuple(std::move(domain), faultList(notes.diagnostics()));
+}
+
+py::dict fieldArrays(const NamedFields &fields) {
+    py::dict arrays;
+    for (const auto &[name, values] : fields) {
+        arrays[name.c_str()] = copyOfValues<double>(values);
+    }
+    return arrays;
+}
+
+/// Returns the mesh, the values of its nodes and the values of its elements.
+py::tuple readMeshOf(const py::object &source, const std::string &format) {
+    PythonFile file = fileOf(source, format);
+    file.options.progress = progressOf(py::none());
+    ImportNotes notes;
+    MeshFields read =
+        valueOrRaise(withoutGil([&] { return allFormats().readFields(file.path, file.options, &notes); }));
+    PythonMesh mesh = pythonMesh(std::move(read.mesh));
+    mesh.notes = notes.diagnostics();
+    return py::make_tuple(std::move(mesh), fieldArrays(read.fields), fieldArrays(read.elementFields));
+}
+
+SpacingSpec readSizes(const py::object &source, const std::string &format,
+                      const std::optional<std::array<double, 6>> &picture) {
+    PythonFile file = fileOf(source, format);
+    if (picture) {
+        const auto &p = *picture;
+        file.options.picture = PictureSizes{p[0], p[1], {{p[2], p[3]}, {p[4], p[5]}}, false};
+    }
+    return valueOrRaise(withoutGil([&] { return allFormats().readSpacing(file.path, file.options); }));
+}
+
+py::list formatList() {
+    py::list list;
+    for (const FileFormat &format : allFormats().list()) {
+        py::dict row;
+        row["id"] = format.id;
+        row["name"] = format.name;
+        row["extension"] = format.extension;
+        row["reads_domain"] = format.readsDomain;
+        row["reads_mesh"] = format.readsMesh;
+        row["reads_sizes"] = format.readsSpacing;
+        row["writes_mesh"] = format.writesMesh;
+        list.append(row);
+    }
+    return list;
+}
+
+} // namespace
+
+void bindReading(py::module_ &module) {
+    module.def("read_domain", &readDomainOf);
+    module.def("read_mesh", &readMeshOf);
+    module.def("read_sizes", &readSizes);
+    module.def("formats", &formatList);
+}
+
+} // namespace forefront::python

@@ -1,0 +1,116 @@
+"""Files, checks and figures."""
+import io
+import sys
+import types
+
+import numpy as np
+import pytest
+
+import forefront as ff
+
+
+@pytest.mark.parametrize("name", ["a.msh", "a.vtu", "a.vtk", "a.mesh", "a.inp", "a.su2", "a.node"])
+def test_a_mesh_survives_its_file(plate, tmp_path, name):
+    mesh = ff.mesh(plate, 0.3)
+    mesh.write(tmp_path / name, inner_edges=True)
+    again = ff.read_mesh(tmp_path / name)
+    assert again.element_count == mesh.element_count
+    assert np.allclose(again.nodes, mesh.nodes, rtol=0, atol=1e-15)
+    assert np.array_equal(np.sort(again.elements, axis=None), np.sort(mesh.elements, axis=None))
+
+
+def test_memory_and_open_files(plate, tmp_path):
+    mesh = ff.mesh(plate, 0.3)
+    assert ff.read_mesh(mesh.to_bytes("msh2")).hash == mesh.hash
+    assert ff.read_mesh(io.BytesIO(mesh.to_bytes("msh41")), "msh41").boundary_names == mesh.boundary_names
+    for buffer in (io.BytesIO(), open(tmp_path / "text.msh", "w+")):
+        with buffer:
+            mesh.write(buffer, "msh2")
+            buffer.seek(0)
+            assert ff.read_mesh(buffer).hash == mesh.hash
+    with pytest.raises(ValueError, match="an open file needs one"):
+        mesh.write(io.BytesIO())
+    assert mesh._repr_svg_().count("<svg") == 1
+
+
+def test_faults_of_files_are_mesh_errors(plate, tmp_path):
+    with pytest.raises(ff.MeshError) as caught:
+        ff.read_mesh(tmp_path / "none.msh")
+    assert caught.value.faults[0].file.endswith("none.msh")
+    with pytest.raises(ff.MeshError) as caught:
+        ff.read_mesh(b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n$EndNodes\n")
+    assert caught.value.faults[0].line == 5
+    with pytest.raises(ff.MeshError, match="unknown-format"):
+        ff.mesh(plate, 0.5).write(tmp_path / "a.docx")
+    with pytest.raises(ValueError, match="unknown format 'docx'"):
+        ff.read_mesh(b"", "docx")
+
+
+def test_domains_are_read_with_their_sizes(tmp_path):
+    text = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n1\n1 1 0.5 7 0.01\n"
+    file = tmp_path / "tank.poly"
+    file.write_text(text)
+    mesh = ff.mesh(file)
+    assert mesh.quality("area").max() <= 0.01 * 1.125 and set(mesh.regions) == {7}
+    domain = ff.Domain.read(text.encode(), "poly")
+    assert len(domain.nodes) == 4 and domain.bounds == (0, 0, 2, 1)
+    assert ff.mesh(domain).hash == mesh.hash
+    with pytest.raises(TypeError, match="unknown option 'colour'"):
+        ff.Domain.read(file, colour=1)
+    drawing = ff.Domain.read(b'<svg xmlns="http://www.w3.org/2000/svg"><rect width="3" height="2"/><text>a</text></svg>')
+    assert drawing.notes and drawing.notes[0].severity == "note"
+
+
+def test_fields_come_with_their_mesh():
+    vtk = ("# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\n"
+           "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\nPOINT_DATA 3\nSCALARS heat double 1\nLOOKUP_TABLE default\n1 2 3\n")
+    mesh, nodes, elements = ff.read_fields(vtk.encode(), "vtk")
+    assert nodes["heat"].tolist() == [1, 2, 3] and elements == {} and mesh.element_count == 1
+
+
+def test_checks_and_limits(plate):
+    mesh = ff.mesh(plate, 0.3)
+    assert mesh.check() == mesh.check(plate) == mesh.check(plate, min_angle=20, max_angle=130) == []
+    faults = mesh.check(min_angle=59)
+    assert faults and all(fault.code == "min-angle" and fault.at for fault in faults)
+    broken = np.array(mesh.elements)
+    broken[3] = broken[3][::-1]
+    assert "inverted-element" in {f.code for f in ff.Mesh(mesh.nodes, broken, None, mesh.edges).check()}
+    other = ff.Domain()
+    other.add_loop([(0, 0), (5, 0), (5, 2), (0, 2)])
+    assert mesh.check(other) != []
+    with pytest.raises(ValueError, match="expected a number from 0 to 90"):
+        mesh.check(min_angle=100)
+    with pytest.raises(ValueError, match="got 'min-beauty'"):
+        mesh.check(min_beauty=1)
+
+
+def test_measures(plate):
+    mesh = ff.mesh(plate, 0.2)
+    assert mesh.quality("area").sum() == pytest.approx(8 - np.pi * 0.16, rel=1e-3)
+    assert mesh.quality().min() > 0.5 and mesh.quality("min-angle").min() > 30
+    assert mesh.quality("delta").mean() > 0.9
+    with pytest.raises(ValueError, match="measure: expected alpha"):
+        mesh.quality("beauty")
+    with pytest.raises(ValueError, match="known only for a mesh that was made here"):
+        ff.read_mesh(mesh.to_bytes("vtu")).quality("delta")
+
+
+def test_formats_and_meshio(plate):
+    assert {"msh2", "vtu", "inp"} <= {row["id"] for row in ff.formats() if row["writes_mesh"]}
+    meshio = pytest.importorskip("meshio")
+    mesh = ff.mesh(plate, 0.3)
+    there = mesh.to_meshio()
+    assert isinstance(there, meshio.Mesh) and len(there.cells_dict["triangle"]) == mesh.element_count
+    assert there.field_data["hole"].tolist() == [6, 1]
+
+
+def test_a_triangulation_for_matplotlib(plate, monkeypatch):
+    """Matplotlib is not needed for the tests: a class in its place keeps what it is given."""
+    tri = types.ModuleType("matplotlib.tri")
+    tri.Triangulation = lambda x, y, triangles: (x, y, triangles)
+    monkeypatch.setitem(sys.modules, "matplotlib", types.ModuleType("matplotlib"))
+    monkeypatch.setitem(sys.modules, "matplotlib.tri", tri)
+    mesh = ff.mesh(plate, 0.3, elements="quads")
+    x, y, triangles = mesh.to_matplotlib()
+    assert np.array_equal(np.column_stack([x, y]), mesh.nodes) and triangles.shape == (2 * mesh.element_count, 3)

@@ -1,0 +1,60 @@
+"""Runs, moments and pages."""
+import numpy as np
+import pytest
+
+import forefront as ff
+
+
+def test_moments_show_the_front(rectangle):
+    run = ff.run(rectangle, 0.5, method="classic")
+    moments = list(run)
+    assert [moment.position for moment in moments] == list(range(1, len(moments) + 1))
+    assert run.at_end and len(moments[-1].front) == 0
+    first = moments[0]
+    assert first.front.shape[1:] == (2, 2) and first.base.shape == (2, 2)
+    assert any(candidate["verdict"] == "accepted" for candidate in first.candidates)
+    assert len(first.made) == 1 and first.made[0].shape == (3, 2) and "accepted" in first.caption
+    # Each segment of a front starts where another ends.
+    starts = {tuple(segment[0]) for segment in first.front}
+    assert starts == {tuple(segment[1]) for segment in first.front}
+    assert run.finish().hash == ff.mesh(rectangle, 0.5, method="classic").hash
+
+
+def test_back_and_forth_gives_the_same_state(rectangle):
+    run = ff.run(rectangle, 0.5, method="classic")
+    assert run.explanation() is None
+    with pytest.raises(ValueError, match="has not advanced"):
+        run.moment()
+    assert run.advance(10) == 10
+    front = run.front
+    assert run.advance(5) == 5 and run.retreat(5) == 5 and run.position == 10
+    assert np.array_equal(run.front, front)
+    run.seek(3)
+    assert run.position == 3 and run.mesh.element_count == 3
+    assert run.retreat(10) == 3
+
+
+def test_a_run_of_quadrilaterals_is_refused(rectangle):
+    with pytest.raises(ff.MeshError, match="not-stepped"):
+        ff.run(rectangle, 0.5, elements="quads")
+
+
+def test_a_page_plays_the_run(rectangle):
+    page = ff.run(rectangle, 0.7, method="classic").page(title="Tank")
+    assert page.lstrip().lower().startswith("<!doctype html") and "Tank" in page and "http://" not in page.replace(
+        "http://www.w3.org", "")
+    assert "<svg" in ff.run(rectangle, 0.7)._repr_svg_()
+
+
+def test_films_traces_and_notebooks(rectangle, tmp_path):
+    run = ff.run(rectangle, 0.7, method="classic")
+    assert run.film(tmp_path / "run.gif", frames=5, width=120) == 5
+    assert (tmp_path / "run.gif").read_bytes()[:6] == b"GIF89a"
+    assert run.film(tmp_path / "run-%d.svg", frames=3, layers=["mesh", "front"]) == 3
+    assert sorted(path.name for path in tmp_path.glob("run-*.svg")) == ["run-1.svg", "run-2.svg", "run-3.svg"]
+    with pytest.raises(ValueError, match="layers: expected mesh"):
+        run.film(tmp_path / "run.gif", layers=["sky"])
+    trace = run.trace()
+    assert len(trace["advances"]) == len(list(run))
+    assert len(run.trace(steps=4)["advances"]) == 4
+    assert run._repr_html_().startswith("<iframe srcdoc=")
