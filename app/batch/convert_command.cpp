@@ -35,6 +35,8 @@ Examples:
         the same mesh in two formats
   forefront convert quads.msh -o triangles.node --triangles
         quadrilaterals become triangles, and elements of second order become several of first order
+  forefront convert plate.msh -o plate.inp --numbering rcm
+        the same mesh with nodes and elements numbered for a small bandwidth
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -42,9 +44,9 @@ struct ConvertArguments {
     std::filesystem::path mesh; ///< "-": standard input
     std::string inputFormat;
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
-    std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
-    bool triangles = false;               ///< split all elements into triangles of 3 nodes
+    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
+    MeshForm form;
+    bool triangles = false; ///< split all elements into triangles of 3 nodes
     bool quiet = false;
 
     /// Returns the stream for messages: stderr if a mesh goes to standard output.
@@ -132,7 +134,9 @@ int runConvert(const ConvertArguments &arguments) {
     }
     interrupt.deferToStop();
     const Diagnostics written = bar.during({}, [&] {
-        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), mesh,
+                              {arguments.form.innerEdges, arguments.form.numbering.value_or(Numbering::Creation)},
+                              progress);
     });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
@@ -153,7 +157,7 @@ int convertCommand(int argc, const char *const *argv) {
     app.footer(kConvertExamples);
     app.add_option("MESH", arguments.mesh, meshFileHelp())->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
-    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
+    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
     if (const auto code = parseOptions(app, argc, argv)) {

@@ -184,7 +184,7 @@ Diagnostics writeResults(const MeshArguments &arguments, const Mesh &mesh, const
                          const Progress &progress) {
     FileSet files;
     Diagnostics notes =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.form, progress);
     if (hasErrors(notes)) {
         return notes;
     }

@@ -7,8 +7,11 @@
 #include "core/files/files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <optional>
 #include <set>
+#include <span>
 
 namespace forefront {
 
@@ -114,33 +117,63 @@ Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
     return note;
 }
 
+/// The forms of a mesh that outputs need, each made once.
+class FormedMeshes {
+  public:
+    explicit FormedMeshes(const MeshView &mesh) : mesh_(mesh) {}
+    /// Returns the mesh in a form, valid as long as this object.
+    MeshView get(bool withoutInner, Numbering numbering) {
+        if (!withoutInner && numbering == Numbering::Creation) {
+            return mesh_;
+        }
+        std::optional<Mesh> &made = made_[withoutInner ? 1 : 0][numbering == Numbering::Creation ? 0 : 1];
+        if (!made && numbering == Numbering::Creation) {
+            made = withoutInnerEdges(mesh_);
+        } else if (!made) {
+            made = renumbered(get(withoutInner, Numbering::Creation), numbers());
+        }
+        return *made;
+    }
+
+  private:
+    std::span<const NodeId> numbers() {
+        if (numbers_.empty()) {
+            numbers_ = reverseCuthillMcKee(mesh_);
+        }
+        return numbers_;
+    }
+
+    const MeshView &mesh_;
+    std::array<std::array<std::optional<Mesh>, 2>, 2> made_;
+    std::vector<NodeId> numbers_;
+};
+
 } // namespace
 
-Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh,
-                         std::optional<InnerEdges> innerEdges, const Progress &progress) {
-    const auto drops = [&](const Output &output) {
-        return innerEdges ? *innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
-    };
-    const bool anyDrops = std::any_of(outputs.begin(), outputs.end(), drops);
-    const Mesh outline = anyDrops ? withoutInnerEdges(mesh) : Mesh();
+Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh, const MeshForm &form,
+                         const Progress &progress) {
+    FormedMeshes formed(mesh);
     Diagnostics notes;
     for (const Output &output : outputs) {
-        Diagnostics faults = writeOutput(files, output, drops(output) ? MeshView(outline) : mesh, progress);
+        const bool drops =
+            form.innerEdges ? *form.innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
+        const MeshView written = formed.get(drops, form.numbering.value_or(usualNumbering(output.path, output.format)));
+        Diagnostics faults = writeOutput(files, output, written, progress);
         if (hasErrors(faults)) {
             return faults;
         }
         notes.insert(notes.end(), faults.begin(), faults.end());
-        if (!innerEdges && drops(output) && outline.edges.size() < mesh.edges.size()) {
-            notes.push_back(innerEdgesNote(output, mesh.edges.size() - outline.edges.size()));
+        if (!form.innerEdges && written.edges.size() < mesh.edges.size()) {
+            notes.push_back(innerEdgesNote(output, mesh.edges.size() - written.edges.size()));
         }
     }
     return notes;
 }
 
-Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh,
-                           std::optional<InnerEdges> innerEdges, const Progress &progress) {
+Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh, const MeshForm &form,
+                           const Progress &progress) {
     FileSet files;
-    Diagnostics notes = writeOutputs(files, outputs, mesh, innerEdges, progress);
+    Diagnostics notes = writeOutputs(files, outputs, mesh, form, progress);
     if (hasErrors(notes)) {
         return notes;
     }

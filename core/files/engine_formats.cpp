@@ -155,6 +155,7 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kTriangleCells,
+                     .keepsCreation = true,
                      .oneElementKind = true,
                      .files = kTriangleExtensions,
                      .program = "Triangle",

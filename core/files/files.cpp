@@ -108,6 +108,11 @@ bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view forma
     return format == nullptr || format->about.acceptsInnerEdges;
 }
 
+Numbering usualNumbering(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format != nullptr && format->about.keepsCreation ? Numbering::Creation : Numbering::ReverseCuthillMcKee;
+}
+
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
     const Format *format = meshFormat(path, formatId);
     if (format == nullptr || format->about.files.empty()) {

@@ -5,6 +5,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/text/atomic_file.hpp"
@@ -63,6 +64,10 @@ Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh,
 /// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
 /// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().
 bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId = {});
+
+/// Returns the numbering of nodes and elements that suits the readers of a file: for a small bandwidth, except where
+/// they expect the nodes of the input first, as Triangle's do. Parameters as for writeMesh().
+Numbering usualNumbering(const std::filesystem::path &path, std::string_view formatId = {});
 
 /// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
