@@ -3,12 +3,15 @@
 #include "core/files/format.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/medit/medit.hpp"
+#include "core/files/nastran/nastran.hpp"
 #include "core/files/netgen/netgen.hpp"
 #include "core/files/obj/obj.hpp"
 #include "core/files/png/png.hpp"
+#include "core/files/sms/two_dm.hpp"
 #include "core/files/su2/su2.hpp"
 #include "core/files/svg/svg_picture.hpp"
 #include "core/files/triangle/triangle.hpp"
+#include "core/files/unv/unv.hpp"
 #include "core/files/vtk/vtk.hpp"
 
 #include <array>
@@ -28,9 +31,10 @@ constexpr CellSet kAbaqusCells = {CellKind::Point,         CellKind::Edge2,     
 // The middle nodes of edges are those of the triangles beside them.
 constexpr CellSet kTriangleCells = {CellKind::Point, CellKind::Edge2, CellKind::Edge3, CellKind::Triangle3,
                                     CellKind::Triangle6};
-constexpr CellSet kNetgenCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
-                                  CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
-                                  CellKind::Quadrilateral8};
+// No quadrilaterals of 9 nodes.
+constexpr CellSet kEightNodes = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
+                                 CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
+                                 CellKind::Quadrilateral8};
 
 constexpr const char *kGroups = "Keeps regions, boundary parts and points as physical groups, with their names.";
 constexpr const char *kCellData =
@@ -147,6 +151,49 @@ constexpr std::array kFormats = {
            .readMesh = readSu2,
            .writeMesh = writeSu2,
            .noteChanges = noteSu2Changes},
+    Format{.about = {.id = "unv",
+                     .name = "I-DEAS universal file",
+                     .extension = ".unv",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .holds = kEightNodes,
+                     .keeps = "Keeps regions and boundary parts as permanent groups of elements, points as groups of "
+                              "nodes, with names made identifiers."},
+           .recognise = looksLikeUnv,
+           .readMesh = readUnv,
+           .writeMesh = writeUnv,
+           .noteChanges = noteUnvChanges},
+    Format{.about = {.id = "nastran",
+                     .name = "Nastran bulk data",
+                     .extension = ".bdf",
+                     .otherExtensions = ".nas",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .holds = kEightNodes,
+                     .keeps = "Keeps regions as properties of elements, boundary parts as properties of rods (CROD); "
+                              "names and points only as comments. Coordinates have at most 16 characters."},
+           .recognise = looksLikeNastran,
+           .readMesh = readNastran,
+           .writeMesh = writeNastran,
+           .noteChanges = noteNastranChanges},
+    Format{.about = {.id = "2dm",
+                     .name = "SMS 2DM",
+                     .extension = ".2dm",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .readsFields = true,
+                     .holds = kAllCells,
+                     .keeps =
+                         "Keeps regions as materials, boundary parts as node strings with their numbers; names and "
+                         "points only as comments. Elevations are 0."},
+           .recognise = looksLikeTwoDm,
+           .readMesh = readTwoDm,
+           .readFields = readTwoDmFields,
+           .writeMesh = writeTwoDm,
+           .noteChanges = noteTwoDmChanges},
     Format{.about = {.id = "triangle",
                      .name = "Triangle .node/.ele/.edge",
                      .extension = ".node",
@@ -168,7 +215,7 @@ constexpr std::array kFormats = {
                      .extension = ".vol",
                      .readsDomain = true,
                      .readsMesh = true,
-                     .holds = kNetgenCells},
+                     .holds = kEightNodes},
            .recognise = looksLikeNetgen,
            .readMesh = readNetgen},
     Format{.about = {.id = "obj",

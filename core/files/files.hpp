@@ -21,7 +21,8 @@ namespace FOREFRONT_API forefront {
 /// FormatList.
 Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
-/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
+/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, UNV, Nastran, 2DM, Triangle .node/.ele,
+/// OBJ, Netgen.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                       ImportNotes *notes = nullptr);
 /// Reads a mesh and all its values of nodes and elements, see FormatList::readFields().

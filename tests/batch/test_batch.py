@@ -1361,7 +1361,7 @@ class Refusing(Case):
                       ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
             line = self.call(*words, code=2).stderr.splitlines()[0]
             self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
-                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .obj")
+                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm, .node, .obj")
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
     def test_help_and_version(self):
@@ -1369,7 +1369,7 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
-        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .vol, .obj"
+        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .node, .ele, .vol, .obj"
         for command in ("check", "convert", "adapt"):
             self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
         text = " ".join(self.call("mesh", "--help").stdout.split())
