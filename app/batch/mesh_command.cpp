@@ -4,6 +4,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
+#include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
@@ -268,6 +269,9 @@ int runMesh(const MeshArguments &arguments) {
     std::optional<Repaired> repaired;
     if (faults.empty() && arguments.repair) {
         faults = repairDomain(arguments, input, progress, *job, repaired);
+    }
+    if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);

@@ -1,6 +1,7 @@
 #include "app/batch/outputs.hpp"
 
 #include "app/batch/inputs.hpp"
+#include "app/batch/open_boundaries.hpp"
 #include "app/batch/standard_output.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -95,13 +96,14 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs) {
 
 namespace {
 
-Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &mesh, const Progress &progress) {
+Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &mesh, const ExportOptions &options,
+                        const Progress &progress) {
     if (!isStandardStream(output.path)) {
-        Status written = writeMesh(files, output.path, mesh, output.format, progress);
+        Status written = writeMesh(files, output.path, mesh, output.format, progress, options);
         return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
     }
     StandardOutput sink;
-    const Status status = writeMesh(sink, mesh, output.format);
+    const Status status = writeMesh(sink, mesh, output.format, options);
     return sink.failure() != 0 ? sink.status() : status;
 }
 
@@ -113,6 +115,16 @@ Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
     note.message = "left out " + countText(count, "tagged edge") +
                    " inside the domain: in this format, every tagged edge is a boundary; --inner-edges keep writes " +
                    (count == 1 ? "it" : "them");
+    note.file = isStandardStream(output.path) ? "" : output.path.string();
+    return note;
+}
+
+/// Reports that no part of the boundary is open.
+Diagnostic allLandNote(const Output &output) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "no-open-boundary";
+    note.message = "all of the boundary is land; --open NAME opens a part";
     note.file = isStandardStream(output.path) ? "" : output.path.string();
     return note;
 }
@@ -158,11 +170,14 @@ Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, con
         const bool drops =
             form.innerEdges ? *form.innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
         const MeshView written = formed.get(drops, form.numbering.value_or(usualNumbering(output.path, output.format)));
-        Diagnostics faults = writeOutput(files, output, written, progress);
+        Diagnostics faults = writeOutput(files, output, written, exportOptionsOf(form, written), progress);
         if (hasErrors(faults)) {
             return faults;
         }
         notes.insert(notes.end(), faults.begin(), faults.end());
+        if (form.open.empty() && hasOpenBoundaries(output.path, output.format)) {
+            notes.push_back(allLandNote(output));
+        }
         if (!form.innerEdges && written.edges.size() < mesh.edges.size()) {
             notes.push_back(innerEdgesNote(output, mesh.edges.size() - written.edges.size()));
         }

@@ -47,6 +47,7 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 struct MeshForm {
     std::optional<InnerEdges> innerEdges; ///< absent: left out of the formats that do not accept them, with a note
     std::optional<Numbering> numbering;   ///< absent: the usual one of the format
+    std::vector<std::string> open = {};   ///< names of the open boundary parts
 };
 
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first

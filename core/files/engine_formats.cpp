@@ -2,6 +2,7 @@
 #include "core/files/esri/esri_grid.hpp"
 #include "core/files/format.hpp"
 #include "core/files/gmsh/gmsh.hpp"
+#include "core/files/hydro/hydro.hpp"
 #include "core/files/medit/medit.hpp"
 #include "core/files/nastran/nastran.hpp"
 #include "core/files/netgen/netgen.hpp"
@@ -20,6 +21,7 @@ namespace forefront {
 namespace {
 
 constexpr CellSet kFirstOrder = {CellKind::Point, CellKind::Edge2, CellKind::Triangle3, CellKind::Quadrilateral4};
+constexpr CellSet kTriangleGrid = {CellKind::Point, CellKind::Edge2, CellKind::Triangle3};
 // GMF has a keyword for quadrilaterals of 9 nodes, but none for those of 8.
 constexpr CellSet kMeditCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
                                  CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
@@ -194,6 +196,26 @@ constexpr std::array kFormats = {
            .readFields = readTwoDmFields,
            .writeMesh = writeTwoDm,
            .noteChanges = noteTwoDmChanges},
+    Format{.about = {.id = "adcirc",
+                     .name = "ADCIRC grid",
+                     .extension = ".14",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .hasOpenBoundaries = true,
+                     .keeps = "Keeps triangles and the boundary as chains of open parts, land (20) and islands (21), "
+                              "without names. Depths are 0; cannot be read back."},
+           .writeWith = writeAdcirc,
+           .noteChanges = noteDepths},
+    Format{.about = {.id = "gr3",
+                     .name = "SCHISM grid",
+                     .extension = ".gr3",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .hasOpenBoundaries = true,
+                     .keeps = "Keeps elements and the boundary as chains of open parts, land (0) and islands (1), "
+                              "without names. Depths are 0; cannot be read back."},
+           .writeWith = writeSchism,
+           .noteChanges = noteDepths},
     Format{.about = {.id = "triangle",
                      .name = "Triangle .node/.ele/.edge",
                      .extension = ".node",

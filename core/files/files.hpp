@@ -7,6 +7,7 @@
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
+#include "core/files/export_options.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/files/text/file_set.hpp"
@@ -46,13 +47,13 @@ Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = 
 /// draws the mesh. Faults: unknown-format; unsupported-elements, as checkElements() returns it, before anything is
 /// written; cannot-write; cancelled.
 Status writeMesh(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId = {},
-                 const Progress &progress = {});
+                 const Progress &progress = {}, const ExportOptions &options = {});
 /// Does the same for a file, or several, that get their names with the set. Returns the faults of the set.
 Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshView &mesh,
-                 std::string_view formatId = {}, const Progress &progress = {});
+                 std::string_view formatId = {}, const Progress &progress = {}, const ExportOptions &options = {});
 /// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
 /// formats of several files; unsupported-elements; cannot-write.
-Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId);
+Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId, const ExportOptions &options = {});
 
 /// Returns the fault "unsupported-elements" if files of a format cannot hold all elements and edges of a mesh; it names
 /// the kinds that they lack and the formats that hold all of them.
@@ -65,6 +66,9 @@ Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh,
 /// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
 /// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().
 bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId = {});
+
+/// Returns true if a file that writeMesh writes tells open boundaries from land. Parameters as for writeMesh().
+bool hasOpenBoundaries(const std::filesystem::path &path, std::string_view formatId = {});
 
 /// Returns the numbering of nodes and elements that suits the readers of a file: for a small bandwidth, except where
 /// they expect the nodes of the input first, as Triangle's do. Parameters as for writeMesh().

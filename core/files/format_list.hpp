@@ -53,6 +53,8 @@ struct FileFormat {
     /// Programs that read it accept tagged edges inside the domain, such as constraints and interfaces, rather than
     /// take each for a boundary.
     bool acceptsInnerEdges = true;
+    /// Its files tell open boundaries from land, as ExportOptions::openBoundaries has them.
+    bool hasOpenBoundaries = false;
     /// Its readers expect the nodes of the input first, so that files keep the order of creation.
     bool keepsCreation = false;
     /// All elements of a file are of one kind.

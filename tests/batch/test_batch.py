@@ -310,6 +310,26 @@ class Meshing(Case):
         self.assertIn("[inner-edges]", piped.stderr)
         self.assertNotIn("boundary_9", piped.stdout)
 
+    def test_open_names_the_open_boundaries_of_grids(self):
+        square = poly([SQUARE])
+        self.write("bay.poly", square)
+        part = re.search(r"expected one of '(\w+)'", self.call("mesh", "bay.poly", "-o", "a.14", "--size", "1", "--open",
+                                                               "sea", code=1).stderr)[1]
+        self.assertFalse((self.path / "a.14").exists())
+        done = self.call("mesh", "bay.poly", "-o", "a.14", "-o", "a.msh", "--size", "1", "--open", part)
+        self.assertIn("a.14: note: all nodes have the depth 0", done.stderr)
+        self.assertNotIn("[no-open-boundary]", done.stderr)
+        self.call("convert", "a.msh", "-o", "b.14", "--open", part, "--numbering", "rcm")
+        self.assertEqual(self.read("b.14"), self.read("a.14"))
+        self.assertIn("unknown boundary part 'sea'",
+                      self.call("convert", "a.msh", "-o", "c.14", "--open", "sea", code=1).stderr)
+        self.assertIn("a.gr3: note: all of the boundary is land; --open NAME opens a part",
+                      self.call("convert", "a.msh", "-o", "a.gr3").stderr)
+        self.assertNotEqual(self.read("a.gr3").splitlines()[1:], self.read("a.14").splitlines()[1:])
+        self.assertIn("--open: no output tells open boundaries from land; add -o OUT with one of .14, .gr3",
+                      self.call("mesh", "bay.poly", "-o", "a.msh", "--size", "1", "--open", part, code=2).stderr)
+        self.assertIn("ADCIRC grid cannot be read here", self.call("check", "a.14", code=1).stderr)
+
     def test_check_accepts_su2_as_it_is_written_by_default(self):
         self.write_inner_edges()
         self.call("mesh", "inner.poly", "-o", "inner.su2", "-o", "inner.msh", "--size", "0.5")
@@ -1361,7 +1381,7 @@ class Refusing(Case):
                       ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
             line = self.call(*words, code=2).stderr.splitlines()[0]
             self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
-                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm, .node, .obj")
+                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm, .14, .gr3, .node, .obj")
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
     def test_help_and_version(self):

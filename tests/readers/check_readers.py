@@ -463,7 +463,7 @@ def main():
             (f"MEDIT solved by FreeFem++{name}",
              lambda s=s, f=f: check_freefem(s, f["medit"], 'readmesh("%s")', by_tag, folder)),
             (f"VTK legacy by FreeFem++{name}", lambda s=s, f=f: check_freefem_vtk(s, f["vtk"], folder))]
-    checks += check_solvers.checks(samples) + check_cells.checks(samples)
+    checks += check_solvers.checks(samples, sys.argv[1]) + check_cells.checks(samples)
     checks += list(check_cells.own_reader_checks(sys.argv[1], folder))
     sys.exit(0 if samples.run(checks)[1] else 1)
 

@@ -1,12 +1,14 @@
-"""Checks of exported files for solvers: universal files, Nastran and 2DM, by gmsh and meshio where they read them, and
-by small parsers of their own. check_readers.py runs them."""
+"""Checks of exported files for solvers: universal files, Nastran, 2DM, ADCIRC and SCHISM, by gmsh and meshio where they
+read them, and by small parsers of their own. check_readers.py runs them."""
+import math
 import pathlib
 import re
+import subprocess
 
 import meshio
 
 from check_cells import MESHIO, REGION_BASE, Cells, check_gmsh, compare_cells, gmsh_cells, rounded
-from common import compare, measures, same
+from common import compare, measures, near, same
 
 
 def straight(cells):
@@ -167,7 +169,78 @@ def check_two_dm(mesh, file):
     compare_cells(unordered(cells), unordered(mesh.cells))
 
 
-def checks(samples):
+# ADCIRC and SCHISM
+
+class Grid:
+    """Nodes, elements, and stretches of the boundary as (type, nodes); the type of open ones is None."""
+
+    def __init__(self, file):
+        title, *lines = pathlib.Path(file).read_text().splitlines()
+        assert title in ("Plane triangle mesh", "Plane mesh"), title
+        words = iter([line.split() for line in lines])
+        elements, nodes = map(int, next(words))
+        rows = [next(words) for _ in range(nodes)]
+        same([row[0] for row in rows], [str(k + 1) for k in range(nodes)], "numbers of nodes")
+        same({row[3] for row in rows}, {"0"}, "depths")
+        self.places = {int(row[0]): (float(row[1]), float(row[2])) for row in rows}
+        rows = [list(map(int, next(words))) for _ in range(elements)]
+        same([row[1] for row in rows], [len(row) - 2 for row in rows], "nodes of elements")
+        self.elements = [row[2:] for row in rows]
+        self.stretches = []
+        for isOpen in (True, False):
+            [count], [total] = next(words), next(words)
+            for _ in range(int(count)):
+                size, *kind = map(int, next(words))
+                same(len(kind), 0 if isOpen else 1, "words of a stretch")
+                self.stretches.append((kind[0] if kind else None, [int(next(words)[0]) for _ in range(size)]))
+                total = int(total) - size
+            same(int(total), 0, "nodes of all stretches")
+        same(next(words, None), None, "rest of the file")
+
+    def outline(self):
+        """The sides of elements without a neighbour, in their direction."""
+        sides = {(row[k - 1], row[k]) for row in self.elements for k in range(len(row))}
+        return {(a, b) for a, b in sides if (b, a) not in sides}
+
+
+def check_grid(file, land, island, elements, nodes, area, open_length=None):
+    """Closed chains with the water on the left that cover the outline once."""
+    grid = Grid(file)
+    same((len(grid.elements), len(grid.places)), (elements, nodes), "elements and nodes")
+    found = []
+    for kind, chain in grid.stretches:
+        closed = chain + chain[:1] if kind == island else chain
+        found += zip(closed, closed[1:])
+    same(sorted(found), sorted(grid.outline()), "sides")
+    same({kind for kind, _ in grid.stretches} <= {None, land, island}, True, "types")
+    places = grid.places
+
+    def shoelace(pairs):
+        return sum(0.5 * (places[a][0] * places[b][1] - places[b][0] * places[a][1]) for a, b in pairs)
+    near(shoelace(found), area)
+    for kind, chain in grid.stretches:
+        if kind == island:
+            assert shoelace(zip(chain, chain[1:] + chain[:1])) < 0, "an island runs counter-clockwise"
+    opened = sum(math.dist(places[a], places[b]) for kind, chain in grid.stretches if kind is None
+                 for a, b in zip(chain, chain[1:]))
+    near(opened, open_length or 0.0)
+
+
+def check_open(program, folder, sample):
+    """The right side and the top of the sample are open: one chain each, and the rest one of land."""
+    file = folder / "open.14"
+    run = subprocess.run([program, "--open", sample.files["msh2"], str(file), "right", "top"], capture_output=True,
+                         text=True)
+    assert run.returncode == 0, run.stderr
+    grid = Grid(file)
+    same([kind for kind, _ in grid.stretches], [None, None, 20, 21], "types")
+    right, top, land, _ = (chain for _, chain in grid.stretches)
+    same([grid.places[chain[k]] for chain in (right, top, land) for k in (0, -1)],
+         [(4, 0), (4, 2), (4, 2), (0, 2), (0, 2), (4, 0)], "ends")
+    check_grid(file, 20, 21, sample.elements, sample.nodes, sample.area(), 6.0)
+
+
+def checks(samples, program):
     """(name, function) pairs for the meshes of export_sample."""
     folder, result = samples.folder, []
 
@@ -177,6 +250,12 @@ def checks(samples):
         sample = samples[name]
         add(f"UNV groups of {name}", check_unv, sample, sample.files["unv"], unv_label(sample))
         add(f"Nastran fields of {name}", check_nastran_columns, sample.files["nastran"])
+        for kind, land, island in (("adcirc", 20, 21), ("gr3", 0, 1)):
+            add(f"{kind} of {name}", check_grid, sample.files[kind], land, island, sample.elements, sample.nodes,
+                sample.area())
+    add("ADCIRC with open parts", check_open, program, folder, samples["sample"])
+    mixed = Cells(folder, "mixed")
+    add("gr3 of mixed", check_grid, mixed.files["gr3"], 0, 1, len(mixed.elements()), len(mixed.nodes), mixed.area())
     for name in ("mixed", "curved6", "curved8", "curved9", "kinds"):
         mesh = Cells(folder, name)
         if "unv" in mesh.files:

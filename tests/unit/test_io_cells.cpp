@@ -47,6 +47,8 @@ const std::map<std::string, std::set<CellKind>> kHeldCells = {
     {"2dm",
      {CellKind::Triangle3, CellKind::Triangle6, CellKind::Quadrilateral4, CellKind::Quadrilateral8,
       CellKind::Quadrilateral9}},
+    {"adcirc", {CellKind::Triangle3}},
+    {"gr3", {CellKind::Triangle3, CellKind::Quadrilateral4}},
     {"triangle", {CellKind::Triangle3, CellKind::Triangle6}},
     {"obj", {CellKind::Triangle3, CellKind::Quadrilateral4}}};
 
