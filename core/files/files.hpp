@@ -7,8 +7,8 @@
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
-#include "core/files/export_options.hpp"
 #include "core/files/format_list.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/files/text/file_set.hpp"
 
@@ -22,8 +22,8 @@ namespace FOREFRONT_API forefront {
 /// FormatList.
 Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
-/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, UNV, Nastran, 2DM, Triangle .node/.ele,
-/// OBJ, Netgen.
+/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, MFEM, SU2, UNV, Nastran, 2DM, Triangle
+/// .node/.ele, OBJ, Netgen.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                       ImportNotes *notes = nullptr);
 /// Reads a mesh and all its values of nodes and elements, see FormatList::readFields().

@@ -2,8 +2,8 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
-#include "core/files/export_options.hpp"
 #include "core/files/format_list.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/file_set.hpp"
 #include "core/files/text/text_writer.hpp"

@@ -2,7 +2,7 @@
 
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
-#include "core/files/export_options.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/text/text_writer.hpp"
 
 namespace forefront {
