@@ -4,12 +4,14 @@
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/hydro/hydro.hpp"
 #include "core/files/medit/medit.hpp"
+#include "core/files/mfem/mfem.hpp"
 #include "core/files/nastran/nastran.hpp"
 #include "core/files/netgen/netgen.hpp"
 #include "core/files/obj/obj.hpp"
 #include "core/files/png/png.hpp"
 #include "core/files/sms/two_dm.hpp"
 #include "core/files/su2/su2.hpp"
+#include "core/files/surfaces/surfaces.hpp"
 #include "core/files/svg/svg_picture.hpp"
 #include "core/files/triangle/triangle.hpp"
 #include "core/files/unv/unv.hpp"
@@ -124,6 +126,18 @@ constexpr std::array kFormats = {
            .recognise = looksLikeMedit,
            .readMesh = readMedit,
            .writeMesh = writeMedit},
+    Format{.about = {.id = "mfem",
+                     .name = "MFEM mesh",
+                     .extension = ".mesh",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps the numbers of regions and boundary parts as attributes; names and points only as "
+                              "comments."},
+           .recognise = looksLikeMfem,
+           .readMesh = readMfem,
+           .writeMesh = writeMfem},
     Format{.about = {.id = "inp",
                      .name = "Abaqus and CalculiX",
                      .extension = ".inp",
@@ -251,6 +265,31 @@ constexpr std::array kFormats = {
            .readMesh = readObj,
            .writeMesh = writeObj,
            .noteChanges = noteObjChanges},
+    Format{.about = {.id = "ply",
+                     .name = "Polygon file PLY",
+                     .extension = ".ply",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps elements as faces with the number of their region; boundary and points are left "
+                              "out. Cannot be read back."},
+           .writeMesh = writePly},
+    Format{.about = {.id = "stl",
+                     .name = "Stereolithography STL",
+                     .extension = ".stl",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .keeps = "Keeps triangles, a solid for each region; boundary and points are left out. Cannot be "
+                              "read back."},
+           .writeMesh = writeStl,
+           .noteChanges = noteStlChanges},
+    Format{.about = {.id = "off",
+                     .name = "Geomview OFF",
+                     .extension = ".off",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps elements as faces; regions, boundary and points are left out. Cannot be read "
+                              "back."},
+           .writeMesh = writeOff},
     Format{.about = {.id = "esri",
                      .name = "ESRI ASCII grid",
                      .extension = ".asc",

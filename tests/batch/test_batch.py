@@ -1381,7 +1381,7 @@ class Refusing(Case):
                       ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
             line = self.call(*words, code=2).stderr.splitlines()[0]
             self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
-                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm, .14, .gr3, .node, .obj")
+                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm, .14, .gr3, .node, .obj, .ply, .stl, .off")
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
     def test_help_and_version(self):

@@ -177,6 +177,9 @@ const char *const kNastran =
 const char *const kTwoDm =
     "MESH2D\nMESHNAME \"a b\"\nNUM_MATERIALS_PER_ELEM 2\nND 1 0 0 -1.5\nND 2 4 0 -2\nND 3 4 4 -3\nND 9 0 4 0\n"
     "E3T 1 1 2 3 8 9\nE4Q 2 1 2 3 9\nNS 1 2\nNS -3\nNS 3 -9 17\nNS 9 -1 \"far end\"\nBC 1\n";
+const char *const kMfem =
+    "MFEM mesh v1.2\n\n# c\ndimension\n2\nelements\n2\n0 3 0 1 2 3\n7 2 0 1 2\nboundary\n1\n5 1 0 1\nvertices\n4\n3\n"
+    "0 0 1\n1 0 1\n1 1 1\n0 1 1\nmfem_mesh_end\n";
 const char *const kTriangle6 =
     "6 2 0 1\n1 0 0 1\n2 2 0 1\n3 0 2 0\n4 1 1 0\n5 0 1 0\n6 1 0 0\n%%\n1 6 0\n1 1 2 3 4 5 6\n%%\n"
     "1 1\n1 1 2 5\n";
@@ -263,6 +266,7 @@ std::vector<std::string> handMade(std::string_view id) {
         {"unv", {kUnv}},
         {"nastran", {kNastran}},
         {"2dm", {kTwoDm}},
+        {"mfem", {kMfem}},
         {"vtu", {kVtuAscii}},
         {"esri", {kEsriGrid}},
     };

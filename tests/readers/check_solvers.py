@@ -1,11 +1,12 @@
-"""Checks of exported files for solvers: universal files, Nastran, 2DM, ADCIRC and SCHISM, by gmsh and meshio where they
-read them, and by small parsers of their own. check_readers.py runs them."""
+"""Checks of exported files for solvers: universal files, Nastran, 2DM, grids of water, MFEM and surfaces, by gmsh,
+meshio and VTK where they read them, and by small parsers of their own. check_readers.py runs them."""
 import math
 import pathlib
 import re
 import subprocess
 
 import meshio
+import vtk
 
 from check_cells import MESHIO, REGION_BASE, Cells, check_gmsh, compare_cells, gmsh_cells, rounded
 from common import compare, measures, near, same
@@ -240,6 +241,50 @@ def check_open(program, folder, sample):
     check_grid(file, 20, 21, sample.elements, sample.nodes, sample.area(), 6.0)
 
 
+# MFEM and surfaces
+
+def check_mfem(mesh, file):
+    """Attributes are regions and boundary parts; vertices are numbered from 0."""
+    words = [line for line in pathlib.Path(file).read_text().splitlines() if line and not line.startswith("#")]
+    same(words[:4], ["MFEM mesh v1.0", "dimension", "2", "elements"], "header")
+    rows, at = {}, 3
+    for name in ("elements", "boundary", "vertices"):
+        same(words[at], name, "section")
+        count, first = int(words[at + 1]), at + (3 if name == "vertices" else 2)
+        rows[name] = [line.split() for line in words[first:first + count]]
+        at = first + count
+    same(at, len(words), "lines")
+    places = [rounded(row) for row in rows["vertices"]]
+    same(len(places), len(mesh.nodes), "vertices")
+    kinds = {"1": ("edge2", 2), "2": ("triangle3", 3), "3": ("quadrilateral4", 4)}
+    cells = []
+    for attribute, kind, *nodes in rows["elements"] + rows["boundary"]:
+        same(len(nodes), kinds[kind][1], "vertices of an element")
+        cells.append((kinds[kind][0], int(attribute), tuple(places[int(n)] for n in nodes)))
+    compare_cells(cells, mesh.cells)
+
+
+def check_faces(mesh, file, form):
+    """The faces of a surface file as VTK reads it; OFF by a parser of its own."""
+    if form == "off":
+        lines = pathlib.Path(file).read_text().splitlines()
+        same(lines[:2], ["OFF", f"{len(mesh.nodes)} {len(mesh.elements())} 0"], "header")
+        places = [rounded(line.split()) for line in lines[2:2 + len(mesh.nodes)]]
+        faces = [[places[int(n)] for n in line.split()[1:]] for line in lines[2 + len(mesh.nodes):]]
+    else:
+        reader = vtk.vtkPLYReader() if form == "ply" else vtk.vtkSTLReader()
+        reader.SetFileName(file)
+        reader.Update()
+        grid = reader.GetOutput()
+        faces = [[rounded(grid.GetCell(c).GetPoints().GetPoint(k)) for k in range(grid.GetCell(c).GetNumberOfPoints())]
+                 for c in range(grid.GetNumberOfCells())]
+
+    def coarse(cells):  # VTK keeps single precision
+        turned = [[(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in cell] for cell in cells]
+        return sorted(tuple(cell[cell.index(min(cell)):] + cell[:cell.index(min(cell))]) for cell in turned)
+    same(coarse(faces), coarse(nodes for *_, nodes in mesh.elements()), "faces")
+
+
 def checks(samples, program):
     """(name, function) pairs for the meshes of export_sample."""
     folder, result = samples.folder, []
@@ -256,6 +301,11 @@ def checks(samples, program):
     add("ADCIRC with open parts", check_open, program, folder, samples["sample"])
     mixed = Cells(folder, "mixed")
     add("gr3 of mixed", check_grid, mixed.files["gr3"], 0, 1, len(mixed.elements()), len(mixed.nodes), mixed.area())
+    add("MFEM of mixed", check_mfem, mixed, mixed.files["mfem"])
+    for form in ("ply", "off"):
+        add(f"{form} of mixed", check_faces, mixed, mixed.files[form], form)
+    for form in ("ply", "stl", "off"):
+        add(f"{form} of flat3", check_faces, Cells(folder, "flat3"), Cells(folder, "flat3").files[form], form)
     for name in ("mixed", "curved6", "curved8", "curved9", "kinds"):
         mesh = Cells(folder, name)
         if "unv" in mesh.files:

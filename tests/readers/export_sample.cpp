@@ -187,7 +187,8 @@ int exportAllCells(const std::filesystem::path &folder) {
         {"curved6", curved(samples::sampleMesh(CellKind::Triangle6))},
         {"curved8", curved(of(CellKind::Triangle6, CellKind::Quadrilateral8))},
         {"curved9", curved(of(CellKind::Triangle6, CellKind::Quadrilateral9))},
-        {"kinds", samples::allKindsSample()}};
+        {"kinds", samples::allKindsSample()},
+        {"flat3", samples::sampleMesh(CellKind::Triangle3)}};
     for (const auto &[name, mesh] : meshes) {
         if (const int code = exportCells(folder, name, mesh); code != 0) {
             return code;

@@ -50,6 +50,10 @@ const std::map<std::string, std::set<CellKind>> kHeldCells = {
     {"adcirc", {CellKind::Triangle3}},
     {"gr3", {CellKind::Triangle3, CellKind::Quadrilateral4}},
     {"triangle", {CellKind::Triangle3, CellKind::Triangle6}},
+    {"mfem", {CellKind::Triangle3, CellKind::Quadrilateral4}},
+    {"ply", {CellKind::Triangle3, CellKind::Quadrilateral4}},
+    {"stl", {CellKind::Triangle3}},
+    {"off", {CellKind::Triangle3, CellKind::Quadrilateral4}},
     {"obj", {CellKind::Triangle3, CellKind::Quadrilateral4}}};
 
 std::string cellText(const MeshView &mesh, std::string_view format) {
