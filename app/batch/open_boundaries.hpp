@@ -2,6 +2,7 @@
 
 #include "app/batch/outputs.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/files/source/export_options.hpp"
 
 #include <CLI/CLI.hpp>
 

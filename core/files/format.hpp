@@ -26,7 +26,7 @@ struct Format {
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
-    /// Does the same for formats that tell open boundaries from land; else null.
+    /// Writes a mesh, in place of writeMesh, for formats that tell open boundaries from land; else null.
     void (*writeWith)(const MeshView &, const ExportOptions &, TextWriter &) = nullptr;
     /// Returns notes on changes that the format makes to the mesh, such as to names; null: it makes none.
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;

@@ -108,10 +108,12 @@ class FormatList {
     Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                           ImportNotes *notes = nullptr) const;
     /// Reads a mesh and all its scalar values of nodes and elements: point and cell data of VTU and VTK legacy files,
-    /// $NodeData and $ElementData of MSH; none for other formats. Values are NaN where the file has none.
+    /// $NodeData and $ElementData of MSH, "elevation" of 2DM; none for other formats. Values are NaN where the file has
+    /// none.
     Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
                                   ImportNotes *notes = nullptr) const;
-    /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.
+    /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH,
+    /// "elevation" of 2DM.
     Result<MeshField> readField(const std::filesystem::path &path, std::string_view name,
                                 const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
     /// Reads a spacing: the rules of a project file (its placed sizes come with its domain), a background mesh with
