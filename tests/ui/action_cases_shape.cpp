@@ -229,6 +229,18 @@ std::vector<ActionCase> operationCases() {
             {"shape.transform", drawTriangle, [](D &d, const B &) { return dialogIs(d, "transform"); }},
             {"shape.linearArray", drawTriangle, [](D &d, const B &) { return dialogIs(d, "lineararray"); }},
             {"shape.polarArray", drawTriangle, [](D &d, const B &) { return dialogIs(d, "polararray"); }},
+            {"shape.constrain",
+             [](D &d) {
+                 drawTriangle(d);
+                 selectSegment(d, 0);
+             },
+             [](D &d, const B &) { return d.has("menu/shape.constrain/constraint.horizontal"); }},
+            {"shape.dimension",
+             [](D &d) {
+                 drawTriangle(d);
+                 selectSegment(d, 0);
+             },
+             [](D &d, const B &) { return d.has("menu/shape.dimension/constraint.length"); }},
             {"shape.fillet", drawTriangle, [](D &d, const B &) { return dialogIs(d, "fillet"); }},
             {"shape.chamfer", drawTriangle, [](D &d, const B &) { return dialogIs(d, "chamfer"); }},
             {"shape.offset", drawTriangle, [](D &d, const B &) { return dialogIs(d, "offset"); }}};

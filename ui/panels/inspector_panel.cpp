@@ -1,9 +1,11 @@
 #include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/names/name_commands.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
+#include "ui/panels/constraint_rows.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/element_count_row.hpp"
 #include "ui/panels/form.hpp"
@@ -44,6 +46,8 @@ class InspectorPanel final : public Panel {
     void drawNodeKind(Shell &context, const Shape &shape, NodeRef ref) const;
     void drawSegment(Shell &context, SegmentRef ref) const;
     void drawMany(Shell &context) const;
+
+    ConstraintRows constraints_;
 };
 
 void changeTag(Shell &context, const BoundaryPart &part, std::int32_t tag) {
@@ -211,6 +215,12 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
         context.applyCommand(setShapeName(document, shape.id, name), "Name shape");
     }
     useRow(context, {shape.id}, shape.use);
+    form::label(context, "");
+    if (bool construction = shape.construction;
+        ui::checkbox(context, "inspector/construction", "Construction", construction)) {
+        context.applyCommand(setConstruction(document, {shape.id}, construction), "Change construction");
+    }
+    ui::tooltip(context, "Guides the sketch, and is never meshed");
     if (shape.segmentTags.empty()) {
         boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
     } else {
@@ -358,6 +368,7 @@ void InspectorPanel::draw(Shell &context) {
     } else {
         inspectRegion(context, *selection.markers.begin());
     }
+    constraints_.draw(context);
 }
 
 } // namespace
