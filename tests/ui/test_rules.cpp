@@ -1,6 +1,6 @@
 #include "core/engine/mesher/front_rules.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tests/ui/meshed_square.hpp"
+#include "tests/ui/edit_driver.hpp"
 #include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
@@ -12,11 +12,15 @@ namespace forefront::test {
 
 namespace {
 
-/// A meshed square whose rules are shown.
-class RuledSquare : public MeshedSquare {
+/// A meshed square in a window so high that all rules are in sight.
+class RuledSquare : public Draughtsman {
   public:
-    explicit RuledSquare(Method method = Method::Classic) {
+    explicit RuledSquare(Method method = Method::Classic) : Draughtsman({}, {1280, 1800}) {
+        rectangle({1, 1}, {9, 8});
+        key('V');
+        key(key::kEscape);
         Document next = document();
+        next.spacing.size = 0.9;
         next.options.method = method;
         context().document.apply(std::move(next), "Method");
         context().settings.live = true;
@@ -37,7 +41,8 @@ TEST_CASE("Rules: the panel has a row for each rule, with its origin; a change i
     RuledSquare driver;
     for (const FrontRule rule : valuesOf<FrontRule>()) {
         INFO(wordOf(rule));
-        CHECK(driver.has("rules/" + std::string(wordOf(rule))));
+        const bool chosen = frontRuleInfo(rule).kind == RuleKind::Choice;
+        CHECK(driver.has("rules/" + std::string(wordOf(rule)) + (chosen ? "/Shortest" : "")));
         CHECK(driver.has("rules/" + std::string(wordOf(rule)) + "/origin"));
         CHECK_FALSE(driver.has("rules/" + std::string(wordOf(rule)) + "/reset"));
     }
