@@ -24,6 +24,7 @@ class RuledSquare : public Draughtsman {
         next.options.method = method;
         context().document.apply(std::move(next), "Method");
         context().settings.live = true;
+        workspace(WorkspaceKind::Step);
         showPanel("rules");
         settle();
     }
