@@ -117,12 +117,19 @@ void addFileActions(ActionRegistry &actions) {
         {.id = "file.addPicture", .menu = "File", .title = "Add background picture\xe2\x80\xa6", .run = [](Shell &c) {
              addPicture(c);
          }});
+    actions.add({.id = "file.openRules",
+                 .menu = "File",
+                 .title = "Open rules\xe2\x80\xa6",
+                 .run = openRules,
+                 .separatorBefore = true});
+    actions.add({.id = "file.saveRules", .menu = "File", .title = "Save rules\xe2\x80\xa6", .run = saveRules});
     actions.add({.id = "file.export",
                  .menu = "File",
                  .title = "Export mesh\xe2\x80\xa6",
                  .shortcuts = {{'E', kControl}},
                  .run = [](Shell &c) { exportMesh(c); },
-                 .enabled = hasShapes});
+                 .enabled = hasShapes,
+                 .separatorBefore = true});
     actions.add({.id = "file.exportPicture",
                  .menu = "File",
                  .title = "Export picture of the mesh\xe2\x80\xa6",
