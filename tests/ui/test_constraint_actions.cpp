@@ -39,9 +39,7 @@ class Sketcher : public Draughtsman {
         context().actions.run(id, context());
         settle();
     }
-    bool offers(const std::string &word) {
-        return context().actions.find("constraint." + word)->enabled(context());
-    }
+    bool offers(const std::string &word) { return context().actions.find("constraint." + word)->enabled(context()); }
     Vec2 at(std::uint32_t shape, std::size_t node) { return handlesOf(*findShape(document(), shape))[node]; }
     double radius(std::uint32_t shape) { return circleRadius(*findShape(document(), shape)); }
 };
@@ -80,8 +78,8 @@ TEST_CASE("Sketch: constraints of selected parts hold, one undo step each") {
 TEST_CASE("Sketch: each kind is offered for parts that it fits, and none for a size source") {
     Sketcher driver;
     driver.choose({}, {{1, 0}, {1, 1}});
-    for (const char *word : {"coincident", "horizontal", "vertical", "length", "distance", "horizontalDistance",
-                             "verticalDistance"}) {
+    for (const char *word :
+         {"coincident", "horizontal", "vertical", "length", "distance", "horizontalDistance", "verticalDistance"}) {
         CAPTURE(word);
         CHECK(driver.offers(word));
     }
