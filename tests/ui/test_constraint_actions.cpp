@@ -188,7 +188,9 @@ TEST_CASE("Sketch: construction geometry is not meshed") {
     driver.context().selection.clear();
     driver.context().selection.shapes.insert(2);
     driver.settle();
-    driver.click("inspector/construction");
+    driver.context().actions.run("shape.construction", driver.context());
+    driver.settle();
+    CHECK(driver.context().actions.find("shape.construction")->checked(driver.context()));
     CHECK(findShape(driver.document(), 2)->construction);
     CHECK(meshedArea() > area + 0.5); // the hole is gone
 }

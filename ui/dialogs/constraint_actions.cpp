@@ -4,6 +4,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +76,16 @@ void addSubmenu(ActionRegistry &actions, const char *id, const char *title, bool
                  .separatorBefore = !dimensions});
 }
 
+/// Returns true if all selected shapes are construction geometry.
+bool isConstruction(const Shell &context) {
+    const Document &document = *context.document.current();
+    return !context.selection.shapes.empty() &&
+           std::all_of(context.selection.shapes.begin(), context.selection.shapes.end(), [&](std::uint32_t id) {
+               const Shape *const shape = findShape(document, id);
+               return shape != nullptr && shape->construction;
+           });
+}
+
 } // namespace
 
 void addConstraintActions(ActionRegistry &actions) {
@@ -87,6 +98,16 @@ void addConstraintActions(ActionRegistry &actions) {
     }
     addSubmenu(actions, "shape.constrain", "Sketch constraint", false);
     addSubmenu(actions, "shape.dimension", "Dimension", true);
+    actions.add({.id = "shape.construction",
+                 .menu = "Shape",
+                 .title = "Construction geometry",
+                 .run =
+                     [](Shell &c) {
+                         c.applyCommand(setConstruction(*c.document.current(), c.selection.shapes, !isConstruction(c)),
+                                        "Change construction");
+                     },
+                 .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
+                 .checked = isConstruction});
 }
 
 } // namespace forefront

@@ -1,5 +1,4 @@
 #include "core/drawing/commands/path_commands.hpp"
-#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/names/name_commands.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -215,12 +214,6 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
         context.applyCommand(setShapeName(document, shape.id, name), "Name shape");
     }
     useRow(context, {shape.id}, shape.use);
-    form::label(context, "");
-    if (bool construction = shape.construction;
-        ui::checkbox(context, "inspector/construction", "Construction", construction)) {
-        context.applyCommand(setConstruction(document, {shape.id}, construction), "Change construction");
-    }
-    ui::tooltip(context, "Guides the sketch, and is never meshed");
     if (shape.segmentTags.empty()) {
         boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
     } else {
