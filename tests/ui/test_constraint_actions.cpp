@@ -160,6 +160,21 @@ TEST_CASE("Sketch: a segment cannot be horizontal and vertical, for it would van
     CHECK(driver.logHas("constraint-conflict"));
 }
 
+TEST_CASE("Sketch: deleting a shape names the constraints that go with it") {
+    Sketcher driver;
+    driver.choose({{2, 0}});
+    driver.constrain("radius");
+    driver.context().selection.clear();
+    driver.context().selection.shapes.insert(2);
+    driver.key(key::kDelete);
+    CHECK(driver.document().constraints.empty());
+    bool named = false;
+    for (const MessageLog::Entry &entry : driver.context().log.entries()) {
+        named = named || entry.diagnostic.message.find("Removed 1 constraint: Radius 1") == 0;
+    }
+    CHECK(named);
+}
+
 TEST_CASE("Sketch: a dragged node takes along what its constraints hold, and the drag is one step") {
     Sketcher driver;
     driver.choose({{1, 0}});

@@ -301,9 +301,9 @@ void addSelectionActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          Document next = deleteSelection(*c.document.current(), c.selection);
-                         if (c.selection.nodes.empty()) {
-                             c.document.apply(std::move(next), "Delete");
-                         } else if (!applyJoined(c, std::move(next), "Delete")) {
+                         const bool shapes = c.selection.nodes.empty(); // joints are those of nodes
+                         if (!(shapes ? c.applyCommand(std::move(next), "Delete")
+                                      : applyJoined(c, std::move(next), "Delete"))) {
                              return;
                          }
                          c.selection.clear();

@@ -17,7 +17,7 @@ namespace FOREFRONT_API forefront {
 /// The ten steps of S. H. Lo's advancing front technique.
 enum class Step : std::uint8_t {
     BoundaryToFront = 1, ///< 1  Γ := boundary segments
-    TakeBase,            ///< 2  take a base segment AB from Γ; which one, FrontRules::base says
+    TakeBase,            ///< 2  take a base segment AB from Γ, by FrontRules::base
     EvaluateSpacing,     ///< 3  ρ at the midpoint of AB, clamped
     IdealPoint,          ///< 4  ideal point C
     FindCandidates,      ///< 5  candidate nodes near C
