@@ -103,14 +103,9 @@ class Refinement {
                 const double rest = static_cast<double>(sharp_.size());
                 progress("raising the least angle", 1.0 - rest / (rest + static_cast<double>(steps) + 1.0));
             }
-            if (mesh_.elements.size() > growthLimit) {
-                return {faultOf(next.element, std::acos(next.cosine) / kRadians, mesh_.nodes[index(next.nodes[0])])};
-            }
-            if (mesh_.elements.size() > rules_.maxElements) {
-                return error("too-many-elements",
-                             "a least angle of " + numberText(rules_.angle, 6) + "° needs more than " +
-                                 std::to_string(rules_.maxElements) + " elements",
-                             "choose a smaller least angle, or raise the maximum number of elements");
+            const std::uint64_t most = std::min<std::uint64_t>(growthLimit, rules_.maxElements);
+            if (mesh_.elements.size() > most) {
+                return tooMany(next, most);
             }
         }
         added_ = mesh_.nodes.size() - nodesBefore;
@@ -176,6 +171,14 @@ class Refinement {
         fault.at = at;
         fault.ids = {element};
         return fault;
+    }
+    Diagnostics tooMany(const Sharp &at, std::uint64_t most) const {
+        Diagnostics faults = error("least-angle",
+                                   "a least angle of " + numberText(rules_.angle, 6) + "° needs more than " +
+                                       std::to_string(most) + " elements",
+                                   "choose a smaller least angle, or make the domain less narrow there");
+        faults.front().at = mesh_.nodes[index(at.nodes[0])];
+        return faults;
     }
     /// Joins the elements at one corner.
     static void gather(std::vector<std::pair<NodeId, ForcedAngle>> &found, std::vector<ForcedAngle> &forced) {
@@ -360,6 +363,23 @@ Status refineToLeastAngle(TriMesh &mesh, DiscreteDomain &boundary, const LeastAn
         return !given.edgeStretches[edge].follows() && (!rules.mayDivide || rules.mayDivide(edge));
     };
     return refine(mesh, boundary, keeping, report, progress);
+}
+
+Diagnostics forcedAngles(const LeastAngleReport &report) {
+    Diagnostics notes;
+    for (const ForcedAngle &place : report.forced) {
+        Diagnostic note =
+            error("forced-angle", "an angle of " + numberText(place.angle, 3) + "° " +
+                                      (place.reason == ForcedBy::Corner ? "at a sharp corner"
+                                                                        : "beside a segment that may not be divided") +
+                                      " (" + std::to_string(place.elements) +
+                                      (place.elements == 1 ? " element)" : " elements)"))
+                .front();
+        note.severity = Severity::Note;
+        note.at = place.at;
+        notes.push_back(std::move(note));
+    }
+    return notes;
 }
 
 } // namespace forefront

@@ -55,6 +55,9 @@ struct LeastAngleReport {
     friend bool operator==(const LeastAngleReport &, const LeastAngleReport &) = default;
 };
 
+/// Returns a note for each place that has smaller angles: "an angle of 5° at a sharp corner (1 element)".
+Diagnostics forcedAngles(const LeastAngleReport &report);
+
 /// What refinement may do.
 struct LeastAngleRules {
     double angle = 30.0; ///< degrees, above 0, at most kMaxLeastAngle
@@ -71,8 +74,8 @@ struct LeastAngleRules {
 /// swapped by Delaunay's circle test. Elements that lie well are not touched.
 ///
 /// `mesh` and `boundary`: as the front and the improvement leave them; tagged edge i is segment i. Both get the new
-/// nodes, edges and segments at their ends. Errors: "least-angle" with the places that have smaller angles,
-/// "too-many-elements", "cancelled".
+/// nodes, edges and segments at their ends. Errors: "least-angle" with the places that have smaller angles, or where it
+/// would take far more elements than the mesh has; "cancelled".
 Status refineToLeastAngle(TriMesh &mesh, DiscreteDomain &boundary, const LeastAngleRules &rules,
                           LeastAngleReport &report, const Progress &progress = {});
 
