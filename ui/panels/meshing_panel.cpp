@@ -16,7 +16,7 @@ class MeshingPanel final : public Panel {
 
     void draw(Shell &context) override {
         MeshingOptions options = context.document.current()->options;
-        bool changed = false;
+        bool changed = drawElements(context, options);
         form::label(context, "Method");
         ImGui::BeginGroup();
         changed = ui::segmented(context, "meshing/method", options.method) || changed;
@@ -42,6 +42,31 @@ class MeshingPanel final : public Panel {
             next.options = options;
             context.document.apply(std::move(next), "Change meshing options");
         }
+    }
+
+  private:
+    /// Draws the shapes of the elements, their order, and the nodes of quadrilaterals of second order. Returns true if
+    /// an option has changed.
+    static bool drawElements(Shell &context, MeshingOptions &options) {
+        form::label(context, "Elements");
+        ImGui::BeginGroup();
+        bool changed = ui::segmented(context, "meshing/elements", options.elements);
+        ImGui::EndGroup();
+        ui::rowTooltip(context, "Quads: quadrilaterals. Mixed: triangles where quadrilaterals would be badly shaped. "
+                                "Only triangles can be stepped.");
+        form::label(context, "Order");
+        ImGui::BeginGroup();
+        changed = ui::segmented(context, "meshing/order", options.order) || changed;
+        ImGui::EndGroup();
+        ui::rowTooltip(context, "2: each edge has a node in its middle, which lies on the curve of the boundary.");
+        if (options.order == ElementOrder::Second && options.elements != Elements::Triangles) {
+            form::label(context, "Nodes");
+            ImGui::BeginGroup();
+            changed = ui::segmented(context, "meshing/quadnodes", options.quadNodes) || changed;
+            ImGui::EndGroup();
+            ui::rowTooltip(context, "Nodes of each quadrilateral. 9: one in its centre as well.");
+        }
+        return changed;
     }
 };
 
