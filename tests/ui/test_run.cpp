@@ -400,6 +400,25 @@ TEST_CASE("Run: second order chosen in the panel Meshing gives elements of secon
     CHECK(run.order != nullptr);
 }
 
+TEST_CASE("Run: a least angle is typed in the panel Meshing, and the log names what forces smaller ones") {
+    MeshedSquare driver;
+    driver.showPanel("meshing");
+    driver.fill("meshing/leastangle", "40");
+    CHECK_FALSE(driver.document().options.leastAngle);
+    driver.key(key::kEscape);
+    driver.fill("meshing/leastangle", "30");
+    CHECK(driver.document().options.leastAngle == 30.0);
+    driver.key(key::kF5);
+    driver.settle();
+    const SessionSnapshot &run = driver.context().run.now();
+    REQUIRE(run.state == RunState::Finished);
+    REQUIRE(run.leastAngle);
+    CHECK(run.leastAngle->reached >= 30.0);
+    CHECK(run.leastAngle->forced.empty());
+    driver.click("meshing/elements/Quads");
+    CHECK_FALSE(driver.has("meshing/leastangle"));
+}
+
 TEST_CASE("Run: quadrilaterals are not stepped, and the workspace Step says so") {
     MeshedSquare driver;
     driver.showPanel("meshing");

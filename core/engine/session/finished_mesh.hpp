@@ -13,7 +13,8 @@ struct FinishedMesh {
     std::shared_ptr<const MeshSnapshot> view;
     MeshQuality quality;
     std::uint64_t hash = 0;
-    std::shared_ptr<const SecondOrderReport> order; ///< null: of first order
+    std::shared_ptr<const SecondOrderReport> order;     ///< null: of first order
+    std::shared_ptr<const LeastAngleReport> leastAngle; ///< null: none was asked for
 
     /// Fills in the mesh and its figures.
     void fill(SessionSnapshot &snapshot) const;

@@ -7,6 +7,7 @@
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/mesher/trace.hpp"
+#include "core/engine/refine/least_angle.hpp"
 #include "core/engine/session/breakpoints.hpp"
 
 #include <cstdint>
@@ -121,9 +122,10 @@ struct SessionSnapshot {
     double rate = 0.0;          ///< advances per second of the last batch
     bool playing = false;       ///< at a pace that the user set, rather than as fast as possible
     WorkCounters work;
-    MeshQuality quality;                            ///< of the mesh shown
-    std::shared_ptr<const SecondOrderReport> order; ///< of the mesh shown; null: of first order, or not finished
-    double requestedElements = 0.0;                 ///< estimate for the spacing of the job; see prepare()
+    MeshQuality quality;                                ///< of the mesh shown
+    std::shared_ptr<const SecondOrderReport> order;     ///< of the mesh shown; null: of first order, or not finished
+    std::shared_ptr<const LeastAngleReport> leastAngle; ///< likewise; null: none was asked for
+    double requestedElements = 0.0;                     ///< estimate for the spacing of the job; see prepare()
     double coarsening = 1.0; ///< > 1: the mesh shown is a preview with this many times the spacing of the job
     std::size_t frontSegments = 0;
     std::uint64_t stateHash = 0;                    ///< of front and mesh at this position; 0 while moving

@@ -61,10 +61,14 @@ Diagnostics straightEdgesOf(const SessionSnapshot &s) {
              .at = s.order->straight.front().at}};
 }
 
-/// Returns the rules of the specified spacing and the curves that the mesh does not follow.
+/// Returns the rules of the specified spacing, the curves that the mesh does not follow, and the places with
+/// smaller angles than the least one.
 Diagnostics notesOf(const SessionSnapshot &s) {
     Diagnostics notes = s.spacing ? s.spacing->notes() : Diagnostics();
     for (Diagnostic &note : straightEdgesOf(s)) {
+        notes.push_back(std::move(note));
+    }
+    for (Diagnostic &note : s.leastAngle ? forcedAngles(*s.leastAngle) : Diagnostics()) {
         notes.push_back(std::move(note));
     }
     return notes;
