@@ -84,6 +84,11 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     addWordOption<QuadNodes>(app, "--quad-nodes", arguments.quadNodes,
                              "nodes of a quadrilateral of order 2: 8 (default), or 9 with one in its centre")
         ->type_name("N");
+    app.add_option(
+           "--min-angle", arguments.leastAngle,
+           "refine the triangles until none has a smaller angle, in degrees up to 33, except where corners of the "
+           "domain or kept segments force it, which are named")
+        ->type_name("DEGREES");
     addWordOption<Method>(app, "--method", arguments.method,
                           "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
         ->type_name("METHOD");

@@ -135,6 +135,9 @@ Diagnostics applyOptions(const MeshArguments &arguments, MeshingOptions &options
     options.elements = arguments.elements.value_or(options.elements);
     options.order = arguments.order.value_or(options.order);
     options.quadNodes = arguments.quadNodes.value_or(options.quadNodes);
+    if (arguments.leastAngle) {
+        options.leastAngle = arguments.leastAngle;
+    }
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);

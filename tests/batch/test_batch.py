@@ -127,6 +127,20 @@ class Meshing(Case):
         self.assertIn("% of the interior nodes irregular", done.stdout)
         self.assertIn("quadrilaterals", self.stats("plate.poly", "-o", "mixed.msh", "--elements", "mixed"))
 
+    def test_a_least_angle_is_kept_but_at_sharp_corners(self):
+        self.write("wedge.poly", "4 2 0 0\n1 0 0\n2 10 0\n3 10 0.9\n4 5 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
+        stats = self.stats("wedge.poly", "-o", "wedge.msh", "--min-angle", "30", "--verify")
+        angles = stats["least_angle"]
+        self.assertGreaterEqual(angles["reached"], 30.0)
+        self.assertEqual(angles["asked"], 30.0)
+        self.assertEqual([place["by"] for place in angles["forced"]], ["corner"] * len(angles["forced"]))
+        done = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "30")
+        self.assertIn("least angle: 3", done.stdout)
+        refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "40", code=1)
+        self.assertIn("expected above 0 and at most 33", refused.stderr)
+        refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "20", "--elements", "quads", code=1)
+        self.assertIn("for triangles only", refused.stderr)
+
     def test_elements_of_second_order_follow_curves(self):
         self.write("disc.json", """{"format": "forefront", "version": 2,
             "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [2, 0]]}]}""")

@@ -192,6 +192,10 @@ std::vector<FileFilter> filmFilters() {
 } // namespace
 
 void exportFilm(Shell &context) {
+    if (!context.run.steps()) {
+        context.log.refuse("Films show a front of triangles; set Elements to Triangles in the panel Meshing");
+        return;
+    }
     FileRequest request;
     request.id = "film";
     request.title = "Export film";

@@ -196,7 +196,7 @@ void drawRunBar(Shell &context, const PixelRect &canvas) {
             if (run.quality.elements > 0) {
                 flow.item("elements");
                 ImGui::AlignTextToFramePadding();
-                ui::muted(context, ui::count(run.quality.elements) + " triangles");
+                ui::muted(context, ui::count(run.quality.elements) + (run.stepped ? " triangles" : " elements"));
             }
             flow.item("cancel");
             if (ui::button(context, "run/cancel", "Cancel  Esc")) {

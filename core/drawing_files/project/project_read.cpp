@@ -323,11 +323,14 @@ class ProjectReader {
         }
         elements(object);
         check_.noteUnknown(object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads",
-                                    "maxElements", "elements", "order", "quadNodes", "rules"});
+                                    "maxElements", "elements", "order", "quadNodes", "leastAngle", "rules"});
     }
 
     void elements(const JsonValue &object) {
         MeshingOptions &options = document_.options;
+        if (const auto angle = object.find("leastAngle")) {
+            options.leastAngle = check_.number(*angle, "\"leastAngle\"");
+        }
         if (const auto shapes = object.find("elements")) {
             options.elements = static_cast<Elements>(check_.choice(*shapes, wordsOf<Elements>(), "the elements"));
         }

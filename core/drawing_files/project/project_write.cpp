@@ -129,6 +129,9 @@ class ProjectWriter {
         if (options.quadNodes != usual.quadNodes) {
             out_ << ", \"quadNodes\": " << wordOf(options.quadNodes);
         }
+        if (options.leastAngle) {
+            out_ << ", \"leastAngle\": " << *options.leastAngle;
+        }
         if (options.maxElements != kDefaultMaxElements) {
             out_ << ", \"maxElements\": " << options.maxElements;
         }
