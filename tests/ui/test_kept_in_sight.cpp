@@ -75,7 +75,7 @@ TEST_CASE("Freehand: another document begins with corners, and a click says what
     Draughtsman driver;
     driver.key('P');
     driver.settle();
-    
+
     driver.click("options/pen/Freehand");
     driver.settle();
     REQUIRE(driver.has("options/freehand"));
@@ -152,10 +152,9 @@ TEST_CASE("Messages: warnings stay until they are dismissed or the drawing has c
 TEST_CASE("Title: a long name is shortened in its middle, and the dot of unsaved changes stays") {
     const TemporaryFolder place;
     const std::filesystem::path file =
-        place.path / "a very long name of a drawing that nobody could fit into any title bar of any window, second.json";
-    {
-        std::ofstream(file) << projectText(Document());
-    }
+        place.path /
+        "a very long name of a drawing that nobody could fit into any title bar of any window, second.json";
+    { std::ofstream(file) << projectText(Document()); }
     EditorSetup setup;
     setup.file = file;
     Driver driver(setup);
@@ -182,8 +181,7 @@ TEST_CASE("File dialogs: each purpose begins in the folder where it was used las
         Draughtsman driver(setup);
         driver.context().actions.run("file.import", driver.context());
         driver.settle();
-        driver.chooseFile("import",
-                          again ? std::filesystem::path("part.svg") : place.path / "drawings" / "part.svg");
+        driver.chooseFile("import", again ? std::filesystem::path("part.svg") : place.path / "drawings" / "part.svg");
         driver.settle();
         CHECK(driver.has("dialog/importoptions/ok"));
         driver.click("dialog/importoptions/cancel");

@@ -48,7 +48,7 @@ class Recovery {
     std::vector<Orphan> orphans_;
     std::uint64_t revision_ = 0;
     bool dirty_ = false;
-    std::vector<Vec2> path_; ///< nodes of the unfinished path that is recorded with the document
+    std::vector<Vec2> path_;                 ///< nodes of the unfinished path that is recorded with the document
     double nextLook_ = 0.0, lastLook_ = 0.0; ///< for journals that were locked at the start, seconds
 };
 

@@ -347,7 +347,8 @@ void drawNews(Shell &context, const PixelRect &canvas) {
     }
     Diagnostic diagnostic = entry->diagnostic; // a button may add to the log
     if (unites(context, diagnostic)) {
-        diagnostic.advice += diagnostic.advice.empty() ? "join the shapes with Union" : ", or join the shapes with Union";
+        diagnostic.advice +=
+            diagnostic.advice.empty() ? "join the shapes with Union" : ", or join the shapes with Union";
     }
     const double scale = static_cast<double>(context.scale);
     const double below = bandsOf(context, canvas).bottom;
