@@ -172,7 +172,7 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
         hint.message = "the domain was read with the default options";
         hint.advice =
             "repeat those that the mesh was made with, such as --weld, --overlap, --layer, --name-property, "
-            "--projection, --beyond-page, --drop-lines, --stroke-areas, --shape-regions, --white-holes or --repair";
+            "--projection, --beyond-page, --drop-lines, --stroke-areas, --shape-regions, --no-white-holes or --repair";
         faults.push_back(std::move(hint));
     }
     return faults;

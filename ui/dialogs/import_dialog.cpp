@@ -184,7 +184,7 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);
     if (dialog->contents_.whiteShapes > 0) {
-        dialog->whiteIfPossible(progress);
+        dialog->chooseWhite();
     }
     return dialog;
 }
@@ -213,15 +213,11 @@ void ImportDialog::projectIfPossible(const Progress &progress) {
     }
 }
 
-/// Proposes white shapes on others as holes, unless nothing would remain.
-void ImportDialog::whiteIfPossible(const Progress &progress) {
+/// Shows as the user's choice what the reader did with white shapes on others.
+void ImportDialog::chooseWhite() {
     whiteShapes_ = contents_.whiteShapes;
-    options_.whiteHoles = true;
-    read(progress);
-    if (!faults_.empty() || drawing_.shapes.empty()) {
-        options_.whiteHoles = false;
-        read(progress);
-    }
+    options_.whiteHoles = contents_.whiteHoles;
+    std::erase_if(notes_, [](const Diagnostic &note) { return note.code == kWhiteNote; }); // the switch tells it
 }
 
 void ImportDialog::readLayer(const std::string &name) {
@@ -395,7 +391,9 @@ void ImportDialog::drawJoining(Shell &context) {
         read();
     }
     if (whiteShapes_ > 0) {
-        if (ui::checkbox(context, "dialog/importoptions/white", "White shapes are holes", options_.whiteHoles)) {
+        bool holes = options_.whiteHoles.value_or(true);
+        if (ui::checkbox(context, "dialog/importoptions/white", "White shapes are holes", holes)) {
+            options_.whiteHoles = holes;
             read();
         }
         ui::tooltip(context,

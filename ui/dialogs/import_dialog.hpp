@@ -36,7 +36,7 @@ class ImportDialog final : public PreviewDialog {
     /// Reads the file with the current options. If that fails, the drawing read before stays, and `faults_` says why.
     void read(const Progress &progress = {});
     void projectIfPossible(const Progress &progress);
-    void whiteIfPossible(const Progress &progress);
+    void chooseWhite();
     /// Reads another layer of a map.
     void readLayer(const std::string &name);
     void drawSizes(Shell &context) const;

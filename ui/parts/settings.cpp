@@ -136,6 +136,11 @@ void readMaps(const JsonValue &json, Settings &settings) {
             settings.keys[action] = keys.string();
         }
     });
+    forMembers(json, "folders", [&](const std::string &dialog, const JsonValue &folder) {
+        if (folder.is(JsonKind::String)) {
+            settings.folders[dialog] = folder.string();
+        }
+    });
     forMembers(json, "toolUses", [&](const std::string &tool, const JsonValue &uses) {
         if (const auto count = uses.integer(); count && *count > 0) {
             settings.toolUses[tool] = static_cast<int>(std::min<std::int64_t>(*count, 1000));
@@ -285,6 +290,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
         }
     }
     writeMap(json, "keys", settings.keys);
+    writeMap(json, "folders", settings.folders);
     writeMap(json, "toolUses", settings.toolUses);
     json.key("views").beginObject();
     for (const auto &[name, view] : settings.views) {

@@ -69,6 +69,7 @@ struct Shell : Workspace {
     std::string revealedPanel;       ///< id of the panel to scroll to; empty: none
     Plates plates;
     std::vector<UnsavedDrawing> unsaved; ///< that can be recovered
+    std::uint64_t newsDismissed = 0;     ///< number of the last entry when messages on the canvas were dismissed
     std::uint64_t logSeen = 0;           ///< number of the last entry of the log that was seen in its drawer
     bool contextMenu = false;            ///< a tool asks for the menu of the selection at the pointer
     ContextMenu menu;                    ///< see contextMenu; panels and tools can open other ones

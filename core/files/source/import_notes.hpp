@@ -28,6 +28,7 @@ struct DrawingContents {
     bool lines = false;                   ///< lines beside areas, which ImportOptions::dropLines leaves out
     std::size_t filledShapes = 0;         ///< number of those that ImportOptions::shapeRegions makes regions
     std::size_t whiteShapes = 0;          ///< number of those that ImportOptions::whiteHoles makes holes
+    bool whiteHoles = false;              ///< the white shapes were read as holes
     std::vector<std::string> layers = {}; ///< of a TopoJSON file, as ImportOptions::layer takes them
     std::string layer = {};               ///< the one that was read
     /// Properties of features with text or a number as value, for ImportOptions::nameProperty; sorted.
