@@ -1,6 +1,7 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/extrude_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/open_boundaries.hpp"
@@ -45,6 +46,10 @@ Examples:
         the same mesh with nodes and elements numbered for a small bandwidth
   forefront convert bay.msh -o bay.14 --open sea
         a grid of ADCIRC with one open boundary part; the rest is land
+  forefront convert plate.msh -o plate.foam --extrude 0.1
+        the folder of a case of OpenFOAM, one cell of 0.1 thick
+  forefront convert plate.msh -o plate.vtu --extrude 2:8
+        prisms and hexahedra in 8 layers, 2 high in all
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -84,7 +89,7 @@ Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) 
             if (!format->writesMesh) {
                 continue;
             }
-            Diagnostics faults = checkElements(*format, mesh);
+            Diagnostics faults = checkExport(*format, mesh, exportOptionsOf(arguments.form, mesh));
             for (Diagnostic &fault : faults) {
                 fault.file = isStandardStream(output.path) ? "" : output.path.string();
                 fault.advice += fault.advice.empty() ? "split the elements with --triangles"
@@ -135,6 +140,12 @@ Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const 
                : cancelled("converting");
 }
 
+/// Returns the form with the numbers of the file unless others are asked for.
+MeshForm formAsRead(MeshForm form) {
+    form.numbering = form.numbering.value_or(Numbering::Creation);
+    return form;
+}
+
 void printSize(const Mesh &mesh, const ConvertArguments &arguments) {
     std::string text = std::to_string(mesh.nodes.size()) + " nodes";
     for (const CellBlock &block : mesh.blocks) {
@@ -179,10 +190,8 @@ int runConvert(const ConvertArguments &arguments) {
     }
     interrupt.deferToStop();
     const Diagnostics written = bar.during({}, [&] {
-        return writeAndCommit(
-            pairFormats(arguments.outputs, arguments.formats), mesh,
-            {arguments.form.innerEdges, arguments.form.numbering.value_or(Numbering::Creation), arguments.form.open},
-            progress);
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), mesh, formAsRead(arguments.form),
+                              progress);
     });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
@@ -205,6 +214,7 @@ int convertCommand(int argc, const char *const *argv) {
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
     addOpenOption(app, arguments.form);
+    addExtrudeOption(app, arguments.form);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_option_function<std::string>(
            "--order", [&arguments](const std::string &) { arguments.order = ElementOrder::Second; },
@@ -222,6 +232,9 @@ int convertCommand(int argc, const char *const *argv) {
     std::string wrong = checkFormats(arguments.outputs, arguments.formats);
     if (wrong.empty()) {
         wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
+    }
+    if (wrong.empty()) {
+        wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
     }
     if (wrong.empty()) {
         wrong = checkInputs({arguments.mesh}, arguments.inputFormat);

@@ -1,6 +1,7 @@
 #include "app/batch/mesh_arguments.hpp"
 
 #include "app/batch/cli_options.hpp"
+#include "app/batch/extrude_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/outputs.hpp"
@@ -30,6 +31,8 @@ Examples:
         quadrilaterals alone
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
+  forefront mesh plate.json -o plate.foam
+        a case of OpenFOAM, one cell thick
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -134,6 +137,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form);
     addOpenOption(app, arguments.form);
+    addExtrudeOption(app, arguments.form);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
@@ -192,6 +196,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     }
     if (wrong.empty()) {
         wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
+    }
+    if (wrong.empty()) {
+        wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
     }
     if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
         wrong = "no output; add -o OUT or --stats FILE.json";

@@ -100,7 +100,7 @@ Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &me
                         const Progress &progress) {
     if (!isStandardStream(output.path)) {
         Status written = writeMesh(files, output.path, mesh, output.format, progress, options);
-        return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
+        return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format, options);
     }
     StandardOutput sink;
     const Status status = writeMesh(sink, mesh, output.format, options);
@@ -125,6 +125,17 @@ Diagnostic allLandNote(const Output &output) {
     note.severity = Severity::Note;
     note.code = "no-open-boundary";
     note.message = "all of the boundary is land; --open NAME opens a part";
+    note.file = isStandardStream(output.path) ? "" : output.path.string();
+    return note;
+}
+
+/// Reports how thick a plane mesh becomes.
+Diagnostic thicknessNote(const Output &output, const MeshView &mesh) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "thickness";
+    note.message = "the mesh is one cell thick, " + numberText(usualExtrusion(mesh).height, 4) +
+                   " as the elements are wide; --extrude H sets the thickness";
     note.file = isStandardStream(output.path) ? "" : output.path.string();
     return note;
 }
@@ -177,6 +188,9 @@ Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, con
         notes.insert(notes.end(), faults.begin(), faults.end());
         if (form.open.empty() && hasOpenBoundaries(output.path, output.format)) {
             notes.push_back(allLandNote(output));
+        }
+        if (!form.extrusion && solidsOnly(output.path, output.format)) {
+            notes.push_back(thicknessNote(output, written));
         }
         if (!form.innerEdges && written.edges.size() < mesh.edges.size()) {
             notes.push_back(innerEdgesNote(output, mesh.edges.size() - written.edges.size()));
@@ -234,7 +248,7 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
             continue;
         }
         const std::vector<std::filesystem::path> files = filesOfMesh(output.path, output.format);
-        Diagnostics wrong = checkPlace(output.path);
+        Diagnostics wrong = checkPlace(output.path, output.format);
         if (wrong.empty() && std::any_of(files.begin(), files.end(), [&](const std::filesystem::path &file) {
                 return read.count(resolved(file)) > 0;
             })) {

@@ -8,6 +8,7 @@
 #include "core/files/nastran/nastran.hpp"
 #include "core/files/netgen/netgen.hpp"
 #include "core/files/obj/obj.hpp"
+#include "core/files/openfoam/openfoam.hpp"
 #include "core/files/png/png.hpp"
 #include "core/files/sms/two_dm.hpp"
 #include "core/files/su2/su2.hpp"
@@ -51,7 +52,8 @@ constexpr const char *kVtkData =
 
 /// Returns the common description of all Gmsh formats.
 constexpr Format gmsh(const char *id, const char *name, const char *program,
-                      void (*write)(const MeshView &, TextWriter &)) {
+                      void (*write)(const MeshView &, TextWriter &),
+                      void (*solids)(const SolidMesh &, TextWriter &) = nullptr) {
     return {.about = {.id = id,
                       .name = name,
                       .extension = ".msh",
@@ -61,6 +63,7 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
                       .readsSpacing = true,
                       .readsFields = true,
                       .holds = kAllCells,
+                      .holdsSolids = solids != nullptr,
                       .program = program,
                       .keeps = kGroups},
             .recognise = looksLikeMsh,
@@ -68,7 +71,8 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
             .readSpacing = readMshSpacing,
             .readFields = readMshFields,
             .writeMesh = write,
-            .noteChanges = noteMshChanges};
+            .noteChanges = noteMshChanges,
+            .writeSolid = solids};
 }
 
 // Every format with its name, its capabilities and its functions.
@@ -88,7 +92,7 @@ constexpr std::array kFormats = {
                      .holds = kAllCells,
                      .keeps = "A drawing of the mesh; cannot be read back as a mesh."},
            .writeMesh = writeSvg},
-    gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2),
+    gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2, writeMsh2Solid),
     gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4),
     gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4Binary),
     Format{.about = {.id = "vtu",
@@ -99,12 +103,14 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .readsFields = true,
                      .holds = kAllCells,
+                     .holdsSolids = true,
                      .program = "ParaView",
                      .keeps = kVtuData},
            .recognise = looksLikeVtu,
            .readMesh = readVtu,
            .readFields = readVtuFields,
-           .writeMesh = writeVtu},
+           .writeMesh = writeVtu,
+           .writeSolid = writeVtuSolid},
     Format{.about = {.id = "vtk",
                      .name = "VTK legacy",
                      .extension = ".vtk",
@@ -125,12 +131,14 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kMeditCells,
+                     .holdsSolids = true,
                      .program = "FreeFem++",
                      .keeps = "Keeps the numbers of regions, boundary parts and points, for readmesh; names only as "
                               "comments."},
            .recognise = looksLikeMedit,
            .readMesh = readMedit,
-           .writeMesh = writeMedit},
+           .writeMesh = writeMedit,
+           .writeSolid = writeMeditSolid},
     Format{.about = {.id = "mfem",
                      .name = "MFEM mesh",
                      .extension = ".mesh",
@@ -150,13 +158,15 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kAbaqusCells,
+                     .holdsSolids = true,
                      .program = "CalculiX",
                      .keeps = "Keeps regions as element sets, boundary parts as node sets and surfaces, points as node "
                               "sets, all with names that the solver accepts. Elements are CPS3."},
            .recognise = looksLikeAbaqus,
            .readMesh = readAbaqus,
            .writeMesh = writeAbaqus,
-           .noteChanges = noteAbaqusChanges},
+           .noteChanges = noteAbaqusChanges,
+           .writeSolid = writeAbaqusSolid},
     Format{.about = {.id = "su2",
                      .name = "SU2",
                      .extension = ".su2",
@@ -179,12 +189,14 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kEightNodes,
+                     .holdsSolids = true,
                      .keeps = "Keeps regions and boundary parts as permanent groups of elements, points as groups of "
                               "nodes, with names made identifiers."},
            .recognise = looksLikeUnv,
            .readMesh = readUnv,
            .writeMesh = writeUnv,
-           .noteChanges = noteUnvChanges},
+           .noteChanges = noteUnvChanges,
+           .writeSolid = writeUnvSolid},
     Format{.about = {.id = "nastran",
                      .name = "Nastran bulk data",
                      .extension = ".bdf",
@@ -193,12 +205,29 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kEightNodes,
+                     .holdsSolids = true,
                      .keeps = "Keeps regions as properties of elements, boundary parts as properties of rods (CROD); "
                               "names and points only as comments. Coordinates have at most 16 characters."},
            .recognise = looksLikeNastran,
            .readMesh = readNastran,
            .writeMesh = writeNastran,
-           .noteChanges = noteNastranChanges},
+           .noteChanges = noteNastranChanges,
+           .writeSolid = writeNastranSolid},
+    Format{.about = {.id = "openfoam",
+                     .name = "OpenFOAM polyMesh",
+                     .extension = ".foam",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .holdsSolids = true,
+                     .solidsOnly = true,
+                     .folder = kFoamFiles,
+                     .program = "OpenFOAM",
+                     .keeps =
+                         "Writes a folder with constant/polyMesh, one cell thick unless --extrude says more. Keeps "
+                         "boundary parts as patches, regions as cell zones, tagged edges inside as face zones, "
+                         "with names made identifiers; points are left out. Cannot be read back."},
+           .noteChanges = noteOpenFoamChanges,
+           .writeFiles = writeOpenFoam},
     Format{.about = {.id = "2dm",
                      .name = "SMS 2DM",
                      .extension = ".2dm",

@@ -14,6 +14,8 @@
 
 namespace forefront {
 
+struct SolidMesh;
+
 /// The functions of a file format. Readers work from memory and never throw; a null function means that the format does
 /// not support it.
 struct Format {
@@ -31,7 +33,10 @@ struct Format {
     /// Returns notes on changes that the format makes to the mesh, such as to names; null: it makes none.
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
-    void (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const Progress &) = nullptr;
+    Status (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const ExportOptions &,
+                         const Progress &) = nullptr;
+    /// Writes prisms and hexahedra; null: the format holds none, or writeFiles writes them.
+    void (*writeSolid)(const SolidMesh &, TextWriter &) = nullptr;
     /// Returns further files that reading this one may open; null: none, or those of `about.files`.
     std::vector<std::filesystem::path> (*filesBeside)(const std::filesystem::path &) = nullptr;
 
