@@ -1,5 +1,6 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
+#include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/extrude_option.hpp"
 #include "app/batch/inputs.hpp"
@@ -14,9 +15,12 @@
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/files/common/dropped_fields.hpp"
+#include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -30,7 +34,8 @@ namespace forefront {
 namespace {
 
 constexpr const char *kConvertExamples = R"help(
-Nodes, elements, tags and names stay as they are. Values of nodes and elements are left out, with a note. A mesh with
+Nodes, elements, tags and names stay as they are, and so do nodal values "elevation" in formats that hold elevations. Other
+values of nodes and elements are left out, with a note. A mesh with
 elements that a format does not have is refused, and the message names formats that have them.
 
 Examples:
@@ -140,6 +145,37 @@ Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const 
                : cancelled("converting");
 }
 
+/// Takes the elevations of the nodes out of the values of a file, if it has some at all nodes.
+std::vector<double> takeElevations(MeshFields &read, const ConvertArguments &arguments) {
+    const auto found = read.fields.find("elevation");
+    const bool complete =
+        found != read.fields.end() && !arguments.form.elevation &&
+        std::all_of(found->second.begin(), found->second.end(), [](double value) { return std::isfinite(value); });
+    if (!complete) {
+        return {};
+    }
+    std::vector<double> elevations = std::move(found->second);
+    read.fields.erase(found);
+    return elevations;
+}
+
+/// Sets the elevations that --elevation gives, or completes those of the file for nodes that were added. Returns the
+/// faults of places without one.
+Diagnostics setElevations(const MeshView &mesh, const ConvertArguments &arguments, std::vector<double> &elevations) {
+    if (!arguments.form.elevation) {
+        if (!elevations.empty()) {
+            addMiddleElevations(mesh, elevations);
+        }
+        return {};
+    }
+    Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, arguments.quiet);
+    if (!read) {
+        return read.faults();
+    }
+    elevations = std::move(*read);
+    return {};
+}
+
 /// Returns the form with the numbers of the file unless others are asked for.
 MeshForm formAsRead(MeshForm form) {
     form.numbering = form.numbering.value_or(Numbering::Creation);
@@ -170,6 +206,7 @@ int runConvert(const ConvertArguments &arguments) {
         return refuse(read.faults(), interrupt);
     }
     printNotes(notes, arguments.quiet);
+    std::vector<double> elevations = takeElevations(*read, arguments);
     if (!arguments.quiet) {
         noteDroppedFields(*read, *file);
     }
@@ -182,6 +219,9 @@ int runConvert(const ConvertArguments &arguments) {
     if (const Diagnostics faults = changeElements(mesh, arguments, progress); !faults.empty()) {
         return refuse(allFormats().locateFaults(file->path, faults, file->options), interrupt);
     }
+    if (const Diagnostics faults = setElevations(mesh, arguments, elevations); !faults.empty()) {
+        return refuse(faults, interrupt);
+    }
     if (const Diagnostics unsupported = checkConverted(mesh, arguments); !unsupported.empty()) {
         return refuse(unsupported, interrupt);
     }
@@ -190,7 +230,9 @@ int runConvert(const ConvertArguments &arguments) {
     }
     interrupt.deferToStop();
     const Diagnostics written = bar.during({}, [&] {
-        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), mesh, formAsRead(arguments.form),
+        MeshView view(mesh);
+        view.elevations = elevations;
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), view, formAsRead(arguments.form),
                               progress);
     });
     if (hasErrors(written)) {
@@ -215,6 +257,7 @@ int convertCommand(int argc, const char *const *argv) {
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
     addOpenOption(app, arguments.form);
     addExtrudeOption(app, arguments.form);
+    addElevationOption(app, arguments.form.elevation);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_option_function<std::string>(
            "--order", [&arguments](const std::string &) { arguments.order = ElementOrder::Second; },
@@ -237,12 +280,19 @@ int convertCommand(int argc, const char *const *argv) {
         wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
     }
     if (wrong.empty()) {
+        wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
+    }
+    if (wrong.empty()) {
         wrong = checkInputs({arguments.mesh}, arguments.inputFormat);
     }
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }
-    const Diagnostics faults = checkOutputs(pairFormats(arguments.outputs, arguments.formats), {arguments.mesh});
+    std::vector<std::filesystem::path> inputs{arguments.mesh};
+    if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
+        inputs.emplace_back(*arguments.form.elevation);
+    }
+    const Diagnostics faults = checkOutputs(pairFormats(arguments.outputs, arguments.formats), inputs);
     printFaults(faults);
     return faults.empty() ? runConvert(arguments) : static_cast<int>(kRefused);
 }

@@ -39,9 +39,10 @@ Diagnostics unknownNames(const std::vector<std::string> &open, const Parts &part
 } // namespace
 
 void addOpenOption(CLI::App &app, MeshForm &form) {
-    app.add_option("--open", form.open,
-                   "name of a boundary part through which water flows, for grids of ADCIRC and SCHISM, such as sea or "
-                   "boundary_2; all others are land; can be repeated")
+    app.add_option(
+           "--open", form.open,
+           "name of a boundary part through which water flows, for ADCIRC, SCHISM, TELEMAC and MIKE, such as sea or "
+           "boundary_2; all others are land; can be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
 }

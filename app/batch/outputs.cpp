@@ -149,6 +149,13 @@ class FormedMeshes {
         if (!withoutInner && numbering == Numbering::Creation) {
             return mesh_;
         }
+        MeshView view = make(withoutInner, numbering);
+        view.elevations = elevations(numbering);
+        return view;
+    }
+
+  private:
+    MeshView make(bool withoutInner, Numbering numbering) {
         std::optional<Mesh> &made = made_[withoutInner ? 1 : 0][numbering == Numbering::Creation ? 0 : 1];
         if (!made && numbering == Numbering::Creation) {
             made = withoutInnerEdges(mesh_);
@@ -158,7 +165,20 @@ class FormedMeshes {
         return *made;
     }
 
-  private:
+    /// Returns the elevations of the nodes with their new numbers.
+    std::span<const double> elevations(Numbering numbering) {
+        if (numbering == Numbering::Creation || mesh_.elevations.empty()) {
+            return mesh_.elevations;
+        }
+        if (renumbered_.empty()) {
+            renumbered_.resize(mesh_.elevations.size());
+            for (std::size_t n = 0; n < renumbered_.size(); ++n) {
+                renumbered_[index(numbers()[n])] = mesh_.elevations[n];
+            }
+        }
+        return renumbered_;
+    }
+
     std::span<const NodeId> numbers() {
         if (numbers_.empty()) {
             numbers_ = reverseCuthillMcKee(mesh_);
@@ -169,6 +189,7 @@ class FormedMeshes {
     const MeshView &mesh_;
     std::array<std::array<std::optional<Mesh>, 2>, 2> made_;
     std::vector<NodeId> numbers_;
+    std::vector<double> renumbered_; ///< elevations
 };
 
 } // namespace

@@ -50,6 +50,7 @@ struct MeshForm {
     std::optional<Numbering> numbering;   ///< absent: the usual one of the format
     std::vector<std::string> open = {};   ///< names of the open boundary parts
     std::optional<Extrusion> extrusion = {};
+    std::optional<std::string> elevation = {}; ///< a file or an expression
 };
 
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first

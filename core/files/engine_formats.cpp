@@ -3,6 +3,7 @@
 #include "core/files/format.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/hydro/hydro.hpp"
+#include "core/files/hydro/selafin.hpp"
 #include "core/files/medit/medit.hpp"
 #include "core/files/mfem/mfem.hpp"
 #include "core/files/nastran/nastran.hpp"
@@ -15,6 +16,7 @@
 #include "core/files/surfaces/surfaces.hpp"
 #include "core/files/svg/svg_picture.hpp"
 #include "core/files/triangle/triangle.hpp"
+#include "core/files/ugrid/ugrid.hpp"
 #include "core/files/unv/unv.hpp"
 #include "core/files/vtk/vtk.hpp"
 
@@ -64,6 +66,7 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
                       .readsFields = true,
                       .holds = kAllCells,
                       .holdsSolids = solids != nullptr,
+                      .holdsElevations = true,
                       .program = program,
                       .keeps = kGroups},
             .recognise = looksLikeMsh,
@@ -104,6 +107,7 @@ constexpr std::array kFormats = {
                      .readsFields = true,
                      .holds = kAllCells,
                      .holdsSolids = true,
+                     .holdsElevations = true,
                      .program = "ParaView",
                      .keeps = kVtuData},
            .recognise = looksLikeVtu,
@@ -236,9 +240,10 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .readsFields = true,
                      .holds = kAllCells,
+                     .holdsElevations = true,
                      .keeps =
                          "Keeps regions as materials, boundary parts as node strings with their numbers; names and "
-                         "points only as comments. Elevations are 0."},
+                         "points only as comments, elevations as z."},
            .recognise = looksLikeTwoDm,
            .readMesh = readTwoDm,
            .readFields = readTwoDmFields,
@@ -250,8 +255,9 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .holds = kTriangleGrid,
                      .hasOpenBoundaries = true,
+                     .holdsElevations = true,
                      .keeps = "Keeps triangles and the boundary as chains of open parts, land (20) and islands (21), "
-                              "without names. Depths are 0; cannot be read back."},
+                              "without names. Depths are elevations with the other sign; cannot be read back."},
            .writeWith = writeAdcirc,
            .noteChanges = noteDepths},
     Format{.about = {.id = "gr3",
@@ -260,10 +266,65 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .holds = kFirstOrder,
                      .hasOpenBoundaries = true,
+                     .holdsElevations = true,
                      .keeps = "Keeps elements and the boundary as chains of open parts, land (0) and islands (1), "
-                              "without names. Depths are 0; cannot be read back."},
+                              "without names. Depths are elevations with the other sign; cannot be read back."},
            .writeWith = writeSchism,
            .noteChanges = noteDepths},
+    Format{.about = {.id = "selafin",
+                     .name = "TELEMAC SELAFIN",
+                     .extension = ".slf",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .acceptsInnerEdges = false,
+                     .hasOpenBoundaries = true,
+                     .holdsElevations = true,
+                     .files = kSelafinExtensions,
+                     .program = "TELEMAC",
+                     .keeps =
+                         "Writes .slf, in single precision, and .cli. Keeps triangles, elevations as BOTTOM, and the "
+                         "boundary as walls (2 2 2) and open parts with a prescribed level (5 4 4); regions, names "
+                         "and points are left out. Cannot be read back."},
+           .noteChanges = noteSelafinChanges,
+           .writeFiles = writeSelafin},
+    Format{.about = {.id = "ugrid",
+                     .name = "UGRID netCDF",
+                     .extension = ".nc",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .holdsElevations = true,
+                     .program = "Delft3D FM",
+                     .keeps =
+                         "Keeps elements as faces, elevations, and the numbers of regions and boundary parts, with "
+                         "their names as meanings; points are left out. Cannot be read back."},
+           .writeMesh = writeUgrid,
+           .noteChanges = noteUgridChanges},
+    Format{.about = {.id = "mike",
+                     .name = "MIKE mesh",
+                     .extension = ".mesh",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .hasOpenBoundaries = true,
+                     .holdsElevations = true,
+                     .program = "MIKE 21 FM",
+                     .keeps =
+                         "Keeps elements, elevations, and the boundary as codes of nodes: 1 land, 2 and more the open "
+                         "parts in their order; regions, names and points are left out. Cannot be read back."},
+           .writeWith = writeMike,
+           .noteChanges = noteDepths},
+    Format{.about = {.id = "anuga",
+                     .name = "ANUGA mesh",
+                     .extension = ".tsh",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .acceptsInnerEdges = false,
+                     .holdsElevations = true,
+                     .program = "ANUGA",
+                     .keeps =
+                         "Keeps triangles, elevations, regions and boundary parts with names made identifiers; points "
+                         "are left out. Cannot be read back."},
+           .writeMesh = writeAnuga,
+           .noteChanges = noteAnugaChanges},
     Format{.about = {.id = "triangle",
                      .name = "Triangle .node/.ele/.edge",
                      .extension = ".node",
@@ -304,6 +365,7 @@ constexpr std::array kFormats = {
                      .extension = ".ply",
                      .writesMesh = true,
                      .holds = kFirstOrder,
+                     .holdsElevations = true,
                      .keeps = "Keeps elements as faces with the number of their region; boundary and points are left "
                               "out. Cannot be read back."},
            .writeMesh = writePly},
@@ -312,6 +374,7 @@ constexpr std::array kFormats = {
                      .extension = ".stl",
                      .writesMesh = true,
                      .holds = kTriangleGrid,
+                     .holdsElevations = true,
                      .keeps = "Keeps triangles, a solid for each region; boundary and points are left out. Cannot be "
                               "read back."},
            .writeMesh = writeStl,
@@ -321,6 +384,7 @@ constexpr std::array kFormats = {
                      .extension = ".off",
                      .writesMesh = true,
                      .holds = kFirstOrder,
+                     .holdsElevations = true,
                      .keeps = "Keeps elements as faces; regions, boundary and points are left out. Cannot be read "
                               "back."},
            .writeMesh = writeOff},
@@ -330,7 +394,8 @@ constexpr std::array kFormats = {
                      .kind = FileKind::Grid,
                      .readsSpacing = true},
            .recognise = looksLikeEsriGrid,
-           .readSpacing = readEsriGrid},
+           .readSpacing = readEsriGrid,
+           .readRaster = readEsriRaster},
     Format{
         .about =
             {.id = "png", .name = "PNG picture", .extension = ".png", .kind = FileKind::Picture, .readsSpacing = true},

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/spacing/spec/raster.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/source/export_options.hpp"
 #include "core/files/source/source.hpp"
@@ -26,6 +27,7 @@ struct Format {
     Result<DomainFile> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
+    Result<Raster> (*readRaster)(const SourceText &) = nullptr;     ///< values of any sign
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
     /// Writes a mesh, in place of writeMesh, for formats that tell open boundaries from land; else null.

@@ -22,7 +22,7 @@ class TemporaryFolder {
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
 
     std::filesystem::path operator/(std::string_view name) const { return path / name; }
-    /// Returns the number of files and folders directly in it.
+    /// Returns the number of files in it, those in its folders included.
     std::size_t fileCount() const {
         std::size_t count = 0;
         for (const auto &entry : std::filesystem::recursive_directory_iterator(path)) {

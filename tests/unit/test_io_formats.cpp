@@ -296,7 +296,9 @@ TEST_CASE("Formats: what the list says of a format agrees with its functions") {
         CHECK(about.writesMesh == !std::string(about.keeps).empty());
         CHECK((!about.readsMesh || about.kind == FileKind::Mesh));
         CHECK((about.kind != FileKind::Mesh || about.readsMesh || about.writesMesh));
-        CHECK(about.hasOpenBoundaries == (format.writeWith != nullptr));
+        CHECK((format.writeWith == nullptr || about.hasOpenBoundaries));
+        CHECK((!about.hasOpenBoundaries || format.writeWith != nullptr || format.writeFiles != nullptr));
+        CHECK(about.readsSpacing >= (format.readRaster != nullptr));
         CHECK((!about.hasLayers || about.kind == FileKind::Map));
         if (const std::string program = about.program; !program.empty()) {
             CHECK(about.writesMesh);

@@ -53,6 +53,12 @@ void writeData(const MeshView &mesh, AppendedArrays &arrays, const TextWriter &o
            [&](const TaggedEdge &) { put(std::int32_t{0}); }, [&](const TaggedNode &) { put(std::int32_t{0}); });
     column([&](const Block &, std::size_t) { put(std::int32_t{0}); }, [&](const TaggedEdge &edge) { put(edge.tag); },
            [&](const TaggedNode &point) { put(point.tag); });
+    if (!mesh.elevations.empty()) {
+        arrays.begin();
+        for (const double elevation : mesh.elevations) {
+            put(elevation);
+        }
+    }
 }
 
 } // namespace
@@ -83,7 +89,13 @@ void writeVtu(const MeshView &mesh, TextWriter &out) {
     out << "</Cells>\n<CellData Scalars=\"region\">\n";
     arrays.announce("Int32", "region", 1, kInt * cells);
     arrays.announce("Int32", "boundary", 1, kInt * cells);
-    out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    out << "</CellData>\n";
+    if (!mesh.elevations.empty()) {
+        out << "<PointData>\n";
+        arrays.announce("Float64", "elevation", 1, sizeof(double) * mesh.nodes.size());
+        out << "</PointData>\n";
+    }
+    out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
     writeData(mesh, arrays, out);
     out << "\n</AppendedData>\n</VTKFile>\n";
 }
