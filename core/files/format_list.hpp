@@ -57,10 +57,18 @@ struct FileFormat {
     bool hasOpenBoundaries = false;
     /// Its readers expect the nodes of the input first, so that files keep the order of creation.
     bool keepsCreation = false;
+    /// It holds prisms and hexahedra, which ExportOptions::extrusion makes of elements of first order.
+    bool holdsSolids = false;
+    /// It holds nothing else: without an extrusion, there is one layer of cells.
+    bool solidsOnly = false;
+    /// It holds elevations of nodes; see MeshView::elevations.
+    bool holdsElevations = false;
     /// All elements of a file are of one kind.
     bool oneElementKind = false;
     /// Extensions of the files that a mesh is written to, for formats of several files; empty: one file.
     std::span<const char *const> files = {};
+    /// Paths of the files below the folder that a mesh is written to; empty: no folder.
+    std::span<const char *const> folder = {};
     /// A program that usually reads it, such as "FreeFem++"; empty: it is not the preferred format of any.
     const char *program = "";
     const char *keeps = ""; ///< the parts of a mesh that a file stores, as a sentence; empty: unless meshes are written

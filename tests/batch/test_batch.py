@@ -1798,6 +1798,52 @@ class Convert(Case):
         refused = self.call("convert", "cells.msh", "-o", "a.su2", "--order", "2", code=1).stderr
         self.assertIn("[unsupported-elements]", refused)
 
+    def test_extrusion_makes_prisms_and_hexahedra(self):
+        self.call("convert", "cells.msh", "-o", "a.foam", "-o", "a.msh", "-o", "a.inp", "--extrude", "0.5:2", "-q")
+        self.assertIn("\n28 6 2 1003 1003 ", "\n" + self.read("a.msh").split("$Elements\n")[1])  # prism after faces
+        self.assertIn('2 6 "back"\n2 7 "front"\n', self.read("a.msh"))
+        self.assertIn("TYPE=C3D8", self.read("a.inp"))
+        self.assertIn("front\n", self.read("a.foam/constant/polyMesh/boundary"))
+        self.assertNotIn("empty", self.read("a.foam/constant/polyMesh/boundary"))
+        noted = self.call("convert", "cells.msh", "-o", "a.foam").stderr  # replaces the mesh in the folder
+        self.assertIn("a.foam: note: the mesh is one cell thick, 1.414 as the elements are wide", noted)
+        self.assertIn("in_let\n", self.read("a.foam/constant/polyMesh/boundary"))
+        self.assertIn("frontAndBack\n", self.read("a.foam/constant/polyMesh/boundary"))
+        self.assertTrue((self.path / "a.foam/case.foam").exists())
+        for wrong in ("0", "-1", "1:0", "1:2:3", "x", "1:1e9", "nan"):
+            self.assertIn("expected a height above 0",
+                          self.call("convert", "cells.msh", "-o", "b.msh", "--extrude", wrong, code=2).stderr)
+        self.assertIn("SU2 files hold no prisms and hexahedra; write one of msh2",
+                      self.call("convert", "cells.msh", "-o", "b.su2", "--extrude", "1", code=2).stderr)
+        self.assertIn("second order", self.call("mesh", "plate.poly", "-o", "b.foam", "--order", "2", code=2).stderr)
+        self.assertIn("[unsupported-extrusion]",
+                      self.call("convert", "curved.msh", "-o", "b.msh", "--extrude", "1", code=1).stderr)
+        self.assertFalse((self.path / "b.foam").exists() or (self.path / "b.msh").exists())
+
+    def test_elevations_come_from_expressions_and_rasters_and_are_carried_on(self):
+        self.call("convert", "cells.msh", "-o", "a.2dm", "-o", "a.vtu", "--elevation=-1-x", "-q")
+        self.assertIn("ND 5 3 1 -4\n", self.read("a.2dm"))
+        for name in ("a.2dm", "a.vtu"):
+            done = self.call("convert", name, "-o", "b.gr3", "-o", "b.msh", "-o", "b.su2")
+            self.assertIn("b.su2: note: the format holds no elevations of nodes; they are left out", done.stderr)
+            self.assertNotIn("dropped-fields", done.stderr)
+            self.assertIn("\n5 3 1 4\n", self.read("b.gr3"))
+            self.assertIn('"elevation"', self.read("b.msh"))
+        self.call("convert", "a.2dm", "-o", "c.2dm", "--order", "2", "-q")
+        self.assertIn(" 1 0 -2\n", self.read("c.2dm"))  # in the middle of (0, 0) and (2, 0)
+        self.write("bed.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value 9\n-1 -3\n")
+        self.call("convert", "cells.msh", "-o", "d.2dm", "--elevation", "bed.asc", "-q")
+        self.assertIn("ND 2 2 0 -2\n", self.read("d.2dm"))
+        self.write("bed.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value 9\n-1 9\n")
+        refused = self.call("convert", "cells.msh", "-o", "e.2dm", "--elevation", "bed.asc", code=1).stderr
+        self.assertIn("bed.asc: error: no elevation at 3 nodes of 5", refused)
+        self.assertIn("at (2, 0) [no-elevation]", refused)
+        self.assertFalse((self.path / "e.2dm").exists())
+        for wrong, words in (("1/(", "unexpected end"), ("none.asc", "file none.asc not found")):
+            self.assertIn(words, self.call("mesh", "plate.poly", "-o", "f.2dm", "--elevation", wrong, code=2).stderr)
+        self.assertIn("no output holds elevations",
+                      self.call("convert", "cells.msh", "-o", "f.su2", "--elevation", "1", code=2).stderr)
+
     def test_values_are_left_out_with_a_note(self):
         self.write("flux.msh", self.CELLS + "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n1\n3 1.5\n$EndElementData\n"
                    "$NodeData\n1\n\"heat\"\n1\n0\n3\n0\n1\n1\n1 1.5\n$EndNodeData\n")
