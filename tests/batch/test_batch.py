@@ -1533,6 +1533,20 @@ class Films(Case):
         self.assertEqual({width for width, height in sizes}, {200})
         self.assertLess(max(height for width, height in sizes), 450)
 
+    def test_the_labels_of_a_moment_are_where_the_trace_says(self):
+        run = ["plate.poly", "--method", "classic", "--size", "1"]
+        self.call("trace", *run, "-o", "run.json", "--steps", "3")
+        advance = json.loads(self.read("run.json"))["advances"][2]
+        self.call("film", *run, "-o", "moment.svg", "--at", "3", "--labels")
+        for name, place in ("A", advance["base"]["a"]), ("B", advance["base"]["b"]), ("C", advance["c"]):
+            found = re.findall(rf'data-x="([^"]*)" data-y="([^"]*)">{name}</text>', self.read("moment.svg"))
+            self.assertEqual([[float(x), float(y)] for x, y in found], [place])
+        self.call("film", *run, "-o", "moment.pdf", "--at", "3", "--labels")
+        self.assertTrue((self.path / "moment.pdf").read_bytes().startswith(b"%PDF-1.4"))
+        self.assertIn("no labels", self.call("film", *run, "-o", "start.svg", "--at", "0", "--labels").stderr)
+        self.assertIn("only to a single picture", self.call("film", *run, "-o", "a.gif", "--at", "3", code=2).stderr)
+        self.call("film", *run, "-o", "a.svg", "--at", "3", "--from", "2", code=2)
+
     def test_a_film_that_is_shorter_than_asked_for_says_so(self):
         film = ["film", "plate.poly", "-o", "run.gif", "--size", "1", "--width", "100"]
         self.assertIn("before --steps 1000000 are shown", self.call(*film, "--steps", "1000000").stderr)
