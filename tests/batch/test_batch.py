@@ -1565,7 +1565,7 @@ class Films(Case):
         self.assertNotIn("<text", self.read("m.svg"))
 
     def test_wrong_usage_is_refused(self):
-        for words, part in ((("-o", "run.mp4"), "expected .gif, .html, .png or .svg"), (("-o", "f-%d.gif"), "leave out %d"),
+        for words, part in ((("-o", "run.mp4"), "expected .gif, .html, .png, .svg or .pdf"), (("-o", "f-%d.gif"), "leave out %d"),
                             (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames"),
                             (("-o", "m.svg", "--frames", "3"), "one frame"), (("-o", "m.svg", "--from", "3"), "--steps"),
                             (("-o", "m-%d.png", "--speed", "3"), "only to a GIF")):
