@@ -1547,6 +1547,20 @@ class Films(Case):
         self.assertEqual({width for width, height in sizes}, {200})
         self.assertLess(max(height for width, height in sizes), 450)
 
+    def test_the_labels_of_a_moment_are_where_the_trace_says(self):
+        run = ["plate.poly", "--method", "classic", "--size", "1"]
+        self.call("trace", *run, "-o", "run.json", "--steps", "3")
+        advance = json.loads(self.read("run.json"))["advances"][2]
+        self.call("film", *run, "-o", "moment.svg", "--at", "3", "--labels")
+        for name, place in ("A", advance["base"]["a"]), ("B", advance["base"]["b"]), ("C", advance["c"]):
+            found = re.findall(rf'data-x="([^"]*)" data-y="([^"]*)">{name}</text>', self.read("moment.svg"))
+            self.assertEqual([[float(x), float(y)] for x, y in found], [place])
+        self.call("film", *run, "-o", "moment.pdf", "--at", "3", "--labels")
+        self.assertTrue((self.path / "moment.pdf").read_bytes().startswith(b"%PDF-1.4"))
+        self.assertIn("no labels", self.call("film", *run, "-o", "start.svg", "--at", "0", "--labels").stderr)
+        self.assertIn("only to a single picture", self.call("film", *run, "-o", "a.gif", "--at", "3", code=2).stderr)
+        self.call("film", *run, "-o", "a.svg", "--at", "3", "--from", "2", code=2)
+
     def test_a_film_that_is_shorter_than_asked_for_says_so(self):
         film = ["film", "plate.poly", "-o", "run.gif", "--size", "1", "--width", "100"]
         self.assertIn("before --steps 1000000 are shown", self.call(*film, "--steps", "1000000").stderr)
@@ -1565,7 +1579,7 @@ class Films(Case):
         self.assertNotIn("<text", self.read("m.svg"))
 
     def test_wrong_usage_is_refused(self):
-        for words, part in ((("-o", "run.mp4"), "expected .gif, .html, .png or .svg"), (("-o", "f-%d.gif"), "leave out %d"),
+        for words, part in ((("-o", "run.mp4"), "expected .gif, .html, .png, .svg or .pdf"), (("-o", "f-%d.gif"), "leave out %d"),
                             (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames"),
                             (("-o", "m.svg", "--frames", "3"), "one frame"), (("-o", "m.svg", "--from", "3"), "--steps"),
                             (("-o", "m-%d.png", "--speed", "3"), "only to a GIF")):
