@@ -64,6 +64,7 @@ TEST_CASE("Theme: text, edges of fields and marks contrast with all surfaces the
         checkContrast({text, muted}, {pressed}, 3.0); // icons that are on, knobs of sliders
         checkContrast({{"boundary", t.boundary},
                        {"constraint", t.constraint},
+                       {"determined", t.determined},
                        {"front", t.front},
                        {"base", t.base},
                        {"accepted", t.accepted},
@@ -98,6 +99,7 @@ TEST_CASE("Theme: the meanings on the canvas are told apart, also without seeing
         const std::vector<Role> roles{{"boundary", t.boundary},
                                       {"mesh", over(t.mesh, t.element)},
                                       {"constraint", t.constraint},
+                                      {"determined", t.determined},
                                       {"front", t.front},
                                       {"base", t.base},
                                       {"accepted", t.accepted},
