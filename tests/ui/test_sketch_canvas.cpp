@@ -161,6 +161,7 @@ TEST_CASE("Sketch on the canvas: the status bar and the legend say what is free"
 
 TEST_CASE("Inference on the canvas: a nearly horizontal side becomes horizontal, and a constraint if that is on") {
     Draughtsman driver;
+    driver.context().snapping.infers = true;
     driver.context().snapping.toGrid = false;
     const Pixel lift{0, -4}; // in pixels
     const auto draw = [&] {

@@ -96,16 +96,11 @@ TEST_CASE("Theme: the meanings on the canvas are told apart, also without seeing
     for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
         CAPTURE(kind == ThemeKind::Dark ? "dark" : "light");
         const Theme t = makeTheme(kind);
-        const std::vector<Role> roles{{"boundary", t.boundary},
-                                      {"mesh", over(t.mesh, t.element)},
-                                      {"constraint", t.constraint},
-                                      {"determined", t.determined},
-                                      {"front", t.front},
-                                      {"base", t.base},
-                                      {"accepted", t.accepted},
-                                      {"bad", t.bad},
-                                      {"selection", t.selection},
-                                      {"candidate", t.candidate}};
+        const std::vector<Role> roles{{"boundary", t.boundary},     {"mesh", over(t.mesh, t.element)},
+                                      {"constraint", t.constraint}, {"determined", t.determined},
+                                      {"front", t.front},           {"base", t.base},
+                                      {"accepted", t.accepted},     {"bad", t.bad},
+                                      {"selection", t.selection},   {"candidate", t.candidate}};
         for (std::size_t i = 0; i < roles.size(); ++i) {
             for (std::size_t k = i + 1; k < roles.size(); ++k) {
                 CAPTURE(roles[i].name);
