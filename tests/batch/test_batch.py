@@ -1726,6 +1726,24 @@ class Telling(Case):
         self.assertGreater(told["parameters"]["r"]["value"], 0)
         self.assertIn("parameters:\n", self.call("info", bracket).stdout)
 
+    def test_samples_are_driven_by_their_parameters(self):
+        samples = pathlib.Path(__file__).parents[2] / "assets" / "samples"
+        for name, settings, span in (("cylinder", ["L=30", "H=6", "D=1.5"], (30.0, 6.0)),
+                                     ("joint", ["W=200", "h=80", "t=15", "gap=14"], (200.0, 80.0)),
+                                     ("gear", ["bore=30", "ring=25", "hole=5"], None)):
+            options = [word for setting in settings for word in ("--set", setting)]
+            self.call("mesh", samples / f"{name}.json", "-o", f"{name}.msh", *options)
+            told = self.info(f"{name}.msh")
+            self.assertTrue(told["valid"])
+            if span:
+                left, bottom, right, top = told["bounds"]
+                self.assertAlmostEqual(right - left, span[0])
+                self.assertAlmostEqual(top - bottom, span[1])
+        bore = next(part for part in self.info("gear.msh")["boundaries"] if part["name"] == "bore")
+        self.assertAlmostEqual(bore["length"], math.pi * 30, delta=0.2)
+        refused = self.call("mesh", samples / "joint.json", "-o", "none.msh", "--set", "t=20", "--set", "h=80", code=1)
+        self.assertIn("would have no length", refused.stderr)
+
     def test_info_refuses_what_holds_neither(self):
         self.write("broken.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nx\n")
         self.assertIn("broken.msh:", self.call("info", "broken.msh", code=1).stderr)

@@ -85,7 +85,7 @@ std::string rowDetail(const Document &document, const TreeRow &row) {
     case RowKind::Shape: {
         const std::string tag =
             row.count > 1 ? countOf(row.count, "part", "parts") : boundaryName(document.boundaryNames, row.tag);
-        return document.shapes[row.index]->use == ShapeUse::Constraint ? "constraint, " + tag : tag;
+        return document.shapes[row.index]->use == ShapeUse::Constraint ? "inner line, " + tag : tag;
     }
     case RowKind::ShapePart:
     case RowKind::Part:

@@ -220,6 +220,9 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.newImprove = choiceIn(json, "newImprove", settings.newImprove);
     settings.snapping = {.toDrawing = boolIn(json, "snapToDrawing", true),
                          .toGrid = boolIn(json, "snapToGrid", true),
+                         .toGuides = boolIn(json, "snapToGuides", true),
+                         .infers = boolIn(json, "inferRelations", true),
+                         .addsConstraints = boolIn(json, "addConstraints", false),
                          .gridStep = sizeIn(json, "gridStep").value_or(0.0),
                          .reach = numberIn(json, "snapReach", Snapping().reach, kMinSnapReach, kMaxSnapReach),
                          .angleStep = numberIn(json, "angleStep", Snapping().angleStep, kMinAngleStep, kMaxAngleStep)};
@@ -280,6 +283,9 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     json.member("newMethod", wordOf(settings.newMethod)).member("newImprove", wordOf(settings.newImprove));
     json.member("snapToDrawing", settings.snapping.toDrawing)
         .member("snapToGrid", settings.snapping.toGrid || settings.snapping.offForPicture);
+    json.member("snapToGuides", settings.snapping.toGuides)
+        .member("inferRelations", settings.snapping.infers)
+        .member("addConstraints", settings.snapping.addsConstraints);
     json.member("snapReach", settings.snapping.reach).member("gridStep", settings.snapping.gridStep);
     json.member("angleStep", settings.snapping.angleStep);
     for (const auto &[name, number] :

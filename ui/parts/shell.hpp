@@ -5,6 +5,8 @@
 #include "ui/parts/action.hpp"
 #include "ui/parts/context_menu.hpp"
 #include "ui/parts/dialog.hpp"
+#include "ui/parts/dimension_entry.hpp"
+#include "ui/parts/guide_drag.hpp"
 #include "ui/parts/layer.hpp"
 #include "ui/parts/menu_keys.hpp"
 #include "ui/parts/naming.hpp"
@@ -75,6 +77,8 @@ struct Shell : Workspace {
     ContextMenu menu;                    ///< see contextMenu; panels and tools can open other ones
     MenuKeys menuKeys;
     Naming naming;
+    DimensionEntry dimensionEntry;
+    GuideDrag rulerDrag;          ///< of a guide out of a ruler
     SideBySide sides{background}; ///< runs with other grids or the other method
     bool quit = false;            ///< end the program after this frame
     bool closeRequested = false;  ///< the user closed the window; "file.quit" decides

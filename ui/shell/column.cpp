@@ -158,6 +158,9 @@ int keyOf(const Selection &selection) {
     if (!selection.markers.empty()) {
         add(*selection.markers.begin());
     }
+    if (!selection.constraints.empty()) {
+        add(*selection.constraints.begin());
+    }
     return static_cast<int>(key % 1'000'000'007U);
 }
 

@@ -54,6 +54,25 @@ std::optional<Vec2> PenTool::ownSnap(Vec2 at, const Shell &context) const {
     return near ? std::optional(path_.front().at) : std::nullopt;
 }
 
+bool PenTool::describePath(InferenceQuery &query) const {
+    if (mode_ != PenMode::Corners || drawsArc()) {
+        return false;
+    }
+    for (std::size_t k = 0; k < path_.size(); ++k) {
+        query.path.push_back(path_[k].at);
+        if (k > 0) {
+            query.straight.push_back(!curved(path_[k - 1], path_[k]));
+        }
+    }
+    if (!path_.empty() && path_.back().arm == Vec2{}) { // with an arm, the next segment is a curve
+        query.starts = {path_.back().at};
+        if (path_.size() > 1 && !query.straight.back()) {
+            query.arrival = heading();
+        }
+    }
+    return true;
+}
+
 std::vector<Curve> PenTool::splineOf(bool closed) const {
     std::vector<Vec2> points;
     for (const Node &node : path_) {
@@ -412,7 +431,7 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
     if (kind_ == ShapeKind::Polygon) {
         drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     } else {
-        drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next constraint");
+        drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next inner line");
     }
     state_->drawSnapOptions(context, flow);
 }

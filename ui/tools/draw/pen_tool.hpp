@@ -31,7 +31,7 @@ class PenTool final : public DrawingTool {
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
 
     const char *id() const override { return kind_ == ShapeKind::Polygon ? "polygon" : "polyline"; }
-    const char *name() const override { return kind_ == ShapeKind::Polygon ? "Polygon" : "Constraint polyline"; }
+    const char *name() const override { return kind_ == ShapeKind::Polygon ? "Polygon" : "Inner polyline"; }
     const char *icon() const override;
     int key() const override { return kind_ == ShapeKind::Polygon ? 'P' : 'L'; }
     void drawOptions(Shell &context, ui::Flow &flow) override;
@@ -58,6 +58,7 @@ class PenTool final : public DrawingTool {
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
     /// An outline drawn freehand would get a corner where it begins and ends.
     bool snapsToGrid() const override { return mode_ != PenMode::Freehand || kind_ != ShapeKind::Polygon; }
+    bool describePath(InferenceQuery &query) const override;
     void pull(Vec2 to) override;
     void release(Vec2 at, bool away, Shell &context) override;
     Vec2 fitted(Vec2 at) override;
