@@ -30,6 +30,7 @@
 /// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
 /// | hold a mesh of any kinds of cells | forefront::Mesh, forefront::CellBlock, forefront::CellTraits |
 /// | use the mesh as plain arrays | forefront::coordinates, forefront::connectivity |
+/// | number its nodes for a small bandwidth | forefront::reverseCuthillMcKee, forefront::renumbered |
 /// | split it into triangles | forefront::triangulated |
 /// | find boundary parts and interfaces | forefront::edgesWithTag, forefront::edgeSides |
 /// | check a mesh | forefront::verify, forefront::verifyAgainst |
@@ -56,6 +57,7 @@
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/measures.hpp"
 #include "core/engine/mesh/mesh_access.hpp"
+#include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesh/verify.hpp"

@@ -14,7 +14,6 @@
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
-#include "core/files/inner_edges.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -51,8 +50,8 @@ struct AdaptArguments {
     std::optional<std::filesystem::path> domain;
     DrawingArguments drawing; ///< of the domain
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
-    std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
+    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
+    MeshForm form;
     bool quiet = false;
 
     MeshingOptions options() const {
@@ -220,7 +219,7 @@ int runAdapt(const AdaptArguments &arguments) {
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     const Diagnostics written = bar.during({}, [&] {
-        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.form, progress);
     });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
@@ -260,7 +259,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
         ->required()
         ->check(numberWithin(1e-9, 1.0))
         ->type_name("E");
-    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
+    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
     app.add_option("--rounds", arguments.rounds, "with --expression: maximum number of new meshes (default 8)")
         ->check(wholeNumberWithin(1, 100))
         ->type_name("N");

@@ -259,7 +259,7 @@ void addInputFormatOption(CLI::App &app, const std::string &input, std::string &
 }
 
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
-                              std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges) {
+                              std::vector<std::string> &formats, MeshForm &form) {
     auto *output = app.add_option("-o,--output", outputs,
                                   "mesh to write; its extension sets the format; -: standard output; can be repeated")
                        ->allow_extra_args(false)
@@ -267,9 +267,15 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
     app.add_option("--format", formats, "formats of the outputs, in the order of -o: " + formatIds())
         ->allow_extra_args(false)
         ->type_name("ID");
-    addWordOption<InnerEdges>(app, "--inner-edges", innerEdges,
+    addWordOption<InnerEdges>(app, "--inner-edges", form.innerEdges,
                               "tagged edges inside the domain in the output meshes: keep (default, except for SU2) or "
                               "drop, for programs such as deal.II that accept tags on the boundary only")
+        ->type_name("WORD");
+    addWordOption<Numbering>(
+        app, "--numbering", form.numbering,
+        "numbers of nodes and elements in the output meshes: rcm (default, except for Triangle and "
+        "convert), reverse Cuthill-McKee, for matrices of small bandwidth; or creation, the order "
+        "in which they were made or read")
         ->type_name("WORD");
     return output;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/batch/outputs.hpp"
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/mesher/options.hpp"
-#include "core/files/inner_edges.hpp"
 #include "core/files/source/import_options.hpp"
 #include "core/files/source/overlap_rule.hpp"
 #include "core/files/source/picture_sizes.hpp"
@@ -48,9 +48,10 @@ void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::o
 /// Adds the option --input-format; `input` is the word for the input in the help text.
 void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId);
 
-/// Adds the options of the commands that write meshes: --output, which is returned, --format and --inner-edges.
+/// Adds the options of the commands that write meshes: --output, which is returned, --format, --inner-edges and
+/// --numbering.
 CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
-                              std::vector<std::string> &formats, std::optional<InnerEdges> &innerEdges);
+                              std::vector<std::string> &formats, MeshForm &form);
 
 /// Adds --max-elements.
 void addMaxElementsOption(CLI::App &app, std::optional<double> &maxElements);

@@ -3,6 +3,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
@@ -40,6 +41,10 @@ Examples:
         quadrilaterals become triangles, and elements of second order become several of first order
   forefront convert plate.msh -o second.msh --order 2
         elements with nodes in the middles of their edges, which stay straight
+  forefront convert plate.msh -o plate.inp --numbering rcm
+        the same mesh with nodes and elements numbered for a small bandwidth
+  forefront convert bay.msh -o bay.14 --open sea
+        a grid of ADCIRC with one open boundary part; the rest is land
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -47,10 +52,10 @@ struct ConvertArguments {
     std::filesystem::path mesh; ///< "-": standard input
     std::string inputFormat;
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats;     ///< ids for the outputs in order; the rest by extension
-    std::optional<InnerEdges> innerEdges; ///< absent: as the formats accept them
-    bool triangles = false;               ///< split all elements into triangles of 3 nodes
-    std::optional<ElementOrder> order;    ///< raise the order of elements to this one
+    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
+    MeshForm form;
+    bool triangles = false;            ///< split all elements into triangles of 3 nodes
+    std::optional<ElementOrder> order; ///< raise the order of elements to this one
     std::optional<QuadNodes> quadNodes;
     bool quiet = false;
 
@@ -169,9 +174,15 @@ int runConvert(const ConvertArguments &arguments) {
     if (const Diagnostics unsupported = checkConverted(mesh, arguments); !unsupported.empty()) {
         return refuse(unsupported, interrupt);
     }
+    if (const Diagnostics unknown = checkOpenNames(arguments.form, mesh); !unknown.empty()) {
+        return refuse(allFormats().locateFaults(file->path, unknown, file->options), interrupt);
+    }
     interrupt.deferToStop();
     const Diagnostics written = bar.during({}, [&] {
-        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+        return writeAndCommit(
+            pairFormats(arguments.outputs, arguments.formats), mesh,
+            {arguments.form.innerEdges, arguments.form.numbering.value_or(Numbering::Creation), arguments.form.open},
+            progress);
     });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
@@ -192,7 +203,8 @@ int convertCommand(int argc, const char *const *argv) {
     app.footer(kConvertExamples);
     app.add_option("MESH", arguments.mesh, meshFileHelp())->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
-    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
+    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
+    addOpenOption(app, arguments.form);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_option_function<std::string>(
            "--order", [&arguments](const std::string &) { arguments.order = ElementOrder::Second; },
@@ -208,6 +220,9 @@ int convertCommand(int argc, const char *const *argv) {
         return *code;
     }
     std::string wrong = checkFormats(arguments.outputs, arguments.formats);
+    if (wrong.empty()) {
+        wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
+    }
     if (wrong.empty()) {
         wrong = checkInputs({arguments.mesh}, arguments.inputFormat);
     }

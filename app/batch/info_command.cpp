@@ -59,7 +59,7 @@ std::string shortNumber(double value) {
     return numberText(value, kDigits);
 }
 
-/// What is told about a file.
+/// The description of a file.
 struct FileInfo {
     std::string format, formatName, kind;
     Box2 bounds;

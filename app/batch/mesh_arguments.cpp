@@ -2,6 +2,7 @@
 
 #include "app/batch/cli_options.hpp"
 #include "app/batch/inputs.hpp"
+#include "app/batch/open_boundaries.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/rules_option.hpp"
 
@@ -131,7 +132,8 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
                        "); -: standard input")
         ->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
-    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges);
+    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form);
+    addOpenOption(app, arguments.form);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
@@ -184,8 +186,12 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     if (wrong.empty() && arguments.printsStatistics() && usesStandardOutput(arguments.outputs)) {
         wrong = "-o - and --stats - both write to standard output; give one of them a file";
     }
-    if (wrong.empty() && arguments.innerEdges && arguments.outputs.empty()) {
-        wrong = "--inner-edges: no mesh is written; add -o OUT";
+    if (wrong.empty() && arguments.outputs.empty() && (arguments.form.innerEdges || arguments.form.numbering)) {
+        wrong = std::string(arguments.form.innerEdges ? "--inner-edges" : "--numbering") +
+                ": no mesh is written; add -o OUT";
+    }
+    if (wrong.empty()) {
+        wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
         wrong = "no output; add -o OUT or --stats FILE.json";

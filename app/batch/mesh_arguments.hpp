@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/batch/cli_options.hpp"
+#include "app/batch/outputs.hpp"
 #include "core/engine/mesher/options.hpp"
-#include "core/files/inner_edges.hpp"
 #include "core/files/source/picture_sizes.hpp"
 
 #include <filesystem>
@@ -19,8 +19,8 @@ struct MeshArguments {
     std::filesystem::path input; ///< "-": standard input
     std::string inputFormat;     ///< id; empty: by content and extension
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats;              ///< ids for the outputs in order; the rest by extension
-    std::optional<InnerEdges> innerEdges;          ///< absent: as the formats accept them
+    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
+    MeshForm form;
     std::map<std::string, std::string> parameters; ///< expressions by name, from --set
     std::optional<double> size;
     std::optional<std::string> expression;

@@ -4,6 +4,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
+#include "app/batch/open_boundaries.hpp"
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
@@ -193,7 +194,7 @@ Diagnostics writeResults(const MeshArguments &arguments, const Mesh &mesh, const
                          const Progress &progress) {
     FileSet files;
     Diagnostics notes =
-        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+        writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.form, progress);
     if (hasErrors(notes)) {
         return notes;
     }
@@ -280,6 +281,9 @@ int runMesh(const MeshArguments &arguments) {
     }
     if (faults.empty()) {
         faults = applyOptions(arguments, job->options);
+    }
+    if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);

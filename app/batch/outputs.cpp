@@ -1,14 +1,18 @@
 #include "app/batch/outputs.hpp"
 
 #include "app/batch/inputs.hpp"
+#include "app/batch/open_boundaries.hpp"
 #include "app/batch/standard_output.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/number_text.hpp"
 #include "core/files/files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <optional>
 #include <set>
+#include <span>
 
 namespace forefront {
 
@@ -92,13 +96,14 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs) {
 
 namespace {
 
-Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &mesh, const Progress &progress) {
+Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &mesh, const ExportOptions &options,
+                        const Progress &progress) {
     if (!isStandardStream(output.path)) {
-        Status written = writeMesh(files, output.path, mesh, output.format, progress);
+        Status written = writeMesh(files, output.path, mesh, output.format, progress, options);
         return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
     }
     StandardOutput sink;
-    const Status status = writeMesh(sink, mesh, output.format);
+    const Status status = writeMesh(sink, mesh, output.format, options);
     return sink.failure() != 0 ? sink.status() : status;
 }
 
@@ -114,33 +119,76 @@ Diagnostic innerEdgesNote(const Output &output, std::size_t count) {
     return note;
 }
 
+/// Reports that no part of the boundary is open.
+Diagnostic allLandNote(const Output &output) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "no-open-boundary";
+    note.message = "all of the boundary is land; --open NAME opens a part";
+    note.file = isStandardStream(output.path) ? "" : output.path.string();
+    return note;
+}
+
+/// The forms of a mesh that outputs need, each made once.
+class FormedMeshes {
+  public:
+    explicit FormedMeshes(const MeshView &mesh) : mesh_(mesh) {}
+    /// Returns the mesh in a form, valid as long as this object.
+    MeshView get(bool withoutInner, Numbering numbering) {
+        if (!withoutInner && numbering == Numbering::Creation) {
+            return mesh_;
+        }
+        std::optional<Mesh> &made = made_[withoutInner ? 1 : 0][numbering == Numbering::Creation ? 0 : 1];
+        if (!made && numbering == Numbering::Creation) {
+            made = withoutInnerEdges(mesh_);
+        } else if (!made) {
+            made = renumbered(get(withoutInner, Numbering::Creation), numbers());
+        }
+        return *made;
+    }
+
+  private:
+    std::span<const NodeId> numbers() {
+        if (numbers_.empty()) {
+            numbers_ = reverseCuthillMcKee(mesh_);
+        }
+        return numbers_;
+    }
+
+    const MeshView &mesh_;
+    std::array<std::array<std::optional<Mesh>, 2>, 2> made_;
+    std::vector<NodeId> numbers_;
+};
+
 } // namespace
 
-Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh,
-                         std::optional<InnerEdges> innerEdges, const Progress &progress) {
-    const auto drops = [&](const Output &output) {
-        return innerEdges ? *innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
-    };
-    const bool anyDrops = std::any_of(outputs.begin(), outputs.end(), drops);
-    const Mesh outline = anyDrops ? withoutInnerEdges(mesh) : Mesh();
+Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh, const MeshForm &form,
+                         const Progress &progress) {
+    FormedMeshes formed(mesh);
     Diagnostics notes;
     for (const Output &output : outputs) {
-        Diagnostics faults = writeOutput(files, output, drops(output) ? MeshView(outline) : mesh, progress);
+        const bool drops =
+            form.innerEdges ? *form.innerEdges == InnerEdges::Drop : !acceptsInnerEdges(output.path, output.format);
+        const MeshView written = formed.get(drops, form.numbering.value_or(usualNumbering(output.path, output.format)));
+        Diagnostics faults = writeOutput(files, output, written, exportOptionsOf(form, written), progress);
         if (hasErrors(faults)) {
             return faults;
         }
         notes.insert(notes.end(), faults.begin(), faults.end());
-        if (!innerEdges && drops(output) && outline.edges.size() < mesh.edges.size()) {
-            notes.push_back(innerEdgesNote(output, mesh.edges.size() - outline.edges.size()));
+        if (form.open.empty() && hasOpenBoundaries(output.path, output.format)) {
+            notes.push_back(allLandNote(output));
+        }
+        if (!form.innerEdges && written.edges.size() < mesh.edges.size()) {
+            notes.push_back(innerEdgesNote(output, mesh.edges.size() - written.edges.size()));
         }
     }
     return notes;
 }
 
-Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh,
-                           std::optional<InnerEdges> innerEdges, const Progress &progress) {
+Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh, const MeshForm &form,
+                           const Progress &progress) {
     FileSet files;
-    Diagnostics notes = writeOutputs(files, outputs, mesh, innerEdges, progress);
+    Diagnostics notes = writeOutputs(files, outputs, mesh, form, progress);
     if (hasErrors(notes)) {
         return notes;
     }

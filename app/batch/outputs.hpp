@@ -4,6 +4,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/base/result.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/numbering.hpp"
 #include "core/files/inner_edges.hpp"
 #include "core/files/text/file_set.hpp"
 
@@ -42,15 +43,21 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
 /// Returns true if one of the outputs is standard output, which then receives nothing else.
 bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 
+/// How a mesh is written.
+struct MeshForm {
+    std::optional<InnerEdges> innerEdges; ///< absent: left out of the formats that do not accept them, with a note
+    std::optional<Numbering> numbering;   ///< absent: the usual one of the format
+    std::vector<std::string> open = {};   ///< names of the open boundary parts
+};
+
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first
-/// error. Returns the errors or, if there are none, the notes of exportNotes(). Where `innerEdges` is absent, inner
-/// edges are left out of the formats that do not accept them, with a note.
-Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh,
-                         std::optional<InnerEdges> innerEdges, const Progress &progress);
+/// error. Returns the errors or, if there are none, the notes of exportNotes() and of MeshForm.
+Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, const MeshView &mesh, const MeshForm &form,
+                         const Progress &progress);
 
 /// Does the same and commits the set: all files are written or none.
-Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh,
-                           std::optional<InnerEdges> innerEdges, const Progress &progress);
+Diagnostics writeAndCommit(const std::vector<Output> &outputs, const MeshView &mesh, const MeshForm &form,
+                           const Progress &progress);
 
 /// Prints "wrote PATH" for each output that is a file.
 void printWritten(const std::vector<std::filesystem::path> &outputs, std::FILE *stream);

@@ -2,13 +2,19 @@
 #include "core/files/esri/esri_grid.hpp"
 #include "core/files/format.hpp"
 #include "core/files/gmsh/gmsh.hpp"
+#include "core/files/hydro/hydro.hpp"
 #include "core/files/medit/medit.hpp"
+#include "core/files/mfem/mfem.hpp"
+#include "core/files/nastran/nastran.hpp"
 #include "core/files/netgen/netgen.hpp"
 #include "core/files/obj/obj.hpp"
 #include "core/files/png/png.hpp"
+#include "core/files/sms/two_dm.hpp"
 #include "core/files/su2/su2.hpp"
+#include "core/files/surfaces/surfaces.hpp"
 #include "core/files/svg/svg_picture.hpp"
 #include "core/files/triangle/triangle.hpp"
+#include "core/files/unv/unv.hpp"
 #include "core/files/vtk/vtk.hpp"
 
 #include <array>
@@ -17,6 +23,7 @@ namespace forefront {
 namespace {
 
 constexpr CellSet kFirstOrder = {CellKind::Point, CellKind::Edge2, CellKind::Triangle3, CellKind::Quadrilateral4};
+constexpr CellSet kTriangleGrid = {CellKind::Point, CellKind::Edge2, CellKind::Triangle3};
 // GMF has a keyword for quadrilaterals of 9 nodes, but none for those of 8.
 constexpr CellSet kMeditCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
                                  CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
@@ -28,9 +35,10 @@ constexpr CellSet kAbaqusCells = {CellKind::Point,         CellKind::Edge2,     
 // The middle nodes of edges are those of the triangles beside them.
 constexpr CellSet kTriangleCells = {CellKind::Point, CellKind::Edge2, CellKind::Edge3, CellKind::Triangle3,
                                     CellKind::Triangle6};
-constexpr CellSet kNetgenCells = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
-                                  CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
-                                  CellKind::Quadrilateral8};
+// No quadrilaterals of 9 nodes.
+constexpr CellSet kEightNodes = {CellKind::Point,         CellKind::Edge2,     CellKind::Edge3,
+                                 CellKind::Triangle3,     CellKind::Triangle6, CellKind::Quadrilateral4,
+                                 CellKind::Quadrilateral8};
 
 constexpr const char *kGroups = "Keeps regions, boundary parts and points as physical groups, with their names.";
 constexpr const char *kVtuData =
@@ -123,6 +131,18 @@ constexpr std::array kFormats = {
            .recognise = looksLikeMedit,
            .readMesh = readMedit,
            .writeMesh = writeMedit},
+    Format{.about = {.id = "mfem",
+                     .name = "MFEM mesh",
+                     .extension = ".mesh",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps the numbers of regions and boundary parts as attributes; names and points only as "
+                              "comments."},
+           .recognise = looksLikeMfem,
+           .readMesh = readMfem,
+           .writeMesh = writeMfem},
     Format{.about = {.id = "inp",
                      .name = "Abaqus and CalculiX",
                      .extension = ".inp",
@@ -152,6 +172,69 @@ constexpr std::array kFormats = {
            .readMesh = readSu2,
            .writeMesh = writeSu2,
            .noteChanges = noteSu2Changes},
+    Format{.about = {.id = "unv",
+                     .name = "I-DEAS universal file",
+                     .extension = ".unv",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .holds = kEightNodes,
+                     .keeps = "Keeps regions and boundary parts as permanent groups of elements, points as groups of "
+                              "nodes, with names made identifiers."},
+           .recognise = looksLikeUnv,
+           .readMesh = readUnv,
+           .writeMesh = writeUnv,
+           .noteChanges = noteUnvChanges},
+    Format{.about = {.id = "nastran",
+                     .name = "Nastran bulk data",
+                     .extension = ".bdf",
+                     .otherExtensions = ".nas",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .holds = kEightNodes,
+                     .keeps = "Keeps regions as properties of elements, boundary parts as properties of rods (CROD); "
+                              "names and points only as comments. Coordinates have at most 16 characters."},
+           .recognise = looksLikeNastran,
+           .readMesh = readNastran,
+           .writeMesh = writeNastran,
+           .noteChanges = noteNastranChanges},
+    Format{.about = {.id = "2dm",
+                     .name = "SMS 2DM",
+                     .extension = ".2dm",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .readsFields = true,
+                     .holds = kAllCells,
+                     .keeps =
+                         "Keeps regions as materials, boundary parts as node strings with their numbers; names and "
+                         "points only as comments. Elevations are 0."},
+           .recognise = looksLikeTwoDm,
+           .readMesh = readTwoDm,
+           .readFields = readTwoDmFields,
+           .writeMesh = writeTwoDm,
+           .noteChanges = noteTwoDmChanges},
+    Format{.about = {.id = "adcirc",
+                     .name = "ADCIRC grid",
+                     .extension = ".14",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .hasOpenBoundaries = true,
+                     .keeps = "Keeps triangles and the boundary as chains of open parts, land (20) and islands (21), "
+                              "without names. Depths are 0; cannot be read back."},
+           .writeWith = writeAdcirc,
+           .noteChanges = noteDepths},
+    Format{.about = {.id = "gr3",
+                     .name = "SCHISM grid",
+                     .extension = ".gr3",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .hasOpenBoundaries = true,
+                     .keeps = "Keeps elements and the boundary as chains of open parts, land (0) and islands (1), "
+                              "without names. Depths are 0; cannot be read back."},
+           .writeWith = writeSchism,
+           .noteChanges = noteDepths},
     Format{.about = {.id = "triangle",
                      .name = "Triangle .node/.ele/.edge",
                      .extension = ".node",
@@ -160,6 +243,7 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kTriangleCells,
+                     .keepsCreation = true,
                      .oneElementKind = true,
                      .files = kTriangleExtensions,
                      .program = "Triangle",
@@ -172,7 +256,7 @@ constexpr std::array kFormats = {
                      .extension = ".vol",
                      .readsDomain = true,
                      .readsMesh = true,
-                     .holds = kNetgenCells},
+                     .holds = kEightNodes},
            .recognise = looksLikeNetgen,
            .readMesh = readNetgen},
     Format{.about = {.id = "obj",
@@ -186,6 +270,31 @@ constexpr std::array kFormats = {
            .readMesh = readObj,
            .writeMesh = writeObj,
            .noteChanges = noteObjChanges},
+    Format{.about = {.id = "ply",
+                     .name = "Polygon file PLY",
+                     .extension = ".ply",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps elements as faces with the number of their region; boundary and points are left "
+                              "out. Cannot be read back."},
+           .writeMesh = writePly},
+    Format{.about = {.id = "stl",
+                     .name = "Stereolithography STL",
+                     .extension = ".stl",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .keeps = "Keeps triangles, a solid for each region; boundary and points are left out. Cannot be "
+                              "read back."},
+           .writeMesh = writeStl,
+           .noteChanges = noteStlChanges},
+    Format{.about = {.id = "off",
+                     .name = "Geomview OFF",
+                     .extension = ".off",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps elements as faces; regions, boundary and points are left out. Cannot be read "
+                              "back."},
+           .writeMesh = writeOff},
     Format{.about = {.id = "esri",
                      .name = "ESRI ASCII grid",
                      .extension = ".asc",

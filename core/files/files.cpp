@@ -47,7 +47,7 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
 }
 
 Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId,
-                 const Progress &progress) {
+                 const Progress &progress, const ExportOptions &options) {
     const Format *format = meshFormat(path, formatId);
     if (format == nullptr) {
         return named(error("unknown-format",
@@ -67,7 +67,7 @@ Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshVi
         }
         constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
         files.write(
-            path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
+            path, [&](TextWriter &out) { format->write(mesh, options, out); }, progress,
             1 + mesh.nodes.size() * kBytesPerNode + nodesOfElements(mesh) / 3 * kBytesPerElement);
         return files.status();
     } catch (const std::bad_alloc &) {
@@ -76,25 +76,25 @@ Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshVi
 }
 
 Status writeMesh(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId,
-                 const Progress &progress) {
+                 const Progress &progress, const ExportOptions &options) {
     FileSet files;
-    Status status = writeMesh(files, path, mesh, formatId, progress);
+    Status status = writeMesh(files, path, mesh, formatId, progress, options);
     return status.empty() ? files.commit() : status;
 }
 
-Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId) {
+Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId, const ExportOptions &options) {
     const Format *const format = engineFormats().ofId(formatId);
-    if (format == nullptr || format->writeMesh == nullptr) {
+    if (format == nullptr || !format->writesText()) {
         return error("unknown-format",
                      format == nullptr ? "unknown mesh format '" + std::string(formatId) + "'"
                                        : std::string(format->about.name) + " cannot be written to a stream",
-                     "expected one of " + engineFormats().ids([](const Format &f) { return f.writeMesh != nullptr; }));
+                     "expected one of " + engineFormats().ids([](const Format &f) { return f.writesText(); }));
     }
     if (Status refused = checkElements(format->about, mesh); !refused.empty()) {
         return refused;
     }
     TextWriter out(sink);
-    format->writeMesh(mesh, out);
+    format->write(mesh, options, out);
     return out.flush() ? Status{} : error("cannot-write", "cannot write to the stream");
 }
 
@@ -106,6 +106,16 @@ Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh,
 bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId) {
     const Format *const format = meshFormat(path, formatId);
     return format == nullptr || format->about.acceptsInnerEdges;
+}
+
+bool hasOpenBoundaries(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format != nullptr && format->about.hasOpenBoundaries;
+}
+
+Numbering usualNumbering(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format != nullptr && format->about.keepsCreation ? Numbering::Creation : Numbering::ReverseCuthillMcKee;
 }
 
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {

@@ -5,8 +5,10 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
 #include "core/files/format_list.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/text/atomic_file.hpp"
 #include "core/files/text/file_set.hpp"
 
@@ -20,7 +22,8 @@ namespace FOREFRONT_API forefront {
 /// FormatList.
 Result<DomainFile> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
-/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
+/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, MFEM, SU2, UNV, Nastran, 2DM, Triangle
+/// .node/.ele, OBJ, Netgen.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                       ImportNotes *notes = nullptr);
 /// Reads a mesh and all its values of nodes and elements, see FormatList::readFields().
@@ -44,13 +47,13 @@ Result<SpacingSpec> readSpacing(MemoryFile file, const ImportOptions &options = 
 /// draws the mesh. Faults: unknown-format; unsupported-elements, as checkElements() returns it, before anything is
 /// written; cannot-write; cancelled.
 Status writeMesh(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId = {},
-                 const Progress &progress = {});
+                 const Progress &progress = {}, const ExportOptions &options = {});
 /// Does the same for a file, or several, that get their names with the set. Returns the faults of the set.
 Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshView &mesh,
-                 std::string_view formatId = {}, const Progress &progress = {});
+                 std::string_view formatId = {}, const Progress &progress = {}, const ExportOptions &options = {});
 /// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
 /// formats of several files; unsupported-elements; cannot-write.
-Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId);
+Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId, const ExportOptions &options = {});
 
 /// Returns the fault "unsupported-elements" if files of a format cannot hold all elements and edges of a mesh; it names
 /// the kinds that they lack and the formats that hold all of them.
@@ -63,6 +66,13 @@ Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh,
 /// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
 /// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().
 bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId = {});
+
+/// Returns true if a file that writeMesh writes tells open boundaries from land. Parameters as for writeMesh().
+bool hasOpenBoundaries(const std::filesystem::path &path, std::string_view formatId = {});
+
+/// Returns the numbering of nodes and elements that suits the readers of a file: for a small bandwidth, except where
+/// they expect the nodes of the input first, as Triangle's do. Parameters as for writeMesh().
+Numbering usualNumbering(const std::filesystem::path &path, std::string_view formatId = {});
 
 /// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});

@@ -3,6 +3,7 @@
 #include "core/engine/base/progress.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/format_list.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/file_set.hpp"
 #include "core/files/text/text_writer.hpp"
@@ -25,6 +26,8 @@ struct Format {
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
+    /// Writes a mesh, in place of writeMesh, for formats that tell open boundaries from land; else null.
+    void (*writeWith)(const MeshView &, const ExportOptions &, TextWriter &) = nullptr;
     /// Returns notes on changes that the format makes to the mesh, such as to names; null: it makes none.
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
@@ -33,7 +36,13 @@ struct Format {
     std::vector<std::filesystem::path> (*filesBeside)(const std::filesystem::path &) = nullptr;
 
     bool canReadDomain() const { return readDomain != nullptr || readMesh != nullptr; }
-    bool canWriteMesh() const { return writeMesh != nullptr || writeFiles != nullptr; }
+    bool canWriteMesh() const { return writesText() || writeFiles != nullptr; }
+    /// Returns true if a mesh is one text, which can be written to any sink.
+    bool writesText() const { return writeMesh != nullptr || writeWith != nullptr; }
+    /// Writes a mesh as text.
+    void write(const MeshView &mesh, const ExportOptions &options, TextWriter &out) const {
+        writeWith != nullptr ? writeWith(mesh, options, out) : writeMesh(mesh, out);
+    }
 };
 
 inline constexpr std::size_t kHeadBytes = 4096;

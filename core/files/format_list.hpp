@@ -53,6 +53,10 @@ struct FileFormat {
     /// Programs that read it accept tagged edges inside the domain, such as constraints and interfaces, rather than
     /// take each for a boundary.
     bool acceptsInnerEdges = true;
+    /// Its files tell open boundaries from land, as ExportOptions::openBoundaries has them.
+    bool hasOpenBoundaries = false;
+    /// Its readers expect the nodes of the input first, so that files keep the order of creation.
+    bool keepsCreation = false;
     /// All elements of a file are of one kind.
     bool oneElementKind = false;
     /// Extensions of the files that a mesh is written to, for formats of several files; empty: one file.
@@ -104,10 +108,12 @@ class FormatList {
     Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                           ImportNotes *notes = nullptr) const;
     /// Reads a mesh and all its scalar values of nodes and elements: point and cell data of VTU and VTK legacy files,
-    /// $NodeData and $ElementData of MSH; none for other formats. Values are NaN where the file has none.
+    /// $NodeData and $ElementData of MSH, "elevation" of 2DM; none for other formats. Values are NaN where the file has
+    /// none.
     Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
                                   ImportNotes *notes = nullptr) const;
-    /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.
+    /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH,
+    /// "elevation" of 2DM.
     Result<MeshField> readField(const std::filesystem::path &path, std::string_view name,
                                 const ImportOptions &options = {}, ImportNotes *notes = nullptr) const;
     /// Reads a spacing: the rules of a project file (its placed sizes come with its domain), a background mesh with

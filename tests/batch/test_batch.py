@@ -357,6 +357,26 @@ class Meshing(Case):
         self.assertIn("[inner-edges]", piped.stderr)
         self.assertNotIn("boundary_9", piped.stdout)
 
+    def test_open_names_the_open_boundaries_of_grids(self):
+        square = poly([SQUARE])
+        self.write("bay.poly", square)
+        part = re.search(r"expected one of '(\w+)'", self.call("mesh", "bay.poly", "-o", "a.14", "--size", "1", "--open",
+                                                               "sea", code=1).stderr)[1]
+        self.assertFalse((self.path / "a.14").exists())
+        done = self.call("mesh", "bay.poly", "-o", "a.14", "-o", "a.msh", "--size", "1", "--open", part)
+        self.assertIn("a.14: note: all nodes have the depth 0", done.stderr)
+        self.assertNotIn("[no-open-boundary]", done.stderr)
+        self.call("convert", "a.msh", "-o", "b.14", "--open", part, "--numbering", "rcm")
+        self.assertEqual(self.read("b.14"), self.read("a.14"))
+        self.assertIn("unknown boundary part 'sea'",
+                      self.call("convert", "a.msh", "-o", "c.14", "--open", "sea", code=1).stderr)
+        self.assertIn("a.gr3: note: all of the boundary is land; --open NAME opens a part",
+                      self.call("convert", "a.msh", "-o", "a.gr3").stderr)
+        self.assertNotEqual(self.read("a.gr3").splitlines()[1:], self.read("a.14").splitlines()[1:])
+        self.assertIn("--open: no output tells open boundaries from land; add -o OUT with one of .14, .gr3",
+                      self.call("mesh", "bay.poly", "-o", "a.msh", "--size", "1", "--open", part, code=2).stderr)
+        self.assertIn("ADCIRC grid cannot be read here", self.call("check", "a.14", code=1).stderr)
+
     def test_check_accepts_su2_as_it_is_written_by_default(self):
         self.write_inner_edges()
         self.call("mesh", "inner.poly", "-o", "inner.su2", "-o", "inner.msh", "--size", "0.5")
@@ -385,6 +405,33 @@ class Meshing(Case):
             self.assertEqual(*map(len, triangles))
             self.assertGreater(len(triangles[0]), 0)
         self.assertIn("keep, drop", self.call("mesh", "inner.poly", "-o", "a.msh", "--inner-edges", "no", code=2).stderr)
+
+    def msh_bandwidth(self, name):
+        """Returns the greatest difference between two node numbers of one triangle."""
+        rows = [list(map(int, row.split()[-3:])) for row in re.findall(r"^\d+ 2 2 .*", self.read(name), re.M)]
+        self.assertGreater(len(rows), 0)
+        return max(max(row) - min(row) for row in rows)
+
+    def test_nodes_are_numbered_for_a_small_bandwidth(self):
+        lake = pathlib.Path(__file__).parents[2] / "assets" / "samples" / "lake.json"
+        hashes = set()
+        for word in ("rcm", "creation", None):
+            self.call("mesh", lake, "-o", "lake.msh", *(["--numbering", word] if word else []))
+            hashes.add(re.search(r"hash (\S+)", self.call("check", "lake.msh").stdout)[1])
+            (self.assertGreater if word == "creation" else self.assertLessEqual)(self.msh_bandwidth("lake.msh"), 60)
+        self.assertEqual(len(hashes), 1)
+        # Triangle's readers expect the nodes of the input first; convert keeps the numbers that it reads.
+        first = lambda name: [tuple(map(float, row.split()[1:3])) for row in self.read(name).split("\n")[1:9]]
+        self.call("mesh", "plate.poly", "-o", "plate.node", "--size", "0.2")
+        self.assertEqual(first("plate.node"), SQUARE + HOLE)
+        self.call("mesh", "plate.poly", "-o", "rcm.node", "--size", "0.2", "--numbering", "rcm")
+        self.assertNotEqual(first("rcm.node"), SQUARE + HOLE)
+        self.call("convert", "plate.node", "-o", "plate.msh")
+        wide = self.msh_bandwidth("plate.msh")
+        self.call("convert", "plate.node", "-o", "plate.msh", "--numbering", "rcm")
+        self.assertLess(3 * self.msh_bandwidth("plate.msh"), wide)
+        self.assertIn("--numbering: no mesh is written",
+                      self.call("mesh", "plate.poly", "--stats", "-", "--numbering", "rcm", code=2).stderr)
 
     def test_names_that_a_format_changes_are_reported(self):
         self.write("named.poly", poly([SQUARE]) + '# boundary 1 "4th wall"\n')
@@ -1234,7 +1281,8 @@ class Refusing(Case):
         self.call("check", "few.msh", "--domain", "plate.poly", code=1)  # there, all edges have tags
 
     def test_check_writes_statistics(self):
-        given = self.stats("plate.poly", "-o", "plate.msh", "--size", "0.5")
+        # Sums of both are equal bit for bit if the file keeps the order of elements.
+        given = self.stats("plate.poly", "-o", "plate.msh", "--size", "0.5", "--numbering", "creation")
         self.call("check", "plate.msh", "--stats", "check.json")
         checked = json.loads(self.read("check.json"))
         self.assertTrue(checked.pop("valid"))
@@ -1421,7 +1469,7 @@ class Refusing(Case):
                       ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
             line = self.call(*words, code=2).stderr.splitlines()[0]
             self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
-                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .obj")
+                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm, .14, .gr3, .node, .obj, .ply, .stl, .off")
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
     def test_help_and_version(self):
@@ -1429,7 +1477,7 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
-        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .vol, .obj"
+        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .node, .ele, .vol, .obj"
         for command in ("check", "convert", "adapt"):
             self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
         text = " ".join(self.call("mesh", "--help").stdout.split())

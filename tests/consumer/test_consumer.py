@@ -75,8 +75,11 @@ def check_shared_object(prefix):
     names = run("nm", "-DC", "--defined-only", library, folder=prefix).splitlines()
     # Strong symbols only: templates of the standard library that users instantiate too are weak.
     strong = [line.split(" ", 2)[2] for line in names if line.split(" ", 2)[1] in "TDB"]
-    foreign = [name for name in strong if "forefront::" not in name]
+    # The names of the C interface have no namespace; every one is declared in its header.
+    declared = set(re.findall(r"\b(forefront_\w+)\(", (prefix / "include" / "forefront" / "forefront.h").read_text()))
+    foreign = [name for name in strong if "forefront::" not in name and name not in declared]
     check(strong and not foreign, f"exported symbols that are not ours: {foreign[:10]}")
+    check(declared <= set(strong), f"C functions that are not exported: {sorted(declared - set(strong))[:10]}")
     check(any("forefront::meshDomain(" in name for name in strong), "meshDomain is not exported")
     hidden = [name for name in strong if "GenerationFront" in name or "PlaneSweep" in name or "pugi::" in name]
     check(not hidden, f"internal symbols are exported: {hidden[:10]}")

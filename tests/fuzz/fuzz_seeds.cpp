@@ -172,6 +172,23 @@ const char *const kNetgenCells =
     "2 1 0 0 3 1 2 3\nedgesegmentsgi2\n1\n1 0 1 2 -1 -1 1 0 1 0 1 0.5\npoints\n9\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 0 0\n2 "
     "1 "
     "0\n1 2 0\n0 1 0\n1 1 0\nendmesh\n";
+const char *const kUnv =
+    "    -1\n 2411\n 1 1 1 11\n 0.D+0 0 0\n 2 1 1 11\n 2 0 0\n 5 1 1 11\n 2 2 0\n 7 1 1 11\n 0 2 0\n    -1\n    -1\n "
+    "2412\n"
+    "1 91 3 1 7 3\n1 2 5\n2 94 4 1 7 4\n1 2 5 7\n3 21 5 1 7 2\n0 1 1\n1 2\n    -1\n    -1\n 2467\n9 0 0 0 0 0 0 2\n"
+    "west side\n8 1 0 0 8 3 0 0\n10 0 0 0 0 0 0 1\n\n7 7 0 0\n    -1\n";
+const char *const kNastran =
+    "CEND\nBEGIN BULK\n$ c\nGRID           1              0.      0.      1.\ngrid*                  2                 "
+    " "
+    "        4.0+00            0.D0*A\n*A                    1.\nGRID,3,,4.,4.,1.$ here\nGRID,4,0,0.0,.4E1,1.\n"
+    "CTRIA3         1       5       1       2       3\nCQUAD4,2,,1,2,3,4\nCBAR,12,9,1,2,0.,0.,1.\nPLOTEL,13,2,3\n"
+    "CTRIA6,14,7,1,2,3,,,\n,0.\nPSHELL,3,1,.1\nENDDATA\n";
+const char *const kTwoDm =
+    "MESH2D\nMESHNAME \"a b\"\nNUM_MATERIALS_PER_ELEM 2\nND 1 0 0 -1.5\nND 2 4 0 -2\nND 3 4 4 -3\nND 9 0 4 0\n"
+    "E3T 1 1 2 3 8 9\nE4Q 2 1 2 3 9\nNS 1 2\nNS -3\nNS 3 -9 17\nNS 9 -1 \"far end\"\nBC 1\n";
+const char *const kMfem =
+    "MFEM mesh v1.2\n\n# c\ndimension\n2\nelements\n2\n0 3 0 1 2 3\n7 2 0 1 2\nboundary\n1\n5 1 0 1\nvertices\n4\n3\n"
+    "0 0 1\n1 0 1\n1 1 1\n0 1 1\nmfem_mesh_end\n";
 const char *const kTriangle6 =
     "6 2 0 1\n1 0 0 1\n2 2 0 1\n3 0 2 0\n4 1 1 0\n5 0 1 0\n6 1 0 0\n%%\n1 6 0\n1 1 2 3 4 5 6\n%%\n"
     "1 1\n1 1 2 5\n";
@@ -255,6 +272,10 @@ std::vector<std::string> handMade(std::string_view id) {
         {"svg", {kSvg, kStyledSvg, kClippedSvg}},
         {"triangle", {kTriangle, kTriangle6}},
         {"netgen", {kNetgen, kNetgenCells}},
+        {"unv", {kUnv}},
+        {"nastran", {kNastran}},
+        {"2dm", {kTwoDm}},
+        {"mfem", {kMfem}},
         {"vtu", {kVtuAscii}},
         {"esri", {kEsriGrid}},
     };

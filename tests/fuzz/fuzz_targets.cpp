@@ -299,7 +299,8 @@ std::vector<Target> listTargets() {
     std::vector<Target> list;
     for (const Format &format : allFormats().formats()) {
         const auto same = [&](const Target &target) { return sameReaders(*target.format, format); };
-        if (std::none_of(list.begin(), list.end(), same)) {
+        const bool reads = format.canReadDomain() || format.readSpacing != nullptr;
+        if (reads && std::none_of(list.begin(), list.end(), same)) {
             list.push_back({format.about.id, &format});
         }
     }

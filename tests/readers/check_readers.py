@@ -28,6 +28,7 @@ if missing:
     print("readers missing:", ", ".join(missing))
     sys.exit(1 if os.environ.get("FOREFRONT_REQUIRE_READERS") else 77)
 import check_cells
+import check_solvers
 
 
 class Gmsh:
@@ -462,7 +463,8 @@ def main():
             (f"MEDIT solved by FreeFem++{name}",
              lambda s=s, f=f: check_freefem(s, f["medit"], 'readmesh("%s")', by_tag, folder)),
             (f"VTK legacy by FreeFem++{name}", lambda s=s, f=f: check_freefem_vtk(s, f["vtk"], folder))]
-    checks += check_cells.checks(samples) + list(check_cells.own_reader_checks(sys.argv[1], folder))
+    checks += check_solvers.checks(samples, sys.argv[1]) + check_cells.checks(samples)
+    checks += list(check_cells.own_reader_checks(sys.argv[1], folder))
     sys.exit(0 if samples.run(checks)[1] else 1)
 
 

@@ -2,6 +2,9 @@
 //   export_sample FOLDER
 // Reads a mesh with nodal values 1 + x + 2y and prints its figures.
 //   export_sample --read FILE NAME
+// Reads a mesh and writes it in the format of another extension, or with open boundary parts.
+//   export_sample --copy MESH OUT
+//   export_sample --open MESH OUT NAME...
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
@@ -185,7 +188,8 @@ int exportAllCells(const std::filesystem::path &folder) {
         {"curved6", curved(samples::sampleMesh(CellKind::Triangle6))},
         {"curved8", curved(of(CellKind::Triangle6, CellKind::Quadrilateral8))},
         {"curved9", curved(of(CellKind::Triangle6, CellKind::Quadrilateral9))},
-        {"kinds", samples::allKindsSample()}};
+        {"kinds", samples::allKindsSample()},
+        {"flat3", samples::sampleMesh(CellKind::Triangle3)}};
     for (const auto &[name, mesh] : meshes) {
         if (const int code = exportCells(folder, name, mesh); code != 0) {
             return code;
@@ -271,6 +275,22 @@ int copyMesh(const std::filesystem::path &from, const std::filesystem::path &to)
     return status.empty() ? 0 : fail(status);
 }
 
+/// Reads a mesh and writes it with open boundary parts.
+int writeOpen(const std::filesystem::path &from, const std::filesystem::path &to, std::span<char *const> names) {
+    const Result<Mesh> read = allFormats().readMesh(from);
+    if (!read) {
+        return fail(read.faults());
+    }
+    ExportOptions options;
+    for (const auto &[tag, name] : read->boundaryNames) {
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            options.openBoundaries.push_back(tag);
+        }
+    }
+    const Status status = writeMesh(to, *read, {}, {}, options);
+    return status.empty() ? 0 : fail(status);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -280,8 +300,12 @@ int main(int argc, char **argv) {
     if (argc == 4 && std::string_view(argv[1]) == "--read") {
         return printFigures(argv[2], argv[3]);
     }
+    if (argc > 4 && std::string_view(argv[1]) == "--open") {
+        return writeOpen(argv[2], argv[3], std::span(argv + 4, static_cast<std::size_t>(argc - 4)));
+    }
     if (argc != 2) {
-        std::fprintf(stderr, "usage: export_sample FOLDER | --read FILE NAME | --copy MESH OUT\n");
+        std::fprintf(stderr,
+                     "usage: export_sample FOLDER | --read FILE NAME | --copy MESH OUT | --open MESH OUT NAME...\n");
         return 2;
     }
     const std::filesystem::path folder = argv[1];

@@ -213,25 +213,39 @@ std::vector<ActionCase> visibilityCases() {
 }
 
 std::vector<ActionCase> operationCases() {
-    return {{"edit.combine", drawOverlap,
-             [](D &d, const B &) {
-                 const bool previewed = d.context().dialogs.any() && shapesOf(d) == 1 && same(areaOf(d), 28);
-                 d.key(key::kEscape);
-                 d.settle();
-                 return previewed && shapesOf(d) == 2;
-             }},
-            {"edit.union", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 28); }},
-            {"edit.difference", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 12); }},
-            {"edit.intersection", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 4); }},
-            {"edit.exclusion", drawOverlap, [](D &d, const B &) { return same(areaOf(d), 24); }},
-            {"edit.divide", drawOverlap,
-             [](D &d, const B &) { return d.document().shapes.back()->use == ShapeUse::Constraint; }},
-            {"shape.transform", drawTriangle, [](D &d, const B &) { return dialogIs(d, "transform"); }},
-            {"shape.linearArray", drawTriangle, [](D &d, const B &) { return dialogIs(d, "lineararray"); }},
-            {"shape.polarArray", drawTriangle, [](D &d, const B &) { return dialogIs(d, "polararray"); }},
-            {"shape.fillet", drawTriangle, [](D &d, const B &) { return dialogIs(d, "fillet"); }},
-            {"shape.chamfer", drawTriangle, [](D &d, const B &) { return dialogIs(d, "chamfer"); }},
-            {"shape.offset", drawTriangle, [](D &d, const B &) { return dialogIs(d, "offset"); }}};
+    return {
+        {"edit.combine", drawOverlap,
+         [](D &d, const B &) {
+             const bool previewed = d.context().dialogs.any() && shapesOf(d) == 1 && same(areaOf(d), 28);
+             d.key(key::kEscape);
+             d.settle();
+             return previewed && shapesOf(d) == 2;
+         }},
+        {"edit.union", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 28); }},
+        {"edit.difference", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 12); }},
+        {"edit.intersection", drawOverlap, [](D &d, const B &) { return shapesOf(d) == 1 && same(areaOf(d), 4); }},
+        {"edit.exclusion", drawOverlap, [](D &d, const B &) { return same(areaOf(d), 24); }},
+        {"edit.divide", drawOverlap,
+         [](D &d, const B &) { return d.document().shapes.back()->use == ShapeUse::Constraint; }},
+        {"shape.transform", drawTriangle, [](D &d, const B &) { return dialogIs(d, "transform"); }},
+        {"shape.linearArray", drawTriangle, [](D &d, const B &) { return dialogIs(d, "lineararray"); }},
+        {"shape.polarArray", drawTriangle, [](D &d, const B &) { return dialogIs(d, "polararray"); }},
+        {"shape.constrain",
+         [](D &d) {
+             drawTriangle(d);
+             selectSegment(d, 0);
+         },
+         [](D &d, const B &) { return d.has("menu/shape.constrain/constraint.horizontal"); }},
+        {"shape.dimension",
+         [](D &d) {
+             drawTriangle(d);
+             selectSegment(d, 0);
+         },
+         [](D &d, const B &) { return d.has("menu/shape.dimension/constraint.length"); }},
+        {"shape.construction", drawTriangle, [](D &d, const B &) { return d.document().shapes.back()->construction; }},
+        {"shape.fillet", drawTriangle, [](D &d, const B &) { return dialogIs(d, "fillet"); }},
+        {"shape.chamfer", drawTriangle, [](D &d, const B &) { return dialogIs(d, "chamfer"); }},
+        {"shape.offset", drawTriangle, [](D &d, const B &) { return dialogIs(d, "offset"); }}};
 }
 
 } // namespace

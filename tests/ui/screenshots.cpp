@@ -78,6 +78,14 @@ void showRegions(Driver &driver) {
     context.selection.markers = {0};
 }
 
+/// Returns the open drawing, meshed by the classic method with these rules.
+Document ruledBy(const Shell &context, const FrontRules &rules) {
+    Document ruled = *context.document.current();
+    ruled.options.method = Method::Classic;
+    ruled.options.rules = rules;
+    return ruled;
+}
+
 /// Offers to combine two rectangles that overlap.
 void offerCombination(Driver &driver) {
     Shell &context = driver.context();
@@ -193,6 +201,13 @@ std::vector<Shot> scenes() {
                  driver.context().run.seek(60);
                  driver.showPanel("candidates");
              }},
+            {"rules",
+             [](Driver &driver) {
+                 driver.context().document.apply(ruledBy(driver.context(), {.radius = 2.0}), "Rules");
+                 driver.showPanel("rules");
+             }},
+            {"openrules", action("file.openRules")},
+            {"saverules", action("file.saveRules")},
             {"histogram",
              [](Driver &driver) {
                  driver.context().run.seekEnd();

@@ -104,7 +104,8 @@ void runAll(const std::vector<ActionCase> &cases) {
 
 /// Returns true for the actions made from a list of samples, terms, tools or modes; a case below runs all of each.
 bool ofList(std::string_view id) {
-    const std::string_view prefixes[] = {"tool.", "glossary.", "brush.mode.", "panel.", "workspace.", "lesson.choice"};
+    const std::string_view prefixes[] = {"tool.",      "glossary.",     "brush.mode.", "panel.",
+                                         "workspace.", "lesson.choice", "constraint."};
     return std::any_of(std::begin(prefixes), std::end(prefixes),
                        [&](std::string_view prefix) { return id.starts_with(prefix); });
 }

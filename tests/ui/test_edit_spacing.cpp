@@ -343,7 +343,7 @@ TEST_CASE("Inspector: the runner-up of the node spacing stands below the winner,
     driver.moveToPlace({3, 3});
     driver.frames(3);
     CHECK_FALSE(driver.has("inspector/runnerup")); // there is one rule
-    const double below = driver.context().widgets.find("spacing/size")->rect.y;
+    const double spacing = driver.context().widgets.find("spacing/size")->rect.y;
     Document source = driver.document();
     source.spacing.sources.push_back({SourceShape::Point, {3, 3}, {}, 0.0, 0.25, 0.25, "pier head"});
     driver.context().document.apply(std::move(source), "Source");
@@ -355,8 +355,7 @@ TEST_CASE("Inspector: the runner-up of the node spacing stands below the winner,
                     next = driver.context().widgets.find("inspector/runnerup")->rect;
     CHECK(next.y >= winner.y + winner.height - 1.0);
     CHECK(next.width > 20.0);
-    CHECK(driver.context().widgets.find("spacing/size")->rect.y == below);
-    CHECK(next.y + next.height <= below);
+    CHECK(driver.context().widgets.find("spacing/size")->rect.y == spacing); // what is worked with stays in place
 }
 
 TEST_CASE("Inspector: reports an error in the spacing, but none for an empty drawing") {

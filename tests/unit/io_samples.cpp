@@ -166,6 +166,17 @@ std::string difference(const TriMesh &a, const TriMesh &b) {
     return text;
 }
 
+void undoRounding(TriMesh &back, const TriMesh &mesh, const Diagnostics &notes) {
+    constexpr double kRounding = 1e-11; // of 12 digits at least
+    for (std::size_t n = 0; hasCode(notes, "rounded-coordinates") && n < std::min(back.nodes.size(), mesh.nodes.size());
+         ++n) {
+        const Vec2 a = back.nodes[n], b = mesh.nodes[n];
+        if (std::fabs(a.x - b.x) <= kRounding * std::fabs(b.x) && std::fabs(a.y - b.y) <= kRounding * std::fabs(b.y)) {
+            back.nodes[n] = b;
+        }
+    }
+}
+
 std::string written(void (*write)(const MeshView &, TextWriter &), const MeshView &mesh) {
     StringSink sink;
     TextWriter out(sink);

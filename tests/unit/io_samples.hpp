@@ -28,6 +28,10 @@ TriMesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
 /// equal.
 std::string difference(const TriMesh &a, const TriMesh &b);
 
+/// Moves the nodes of a mesh that was read back to those of the mesh that was written where they differ by rounding
+/// only, if the notes of the export tell of rounded coordinates.
+void undoRounding(TriMesh &back, const TriMesh &mesh, const Diagnostics &notes);
+
 /// Returns the text that a format writes for a mesh.
 std::string written(void (*write)(const MeshView &, TextWriter &), const MeshView &mesh);
 

@@ -35,7 +35,7 @@ Curve randomCurve(RandomSource &random, int kind) {
     }
 }
 
-std::vector<Vec2> samples(const Curve &curve, double t0, double t1, int count) {
+std::vector<Vec2> sampledPoints(const Curve &curve, double t0, double t1, int count) {
     std::vector<Vec2> points;
     for (int i = 0; i <= count; ++i) {
         points.push_back(curve.point(std::lerp(t0, t1, static_cast<double>(i) / count)));
@@ -121,8 +121,8 @@ TEST_CASE("curve: lengths agree with fine polylines and with closed forms") {
         const Curve curve = randomCurve(random, i);
         const double t0 = random.unit(), t1 = random.unit();
         // Chords are short by O(h²), so two of them can be extrapolated.
-        const double coarse = polylineLength(samples(curve, t0, t1, 4000));
-        const double fine = polylineLength(samples(curve, t0, t1, 8000));
+        const double coarse = polylineLength(sampledPoints(curve, t0, t1, 4000));
+        const double fine = polylineLength(sampledPoints(curve, t0, t1, 8000));
         CHECK(curve.length(t0, t1) == doctest::Approx(fine + (fine - coarse) / 3.0).epsilon(1e-7));
     }
     CHECK(Curve::circle({1, 2}, {4, 6}).length() == doctest::Approx(10.0 * pi).epsilon(1e-14));
@@ -155,7 +155,7 @@ TEST_CASE("curve: turning is the sum of the angles of a fine polyline") {
     for (int i = 0; i < 80; ++i) {
         const Curve curve = randomCurve(random, i);
         const double t0 = random.unit(), t1 = random.unit();
-        const std::vector<Vec2> points = samples(curve, t0, t1, 20000);
+        const std::vector<Vec2> points = sampledPoints(curve, t0, t1, 20000);
         double sum = 0.0;
         for (std::size_t k = 2; k < points.size(); ++k) {
             const Vec2 in = points[k - 1] - points[k - 2], out = points[k] - points[k - 1];
@@ -173,7 +173,7 @@ TEST_CASE("curve: the box holds the curve and touches it on all sides") {
         const Curve curve = randomCurve(random, i);
         const double t0 = random.unit(), t1 = random.unit();
         Box2 sampled;
-        for (const Vec2 p : samples(curve, t0, t1, 5000)) {
+        for (const Vec2 p : sampledPoints(curve, t0, t1, 5000)) {
             sampled.add(p);
         }
         const Box2 box = curve.bounds(t0, t1);
@@ -193,7 +193,7 @@ TEST_CASE("curve: the deviation is the maximum distance from the chord") {
         const Curve curve = randomCurve(random, i);
         const double t0 = random.unit(), t1 = random.unit();
         double maximum = 0.0;
-        for (const Vec2 p : samples(curve, t0, t1, 5000)) {
+        for (const Vec2 p : sampledPoints(curve, t0, t1, 5000)) {
             maximum = std::max(maximum, distanceToSegment(curve.point(t0), curve.point(t1), p));
         }
         const double least = curve.turning(t0, t1) < 0.5 * pi ? maximum - 1e-12 : 0.95 * maximum;
@@ -270,7 +270,7 @@ TEST_CASE("curve: a flattened curve stays within the tolerance and ends exactly"
             double from = t0;
             for (const double to : ends) {
                 double worst = 0.0;
-                for (const Vec2 p : samples(curve, from, to, 20)) {
+                for (const Vec2 p : sampledPoints(curve, from, to, 20)) {
                     worst = std::max(worst, distanceToSegment(curve.point(from), curve.point(to), p));
                 }
                 CHECK(worst <= tolerance * (1.0 + 1e-9));

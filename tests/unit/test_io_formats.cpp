@@ -54,8 +54,9 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
         const auto path = folder / (std::string("mesh_") + format.id + format.extension);
         const Status status = writeMesh(path, mesh, format.id);
         REQUIRE_MESSAGE(status.empty(), messages(status));
-        const auto back = triangles(allFormats().readMesh(path));
+        auto back = triangles(allFormats().readMesh(path));
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
+        undoRounding(*back, mesh, exportNotes(path, mesh, format.id));
         CHECK(difference(std::string(format.id) == "obj" ? byRegion(mesh) : mesh, *back) == "");
         CHECK(verify(*back).empty());
     }
@@ -292,7 +293,9 @@ TEST_CASE("Formats: what the list says of a format agrees with its functions") {
         CHECK(about.readsFields == (format.readFields != nullptr));
         CHECK(about.files.empty() == (format.writeFiles == nullptr));
         CHECK(about.writesMesh == !std::string(about.keeps).empty());
-        CHECK((about.readsMesh == (about.kind == FileKind::Mesh)));
+        CHECK((!about.readsMesh || about.kind == FileKind::Mesh));
+        CHECK((about.kind != FileKind::Mesh || about.readsMesh || about.writesMesh));
+        CHECK(about.hasOpenBoundaries == (format.writeWith != nullptr));
         CHECK((!about.hasLayers || about.kind == FileKind::Map));
         if (const std::string program = about.program; !program.empty()) {
             CHECK(about.writesMesh);

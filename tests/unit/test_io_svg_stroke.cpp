@@ -254,8 +254,9 @@ TEST_CASE("SVG stroke areas: how the sides of strokes are joined is no change of
                                     "<rect id='plate' x='10' y='10' width='30' height='20' fill='grey'/>",
                                     &notes, true);
     REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
-    REQUIRE(notes.entries().size() == 1); // the outline of the rectangle lies inside its stroke
-    CHECK(notes.entries()[0].code == "inner-outlines");
+    REQUIRE(notes.entries().size() == 2);
+    CHECK(notes.entries()[0].code == "inner-outlines"); // the outline of the rectangle lies inside its stroke
+    CHECK(notes.entries()[1].code == "close-nodes");    // a mitre ends beside another stroke
 }
 
 TEST_CASE("SVG stroke areas: a path that bends within its width everywhere covers what is near it") {

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <stop_token>
@@ -102,7 +103,12 @@ TEST_CASE("MeshStepper: shows what MeshingSession shows") {
         CHECK(ours->frontSegments == theirs->frontSegments);
         CHECK(ours->cells->size() == theirs->cells->size());
         CHECK(ours->work.tested == theirs->work.tested);
-        CHECK(ours->marks->size() == theirs->marks->size());
+        // A session looks ahead, so that its timeline has its length from the start; the stepper's is as long as it
+        // got.
+        REQUIRE(ours->marks->size() <= theirs->marks->size());
+        CHECK(std::equal(
+            ours->marks->begin(), ours->marks->end(), theirs->marks->begin(),
+            [](const TimelineMark &a, const TimelineMark &b) { return a.advance == b.advance && a.kind == b.kind; }));
         CHECK(meshHash(ours->mesh->mesh) == meshHash(theirs->mesh->mesh));
         REQUIRE((ours->explanation == nullptr) == (theirs->explanation == nullptr));
         if (ours->explanation) {

@@ -71,7 +71,7 @@ void addClipboardActions(ActionRegistry &actions) {
                          copy(c);
                          c.selection.nodes.clear(); // nodes and segments on their own are not copied
                          c.selection.segments.clear();
-                         c.document.apply(deleteSelection(*c.document.current(), c.selection), "Cut");
+                         c.applyCommand(deleteSelection(*c.document.current(), c.selection), "Cut");
                          c.selection.clear();
                      },
                  .enabled = canCopy,

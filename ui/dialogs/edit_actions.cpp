@@ -117,12 +117,19 @@ void addFileActions(ActionRegistry &actions) {
         {.id = "file.addPicture", .menu = "File", .title = "Add background picture\xe2\x80\xa6", .run = [](Shell &c) {
              addPicture(c);
          }});
+    actions.add({.id = "file.openRules",
+                 .menu = "File",
+                 .title = "Open rules\xe2\x80\xa6",
+                 .run = openRules,
+                 .separatorBefore = true});
+    actions.add({.id = "file.saveRules", .menu = "File", .title = "Save rules\xe2\x80\xa6", .run = saveRules});
     actions.add({.id = "file.export",
                  .menu = "File",
                  .title = "Export mesh\xe2\x80\xa6",
                  .shortcuts = {{'E', kControl}},
                  .run = [](Shell &c) { exportMesh(c); },
-                 .enabled = hasShapes});
+                 .enabled = hasShapes,
+                 .separatorBefore = true});
     actions.add({.id = "file.exportPicture",
                  .menu = "File",
                  .title = "Export picture of the mesh\xe2\x80\xa6",
@@ -294,9 +301,9 @@ void addSelectionActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          Document next = deleteSelection(*c.document.current(), c.selection);
-                         if (c.selection.nodes.empty()) {
-                             c.document.apply(std::move(next), "Delete");
-                         } else if (!applyJoined(c, std::move(next), "Delete")) {
+                         const bool shapes = c.selection.nodes.empty(); // joints are those of nodes
+                         if (!(shapes ? c.applyCommand(std::move(next), "Delete")
+                                      : applyJoined(c, std::move(next), "Delete"))) {
                              return;
                          }
                          c.selection.clear();

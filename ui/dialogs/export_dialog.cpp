@@ -173,7 +173,10 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
     }
     const auto job = [mesh, file, innerEdges, format = filter.id](const Progress &progress) {
         const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->view()) : Mesh();
-        const MeshView exported = innerEdges == InnerEdges::Drop ? MeshView(outline) : mesh->view();
+        const MeshView kept = innerEdges == InnerEdges::Drop ? MeshView(outline) : mesh->view();
+        const bool renumbers = usualNumbering(file, format) != Numbering::Creation;
+        const Mesh numbered = renumbers ? renumbered(kept, reverseCuthillMcKee(kept)) : Mesh();
+        const MeshView exported = renumbers ? MeshView(numbered) : kept;
         const Status written = writeMesh(file, exported, format, progress);
         return hasErrors(written) ? written : exportNotes(file, exported, format);
     };

@@ -60,6 +60,10 @@ void openDropped(Shell &context, const std::filesystem::path &file);
 void exportMesh(Shell &context, std::string_view proposed = {});
 /// Returns what exporting would write now: "Export 2 943 triangles".
 std::string exportLabel(const Shell &context);
+/// Asks for a file of rules, and makes them those of the document, with the classic method.
+void openRules(Shell &context);
+/// Asks for a file, and writes the rules of the document that differ from their defaults.
+void saveRules(Shell &context);
 /// Writes the run of the document as a film: an animation, numbered frames or one moment.
 void exportFilm(Shell &context);
 /// Returns the folder that a file dialog starts in: the folder of the document or of the last file.

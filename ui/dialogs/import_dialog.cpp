@@ -252,7 +252,12 @@ void ImportDialog::preview(Shell &context) {
         return;
     }
     Insertion insertion;
-    context.document.apply(insertDrawing(*start_, drawing_, scale_, &insertion), "Import drawing", stroke_);
+    if (const Status faults =
+            context.document.tryApply(insertDrawing(*start_, drawing_, scale_, &insertion), "Import drawing", stroke_);
+        !faults.empty()) {
+        context.log.add(faults);
+        return;
+    }
     insertionNotes_ = std::move(insertion.notes);
     context.selection = std::move(insertion.added);
     context.actions.run("view.fit", context);

@@ -56,11 +56,15 @@ void OperationDialog::show(Shell &context, Entries entries) {
     made_.clear();
     fault_.clear();
     Result<Document> next = operation_.run(*start_, selection_, shown_.values, &made_);
+    Status faults;
     if (next) {
         followed_ = operation_.follow && operation_.follow(*next, selection_, shown_.formulas);
-        context.document.apply(*std::move(next), operation_.title, stroke_);
+        faults = context.document.tryApply(*std::move(next), operation_.title, stroke_);
     } else {
-        const Diagnostic &fault = next.faults().front();
+        faults = next.faults();
+    }
+    if (!faults.empty()) {
+        const Diagnostic &fault = faults.front();
         fault_ = fault.advice.empty() ? fault.message : fault.message + "; " + fault.advice;
     }
     context.animate();

@@ -17,7 +17,9 @@ void repairDrawing(Shell &context) {
         context.log.announce("Found nothing to repair");
         return;
     }
-    context.document.apply(std::move(repaired->document), "Repair drawing");
+    if (!context.applyCommand(std::move(repaired->document), "Repair drawing")) {
+        return;
+    }
     context.log.add(notesOf(repaired->changes));
     context.log.add(repaired->lostSizes);
     std::size_t count = 0;

@@ -10,6 +10,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/dialogs/clipboard_actions.hpp"
 #include "ui/dialogs/combine_action.hpp"
+#include "ui/dialogs/constraint_actions.hpp"
 #include "ui/dialogs/operation_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -387,6 +388,7 @@ void addShapeActions(ActionRegistry &actions) {
     addArrangements(actions);
     addCorners(actions);
     addShapeOperations(actions);
+    addConstraintActions(actions);
     addVisibilities(actions);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/view/candidate_text.hpp"
 #include "ui/workspace/view/moment.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ void drawCandidate(CanvasPainter &painter, const Theme &theme, Vec2 at, Verdict 
 std::string candidateLabel(const CandidateTrace &candidate, std::size_t rank, const Moment &moment) {
     std::string text = std::to_string(rank + 1);
     if (moment.scoresKnown) {
-        text += ui::format("  score %.2f", candidate.score);
+        text += ui::format("  score %.*f", scoreDigits(*moment.advance), candidate.score);
     }
     if (moment.judged[rank] && candidate.verdict != Verdict::NotTried) {
         text += std::string("  ") + verdictText(candidate.verdict);
@@ -127,6 +128,9 @@ class CandidatesLayer final : public Layer {
         const Theme &theme = frame.theme;
         const Colour colour = verdictColour(theme, c.verdict, moment.judged[i]);
         painter.ring(c.position, 10.5, colour, 2.0);
+        if (moment.judged[i] && c.verdict == Verdict::Withdrawn && c.blocked) {
+            painter.dashedCircle(c.position, c.blockClearance, theme.bad, 1.25);
+        }
         std::string text = std::to_string(i + 1);
         if (moment.scoresKnown) {
             text += ui::format("  \xce\xb1 %.3f \xc2\xb7 \xce\xb4 %.2f \xc2\xb7 \xce\xb4 %.2f = %.3f", c.alpha,

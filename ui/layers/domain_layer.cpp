@@ -1,5 +1,6 @@
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
@@ -42,6 +43,7 @@ class BoundaryLayer final : public Layer {
 
     void drawLive(const LayerFrame &frame) override {
         update(frame);
+        construction_.draw(frame.gl, frame.camera, {.width = 1.0 * frame.scale});
         halo_.draw(frame.gl, frame.camera, {.width = 4.25 * frame.scale});
         constraints_.draw(frame.gl, frame.camera, {.width = 1.75 * frame.scale});
         boundary_.draw(frame.gl, frame.camera, {.width = 2.0 * frame.scale});
@@ -87,6 +89,22 @@ class BoundaryLayer final : public Layer {
         for (const ConstraintPoint &point : domain.points) {
             points_.add(domain.nodes[point.node], domain.nodes[point.node], frame.theme.constraint);
         }
+        updateConstruction(frame);
+    }
+
+    /// Adds the outlines of construction geometry, which is no part of the domain.
+    void updateConstruction(const LayerFrame &frame) {
+        constexpr double kChords = 1e-4; // of the radius
+        construction_.clear();
+        for (const auto &shape : frame.document.shapes) {
+            if (!shape->construction || shape->hidden) {
+                continue;
+            }
+            const Chords chords = chordsOf(*shape, outlineOf(*shape), kChords);
+            for (std::size_t k = 0; k < chords.size(); ++k) {
+                construction_.add(chords.from(k), chords.to(k), frame.theme.muted);
+            }
+        }
     }
 
     /// Returns the domain of the shapes that are not hidden.
@@ -112,6 +130,7 @@ class BoundaryLayer final : public Layer {
     }
 
     LineBatch boundary_, constraints_, points_;
+    LineBatch construction_;
     LineBatch halo_;       ///< below the constraints
     int zoom_ = 0;         ///< exponent of the zoom that the curves are fine enough for
     Box2 detailed_;        ///< where they are

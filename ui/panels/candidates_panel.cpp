@@ -1,6 +1,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/view/candidate_text.hpp"
 #include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
@@ -71,6 +72,14 @@ std::string alphaText(const AdvanceExplanation &e, const CandidateTrace &c) {
                       2.0 * std::numbers::sqrt3, ui::number(product).c_str(), ui::number(squares).c_str(), c.alpha);
 }
 
+/// Returns the score worked out by the rules of the run.
+std::string scoreText(const AdvanceExplanation &e, const CandidateTrace &c) {
+    if (e.rules.shapeWeight == 1.0 && e.rules.spacingWeight == 1.0) {
+        return ui::format("score = %.3f%s%.3f%s%.3f = %.3f", c.alpha, kDot, c.deltaAC, kDot, c.deltaCB, c.score);
+    }
+    return "score = " + scoreFormula(e.rules) + ui::format(" = %.3f", c.score);
+}
+
 /// Returns why a candidate was accepted or rejected, in a sentence.
 std::string verdictSentence(const AdvanceExplanation &e, std::size_t candidate) {
     const CandidateTrace &c = e.candidates[candidate];
@@ -82,7 +91,12 @@ std::string verdictSentence(const AdvanceExplanation &e, std::size_t candidate) 
         text += tests == 0 ? "; no segment had to be tested"
                            : "; tested against " + std::to_string(tests) + (tests == 1 ? " segment" : " segments");
     }
-    if (c.blocked) {
+    if (c.passes > 1) {
+        text += ui::format("; \xce\x93 passes through this node %u times, and each pass was tried in turn", c.passes);
+    }
+    if (c.blocked && c.verdict == Verdict::Withdrawn) {
+        text += ": " + clearanceText(c, e.rho);
+    } else if (c.blocked) {
         text += c.blockA == c.blockB ? ui::format("; front node (%s, %s) is in the way", ui::number(c.blockA.x).c_str(),
                                                   ui::number(c.blockA.y).c_str())
                                      : ui::format("; front segment (%s, %s)\xe2\x80\x93(%s, %s) is in the way",
@@ -192,8 +206,7 @@ class CandidatesPanel final : public Panel {
         std::vector<std::string> lines;
         if (moment.scoresKnown) {
             lines = {alphaText(e, c), deltaText("AC", c.deltaAC, distance(a, c.position), c.rho),
-                     deltaText("CB", c.deltaCB, distance(b, c.position), c.rho),
-                     ui::format("score = %.3f%s%.3f%s%.3f = %.3f", c.alpha, kDot, c.deltaAC, kDot, c.deltaCB, c.score)};
+                     deltaText("CB", c.deltaCB, distance(b, c.position), c.rho), scoreText(e, c)};
         }
         if (moment.judged[i]) {
             lines.push_back(verdictSentence(e, i));

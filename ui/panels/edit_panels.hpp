@@ -12,6 +12,8 @@ std::unique_ptr<Panel> makeInspectorPanel();
 std::unique_ptr<Panel> makeSpacingPanel();
 /// Edits the MeshingOptions of the document.
 std::unique_ptr<Panel> makeMeshingPanel();
+/// Edits the rules of the classic method.
+std::unique_ptr<Panel> makeRulesPanel();
 /// Edits the names of boundary parts and regions.
 std::unique_ptr<Panel> makeNamesPanel();
 /// Lists shapes by boundary part, and regions; hides, locks and selects them.

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kGentlest = 0.02, kSteepest = 1.0; ///< ends of the slider, which is logarithmic
 constexpr double kUsual = 0.25;                     ///< shown by the knob where none is given
-constexpr const char *kStroke = "gradation slider";
 
 double knobOf(double gradation) {
     return std::clamp(std::log(gradation / kGentlest) / std::log(kSteepest / kGentlest), 0.0, 1.0);
@@ -57,23 +56,14 @@ void GradationRow::drawSlider(Shell &context) {
     const bool moved = ui::thinSlider(context, "spacing/gradation/slider", knob, prediction(context),
                                       std::max(24.0F, width), kPrediction);
     ui::tooltip(context, "Predicted number of elements. Drag the slider: the node spacing and the live mesh follow.");
-    const bool released = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (dragged_ && !released && ImGui::IsKeyPressed(key::kEscape, false)) {
-        context.document.abandonStroke(kStroke);
-        cancelled_ = true;
-    } else if (moved && !cancelled_) {
+    drag_.follow(context, moved, [&](const char *stroke) {
         const double gradation = EditState::twoDigits(kGentlest * std::pow(kSteepest / kGentlest, knob));
-        if (given != gradation) {
-            dragged_ = true;
-            context.applyCommand(setGradation(*context.document.current(), gradation), "Change gradation", kStroke);
+        if (given == gradation) {
+            return false;
         }
-    }
-    if (released) {
-        if (dragged_) {
-            context.document.endStroke();
-        }
-        dragged_ = cancelled_ = false;
-    }
+        context.applyCommand(setGradation(*context.document.current(), gradation), "Change gradation", stroke);
+        return true;
+    });
 }
 
 } // namespace forefront

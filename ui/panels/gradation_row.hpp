@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/panels/slider_drag.hpp"
+
 namespace forefront {
 
 struct Shell;
@@ -13,8 +15,7 @@ class GradationRow {
   private:
     void drawSlider(Shell &context);
 
-    bool dragged_ = false;   ///< the slider has changed the gradation, and the button is still down
-    bool cancelled_ = false; ///< Esc was pressed; the button is still down
+    SliderDrag drag_{"gradation slider"};
 };
 
 } // namespace forefront

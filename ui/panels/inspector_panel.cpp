@@ -4,6 +4,7 @@
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing/shapes/slot.hpp"
+#include "ui/panels/constraint_rows.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/element_count_row.hpp"
 #include "ui/panels/form.hpp"
@@ -44,6 +45,8 @@ class InspectorPanel final : public Panel {
     void drawNodeKind(Shell &context, const Shape &shape, NodeRef ref) const;
     void drawSegment(Shell &context, SegmentRef ref) const;
     void drawMany(Shell &context) const;
+
+    ConstraintRows constraints_;
 };
 
 void changeTag(Shell &context, const BoundaryPart &part, std::int32_t tag) {
@@ -358,6 +361,7 @@ void InspectorPanel::draw(Shell &context) {
     } else {
         inspectRegion(context, *selection.markers.begin());
     }
+    constraints_.draw(context);
 }
 
 } // namespace

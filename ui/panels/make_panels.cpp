@@ -11,6 +11,7 @@ std::vector<std::unique_ptr<Panel>> makePanels() {
     panels.push_back(makeMeshingPanel());
     panels.push_back(makeStepsPanel());
     panels.push_back(makeCandidatesPanel());
+    panels.push_back(makeRulesPanel());
     panels.push_back(makeHistogramPanel());
     panels.push_back(makeProbePanel());
     panels.push_back(makeStatisticsPanel());

@@ -2,9 +2,12 @@
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/parts/shown_panels.hpp"
 #include "ui/widgets/enum_choice.hpp"
 
 #include <imgui.h>
+
+#include <string>
 
 namespace forefront {
 namespace {
@@ -23,6 +26,7 @@ class MeshingPanel final : public Panel {
         ImGui::EndGroup();
         ui::rowTooltip(context, "Fast: walks along the front and makes up to three elements per advance. Classic: the "
                                 "ten steps, one element per advance.");
+        drawRules(context, options);
         form::label(context, "Improve");
         ImGui::BeginGroup();
         changed = ui::segmented(context, "meshing/improve", options.improve) || changed;
@@ -42,6 +46,25 @@ class MeshingPanel final : public Panel {
             next.options = options;
             context.document.apply(std::move(next), "Change meshing options");
         }
+    }
+
+  private:
+    /// Leads to the rules of the classic method.
+    static void drawRules(Shell &context, const MeshingOptions &options) {
+        if (options.method != Method::Classic || options.elements != Elements::Triangles) {
+            return;
+        }
+        const std::size_t changed = changedRules(options.rules).size();
+        form::label(context, "Rules");
+        ImGui::AlignTextToFramePadding();
+        if (ui::link(context, "meshing/rules",
+                     changed == 0   ? "Defaults\xe2\x80\xa6"
+                     : changed == 1 ? "1 changed\xe2\x80\xa6"
+                                    : std::to_string(changed) + " changed\xe2\x80\xa6")) {
+            showPanel(context, "rules");
+        }
+        ui::rowTooltip(context, changed == 0 ? "Change the rules of the classic method in the Rules panel."
+                                             : "Changed: " + changesText(options.rules));
     }
 };
 

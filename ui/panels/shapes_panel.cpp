@@ -450,7 +450,7 @@ void ShapesPanel::openHiddenMenu(Shell &context, const Shape &shape) {
         c.view.fitted.reset();
     }));
     own.push_back(commandOf("remove", "Delete",
-                            [id](Shell &c) { c.document.apply(removeShapes(*c.document.current(), {id}), "Delete"); }));
+                            [id](Shell &c) { c.applyCommand(removeShapes(*c.document.current(), {id}), "Delete"); }));
     context.menu.open({std::move(own), actionsOf({"shape.showAll", "shape.unlockAll"})});
 }
 

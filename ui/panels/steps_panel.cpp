@@ -2,6 +2,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/view/candidate_text.hpp"
 #include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
@@ -18,7 +19,7 @@ namespace {
 constexpr std::array<const char *, kStepCount> kShort{
     "Boundary becomes front \xce\x93",
     "Take base segment AB",
-    "Evaluate \xcf\x81 at its midpoint",
+    "Evaluate \xcf\x81 at AB",
     "Place ideal point C",
     "Find candidate nodes",
     "Score \xce\xb1 \xc2\xb7 \xce\xb4(AC) \xc2\xb7 \xce\xb4(CB)",
@@ -83,21 +84,76 @@ std::string finding(const Moment &moment, int step) {
     }
 }
 
+/// Returns how ρ of the field was found, and how it was clamped.
+std::string spacingText(const AdvanceExplanation &e) {
+    const double base = distance(e.a, e.b), share = 100.0 * e.rules.rhoAtC;
+    std::string text = "\n\xcf\x81 = " + ui::number(e.fieldRho);
+    if (e.rules.rhoAtC == 0.0) {
+        text += " at the midpoint";
+    } else if (e.rules.rhoAtC == 1.0) {
+        text += " near C";
+    } else {
+        text +=
+            ", a mean of the midpoint (" + ui::number(100.0 - share) + " %) and near C (" + ui::number(share) + " %)";
+    }
+    return text + ui::format("; with |AB| = %s, clamped to %s \xe2\x80\xa6 %s: \xcf\x81 = %s", ui::number(base).c_str(),
+                             ui::number(e.rules.minRho * base).c_str(), ui::number(e.rules.maxRho * base).c_str(),
+                             ui::number(e.rho).c_str());
+}
+
+/// Returns what step 7 found: the order of the candidates, and why C was withdrawn.
+std::string sortText(const AdvanceExplanation &e) {
+    std::string text;
+    for (const CandidateTrace &candidate : e.candidates) {
+        if (candidate.verdict == Verdict::Withdrawn && candidate.blocked) {
+            text += "\nC withdrawn: " + clearanceText(candidate, e.rho);
+        }
+    }
+    return text;
+}
+
+std::string testText(const Moment &moment) {
+    const auto &candidates = moment.advance->candidates;
+    std::size_t tested = 0, rejected = 0;
+    for (std::size_t i = 0; i < moment.candidates; ++i) {
+        const Verdict verdict = moment.judged[i] ? candidates[i].verdict : Verdict::NotTried;
+        const bool decided = verdict != Verdict::NotTried && verdict != Verdict::Withdrawn;
+        tested += decided ? 1 : 0;
+        rejected += decided && verdict != Verdict::Accepted ? 1 : 0;
+    }
+    return "\n" + ui::count(tested) + (tested == 1 ? " candidate" : " candidates") + " tested, " + ui::count(rejected) +
+           " rejected; " + ui::count(moment.tests) + (moment.tests == 1 ? " segment" : " segments") +
+           " of \xce\x93 tested exactly";
+}
+
+std::string updateText(const AdvanceExplanation &e) {
+    if (e.deferred) {
+        return "\nno candidate passed: AB is put back once";
+    }
+    return "\n" + ui::count(e.elements) + (e.elements == 1 ? " element" : " elements") + " stored, with the apex (" +
+           ui::number(e.apex.x) + ", " + ui::number(e.apex.y) + ")";
+}
+
 /// Returns the formula of a step with the numbers substituted; empty for steps without one.
-std::string worked(const AdvanceExplanation &e, Step step) {
+std::string worked(const Moment &moment, Step step) {
+    const AdvanceExplanation &e = *moment.advance;
     const double base = distance(e.a, e.b);
     switch (step) {
     case Step::EvaluateSpacing:
-        return ui::format("\n\xcf\x81 = %s here; with |AB| = %s, clamped to %s \xe2\x80\xa6 %s: \xcf\x81 = %s",
-                          ui::number(e.fieldRho).c_str(), ui::number(base).c_str(), ui::number(0.55 * base).c_str(),
-                          ui::number(2.0 * base).c_str(), ui::number(e.rho).c_str());
+        return spacingText(e);
     case Step::IdealPoint:
         return ui::format("\nheight \xe2\x88\x9a(\xcf\x81\xc2\xb2 \xe2\x88\x92 |AB|\xc2\xb2/4) = %s above AB, "
-                          "at least |AB|/2 = %s",
+                          "at least %s |AB| = %s",
                           ui::number(std::sqrt(std::max(0.0, e.rho * e.rho - 0.25 * base * base))).c_str(),
-                          ui::number(0.5 * base).c_str());
+                          ui::number(e.rules.minHeight).c_str(), ui::number(e.rules.minHeight * base).c_str());
     case Step::FindCandidates:
         return e.searchRadius == 0.0 ? std::string() : "\nfront nodes within " + ui::number(e.searchRadius) + " of C";
+    case Step::Sort:
+        return sortText(e);
+    case Step::Test:
+        return testText(moment);
+    case Step::Update:
+        return moment.cursor < e.events.size() ? std::string() : updateText(e);
     default:
         return {};
     }
@@ -107,10 +163,25 @@ std::string worked(const AdvanceExplanation &e, Step step) {
 constexpr std::array<const char *, kStepCount> kTerms{"domain", "base",  "spacing",   "ideal-point", "candidates",
                                                       "score",  "score", "rejection", "front",       "closing"};
 
-std::string tip(const Moment &moment, Step step) {
-    std::string text = stepTitle(step);
+/// Returns the rules of the classic method that belong to a step, a line each, with their origins.
+std::string rulesText(const FrontRules &rules, Step step) {
+    std::string text;
+    for (const FrontRule rule : valuesOf<FrontRule>()) {
+        const FrontRuleInfo &info = frontRuleInfo(rule);
+        if (info.step == static_cast<int>(step) && (rule != FrontRule::Seed || rules.base == BaseRule::Random)) {
+            const std::string unit = info.unit;
+            text += std::string("\n") + info.name + ": " + valueText(rules, rule) + (unit.empty() ? "" : " " + unit) +
+                    " (" + originText(info.origin) + ")";
+        }
+    }
+    return text;
+}
+
+/// `rules`: of the run; null for the fast method.
+std::string tip(const Moment &moment, Step step, const FrontRules *rules) {
+    std::string text = stepTitle(step, rules);
     if (moment && step <= moment.step) {
-        text += worked(*moment.advance, step);
+        text += worked(moment, step);
     }
     if (moment && moment.work[static_cast<std::size_t>(step)].segments > 0) {
         const StepWork &work = moment.work[static_cast<std::size_t>(step)];
@@ -122,7 +193,18 @@ std::string tip(const Moment &moment, Step step) {
                 "their outer "
                 "sides.";
     }
-    return text;
+    return rules == nullptr ? text : text + rulesText(*rules, step);
+}
+
+/// Returns the line of a step; that of the base and of the score follow the rules. `rules`: null for the fast method.
+std::string lineOf(Step step, const FrontRules *rules) {
+    if (step == Step::TakeBase && rules != nullptr) {
+        return "Take " + std::string(wordOf(rules->base)) + " segment AB";
+    }
+    if (step == Step::Score && rules != nullptr && !(rules->shapeWeight == 1.0 && rules->spacingWeight == 1.0)) {
+        return "Score " + scoreFormula(*rules);
+    }
+    return kShort[static_cast<std::size_t>(step) - 1];
 }
 
 class StepsPanel final : public Panel {
@@ -134,6 +216,8 @@ class StepsPanel final : public Panel {
         const SessionSnapshot &run = context.run.now();
         const Moment moment = momentOf(run);
         const int live = liveStep(run, moment);
+        const FrontRules rules = moment ? moment.advance->rules : context.document.current()->options.rules;
+        const FrontRules *const shown = context.run.method() == Method::Classic ? &rules : nullptr;
         const float width = ImGui::GetContentRegionAvail().x, height = context.px(24);
         ImDrawList &list = *ImGui::GetWindowDrawList();
         ImGui::PushFont(context.fonts.small);
@@ -156,9 +240,9 @@ class StepsPanel final : public Panel {
             const float right = at.x + width - context.px(6) - ImGui::CalcTextSize(found.c_str()).x;
             list.AddText({right, y}, context.theme.text, found.c_str());
             ui::shortened(context, Pixel(at.x + context.px(31), y), right - context.px(6),
-                          kShort[static_cast<std::size_t>(step - 1)], colour);
+                          lineOf(static_cast<Step>(step), shown), colour);
             if (ImGui::IsItemHovered()) {
-                ui::tooltip(context, tip(moment, static_cast<Step>(step)));
+                ui::tooltip(context, tip(moment, static_cast<Step>(step), shown));
             }
             if (ImGui::IsItemClicked()) {
                 context.actions.run(std::string("glossary.") + kTerms[static_cast<std::size_t>(step - 1)], context);

@@ -21,6 +21,7 @@ std::vector<ContextGroup> selectionMenu() {
             {"path.corner", "path.smooth", "path.symmetric", "path.line", "path.curve", "path.split", "path.join"}),
         actionsOf({"shape.transform", "shape.mirrorX", "shape.mirrorY", "shape.arrange", "shape.linearArray",
                    "shape.polarArray"}),
+        actionsOf({"shape.constrain", "shape.dimension"}),
         actionsOf({"shape.fillet", "shape.chamfer", "shape.offset", "edit.union", "edit.difference", "edit.toPath"}),
         actionsOf({"shape.hide", "shape.isolate", "shape.lock", "shape.showAll", "shape.unlockAll", "edit.selectAll",
                    "view.fit"})};

@@ -87,7 +87,7 @@ void keepFormula(Workspace &context, std::string_view name, const FieldAddress &
         }
         context.entered.texts[*address] = text;
     } else {
-        context.document.apply(setFormula(*context.document.current(), *address, text), "Change formula");
+        context.applyCommand(setFormula(*context.document.current(), *address, text), "Change formula");
     }
 }
 

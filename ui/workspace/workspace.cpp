@@ -1,6 +1,5 @@
 #include "ui/workspace/workspace.hpp"
 
-#include "core/drawing/commands/settle_command.hpp"
 #include "core/drawing/constraints/carry_constraints.hpp"
 #include "core/drawing/formulas/document_numbers.hpp"
 #include "core/drawing/formulas/formulas.hpp"
@@ -69,13 +68,10 @@ bool Workspace::applyCommand(Result<Document> next, const std::string &label, co
         }
     }
     const std::shared_ptr<const Document> before = document.current();
-    if (!next->constraints.empty()) { // apply() settles them, but cannot refuse
-        if (const Result<Document> settled = settleCommand(*before, *next); !settled) {
-            ui::refuseCommand(*this, settled.faults());
-            return false;
-        }
+    if (const Status faults = document.tryApply(*std::move(next), label, merge); !faults.empty()) {
+        ui::refuseCommand(*this, faults);
+        return false;
     }
-    document.apply(*std::move(next), label, merge);
     announceLost(*this, *before);
     announceLostConstraints(*this, *before);
     return true;

@@ -6,8 +6,10 @@
 #include "core/engine/mesh/mesh_access.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/triangulated.hpp"
+#include "core/files/common/planar_mesh.hpp"
 
 #include <map>
+#include <optional>
 #include <pybind11/stl.h>
 #include <string>
 #include <utility>
@@ -134,14 +136,13 @@ py::tuple triangleArrays(const PythonMesh &self) {
     return py::make_tuple(triangles, elements);
 }
 
-/// The kind of the elements with so many nodes.
 CellKind kindOfColumns(py::ssize_t columns) {
-    for (const CellKind kind : kElementKinds) {
-        if (traitsOf(kind).nodes == columns) {
-            return kind;
-        }
+    const std::optional<CellKind> kind = elementOfNodes(columns);
+    if (!kind) {
+        throw py::value_error("elements: expected 3, 4, 6, 8 or 9 nodes for each element, got " +
+                              std::to_string(columns));
     }
-    throw py::value_error("elements: expected 3, 4, 6, 8 or 9 nodes for each element, got " + std::to_string(columns));
+    return *kind;
 }
 
 NodeId checkedNode(std::int64_t node, std::size_t count, const char *what) {

@@ -9,6 +9,9 @@ namespace forefront {
 Result<Document> settleCommand(const Document &before, Document next) {
     carryConstraints(before, next);
     carryFormulas(before, next);
+    if (next.constraints.empty()) {
+        return next; // without a copy
+    }
     Result<Document> settled = settle(before, next);
     if (settled && settled->shapes != next.shapes) {
         carryFormulas(next, *settled);

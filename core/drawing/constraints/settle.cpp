@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -263,9 +264,30 @@ class Settler {
                 if (!faults.empty()) {
                     return degenerate(settled.shapes[k]->id, faults.front().message);
                 }
+                if (const auto segment = vanishedSegment(*next_.shapes[k], *settled.shapes[k])) {
+                    return degenerate(settled.shapes[k]->id,
+                                      "segment " + std::to_string(*segment + 1) + " would have no length");
+                }
             }
         }
         return settled;
+    }
+
+    /// Returns the first segment of a path that has lost its length.
+    static std::optional<std::size_t> vanishedSegment(const Shape &before, const Shape &after) {
+        constexpr double kVanished = 1e-6; // of the length before
+        if (!isPath(before) || before.nodes.size() != after.nodes.size()) {
+            return std::nullopt;
+        }
+        const std::size_t count = before.nodes.size() - (isClosed(before) ? 0 : 1);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t end = (k + 1) % before.nodes.size();
+            const double length = distance(before.nodes[k], before.nodes[end]);
+            if (length > 0.0 && distance(after.nodes[k], after.nodes[end]) <= kVanished * length) {
+                return k;
+            }
+        }
+        return std::nullopt;
     }
 
     Diagnostics degenerate(std::uint32_t shape, const std::string &why) const {

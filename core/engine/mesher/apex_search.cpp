@@ -1,12 +1,14 @@
 #include "core/engine/mesher/apex_search.hpp"
 
 #include "core/engine/geometry/flat.hpp"
+#include "core/engine/geometry/polygon.hpp"
 #include "core/engine/mesh/quality.hpp"
 #include "core/engine/mesher/clearance.hpp"
 #include "core/engine/mesher/instantiate.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace forefront {
 
@@ -89,7 +91,10 @@ bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candi
             apex = candidates_[i];
             return true;
         }
-        ++work_.rejected;
+        // Where Γ passes through a node several times, the node is rejected if all passes are.
+        const bool otherPass = i + 1 < candidates_.size() && candidates_[i].node != kNoNode &&
+                               candidates_[i + 1].node == candidates_[i].node;
+        work_.rejected += otherPass ? 0 : 1;
     }
     return false;
 }
@@ -161,6 +166,39 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
         return p.node != q.node ? p.node < q.node : p.slot < q.slot;
     });
     trace_.rank(base, candidates_, limits.radius, withdrawn);
+    if constexpr (!std::is_same_v<Trace, NoTrace>) {
+        if (withdrawn) {
+            traceBlockOfIdeal(base);
+        }
+    }
+}
+
+/// Records what is nearest to the ideal point in relation to its clearance, if that is too near.
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::traceBlockOfIdeal(const Base &base) {
+    double least = 1.0 - slack_;
+    Vec2 a, b;
+    double clearance = 0.0;
+    const auto offer = [&](Vec2 from, Vec2 to, double distance, double minimum) {
+        if (distance < least * minimum) {
+            least = distance / minimum;
+            a = from;
+            b = to;
+            clearance = minimum;
+        }
+    };
+    for (const Neighbour &n : neighbours_) {
+        if (n.slot == base.slotA) {
+            continue;
+        }
+        if (n.nodeA != base.nodeA && n.nodeA != base.nodeB) {
+            offer(n.a, n.a, distance(n.a, base.ideal), nodeClearance_ * base.rho);
+        }
+        offer(n.a, n.b, distanceToSegment(n.a, n.b, base.ideal), segmentClearance_ * base.rho);
+    }
+    if (clearance > 0.0) {
+        trace_.blockIdeal(a, b, least * clearance, clearance);
+    }
 }
 
 /// Returns true if the ideal point keeps its distance from Γ. Just the minimum distance is enough: beside a square

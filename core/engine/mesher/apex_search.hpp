@@ -107,6 +107,7 @@ class ApexSearch {
     void gather(const Box2 &box);
     void rank(const Base &base, const Limits &limits);
     bool idealIsClear(const Base &base) const;
+    void traceBlockOfIdeal(const Base &base);
     double score(const Base &base, Vec2 p) const;
     bool seenAll(const Base &base) const;
     Verdict test(const Base &base, const Candidate &candidate, bool flat);

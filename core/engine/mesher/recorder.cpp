@@ -33,7 +33,7 @@ void Recorder::begin(const FrontState &state, const Base &base) {
     out_.b = base.b;
     out_.nodeA = base.nodeA;
     out_.nodeB = base.nodeB;
-    out_.baseRule = rules_.base;
+    out_.rules = rules_;
     out_.earlierDeferred = first_.earlierDeferred;
     eventWithTies(Step::TakeBase, kNoIndex, first_.equal);
 }
@@ -49,6 +49,7 @@ void Recorder::evaluateSpacing(const Base &base) {
 void Recorder::rank(const Base &base, std::span<const Candidate> candidates, double radius, bool withdrawn) {
     out_.searchRadius = radius;
     firstOfSearch_ = static_cast<std::uint32_t>(out_.candidates.size());
+    recorded_.clear();
     const auto add = [&](Vec2 position, NodeId node, Verdict verdict) {
         CandidateTrace candidate;
         candidate.position = position;
@@ -61,16 +62,27 @@ void Recorder::rank(const Base &base, std::span<const Candidate> candidates, dou
         candidate.verdict = verdict;
         out_.candidates.push_back(std::move(candidate));
     };
-    for (const Candidate &c : candidates) {
-        add(c.position, c.node, Verdict::NotTried);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const Candidate &c = candidates[k];
+        // Where Γ passes through a node several times, each pass is tested, next to each other in the order.
+        if (k > 0 && c.node != kNoNode && c.node == candidates[k - 1].node) {
+            ++out_.candidates.back().passes;
+        } else {
+            add(c.position, c.node, Verdict::NotTried);
+        }
+        recorded_.push_back(static_cast<std::uint32_t>(out_.candidates.size() - 1));
     }
     if (withdrawn) {
         add(base.ideal, kNoNode, Verdict::Withdrawn);
     }
     event(Step::FindCandidates);
     event(Step::Score);
-    const auto asGood = [&](const Candidate &c) { return orderKey(c.score) == orderKey(candidates.front().score); };
-    const auto equal = roundsTies_ ? std::count_if(candidates.begin(), candidates.end(), asGood) : 0;
+    const auto asGood = [&](const CandidateTrace &c) {
+        return orderKey(c.score) == orderKey(candidates.front().score);
+    };
+    const auto ranked = out_.candidates.begin() + firstOfSearch_;
+    const auto equal =
+        roundsTies_ ? std::count_if(ranked, out_.candidates.end() - (withdrawn ? 1 : 0), asGood) : std::ptrdiff_t{0};
     eventWithTies(Step::Sort, candidates.empty() ? kNoIndex : firstOfSearch_, static_cast<std::size_t>(equal));
 }
 
@@ -125,13 +137,20 @@ void Recorder::propose(CandidateTrace candidate, double fieldRho, bool newNode) 
 }
 
 void Recorder::beginTest(std::size_t k) {
-    underTest_ = firstOfSearch_ + static_cast<std::uint32_t>(k);
+    underTest_ = recorded_[k];
     event(Step::Test, underTest_);
 }
 
 void Recorder::testSegment(Vec2 from, Vec2 to, Vec2 a, Vec2 b, bool meets) {
     out_.tests.push_back({from, to, a, b, underTest_, meets});
     event(Step::Test, underTest_, static_cast<std::uint32_t>(out_.tests.size() - 1));
+}
+
+void Recorder::blockIdeal(Vec2 a, Vec2 b, double distance, double clearance) {
+    underTest_ = static_cast<std::uint32_t>(out_.candidates.size() - 1);
+    block(a, b);
+    out_.candidates[underTest_].blockDistance = distance;
+    out_.candidates[underTest_].blockClearance = clearance;
 }
 
 void Recorder::block(Vec2 a, Vec2 b) {
@@ -142,7 +161,9 @@ void Recorder::block(Vec2 a, Vec2 b) {
 }
 
 void Recorder::endTest(Verdict verdict) {
-    out_.candidates[underTest_].verdict = verdict;
+    CandidateTrace &candidate = out_.candidates[underTest_];
+    candidate.verdict = verdict;
+    candidate.blocked = candidate.blocked && verdict != Verdict::Accepted; // by an earlier pass of Γ through the node
     event(Step::Test, underTest_);
 }
 

@@ -4,7 +4,9 @@
 #include "core/engine/mesher/front_state.hpp"
 #include "core/engine/mesher/trace.hpp"
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 // Declared outside FOREFRONT_API: these types are not part of the public surface.
 namespace forefront {
@@ -30,6 +32,7 @@ struct NoTrace {
     void beginTest(std::size_t) {}
     void testSegment(Vec2, Vec2, Vec2, Vec2, bool) {}
     void block(Vec2, Vec2) {}
+    void blockIdeal(Vec2, Vec2, double, double) {}
     void endTest(Verdict) {}
     void end(const FrontState &, const AdvanceDelta &, Vec2) {}
 };
@@ -56,11 +59,14 @@ class Recorder {
     /// Records steps 5 to 7 of a search: its candidates in their order; `withdrawn`: the ideal point is not among them
     /// since it is too near the front.
     void rank(const Base &base, std::span<const Candidate> candidates, double radius, bool withdrawn);
+    /// Records that the front segment ab, or the front node a = b, is nearer to the ideal point, which was withdrawn,
+    /// than its clearance.
+    void blockIdeal(Vec2 a, Vec2 b, double distance, double clearance);
     /// Records steps 3 to 7 for a new node over all segments of a fan.
     void proposeFan(const Fan &fan);
     /// Records steps 3 to 7 for the element of a corner of two segments, of which segment `base` is the base.
     void proposeCorner(const FrontState &state, const Fan &corner, unsigned base);
-    /// Begins step 8 for candidate `k` of the search ranked last.
+    /// Begins step 8 for candidate `k` of the search ranked last, one pass of Γ through its node.
     void beginTest(std::size_t k);
     /// Records that the candidate segment from–to was tested against the front segment ab.
     void testSegment(Vec2 from, Vec2 to, Vec2 a, Vec2 b, bool meets);
@@ -77,11 +83,12 @@ class Recorder {
     void propose(CandidateTrace candidate, double fieldRho, bool newNode);
 
     AdvanceExplanation &out_;
-    std::uint32_t firstOfSearch_ = 0; ///< index of the first candidate of the search ranked last
-    std::uint32_t underTest_ = 0;     ///< index of the candidate under test
-    bool roundsTies_ = false;         ///< classic method
-    FrontRules rules_{};              ///< classic method
-    FirstBases first_;                ///< classic method
+    std::uint32_t firstOfSearch_ = 0;     ///< index of the first candidate of the search ranked last
+    std::vector<std::uint32_t> recorded_; ///< by candidate of that search: its index in the explanation
+    std::uint32_t underTest_ = 0;         ///< index of the candidate under test
+    bool roundsTies_ = false;             ///< classic method
+    FrontRules rules_{};                  ///< classic method
+    FirstBases first_;                    ///< classic method
 };
 
 } // namespace forefront

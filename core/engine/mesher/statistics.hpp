@@ -15,8 +15,8 @@ struct WorkCounters {
     /// Σ segments near enough to be considered, for each candidate side: those delivered that reach into the search
     /// region, without AB: Ns. With the classic method the same for every grid; the fast one stops at an obstacle.
     std::uint64_t considered = 0;
-    std::uint64_t tested =
-        0; ///< Σ exact tests, a part of those considered: Nt; with the classic method the same for every grid
+    /// Σ exact tests, a part of those considered: Nt. With the classic method the same for every grid.
+    std::uint64_t tested = 0;
     std::uint64_t cellsVisited = 0;
     std::uint64_t candidates = 0;
     std::uint64_t newNodes = 0;

@@ -7,12 +7,43 @@
 
 namespace forefront {
 
-const char *stepTitle(Step step) {
+namespace {
+
+const char *orderText(BaseRule rule) {
+    switch (rule) {
+    case BaseRule::Shortest:
+        return ", the shortest first";
+    case BaseRule::Oldest:
+        return ", the oldest first";
+    case BaseRule::Longest:
+        return ", the longest first";
+    case BaseRule::Random:
+        return ", drawn at random";
+    }
+    return "";
+}
+
+/// Returns a factor of the score with its exponent: "α(ABC)^2"; empty if it does not count.
+std::string powerText(const char *factor, const char *base, double exponent) {
+    return exponent == 0.0 ? "" : exponent == 1.0 ? factor : base + ('^' + numberText(exponent, 4));
+}
+
+} // namespace
+
+std::string scoreFormula(const FrontRules &rules) {
+    const std::string shape = powerText("α(ABC)", "α(ABC)", rules.shapeWeight);
+    const std::string spacing = powerText("δ(AC)·δ(CB)", "(δ(AC)·δ(CB))", rules.spacingWeight);
+    return shape.empty() && spacing.empty() ? "1, the same for all"
+                                            : shape + (shape.empty() || spacing.empty() ? "" : "·") + spacing;
+}
+
+std::string stepTitle(Step step, const FrontRules *rules) {
     switch (step) {
     case Step::BoundaryToFront:
         return "The boundary becomes the generation front";
     case Step::TakeBase:
-        return "Take a base segment AB from the front, the shortest first";
+        return std::string("Take a base segment AB from the front") +
+               (rules != nullptr ? orderText(rules->base) : ", the next along it");
     case Step::EvaluateSpacing:
         return "Evaluate the node spacing at AB";
     case Step::IdealPoint:
@@ -20,7 +51,7 @@ const char *stepTitle(Step step) {
     case Step::FindCandidates:
         return "Find candidate nodes near C";
     case Step::Score:
-        return "Score each: shape times spacing conformity";
+        return "Score each: " + scoreFormula(rules != nullptr ? *rules : FrontRules());
     case Step::Sort:
         return "Sort; withdraw C if the front is too near";
     case Step::Test:
@@ -132,7 +163,7 @@ std::string baseText(const AdvanceExplanation &explanation, const TraceEvent &ev
         return chosen +
                (explanation.earlierDeferred ? ", leaving out those deferred, taken as base AB" : ", taken as base AB");
     };
-    switch (explanation.baseRule) {
+    switch (explanation.rules.base) {
     case BaseRule::Oldest:
         return text("the oldest segment of the front");
     case BaseRule::Random:
@@ -141,7 +172,7 @@ std::string baseText(const AdvanceExplanation &explanation, const TraceEvent &ev
     case BaseRule::Longest:
         break;
     }
-    const std::string kind = explanation.baseRule == BaseRule::Shortest ? "shortest" : "longest";
+    const std::string kind = explanation.rules.base == BaseRule::Shortest ? "shortest" : "longest";
     if (event.equal == 0) {
         return "one of the " + kind + " segments of the front, taken as base AB";
     }
@@ -192,7 +223,7 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
     case Step::FindCandidates:
         return text + "the front nodes near C become candidates";
     case Step::Score:
-        return text + "each candidate scored by α(ABC)·δ(AC)·δ(CB)";
+        return text + "each candidate scored by " + scoreFormula(explanation.rules);
     case Step::Sort:
         return text + sortText(explanation, event);
     case Step::Test:

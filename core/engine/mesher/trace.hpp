@@ -4,7 +4,7 @@
 #include "core/engine/base/enum_words.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/vec2.hpp"
-#include "core/engine/front/base_rule.hpp"
+#include "core/engine/mesher/front_rules.hpp"
 
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace FOREFRONT_API forefront {
 /// The ten steps of S. H. Lo's advancing front technique.
 enum class Step : std::uint8_t {
     BoundaryToFront = 1, ///< 1  Γ := boundary segments
-    TakeBase,            ///< 2  take a base segment AB from Γ, the shortest first, of equal ones the oldest
+    TakeBase,            ///< 2  take a base segment AB from Γ, by FrontRules::base
     EvaluateSpacing,     ///< 3  ρ at the midpoint of AB, clamped
     IdealPoint,          ///< 4  ideal point C
     FindCandidates,      ///< 5  candidate nodes near C
@@ -28,8 +28,11 @@ enum class Step : std::uint8_t {
     Finish               ///< 10 stop when Γ = ∅
 };
 inline constexpr int kStepCount = 10;
-/// Returns the title of a step, such as "Evaluate the node spacing at AB".
-const char *stepTitle(Step step);
+/// Returns the title of a step under the rules of a run, such as "Take a base segment AB from the front, the shortest
+/// first". `rules`: of the classic method; null for the fast method.
+std::string stepTitle(Step step, const FrontRules *rules);
+/// Returns the formula of the score under the rules of a run: "α(ABC)² · δ(AC)·δ(CB)".
+std::string scoreFormula(const FrontRules &rules);
 
 /// The result of testing a candidate node.
 enum class Verdict : std::uint8_t {
@@ -58,12 +61,16 @@ struct CandidateTrace {
     double alpha = 0.0;                  ///< α of ABC; the minimum where several elements are made at once
     double deltaAC = 0.0, deltaCB = 0.0; ///< δ of the outer sides
     double rho = 0.0;                    ///< the spacing that δ compares lengths with
-    double score = 0.0;                  ///< product of the three
+    double score = 0.0;                  ///< see FrontRules::score()
     Verdict verdict = Verdict::NotTried;
+    /// Classic method: how often Γ passes through the node. It is accepted if one of the passes is.
+    unsigned passes = 1;
     /// Fast method: the front nodes whose segments share this candidate, in order; empty: AB alone.
     std::vector<Vec2> over;
     bool blocked = false; ///< ruled out by the front segment blockA-blockB, or the front node there if both are equal
     Vec2 blockA, blockB;
+    /// Classic method, an ideal point withdrawn by a blocking segment or node: its distance from it, and the clearance.
+    double blockDistance = 0.0, blockClearance = 0.0;
 };
 
 /// A test of a candidate segment against a segment of Γ.
@@ -104,11 +111,11 @@ struct AdvanceExplanation {
     std::vector<Box2> cells;     ///< visited cells of the background grid, in order
     std::uint32_t delivered = 0; ///< segments that the grid delivered
     std::vector<TraceEvent> events;
-    Vec2 apex;                              ///< apex of the elements made, unless deferred
-    ElementId element = kNoElement;         ///< first element made
-    unsigned elements = 0;                  ///< number of elements made
-    std::vector<std::array<Vec2, 3>> made;  ///< corners of the elements made
-    BaseRule baseRule = BaseRule::Shortest; ///< classic method
+    Vec2 apex;                             ///< apex of the elements made, unless deferred
+    ElementId element = kNoElement;        ///< first element made
+    unsigned elements = 0;                 ///< number of elements made
+    std::vector<std::array<Vec2, 3>> made; ///< corners of the elements made
+    FrontRules rules{};                    ///< classic method; else the defaults
     bool earlierDeferred = false; ///< classic method: a segment that comes earlier waits, since it was deferred
     bool walked = false;          ///< fast method: the base continues the walk along the front
 };

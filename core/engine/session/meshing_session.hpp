@@ -26,8 +26,9 @@ class MeshingSession {
 
     /// Starts a new run and cancels the previous one, which stays visible until the new one is prepared, and for good
     /// if the new one is refused. A job of more than about `budget` elements is coarsened to it, see prepare().
+    /// `position`: the number of advances after which a run waits that starts paused.
     void start(std::shared_ptr<const MeshingJob> job, StartMode mode,
-               double budget = std::numeric_limits<double>::infinity());
+               double budget = std::numeric_limits<double>::infinity(), std::uint64_t position = 0);
     /// Runs to the end at full speed, then improves the mesh.
     void finish();
     /// Plays from the cursor at a number of advances per second; a negative rate plays backward. Computes further

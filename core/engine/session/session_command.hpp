@@ -15,6 +15,7 @@ struct StartCommand {
     std::shared_ptr<const MeshingJob> job;
     StartMode mode = StartMode::Pause;
     double budget = std::numeric_limits<double>::infinity(); ///< elements
+    std::uint64_t position = 0;                              ///< StartMode::Pause: advances done where it waits
 };
 struct PlayCommand {
     double rate = 0.0;

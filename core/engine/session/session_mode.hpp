@@ -15,7 +15,7 @@ enum class Granularity : std::uint8_t {
 
 /// The behaviour of a new run once it is prepared.
 enum class StartMode : std::uint8_t {
-    Pause,   ///< waits before the first advance
+    Pause,   ///< waits before the first advance; up to kQuietElements, the length of the run is known then
     Run,     ///< meshes to the end at full speed and publishes progress and partial meshes on the way
     RunQuiet ///< as Run, but publishes nothing before the end, so that the previous mesh stays visible after an edit; a
              ///< run above kQuietElements publishes its progress all the same

@@ -84,8 +84,22 @@ void SessionWorker::execute(const StartCommand &command) {
     stage_ = "advancing the front";
     if (command.mode != StartMode::Pause) {
         execute(FinishCommand{});
+        return;
+    }
+    lookAhead();
+    if (command.position > 0) {
+        execute(SeekCommand{command.position});
     } else {
         rest(RunState::Paused);
+    }
+}
+
+/// Finds out how long the run is, if that takes a moment: the timeline then has its whole length from the start.
+void SessionWorker::lookAhead() {
+    constexpr double kAdvances = 4.0, kMore = 1000.0; // far more than a run has for each predicted element
+    const double predicted = run_->prepared().estimatedElements;
+    if (predicted <= kQuietElements) {
+        run_->travel().lookAhead(static_cast<std::uint64_t>(kAdvances * predicted + kMore));
     }
 }
 

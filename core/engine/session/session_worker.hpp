@@ -42,6 +42,7 @@ class SessionWorker {
 
     /// Discards the run with its mesh and timeline.
     void forget();
+    void lookAhead();
     void beginMove();
     void follow(Outcome outcome);
     void rest(RunState state);

@@ -59,6 +59,12 @@ TimelineTravel::Moment TimelineTravel::explain() {
     return moment;
 }
 
+void TimelineTravel::lookAhead(std::uint64_t limit) {
+    move(static_cast<std::int64_t>(limit));
+    timeline_.approach(0);
+    moveTimeline(-static_cast<std::int64_t>(timeline_.position()));
+}
+
 TimelineTravel::Outcome TimelineTravel::reach(std::uint64_t position) {
     timeline_.approach(position);
     return beginReaching(position, {});

@@ -48,6 +48,8 @@ class TimelineTravel {
     /// Returns the result of the last reachBirth(); empty after any other move.
     const std::optional<Birth> &birth() const { return birth_; }
 
+    /// Computes up to `limit` advances of a run that is at its start, and returns there.
+    void lookAhead(std::uint64_t limit);
     /// Begins a move to a position. Positions beyond the known ones are computed.
     Outcome reach(std::uint64_t position);
     /// Begins a move to the end of the run.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace forefront {
@@ -184,6 +185,20 @@ bool PlanarMeshBuilder::readPoint(TextScanner &scanner, std::int32_t tag, Expect
     }
     mesh.points.push_back(point);
     return true;
+}
+
+void PlanarMeshBuilder::readPointComments(const TextScanner &scanner, std::string_view prefix) {
+    constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
+    const std::string start = std::string(prefix) + " point ";
+    const std::string_view text = scanner.source().text;
+    for (std::size_t at = text.find(start); at != std::string_view::npos; at = text.find(start, at + 1)) {
+        TextScanner line = scanner.part(at + start.size(), std::min(text.find('\n', at), text.size()));
+        std::int64_t node = 0, tag = 0;
+        if ((at == 0 || text[at - 1] == '\n') && line.integer(node, 0, kGreatest, {"a comment"}) &&
+            line.integer(tag, 1, kGreatest, {"a comment"}) && table.find(node) != kNoIndex) {
+            mesh.points.push_back({NodeId{table.find(node)}, static_cast<std::int32_t>(tag)});
+        }
+    }
 }
 
 bool requireDistinct(TextScanner &scanner, std::size_t offset, std::span<const NodeId> nodes, Expect expect) {

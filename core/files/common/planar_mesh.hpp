@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace forefront {
 
@@ -54,6 +55,9 @@ class PlanarMeshBuilder {
     bool readEdge(TextScanner &scanner, CellKind kind, std::int32_t tag, Expect expect,
                   const CellOrder &order = kSameOrder);
     bool readPoint(TextScanner &scanner, std::int32_t tag, Expect expect);
+    /// Adds the points of the comment lines `PREFIX point NODE TAG`, for formats that hold no points. Skips values that
+    /// do not fit the mesh, since these are only comments.
+    void readPointComments(const TextScanner &scanner, std::string_view prefix);
     /// Adds a point, an edge or an element.
     void addCell(CellKind kind, std::span<const NodeId> nodes, std::int32_t tag);
     /// Gives tagged edges without a middle node the middle node of the adjacent elements, for formats that list only

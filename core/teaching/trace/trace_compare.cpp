@@ -116,7 +116,7 @@ class AdvanceComparison {
         return std::any_of(theirs_.candidates->begin(), theirs_.candidates->end(),
                            [&](const TracedCandidate &there) { return same(there.at, place); });
     }
-    /// A node on two places of Γ is two candidates here: one that agrees is enough.
+    /// A node that two searches found is two candidates here: one that agrees is enough.
     std::string candidate(const TracedCandidate &there) const {
         std::string found = "the node at " + placeText(there.at) + " is not a candidate: it is no node of the front " +
                             "within " + numberText(ours_.searchRadius, 6) + " of C";

@@ -50,6 +50,10 @@ void SelectTool::beginMove(Shell &context) {
     moving_ = context.selection;
     const bool byNode = grabbed_.kind == Hit::Kind::Node;
     startJoints_ = joints(context);
+    startConstraints_.reset();
+    if (!start_->constraints.empty()) {
+        startConstraints_.emplace(start_);
+    }
     if (grabbed_.kind == Hit::Kind::Control) {
         targets_ = aloneTargets_ = PickIndex::Filter([this](const Shape &shape) { return !moving_.touches(shape.id); });
     } else {
@@ -81,6 +85,9 @@ void SelectTool::updateMove(Shell &context) {
     }
     Result<Document> next = moved(snapped_.at);
     fault_.clear();
+    if (next && startConstraints_) {
+        next = startConstraints_->carry(*next);
+    }
     if (next) {
         context.applyCommand(std::move(next), moveLabel(), stroke_);
         return;

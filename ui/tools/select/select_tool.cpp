@@ -32,6 +32,7 @@ void SelectTool::deactivate(Shell &context) {
     start_.reset();
     startIndex_.reset();
     startJoints_.reset();
+    startConstraints_.reset();
 }
 
 namespace {
@@ -248,6 +249,7 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
     start_.reset();
     startIndex_.reset();
     startJoints_.reset();
+    startConstraints_.reset();
     hover_ = hitAt(event.place, context);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/constraints/constraint_drag.hpp"
 #include "ui/parts/naming.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/tools/common/numeric_entry.hpp"
@@ -120,6 +121,8 @@ class SelectTool final : public Tool {
     std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;
     std::shared_ptr<const Joints> startJoints_; ///< of start_, set while Moving
+    /// Constraints of start_, set while Moving; none if it has none.
+    std::optional<ConstraintDrag> startConstraints_;
     Selection moving_;
     PickIndex::Filter targets_;      ///< of moving_ and what is joined with it
     PickIndex::Filter aloneTargets_; ///< of moving_ alone

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/drawing/constraints/carry_constraints.hpp"
-#include "core/drawing/constraints/settle.hpp"
+#include "core/drawing/commands/settle_command.hpp"
 #include "core/drawing/document/history.hpp"
 #include "core/drawing/domain/shared_domain.hpp"
 #include "core/drawing/formulas/element_counts.hpp"
@@ -36,17 +35,21 @@ class DocumentStore {
     /// Makes `next` the current document. Consecutive changes with the same non-empty `stroke` form one undo step until
     /// endStroke(), such as a drag or a brush stroke. Sizes of segments stay at their places, divided segments share
     /// their number of elements, numbers that were edited directly lose their formulas, and constraints follow and move
-    /// what they must. Where they cannot hold, they stay violated: Workspace::applyCommand() refuses the command
-    /// before. Returns false if nothing changed.
-    bool apply(Document next, std::string label, std::string_view stroke = {}) {
-        carrySegmentSizes(*current(), next);
-        carryElementCounts(*current(), next);
-        carryConstraints(*current(), next);
-        carryFormulas(*current(), next);
-        if (Result<Document> settled = settle(*current(), next)) {
-            next = *std::move(settled);
+    /// what they must. Error: constraint-conflict, see settleCommand(); the document then stays as it is.
+    Status tryApply(Document next, std::string label, std::string_view stroke = {}) {
+        Result<Document> completed = complete(std::move(next));
+        if (!completed) {
+            return completed.faults();
         }
-        return tell(history_.commit(std::move(label), std::move(next), stroke));
+        tell(history_.commit(std::move(label), *std::move(completed), stroke));
+        return {};
+    }
+    /// Does the same for a command that moves no shapes, and so contradicts no constraint. Returns false if nothing
+    /// changed.
+    bool apply(Document next, std::string label, std::string_view stroke = {}) {
+        const std::uint64_t before = revision();
+        static_cast<void>(tryApply(std::move(next), std::move(label), stroke));
+        return revision() != before;
     }
     /// Makes `next` the current document as it is, as one command that can be undone. Returns false if nothing changed.
     bool replace(Document next, std::string label) { return tell(history_.commit(std::move(label), std::move(next))); }
@@ -123,6 +126,12 @@ class DocumentStore {
     void observe(std::function<void(const Document &)> observer) { observer_ = std::move(observer); }
 
   private:
+    /// Returns a document in which what belongs to the shapes of the current one has followed.
+    Result<Document> complete(Document next) const {
+        carrySegmentSizes(*current(), next);
+        carryElementCounts(*current(), next);
+        return settleCommand(*current(), std::move(next));
+    }
     static constexpr int kMaxReserved = 1000;
 
     static std::string untitledName(int number) {

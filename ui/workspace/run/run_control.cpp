@@ -131,8 +131,27 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
     return follows || (large && gestureOver);
 }
 
+/// Returns true if the newest document differs from that of the run in the rules of the method alone, and the run rests
+/// in its course.
+bool RunControl::keepsPosition(const SessionSnapshot &newest) const {
+    const bool underWay = newest.run == lastStart_ && newest.state == RunState::Paused && newest.known > 0 &&
+                          !(newest.complete && newest.advance == newest.known);
+    const Document &now = *document_.current();
+    if (!underWay || !startedWith_ || startedWith_->options.rules == now.options.rules ||
+        newest.requestedElements > liveBudget) {
+        return false;
+    }
+    Document before = *startedWith_;
+    before.options.rules = now.options.rules;
+    before.limits = now.limits;
+    before.picture = now.picture;
+    return sameContent(before, now);
+}
+
 void RunControl::startLiveMesh() {
-    if (followed_ == meshRevision()) {
+    if (const auto newest = session_.latest(); keepsPosition(*newest)) {
+        startAt(newest->advance);
+    } else if (followed_ == meshRevision()) {
         start(StartMode::RunQuiet, Extent::Full);
     } else if (!document_.current()->shapes.empty()) {
         start(StartMode::RunQuiet, Extent::Preview);
@@ -221,17 +240,25 @@ MeshingJob RunControl::job() const {
     return *document_.sharedDomain()->job();
 }
 
+void RunControl::startAt(std::uint64_t advance) {
+    startRun(StartMode::Pause, {meshRevision(), document_.current()->options.method, true, Extent::Full}, advance);
+}
+
 void RunControl::start(StartMode mode, Extent extent) {
+    startRun(mode, {meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent}, 0);
+}
+
+void RunControl::startRun(StartMode mode, const Start &start, std::uint64_t advance) {
     opened_.reset();
     fields_.reset();
     cancelling_ = false;
     MeshingJob whole = job();
     whole.shared = document_.spacing();
     session_.start(std::make_shared<const MeshingJob>(std::move(whole)), mode,
-                   extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity());
+                   start.extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity(), advance);
     started_ = true;
     followed_ = meshRevision();
-    const Start start{meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent};
+    startedWith_ = document_.current();
     starts_[++lastStart_] = start;
     if (!start.live) {
         shown_ = start; // a live run keeps showing the previous mesh until it is finished

@@ -48,7 +48,8 @@ class RunControl final : public BackgroundActivity {
     void refresh();
     /// Keeps the mesh up to date with the document while `live`: the current run is finished and shown, then the newest
     /// document is meshed. For a mesh above `liveBudget`, a coarser preview follows the edits, and the full mesh is
-    /// made once `gestureOver`, which is also when the result is logged. `faulty`: the drawing has faults, which are
+    /// made once `gestureOver`, which is also when the result is logged. A run that rests in its course rests after as
+    /// many advances again where only the rules of the method have changed. `faulty`: the drawing has faults, which are
     /// shown elsewhere. Called once per frame, after input.
     void follow(bool gestureOver, bool faulty);
     /// Returns true if live meshing has yet to start a mesh of the newest document, or its full mesh after a preview.
@@ -132,6 +133,14 @@ class RunControl final : public BackgroundActivity {
     /// The extent of a run for live meshing: a preview, or the full mesh that the document asks for.
     enum class Extent : std::uint8_t { Preview, Full };
 
+    /// The document revision and options that a run was started with.
+    struct Start {
+        std::uint64_t revision = 0;
+        Method method = Method::Fast;
+        bool live = false;
+        Extent extent = Extent::Full;
+    };
+
     /// Live meshing, which the window must not miss while the worker is idle.
     class LiveMeshing final : public BackgroundActivity {
       public:
@@ -145,7 +154,11 @@ class RunControl final : public BackgroundActivity {
 
     bool drawingIsEmpty() const;
     void start(StartMode mode, Extent extent = Extent::Full);
+    /// Starts a run that waits after a number of advances.
+    void startAt(std::uint64_t advance);
+    void startRun(StartMode mode, const Start &start, std::uint64_t advance);
     void startLiveMesh();
+    bool keepsPosition(const SessionSnapshot &newest) const;
     bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
     bool needsFullMesh() const;
     bool startIfNeeded();
@@ -165,13 +178,6 @@ class RunControl final : public BackgroundActivity {
     bool adapted_ = false;                          ///< opened_ was made by Adapt
     std::shared_ptr<const FileFields> fields_;      ///< values of that mesh; null: none
     std::uint64_t openedCount_ = 0;
-    /// The document revision and options that a run was started with.
-    struct Start {
-        std::uint64_t revision = 0;
-        Method method = Method::Fast;
-        bool live = false;
-        Extent extent = Extent::Full;
-    };
     /// The result of the last live run; logged when the gesture is over.
     struct LiveResult {
         std::string note;        ///< empty: refused
@@ -180,6 +186,7 @@ class RunControl final : public BackgroundActivity {
     };
     std::map<std::uint64_t, Start> starts_; ///< by run number, from the one shown to the last
     std::uint64_t lastStart_ = 0;
+    std::shared_ptr<const Document> startedWith_; ///< the document of the last run; null: none
     Start shown_;
     std::uint64_t refusalLogged_ = 0; ///< run number
     std::string notesLogged_;         ///< the last notes on the spacing, as text

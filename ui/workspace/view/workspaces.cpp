@@ -30,8 +30,8 @@ constexpr std::array<Ids, 4> kMeshTools{"select", "region", "probe", "trace"};
 constexpr std::array<Ids, 8> kMeshLayers{"domain",  "boundary", "faults", "marks",
                                          "picture", "regions",  "mesh",   "front"};
 
-constexpr std::array<Ids, 3> kStepPanels{"steps", "candidates", "statistics"};
-constexpr std::array<Ids, 1> kStepFolded{"statistics"};
+constexpr std::array<Ids, 4> kStepPanels{"steps", "candidates", "rules", "statistics"};
+constexpr std::array<Ids, 2> kStepFolded{"rules", "statistics"};
 constexpr std::array<Ids, 5> kStepTools{"select", "trace", "probe", "guess", "measure"};
 constexpr std::array<Ids, 9> kStepLayers{"domain", "boundary", "faults",     "marks", "picture",
                                          "mesh",   "front",    "candidates", "tests"};

@@ -1,0 +1,102 @@
+#include "app/batch/open_boundaries.hpp"
+
+#include "core/drawing_files/drawing_formats.hpp"
+#include "core/files/common/names.hpp"
+#include "core/files/common/tagged_sides.hpp"
+#include "core/files/files.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace forefront {
+
+namespace {
+
+using Parts = std::map<std::int32_t, std::string>; ///< names by tag
+
+Diagnostics unknownNames(const std::vector<std::string> &open, const Parts &parts) {
+    constexpr std::size_t kListed = 20;
+    std::vector<std::string> unknown, known;
+    for (const std::string &name : open) {
+        const bool found =
+            std::any_of(parts.begin(), parts.end(), [&](const auto &part) { return part.second == name; });
+        if (!found) {
+            unknown.push_back(name);
+        }
+    }
+    if (unknown.empty()) {
+        return {};
+    }
+    for (const auto &[tag, name] : parts) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            known.push_back(name);
+        }
+    }
+    return error("unknown-boundary", "--open: unknown boundary part " + listed(unknown, kListed),
+                 known.empty() ? "the boundary has no parts" : "expected one of " + listed(known, kListed));
+}
+
+} // namespace
+
+void addOpenOption(CLI::App &app, MeshForm &form) {
+    app.add_option("--open", form.open,
+                   "name of a boundary part through which water flows, for grids of ADCIRC and SCHISM, such as sea or "
+                   "boundary_2; all others are land; can be repeated")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+}
+
+std::string checkOpen(const MeshForm &form, const std::vector<Output> &outputs) {
+    const bool used = std::any_of(outputs.begin(), outputs.end(),
+                                  [](const Output &output) { return hasOpenBoundaries(output.path, output.format); });
+    if (form.open.empty() || used) {
+        return {};
+    }
+    std::string extensions;
+    for (const FileFormat &format : allFormats().list()) {
+        if (format.hasOpenBoundaries) {
+            extensions += (extensions.empty() ? "" : ", ") + std::string(format.extension);
+        }
+    }
+    return "--open: no output tells open boundaries from land; add -o OUT with one of " + extensions;
+}
+
+Diagnostics checkOpenNames(const MeshForm &form, const Domain &domain) {
+    Parts parts;
+    for (const DomainSegment &segment : domain.segments) {
+        if (segment.role == SegmentRole::Boundary && !form.open.empty()) {
+            parts.try_emplace(segment.tag, boundaryName(domain.boundaryNames, segment.tag));
+        }
+    }
+    return unknownNames(form.open, parts);
+}
+
+Diagnostics checkOpenNames(const MeshForm &form, const MeshView &mesh) {
+    if (form.open.empty()) {
+        return {};
+    }
+    Parts parts;
+    const TaggedSides sides(mesh);
+    for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+        if (sides.of(k).size() == 1) {
+            parts.try_emplace(mesh.edges[k].tag, boundaryName(mesh.boundaryNames, mesh.edges[k].tag));
+        }
+    }
+    return unknownNames(form.open, parts);
+}
+
+ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh) {
+    ExportOptions options;
+    const Parts parts = form.open.empty() ? Parts() : tagsOf(mesh).edges;
+    for (const std::string &name : form.open) {
+        for (const auto &[tag, given] : parts) {
+            const auto &known = options.openBoundaries;
+            if (given == name && std::find(known.begin(), known.end(), tag) == known.end()) {
+                options.openBoundaries.push_back(tag);
+            }
+        }
+    }
+    return options;
+}
+
+} // namespace forefront

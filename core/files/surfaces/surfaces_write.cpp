@@ -1,0 +1,72 @@
+#include "core/files/common/names.hpp"
+#include "core/files/common/tagged_cells.hpp"
+#include "core/files/surfaces/surfaces.hpp"
+
+namespace forefront {
+
+namespace {
+
+FileNames solidsOf(const TagList &tags) {
+    UniqueNames unique;
+    return identifiersOf({.edges = {}, .points = {}, .regions = tags.regions}, unique);
+}
+
+void writePlaces(const MeshView &mesh, TextWriter &out) {
+    for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
+        out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
+    }
+}
+
+/// Writes the corners of each element after their number, then its region if `regions`.
+void writeFaces(const MeshView &mesh, bool regions, TextWriter &out) {
+    for (const MeshView::Block &block : mesh.blocks()) {
+        for (std::size_t k = 0; k < block.size() && out.ok(); ++k) {
+            out << block.traits().nodes;
+            for (const NodeId node : block.nodesOf(k)) {
+                out << ' ' << index(node);
+            }
+            if (regions) {
+                out << ' ' << block.region(k);
+            }
+            out << '\n';
+        }
+    }
+}
+
+} // namespace
+
+void writePly(const MeshView &mesh, TextWriter &out) {
+    out << "ply\nformat ascii 1.0\ncomment " << titleOf(mesh) << "\nelement vertex " << mesh.nodes.size()
+        << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << mesh.elementCount()
+        << "\nproperty list uchar int vertex_indices\nproperty int region\nend_header\n";
+    writePlaces(mesh, out);
+    writeFaces(mesh, true, out);
+}
+
+void writeOff(const MeshView &mesh, TextWriter &out) {
+    out << "OFF\n" << mesh.nodes.size() << ' ' << mesh.elementCount() << " 0\n";
+    writePlaces(mesh, out);
+    writeFaces(mesh, false, out);
+}
+
+void writeStl(const MeshView &mesh, TextWriter &out) {
+    const FileNames names = solidsOf(tagsOf(mesh));
+    for (const auto &[tag, elements] : elementsByRegion(mesh)) {
+        out << "solid " << names.regions.at(tag) << '\n';
+        for (std::size_t k = 0; k < elements.size() && out.ok(); ++k) {
+            out << "facet normal 0 0 1\nouter loop\n";
+            for (const NodeId node : mesh.cornersOf(elements[k])) {
+                out << "vertex " << mesh.nodes[index(node)].x << ' ' << mesh.nodes[index(node)].y << " 0\n";
+            }
+            out << "endloop\nendfacet\n";
+        }
+        out << "endsolid " << names.regions.at(tag) << '\n';
+    }
+}
+
+Diagnostics noteStlChanges(const MeshView &mesh) {
+    const TagList tags = tagsOf(mesh);
+    return noteChangedNames(tags, solidsOf(tags));
+}
+
+} // namespace forefront
