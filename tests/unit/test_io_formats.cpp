@@ -296,7 +296,7 @@ TEST_CASE("Formats: what the list says of a format agrees with its functions") {
         CHECK((!about.readsMesh || about.kind == FileKind::Mesh));
         CHECK((about.kind != FileKind::Mesh || about.readsMesh || about.writesMesh));
         CHECK(about.hasOpenBoundaries == (format.writeWith != nullptr));
-        CHECK((!about.hasLayers || about.kind == FileKind::Map));
+        CHECK((!about.hasLayers || about.kind == FileKind::Map || about.kind == FileKind::CadDrawing));
         if (const std::string program = about.program; !program.empty()) {
             CHECK(about.writesMesh);
             CHECK(programs.insert(program).second); // one format for each program

@@ -39,8 +39,9 @@ std::string kindOf(std::string_view type) {
 
 /// Returns the arc of a circle that a bulge, the tangent of a quarter of its angle, puts over a chord.
 Curve bulged(Vec2 a, Vec2 b, double bulge) {
+    constexpr double kStraight = 1e-7; // rounding of the centre would exceed the height of a flatter arc
     const Vec2 chord = b - a;
-    if (bulge == 0.0 || a == b) {
+    if (std::fabs(bulge) < kStraight || a == b) {
         return Curve::line(a, b);
     }
     const double height = (1.0 - bulge * bulge) / (4.0 * bulge);
@@ -97,6 +98,7 @@ class Drawer {
                                             std::string(entity.type) + ", found " + inQuotes(group.value));
                 }
                 values_.numbers[group.code] = *value;
+                hasHeight_ = hasHeight_ || (group.code >= 30 && group.code < 39 && *value != 0.0);
             }
         }
         return true;
@@ -129,6 +131,7 @@ class Drawer {
             while (entity.type == "POLYLINE" && last + 1 < entities.size() && entities[last + 1].type == "VERTEX") {
                 ++last;
             }
+            hasHeight_ = false;
             if (!read(entity)) {
                 return;
             }
@@ -142,8 +145,12 @@ class Drawer {
         }
     }
 
-    /// Returns the map from the coordinates of an entity to the plane; none if it is tilted.
-    std::optional<PlaneMap> frame() const {
+    /// Returns the map from the coordinates of an entity to the plane; none if it is tilted. Lines and splines are
+    /// given in the coordinates of the model.
+    std::optional<PlaneMap> frame(std::string_view type) const {
+        if (type == "LINE" || type == "SPLINE") {
+            return PlaneMap{};
+        }
         const Vec2 tilt{values_.of(210, 0.0), values_.of(220, 0.0)};
         const double z = values_.of(230, 1.0);
         if (length(tilt) > 1e-9 * std::fabs(z)) {
@@ -154,7 +161,7 @@ class Drawer {
 
     void draw(const DxfEntity &entity, const std::vector<DxfEntity> &all, std::size_t k, std::size_t last,
               const PlaneMap &map) {
-        const std::optional<PlaneMap> own = frame();
+        const std::optional<PlaneMap> own = frame(entity.type);
         if (!own) {
             source_.note("dxf-left-out", "entities in tilted planes are left out", entity.begin);
             return;
@@ -163,27 +170,10 @@ class Drawer {
         bool closed = false, plane = true; // in coordinates of its own plane
         if (entity.type == "LINE") {
             curves.push_back(Curve::line(values_.point(10), values_.point(11)));
-            plane = false;
         } else if (entity.type == "CIRCLE" || entity.type == "ARC") {
-            closed = entity.type == "CIRCLE";
-            const double r = values_.of(40, 0.0);
-            const double from = closed ? 0.0 : values_.of(50, 0.0);
-            double sweep = closed ? 360.0 : std::fmod(values_.of(51, 360.0) - from, 360.0);
-            sweep += sweep <= 0.0 ? 360.0 : 0.0;
-            if (!(r > 0.0)) {
-                faults_.fail(entity.begin, "bad-value", "a circle or arc needs a positive radius (group 40)");
-                return;
-            }
-            curves.push_back(Curve::arc(values_.point(10), {r, 0.0}, {0.0, r}, from * kRadians, sweep * kRadians));
+            curves = arc(entity, closed);
         } else if (entity.type == "ELLIPSE") {
-            const Vec2 major = values_.point(11);
-            const double turn = values_.of(230, 1.0) < 0.0 ? -1.0 : 1.0, full = 2.0 * std::numbers::pi;
-            const double from = values_.of(41, 0.0);
-            double sweep = std::fmod(values_.of(42, full) - from, full);
-            sweep += sweep <= 1e-9 ? full : 0.0;
-            closed = sweep >= full - 1e-9;
-            curves.push_back(Curve::arc(values_.point(10), major, turn * values_.of(40, 1.0) * Vec2{-major.y, major.x},
-                                        from, closed ? full : sweep));
+            curves = ellipse(entity, closed);
             plane = false;
         } else if (entity.type == "LWPOLYLINE" || entity.type == "POLYLINE") {
             const int flags = this->flags();
@@ -202,8 +192,6 @@ class Drawer {
                 faults_.fail(entity.begin, "bad-value", fault);
                 return;
             }
-            closed = spline.closed;
-            plane = false;
         } else if (entity.type == "INSERT") {
             insert(entity, map.after(*own));
             return;
@@ -212,6 +200,35 @@ class Drawer {
             return;
         }
         add(curves, closed, plane ? map.after(*own) : map, entity.begin);
+    }
+
+    std::vector<Curve> arc(const DxfEntity &entity, bool &closed) const {
+        closed = entity.type == "CIRCLE";
+        const double r = values_.of(40, 0.0);
+        if (!(r > 0.0)) {
+            source_.note("dxf-left-out", "circles and arcs without a positive radius are left out", entity.begin);
+            return {};
+        }
+        const double from = closed ? 0.0 : std::fmod(values_.of(50, 0.0), 360.0);
+        double sweep = closed ? 360.0 : std::fmod(values_.of(51, 360.0) - from, 360.0);
+        sweep += sweep <= 0.0 ? 360.0 : 0.0;
+        return {Curve::arc(values_.point(10), {r, 0.0}, {0.0, r}, from * kRadians, sweep * kRadians)};
+    }
+
+    std::vector<Curve> ellipse(const DxfEntity &entity, bool &closed) const {
+        constexpr double kFull = 2.0 * std::numbers::pi, kSame = 1e-9;
+        const Vec2 major = values_.point(11);
+        const double ratio = values_.of(40, 1.0), from = values_.of(41, 0.0);
+        if (!(length(major) > 0.0 && ratio != 0.0)) {
+            source_.note("dxf-left-out", "ellipses without extent are left out", entity.begin);
+            return {};
+        }
+        double sweep = std::fmod(values_.of(42, kFull) - from, kFull);
+        sweep += sweep <= kSame ? kFull : 0.0;
+        closed = sweep >= kFull - kSame;
+        const double turn = values_.of(230, 1.0) < 0.0 ? -1.0 : 1.0;
+        return {
+            Curve::arc(values_.point(10), major, turn * ratio * Vec2{-major.y, major.x}, from, closed ? kFull : sweep)};
     }
 
     std::vector<Curve> polyline(const std::vector<DxfEntity> &all, std::size_t k, std::size_t last, bool closed) {
@@ -271,11 +288,19 @@ class Drawer {
         }
         const auto block = file_.blocks.find(name);
         if (block == file_.blocks.end()) {
-            faults_.fail(entity.begin, "unknown-block", "unknown block " + inQuotes(name));
+            source_.warn("dxf-block", "the file has no block " + inQuotes(name) + ": its inserts are left out",
+                         entity.begin);
+            return;
+        }
+        const auto known = file_.layers.find(lowerCase(layer_));
+        if (!source_.options.layer && known != file_.layers.end() && known->second.frozen) {
+            source_.note("dxf-layers", "blocks inserted on frozen layers are left out", entity.begin);
             return;
         }
         if (open_.size() >= kMaxDepth || !open_.insert(name).second) {
-            faults_.fail(entity.begin, "nested-block", "the block " + inQuotes(name) + " contains itself");
+            faults_.fail(entity.begin, "nested-block",
+                         "the block " + inQuotes(name) +
+                             (open_.size() < kMaxDepth ? " contains itself" : " lies in too many others"));
             return;
         }
         if (block->second.external) {
@@ -303,6 +328,9 @@ class Drawer {
         if (curves.empty() || !faults_.ok()) {
             return;
         }
+        if (hasHeight_) {
+            source_.note("dxf-height", "z coordinates are ignored: the drawing is seen from above", offset);
+        }
         const auto [layer, added] =
             layers_.try_emplace(lowerCase(layer_), static_cast<std::uint32_t>(drawn_.layers.size()));
         if (added) {
@@ -323,6 +351,7 @@ class Drawer {
     Groups groups_; ///< of the present entity
     Values values_; ///< of its groups
     std::string layer_;
+    bool hasHeight_ = false;                      ///< one of its points has a z coordinate other than 0
     std::map<std::string, std::uint32_t> layers_; ///< by name in lower case
     std::set<std::string> open_;                  ///< blocks being inserted
     std::size_t visited_ = 0;

@@ -25,7 +25,7 @@ struct DxfPaths {
 };
 
 /// Returns the curves of the entities in the model. Notes name everything left out. Faults with their lines:
-/// bad-number, bad-value, unknown-block, nested-block, too-large.
+/// bad-number, bad-value, nested-block, too-large.
 Result<DxfPaths> drawDxf(const DxfFile &file, const SourceText &source);
 
 } // namespace forefront

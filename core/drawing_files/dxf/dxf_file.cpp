@@ -149,9 +149,6 @@ class DxfFileReader {
             case 62: // the colour
                 layer.off = integerOf(group_.value, 7) < 0;
                 break;
-            case 290:
-                layer.plots = integerOf(group_.value, 1) != 0;
-                break;
             default:
                 break;
             }

@@ -25,7 +25,6 @@ struct DxfLayer {
     std::string name;
     bool frozen = false;
     bool off = false;
-    bool plots = true; ///< false for layers that are never printed
 };
 
 /// A block: entities that inserts draw as often as they like.
