@@ -17,7 +17,7 @@ def tilted(entity):
     return math.hypot(z[0], z[1]) > 1e-9 * abs(z[2])
 
 
-def points(entity, size):
+def points(entity):
     """Returns the plane points of an entity as a polyline; None if it is of a kind that is left out."""
     kind = entity.dxftype()
     if kind == "LINE":
@@ -29,7 +29,7 @@ def points(entity, size):
         begin, end = (0, 360) if kind == "CIRCLE" else (entity.dxf.start_angle, entity.dxf.end_angle)
         sweep = (end - begin) % 360 or 360
         ocs = OCS(entity.dxf.get("extrusion", (0, 0, 1)))
-        count = 4000
+        count = 1000
         return list(ocs.points_to_wcs(
             entity.dxf.center + (radius * math.cos(math.radians(begin + sweep * k / count)),
                                  radius * math.sin(math.radians(begin + sweep * k / count))) for k in range(count + 1)))
@@ -39,13 +39,15 @@ def points(entity, size):
         sweep = (end - begin) % (2 * math.pi) or 2 * math.pi
         if sweep < 1e-9:
             sweep = 2 * math.pi
-        return list(tool.vertices(begin + sweep * k / 4000 for k in range(4001)))
+        return list(tool.vertices(begin + sweep * k / 1000 for k in range(1001)))
     if kind == "SPLINE":
         if len(entity.control_points) == 0 and len(entity.fit_points) < 2:
             return None
         tool = entity.construction_tool()
-        begin, end = tool.knots()[tool.order - 1], tool.knots()[tool.count]
-        return list(tool.points(begin + (end - begin) * k / 20000 for k in range(20001)))
+        knots = list(tool.knots())[tool.order - 1:tool.count + 1]
+        spans = [(a, b) for a, b in zip(knots, knots[1:]) if a < b]  # of very different lengths
+        count = max(64, 8192 // max(1, len(spans)))
+        return list(tool.points([a + (b - a) * k / count for a, b in spans for k in range(count)] + [knots[-1]]))
     return polyline(entity)
 
 
@@ -72,7 +74,7 @@ def polyline(entity):
         if abs(bulge) > 1e-7 and math.dist(place, following) > 0:
             centre, begin, end, radius = bulge_to_arc(place, following, bulge)
             sweep = (end - begin) % (2 * math.pi)
-            steps = [k / 1000 for k in range(1, 1000)]
+            steps = [k / 500 for k in range(1, 500)]
             for t in (steps if bulge > 0 else reversed(steps)):
                 angle = begin + t * sweep
                 line.append((centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)))
@@ -101,20 +103,29 @@ def curves_of(document, entities, layer=None, depth=0):
             yield own, entity
 
 
+def lines_of(document):
+    """Yields layer and polyline of each curve in the model."""
+    for layer, entity in curves_of(document, document.modelspace()):
+        line = points(entity)
+        if line and len(line) > 1:
+            yield layer.strip(), [(p[0], p[1]) for p in line]
+
+
+def document_in(path):
+    try:
+        return ezdxf.readfile(path)
+    except (ezdxf.DXFError, UnicodeDecodeError):
+        return recover.readfile(path)[0]
+
+
 def measure(path):
     """Returns units and, for each layer, number of paths, length and bounds, as forefront_dxf_paths prints them."""
-    try:
-        document = ezdxf.readfile(path)
-    except (ezdxf.DXFError, UnicodeDecodeError):
-        document, _ = recover.readfile(path)
+    document = document_in(path)
     layers = {}
-    for layer, entity in curves_of(document, document.modelspace()):
-        line = points(entity, 1.0)
-        if not line or len(line) < 2:
-            continue
+    for layer, line in lines_of(document):
         found = layers.setdefault(layer, {"paths": 0, "length": 0.0, "box": [math.inf, math.inf, -math.inf, -math.inf]})
         found["paths"] += 1
-        found["length"] += sum(math.dist((p[0], p[1]), (q[0], q[1])) for p, q in zip(line, line[1:]))
+        found["length"] += sum(math.dist(p, q) for p, q in zip(line, line[1:]))
         box = found["box"]
         xs, ys = [p[0] for p in line], [p[1] for p in line]
         found["box"] = [min(box[0], *xs), min(box[1], *ys), max(box[2], *xs), max(box[3], *ys)]
