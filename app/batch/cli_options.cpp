@@ -378,7 +378,8 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
                                "inside another always keeps its area")
         ->type_name("RULE");
     app.add_option("--layer", arguments.layer,
-                   "layer of a TopoJSON file to read, such as counties; default: the first one with polygons")
+                   "layers of a DXF file to read, with commas between them; default: all that are shown. Or "
+                   "the layer of a TopoJSON file, such as counties; default: the first one with polygons")
         ->type_name("NAME");
     app.add_option("--name-property", arguments.nameProperty,
                    "property of the features of a map that names regions and boundaries, text or numbers; id also "

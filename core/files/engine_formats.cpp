@@ -1,5 +1,7 @@
 #include "core/files/abaqus/abaqus.hpp"
+#include "core/files/dxf/dxf_write.hpp"
 #include "core/files/esri/esri_grid.hpp"
+#include "core/files/femm/femm.hpp"
 #include "core/files/format.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/hydro/hydro.hpp"
@@ -11,6 +13,7 @@
 #include "core/files/obj/obj.hpp"
 #include "core/files/openfoam/openfoam.hpp"
 #include "core/files/png/png.hpp"
+#include "core/files/points/points.hpp"
 #include "core/files/sms/two_dm.hpp"
 #include "core/files/su2/su2.hpp"
 #include "core/files/surfaces/surfaces.hpp"
@@ -87,6 +90,27 @@ constexpr std::array kFormats = {
                      .readsDomain = true},
            .readDomain = readPoly,
            .filesBeside = filesBesidePoly},
+    Format{.about = {.id = "femm",
+                     .name = "FEMM problem",
+                     .extension = ".fem",
+                     .otherExtensions = ".fee .feh .fec",
+                     .kind = FileKind::Domain,
+                     .readsDomain = true},
+           .recognise = looksLikeFemm,
+           .readDomain = readFemm},
+    Format{.about = {.id = "csv",
+                     .name = "table of points (CSV)",
+                     .extension = ".csv",
+                     .otherExtensions = ".xy",
+                     .kind = FileKind::Domain,
+                     .readsDomain = true},
+           .readDomain = readCsv},
+    Format{.about = {.id = "airfoil",
+                     .name = "airfoil (Selig, Lednicer)",
+                     .extension = ".dat",
+                     .kind = FileKind::Domain,
+                     .readsDomain = true},
+           .readDomain = readAirfoil},
     Format{.about = {.id = "svg",
                      .name = "SVG drawing",
                      .extension = ".svg",
@@ -95,6 +119,26 @@ constexpr std::array kFormats = {
                      .holds = kAllCells,
                      .keeps = "A drawing of the mesh; cannot be read back as a mesh."},
            .writeMesh = writeSvg},
+    Format{.about = {.id = "dxf",
+                     .name = "DXF drawing",
+                     .extension = ".dxf",
+                     .kind = FileKind::CadDrawing,
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps elements as faces, boundary parts as polylines and points, each on the layer of "
+                              "its name. Read back, the polylines are a drawing."},
+           .writeMesh = writeDxf,
+           .noteChanges = noteDxfChanges},
+    Format{.about = {.id = "dxf-outline",
+                     .name = "DXF drawing, outline",
+                     .extension = ".dxf",
+                     .kind = FileKind::CadDrawing,
+                     .writesMesh = true,
+                     .holds = kAllCells,
+                     .keeps = "Keeps boundary parts as polylines with arcs, and points, on the layers of their names; "
+                              "elements are left out."},
+           .writeMesh = writeDxfOutline,
+           .noteChanges = noteDxfChanges},
     gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2, writeMsh2Solid),
     gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4),
     gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4Binary),

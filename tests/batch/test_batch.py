@@ -781,7 +781,7 @@ class Streams(Case):
         for words, message in ((["mesh", "plate.poly", "-o", "-"], "--format"),
                                (["mesh", "plate.poly", "-o", "-", "--format", "triangle"], "several files"),
                                (["mesh", "plate.poly", "-o", "-", "--format", "vtu", "--stats", "-"], "--stats"),
-                               (["mesh", "-", "--input-format", "dxf", "-o", "a.msh"], "unknown format 'dxf'"),
+                               (["mesh", "-", "--input-format", "step", "-o", "a.msh"], "unknown format 'step'"),
                                (["check", "-", "--domain", "-"], "only once"),
                                (["mesh", "plate.poly", "-o", "-", "-o", "-", "--format", "vtu", "--format", "vtu"],
                                 "given twice")):

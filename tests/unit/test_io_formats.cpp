@@ -299,7 +299,7 @@ TEST_CASE("Formats: what the list says of a format agrees with its functions") {
         CHECK((format.writeWith == nullptr || about.hasOpenBoundaries));
         CHECK((!about.hasOpenBoundaries || format.writeWith != nullptr || format.writeFiles != nullptr));
         CHECK(about.readsSpacing >= (format.readRaster != nullptr));
-        CHECK((!about.hasLayers || about.kind == FileKind::Map));
+        CHECK((!about.hasLayers || about.kind == FileKind::Map || about.kind == FileKind::CadDrawing));
         if (const std::string program = about.program; !program.empty()) {
             CHECK(about.writesMesh);
             CHECK(programs.insert(program).second); // one format for each program

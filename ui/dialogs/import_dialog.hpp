@@ -37,8 +37,8 @@ class ImportDialog final : public PreviewDialog {
     void read(const Progress &progress = {});
     void projectIfPossible(const Progress &progress);
     void chooseWhite();
-    /// Reads another layer of a map.
-    void readLayer(const std::string &name);
+    /// Reads other layers.
+    void readLayers();
     void drawSizes(Shell &context) const;
     void drawUnit(Shell &context);
     void drawMap(Shell &context);

@@ -41,7 +41,8 @@ struct ImportOptions {
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later; ///< between features of a map
     DegreeRule degrees = DegreeRule::Warn;    ///< for longitudes and latitudes of a map
-    /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one.
+    /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one. Of
+    /// a DXF file, one or more layers with commas between them; absent: all that are shown.
     std::optional<std::string> layer = {};
     /// The property of a map's features to take names of boundaries and regions from, text or numbers; "id" also uses
     /// the own ids of the features. Absent: "name", "Name" or "NAME", or if no feature has one, "NAME_n" with the
