@@ -1832,13 +1832,13 @@ class Convert(Case):
 
     def test_extrusion_makes_prisms_and_hexahedra(self):
         self.call("convert", "cells.msh", "-o", "a.foam", "-o", "a.msh", "-o", "a.inp", "--extrude", "0.5:2", "-q")
-        self.assertIn("\n28 6 2 1003 1003 ", "\n" + self.read("a.msh").split("$Elements\n")[1])  # prism after faces
+        self.assertIn("\n7 6 2 3 3 4 13 7 5 14 8\n8 6 2 3 3 5 14 8 6 15 9\n", self.read("a.msh"))  # prisms, after the faces
         self.assertIn('2 6 "back"\n2 7 "front"\n', self.read("a.msh"))
         self.assertIn("TYPE=C3D8", self.read("a.inp"))
         self.assertIn("front\n", self.read("a.foam/constant/polyMesh/boundary"))
         self.assertNotIn("empty", self.read("a.foam/constant/polyMesh/boundary"))
         noted = self.call("convert", "cells.msh", "-o", "a.foam").stderr  # replaces the mesh in the folder
-        self.assertIn("a.foam: note: the mesh is one cell thick, 1.414 as the elements are wide", noted)
+        self.assertIn("a.foam: note: the mesh is one cell thick, 1.581 as the elements are wide", noted)
         self.assertIn("in_let\n", self.read("a.foam/constant/polyMesh/boundary"))
         self.assertIn("frontAndBack\n", self.read("a.foam/constant/polyMesh/boundary"))
         self.assertTrue((self.path / "a.foam/case.foam").exists())
