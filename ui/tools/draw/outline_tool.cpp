@@ -19,7 +19,7 @@ namespace {
 
 /// Returns the map from pixels of a picture, from its lower left corner, to the plane.
 PlaneMap planeOfPixels(const BackgroundPicture &placed, const Picture &pixels) {
-    return {{placed.size.x / pixels.columns, 0.0}, {0.0, placed.size.y / pixels.rows}, placed.corner};
+    return {(1.0 / pixels.columns) * lowerEdge(placed), (1.0 / pixels.rows) * leftEdge(placed), placed.corner};
 }
 
 } // namespace
@@ -109,7 +109,7 @@ void OutlineTool::press(Vec2 at, Shell &context) {
                                   : "Add a background picture first: File > Add background picture");
         return;
     }
-    const Vec2 share{(at.x - placed->corner.x) / placed->size.x, (at.y - placed->corner.y) / placed->size.y};
+    const Vec2 share = shareOf(*placed, at);
     const int column = static_cast<int>(std::floor(share.x * pixels->columns));
     const int row = static_cast<int>(std::floor((1.0 - share.y) * pixels->rows));
     if (column < 0 || row < 0 || column >= pixels->columns || row >= pixels->rows) {
