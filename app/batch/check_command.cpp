@@ -153,7 +153,7 @@ Diagnostics checkAgainst(MeshView mesh, const MeshNumbers &numbers, const CheckA
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     const bool innerTags = acceptsInnerEdges(arguments.mesh) || hasInnerEdges(mesh);
     Diagnostics faults =
-        verifyAgainst(mesh, domain, file->spacing.placed.elements, kMaxListedFaults, numbers, innerTags);
+        verifyAgainst(mesh, domain, file->spacing.placed.counts(), kMaxListedFaults, numbers, innerTags);
     if (!hasErrors(faults)) {
         Diagnostics parts;
         if (innerTags) {

@@ -17,6 +17,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
@@ -75,13 +76,20 @@ std::string checkFiles(const MeshArguments &arguments, Input &input, const std::
     return wrong.empty() && spacingFile ? checkPicture(arguments, *spacingFile) : wrong;
 }
 
-/// Returns the sizes of a picture with its place.
-std::optional<PictureSizes> placedPicture(const MeshArguments &arguments, const Input &file, const ReadJob &job) {
+/// Returns the sizes of a picture with its place. Fault: turned-picture.
+Result<std::optional<PictureSizes>> placedPicture(const MeshArguments &arguments, const Input &file,
+                                                  const ReadJob &job) {
     std::optional<PictureSizes> sizes = arguments.pictureSizes;
     std::error_code none;
     if (sizes && arguments.pictureBox) {
         sizes->box = *arguments.pictureBox;
     } else if (sizes && job.picture && std::filesystem::equivalent(file.path, job.picture->file, none)) {
+        if (job.picture->angle != 0.0) {
+            return error("turned-picture",
+                         "the background picture is turned by " + numberText(job.picture->angle, 6) +
+                             " degrees; expected a picture along the axes as spacing",
+                         "give its rectangle with --picture-box X0,Y0,X1,Y1, or turn the picture in another program");
+        }
         sizes->box = boundsOf(*job.picture);
     } else if (sizes) {
         sizes->box = job.box;
@@ -103,7 +111,11 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
     }
     if (!applySpacingOptions(arguments.size, arguments.expression, spacing) && file) {
         ImportOptions options = file->options;
-        options.picture = placedPicture(arguments, *file, read);
+        const Result<std::optional<PictureSizes>> placed = placedPicture(arguments, *file, read);
+        if (!placed) {
+            return placed.faults();
+        }
+        options.picture = *placed;
         Result<SpacingSpec> fromFile = allFormats().readSpacing(file->path, options, &notes);
         if (!fromFile) {
             return fromFile.faults();

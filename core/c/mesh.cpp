@@ -93,7 +93,7 @@ forefront_status forefront_check_mesh(forefront_context *context, const forefron
         }
         return report(*context, job == nullptr
                                     ? verify(mesh->mesh)
-                                    : verifyAgainst(mesh->mesh, job->job.domain, job->job.spacing.placed.elements));
+                                    : verifyAgainst(mesh->mesh, job->job.domain, job->job.spacing.placed.counts()));
     });
 }
 

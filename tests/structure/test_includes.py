@@ -12,7 +12,7 @@ ORDERS = {
                     "quads", "refine", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],
     "core/files": ["source", "text", "common", "json", "*", "."],
-    "core/drawing": ["arrangement", "sketch", "document", "shapes", "names", "constraints", "formulas", "domain", "picking", "commands recovery"],
+    "core/drawing": ["arrangement", "sketch", "document", "shapes", "colour_outline", "names", "constraints", "formulas", "domain", "picking", "commands recovery"],
     "core/drawing/arrangement": [".", "snapping", "curves", "repeated_lines", "cover", "assembly repair"],
     "core/drawing_files": ["common", "*", "clipboard", "."],
     "core/drawing_files/svg": ["xml", "values", "style", "drawing", "areas", "."],

@@ -59,7 +59,7 @@ Document fullDocument() {
     Shape box = shape(2, ShapeKind::Rectangle, ShapeUse::Boundary, {{3, 1}, {3.5, 2}}, "");
     box.as<RectangleForm>().radius = 0.1;
     box.locked = true;
-    box.segmentSizes = {{0, {.size = 0.05, .growth = 0.3}}, {5, {.elements = 7, .growth = 0.0}}};
+    box.segmentSizes = {{0, {.size = 0.05, .growth = 0.3}}, {5, {.elements = 7, .growth = 0.0, .bias = {4.0, true}}}};
     for (const Shape &item :
          {outline, box, shape(3, ShapeKind::Circle, ShapeUse::Boundary, {{1, 2}, {1.2, 2}}, "island"), pier,
           shape(9, ShapeKind::Point, ShapeUse::Constraint, {{2.5, 0.5}}, "gauge"), sail,
@@ -105,7 +105,7 @@ Document fullDocument() {
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         document.limits[limit] = std::max(limitInfo(limit).isMinimum ? 0.5 : 70.5, limitInfo(limit).minimum);
     }
-    document.picture = BackgroundPicture{"/maps/\"sea\" chart.png", {-3.0, 0.1}, {40.0, 30.5}, 0.25, true};
+    document.picture = BackgroundPicture{"/maps/\"sea\" chart.png", {-3.0, 0.1}, {40.0, 30.5}, 0.25, true, 12.5};
     document.circleTolerance = 0.01;
     document.curveTolerance = 0.001;
     document.nextId = 12;

@@ -64,7 +64,7 @@ double sharpestCorner(const Mesh &mesh, Vec2 at) {
 MeshingOutcome meshedToAngle(const MeshingJob &job) {
     Result<MeshingOutcome> outcome = meshDomain(job);
     REQUIRE_MESSAGE(outcome, samples::list(outcome ? Diagnostics{} : outcome.faults()));
-    Diagnostics faults = verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.elements);
+    Diagnostics faults = verifyAgainst(outcome->mesh, job.domain, job.spacing.placed.counts());
     std::erase_if(faults, [](const Diagnostic &fault) { return fault.severity != Severity::Error; });
     REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
     std::size_t smaller = 0, named = 0;

@@ -1,12 +1,18 @@
+#include "core/drawing_files/world_file/world_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -45,6 +51,29 @@ BackgroundPicture placed(const Shell &context, const Picture &picture) {
     return result;
 }
 
+/// Reads the world file beside a picture; nothing if there is none.
+std::optional<Result<PicturePlace>> readWorldFile(const std::filesystem::path &picture, PixelSize size) {
+    for (const std::filesystem::path &name : worldFileNames(picture)) {
+        std::error_code missing;
+        if (!std::filesystem::is_regular_file(name, missing)) {
+            continue;
+        }
+        std::ifstream file(name, std::ios::binary);
+        std::array<char, 4096> text{}; // far more than six numbers
+        file.read(text.data(), static_cast<std::streamsize>(text.size()));
+        const std::string_view read(text.data(), static_cast<std::size_t>(file.gcount()));
+        return parseWorldFile(read, size.width, size.height, name);
+    }
+    return std::nullopt;
+}
+
+/// Moves a picture to the place that its world file gives.
+void placeByWorldFile(BackgroundPicture &picture, const PicturePlace &place) {
+    picture.corner = place.corner;
+    picture.size = place.size;
+    picture.angle = place.angle;
+}
+
 /// Returns the log entry for a picture that was added or replaces `old`.
 std::string noteFor(const Picture &picture, const std::optional<BackgroundPicture> &old) {
     const std::string name = picture.file.filename().string();
@@ -58,23 +87,36 @@ std::string noteFor(const Picture &picture, const std::optional<BackgroundPictur
            (sameProportions(*old, picture.size) ? "" : "; its proportions differ, so check the calibration");
 }
 
-void show(Shell &context, const std::shared_ptr<const Picture> &picture) {
+void show(Shell &context, const std::shared_ptr<const Picture> &picture,
+          const std::optional<Result<PicturePlace>> &world) {
     Document next = *context.document.current();
     const std::optional<BackgroundPicture> old = next.picture;
     if (!old || old->file != picture->file) { // else only its pixels are new
         next.picture = placed(context, *picture);
+        if (world && *world) {
+            placeByWorldFile(*next.picture, **world);
+        }
     }
+    const bool placedByFile = world && *world && next.picture != old;
     const bool alone = next.shapes.empty() && !old;
     context.pictures.accept(picture);
     context.document.apply(std::move(next), old ? "Replace background picture" : "Add background picture");
-    std::string note = noteFor(*picture, old);
+    std::string note = placedByFile ? picture->file.filename().string() + " is below the drawing, where its world file "
+                                                                          "places it"
+                                    : noteFor(*picture, old);
+    if (world && !*world) {
+        for (Diagnostic fault : world->faults()) {
+            fault.severity = Severity::Warning; // the picture is there, but elsewhere
+            context.log.add(std::move(fault));
+        }
+    }
     if (!old && std::exchange(context.snapping.toGrid, false)) {
         context.snapping.offForPicture = true;
         note += ". Snapping to the grid is off for tracing";
     }
     showLayer(context.layers, "picture", true);
     context.tools.choose("picture", context);
-    if (alone) {
+    if (alone || placedByFile) {
         context.actions.run("view.fit", context);
     }
     context.log.announce(note);
@@ -91,7 +133,8 @@ void addPicture(Shell &context, const std::filesystem::path &file) {
         if (!read) {
             return read.faults();
         }
-        return BackgroundTask::Finish([&context, picture = *read] { show(context, picture); });
+        return BackgroundTask::Finish(
+            [&context, picture = *read, world = readWorldFile(path, (*read)->size)] { show(context, picture, world); });
     });
 }
 

@@ -45,10 +45,11 @@ GreyPicture reduced(const GreyPicture &picture) {
     return small;
 }
 
-/// Returns where the picture lies if the document has it as background picture.
+/// Returns where the picture lies if the document has it as background picture and does not turn it.
 std::optional<Box2> ownPlace(const Document &document, const std::filesystem::path &file) {
     std::error_code none;
-    return document.picture && std::filesystem::equivalent(document.picture->file, file, none)
+    return document.picture && document.picture->angle == 0.0 &&
+                   std::filesystem::equivalent(document.picture->file, file, none)
                ? std::optional(boundsOf(*document.picture))
                : std::nullopt;
 }
@@ -62,7 +63,8 @@ PictureSpacingDialog::PictureSpacingDialog(const Shell &context, std::filesystem
     if (const std::optional<Box2> own = ownPlace(document, file_)) {
         sizes_.box = *own;
     } else if (document.shapes.empty()) {
-        sizes_.box = document.picture ? boundsOf(*document.picture) : Box2{{0.0, 0.0}, {columns, rows}};
+        sizes_.box = document.picture && document.picture->angle == 0.0 ? boundsOf(*document.picture)
+                                                                        : Box2{{0.0, 0.0}, {columns, rows}};
     } else {
         sizes_.box = pictureBoxAround(boundsOf(document), columns, rows);
     }
@@ -145,7 +147,7 @@ void PictureSpacingDialog::drawPlaces(Shell &context) {
         place("around", "Around the drawing", pictureBoxAround(boundsOf(document), columns, rows),
               "The picture covers the drawing; its width or its height fits");
     }
-    if (document.picture) {
+    if (document.picture && document.picture->angle == 0.0) { // sizes are given along the axes
         place("background", "Background picture", boundsOf(*document.picture),
               "The place and scale of the picture below the drawing");
     }

@@ -34,16 +34,18 @@ void PictureTexture::update(const std::shared_ptr<const Picture> &picture) {
     glGenerateMipmap(GL_TEXTURE_2D);
 }
 
-void PictureTexture::draw(const Camera &camera, const Box2 &box, double opacity) {
+void PictureTexture::draw(const Camera &camera, const PlaneMap &unitSquare, double opacity) {
     if (!parts_) {
         return;
     }
     const ShaderProgram &program = parts_->program;
     program.use();
     // Differences in double precision, so that a picture far from the origin does not tremble.
-    const Vec2 lower = camera.zoom * (box.min - camera.centre), upper = camera.zoom * (box.max - camera.centre);
-    program.set("lower", glm::vec2(lower.x, lower.y));
-    program.set("upper", glm::vec2(upper.x, upper.y));
+    const Vec2 origin = camera.zoom * (unitSquare.shift - camera.centre);
+    const Vec2 right = camera.zoom * unitSquare.u, up = camera.zoom * unitSquare.v;
+    program.set("origin", glm::vec2(origin.x, origin.y));
+    program.set("right", glm::vec2(right.x, right.y));
+    program.set("up", glm::vec2(up.x, up.y));
     program.set("viewport", glm::vec2(camera.viewport.width, camera.viewport.height));
     program.set("opacity", static_cast<float>(opacity));
     program.set("picture", 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/engine/base/vec2.hpp"
+#include "core/drawing/shapes/plane_map.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/canvas/picture.hpp"
 
@@ -20,8 +20,8 @@ class PictureTexture {
 
     /// Uploads a picture unless it is the one uploaded last. Needs the OpenGL context, as does draw().
     void update(const std::shared_ptr<const Picture> &picture);
-    /// Draws the picture into a rectangle of the plane.
-    void draw(const Camera &camera, const Box2 &box, double opacity);
+    /// Draws the picture into a rectangle of the plane: the image of the unit square.
+    void draw(const Camera &camera, const PlaneMap &unitSquare, double opacity);
 
   private:
     std::unique_ptr<TexturedView> parts_; ///< null until the first picture, since most drawings have none

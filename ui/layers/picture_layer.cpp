@@ -4,6 +4,7 @@
 #include "ui/gl/picture_texture.hpp"
 #include "ui/layers/layers.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 
@@ -22,8 +23,8 @@ class PictureLayer final : public Layer {
         Hash64 hash;
         hash.add(reinterpret_cast<std::uintptr_t>(frame.picture.get()));
         if (picture) {
-            for (const double number :
-                 {picture->corner.x, picture->corner.y, picture->size.x, picture->size.y, picture->opacity}) {
+            for (const double number : {picture->corner.x, picture->corner.y, picture->size.x, picture->size.y,
+                                        picture->opacity, picture->angle}) {
                 hash.add(number);
             }
         }
@@ -33,7 +34,8 @@ class PictureLayer final : public Layer {
     void drawStill(const LayerFrame &frame) override {
         texture_.update(frame.picture);
         if (frame.document.picture) {
-            texture_.draw(frame.camera, boundsOf(*frame.document.picture), frame.document.picture->opacity);
+            const BackgroundPicture &picture = *frame.document.picture;
+            texture_.draw(frame.camera, {lowerEdge(picture), leftEdge(picture), picture.corner}, picture.opacity);
         }
     }
 
@@ -42,12 +44,12 @@ class PictureLayer final : public Layer {
         if (!picture || !frame.pictureFailed) {
             return;
         }
-        const Box2 box = boundsOf(*picture);
-        painter.rectangle(box, frame.theme.warn, 1.5);
-        painter.line(box.min, box.max, fade(frame.theme.warn, 0.4), 1.0);
-        painter.line({box.min.x, box.max.y}, {box.max.x, box.min.y}, fade(frame.theme.warn, 0.4), 1.0);
-        painter.text(box.centre(), std::filesystem::path(picture->file).filename().string() + " cannot be read",
-                     frame.theme.warn);
+        const std::array<Vec2, 4> corners = cornersOf(*picture);
+        painter.polyline(corners, true, frame.theme.warn, 1.5);
+        painter.line(corners[0], corners[2], fade(frame.theme.warn, 0.4), 1.0);
+        painter.line(corners[1], corners[3], fade(frame.theme.warn, 0.4), 1.0);
+        painter.text(midpoint(corners[0], corners[2]),
+                     std::filesystem::path(picture->file).filename().string() + " cannot be read", frame.theme.warn);
     }
 
   private:

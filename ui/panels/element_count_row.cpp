@@ -2,6 +2,7 @@
 
 #include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
@@ -128,6 +129,37 @@ void drawMeshedRow(Shell &context, SegmentRef segment, double count) {
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + line));
 }
 
+/// Draws the bias of segments with a number of elements of their own: its ratio, whether it is at both ends, and a
+/// button that turns it around.
+void biasRow(Shell &context, const std::set<SegmentRef> &segments) {
+    const Document &document = *context.document.current();
+    ElementBias bias = segmentSize(document, *segments.begin())->bias;
+    const bool same = std::all_of(segments.begin(), segments.end(), [&](const SegmentRef &segment) {
+        return segmentSize(document, segment)->bias == bias;
+    });
+    std::optional<double> ratio = same && bias.any() ? std::optional(bias.ratio) : std::nullopt;
+    form::label(context, "Bias");
+    const bool changed = form::optionalField(context, "inspector/bias", ratio, same ? "none" : "several",
+                                             form::halfWidth(context) - 20.0F);
+    ui::rowTooltip(context, "Length of the last element over that of the first, in the direction of the outline; at "
+                            "both ends, of the elements in the middle over those at the ends. The lengths change by "
+                            "equal factors. Leave empty to follow the element size. Single curves only; a boundary "
+                            "part as a whole and the sides of rounded rectangles have no bias.");
+    ImGui::SameLine(0, context.px(6));
+    const bool switched = ui::checkbox(context, "inspector/biasends", "Both ends", bias.bothEnds);
+    ImGui::SameLine(0, context.px(6));
+    if (ui::button(context, "inspector/biasflip", "Flip", ui::ButtonKind::Plain, !same || bias.any())) {
+        context.applyCommand(flipElementBias(document, segments), "Flip bias of elements");
+    } else if (changed && ratio && !ElementBias{*ratio}.isValid()) {
+        const std::string fault = "expected a ratio from 0.0001 to 10000";
+        ui::refuseEntry(context, "inspector/bias", error("bad-number", fault + ", got " + ui::number(*ratio, 6)),
+                        fault);
+    } else if (changed || (switched && bias.any())) {
+        bias.ratio = ratio.value_or(1.0);
+        context.applyCommand(setElementBias(document, segments, bias), "Set bias of elements");
+    }
+}
+
 std::string explanation(std::size_t segments) {
     const std::string along = segments == 1 ? "Number of elements along its whole length"
                                             : "Number of elements along the whole length of each";
@@ -168,6 +200,9 @@ void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     ui::rowTooltip(context, explanation(segments.size()));
     if (shared.count) {
         drawMeshedRow(context, first, *shared.count);
+        if (!changed) {
+            biasRow(context, segments);
+        }
     }
     if (!changed || (!count && !shared.count && shared.hint != "several")) {
         return; // an empty field left empty keeps a size

@@ -19,7 +19,7 @@ const std::vector<std::vector<SlotIds>> &groups() {
         {{"polygon"}, {"rectangle", "circle", "ellipse", "regular", "slot"}, {"polyline", "arc"}, {"point"}},
         {{"trim"}, {"region"}},
         {{"brush"}, {"eraser"}, {"source"}, {"gradient"}},
-        {{"measure"}, {"picture"}},
+        {{"measure"}, {"picture", "outline"}},
         {{"trace"}, {"probe"}, {"guess"}}};
     return kGroups;
 }

@@ -86,6 +86,10 @@ constexpr std::array kShapes = {
               .stroke = "M4 4H16A1 1 0 0 1 17 5V15A1 1 0 0 1 16 16H4A1 1 0 0 1 3 15V5A1 1 0 0 1 4 4ZM3 13L7.5 8.8L11.5 "
                         "12.6L13.3 11L17 14",
               .dots = "13 7.3 1.3"},
+    IconShape{.text = icon::kOutline,
+              .meaning = "Trace by colour",
+              .stroke = "M2.8 17.2L9.5 10.5M12 3V5.4M17 8H14.6M15.6 4.4L14 6M8.4 4.4L10 6M15.6 11.6L14 10",
+              .dashed = "M6.2 7.4C3.4 8.4 2.4 11 3.6 13.2M9.8 17.4C13.2 17.8 16.6 16.6 17.2 13.8"},
     IconShape{.text = icon::kTrace,
               .meaning = "What made this?",
               .stroke =

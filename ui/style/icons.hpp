@@ -77,6 +77,7 @@ inline constexpr const char *kFolder = "\xee\x80\xb6";      // Folder
 inline constexpr const char *kFile = "\xee\x80\xb7";        // File
 inline constexpr const char *kUp = "\xee\x80\xb8";          // Up
 inline constexpr const char *kPin = "\xee\x80\xb9";         // In all workspaces
+inline constexpr const char *kOutline = "\xee\x80\xba";     // Trace by colour
 
 // Glyphs of sketch constraints.
 inline constexpr const char *kMarkCoincident = "\xee\x82\x80";    // Coincident points

@@ -2,6 +2,7 @@
 
 #include "ui/tools/draw/arc_tool.hpp"
 #include "ui/tools/draw/box_tool.hpp"
+#include "ui/tools/draw/outline_tool.hpp"
 #include "ui/tools/draw/pen_tool.hpp"
 #include "ui/tools/draw/point_tool.hpp"
 #include "ui/tools/draw/region_tool.hpp"
@@ -41,6 +42,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<GradientTool>(state));
     tools.push_back(std::make_unique<MeasureTool>(state));
     tools.push_back(std::make_unique<PictureTool>(state));
+    tools.push_back(std::make_unique<OutlineTool>(state));
     tools.push_back(std::make_unique<TraceTool>());
     tools.push_back(std::make_unique<ProbeTool>());
     tools.push_back(std::make_unique<GuessTool>());

@@ -81,7 +81,7 @@ py::list checkMesh(const PythonMesh &self, const PythonDomain *checked, const st
     const MeshLimits limits = limitsOf(given);
     return faultList(withoutGil([&] {
         Diagnostics faults =
-            domain ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.elements) : verify(*self.mesh);
+            domain ? verifyAgainst(*self.mesh, domain->domain, domain->spacing.placed.counts()) : verify(*self.mesh);
         if (hasErrors(faults)) {
             return faults;
         }

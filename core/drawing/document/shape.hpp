@@ -96,6 +96,7 @@ struct SegmentSize {
     double size = 0.0;                 ///< > 0; ignored where a number of elements is given
     std::uint32_t elements = 0;        ///< along the whole segment; 0: `size` is given
     double growth = PartSize{}.growth; ///< >= 0, see PartSize
+    ElementBias bias{};                ///< of a number of elements, in the direction of the outline
 
     friend bool operator==(const SegmentSize &, const SegmentSize &) = default;
 };

@@ -50,6 +50,25 @@ class DocumentDomain {
         return list;
     }
 
+    /// Returns the biases of the elements along the segments that were built, see PlacedSizes::biases.
+    std::vector<ElementBias> biases() const {
+        std::vector<ElementBias> list;
+        for (std::size_t s = 0; sources_ != nullptr && s < sources_->segments.size(); ++s) {
+            const auto [number, segment] = sources_->segments[s];
+            const auto counts = counts_.find(number);
+            const Shape &shape = *document_.shapes[number];
+            if (counts == counts_.end() || counts->second[segment] == 0 || shape.segmentSizes.empty()) {
+                continue;
+            }
+            const auto own = shape.segmentSizes.find(parts_.at(number)[segment]);
+            if (own != shape.segmentSizes.end() && own->second.bias.any()) {
+                list.resize(sources_->segments.size());
+                list[s] = own->second.bias;
+            }
+        }
+        return list;
+    }
+
     /// Returns the sizes along the segments that were built, see PlacedSizes::segments.
     std::vector<PartSize> sizes() const {
         std::vector<PartSize> list;
@@ -103,6 +122,7 @@ class DocumentDomain {
         for (std::size_t segment = 0; segment < outline.segmentCount(); ++segment) {
             const std::size_t part = outline.part(segment);
             counts.push_back(part < parts.size() ? parts[part] : 0);
+            parts_[number].push_back(static_cast<std::uint32_t>(part));
         }
     }
 
@@ -141,6 +161,7 @@ class DocumentDomain {
     DomainSources own_;
     DomainSources *sources_;                                     ///< null: nobody needs them
     std::map<std::uint32_t, std::vector<std::uint32_t>> counts_; ///< by shape, of each segment of its outline
+    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_;  ///< the same: tagged parts
     std::map<std::uint32_t, std::vector<PartSize>> sizes_;       ///< the same
     Domain domain_;
     NodeMerger merger_;
@@ -191,6 +212,7 @@ MeshingJob jobOf(const Document &document) {
     MeshingJob job{made.build(), rulesOf(document), document.options};
     job.spacing.placed = placedSizes(document);
     job.spacing.placed.elements = made.elements();
+    job.spacing.placed.biases = made.biases();
     job.spacing.placed.segments = made.sizes();
     return job;
 }

@@ -119,7 +119,8 @@ Result<Document> setElementCount(const Document &document, const std::set<Segmen
         }
         const SegmentSize *const own = segmentSize(document, segment);
         const double growth = own != nullptr ? own->growth : growthOf(document, segmentTag(*shape, segment.segment));
-        sizes.emplace(segment, SegmentSize{.size = 0.0, .elements = *count, .growth = growth});
+        const ElementBias bias = own != nullptr ? own->bias : ElementBias{};
+        sizes.emplace(segment, SegmentSize{.size = 0.0, .elements = *count, .growth = growth, .bias = bias});
     }
     return setSegmentSizes(document, sizes);
 }

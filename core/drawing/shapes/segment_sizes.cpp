@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/part_lengths.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/domain/element_places.hpp"
 #include "core/engine/spacing/spec/spec_check.hpp"
 
 #include <algorithm>
@@ -85,6 +86,40 @@ Result<Document> setSegmentSizes(const Document &document, const std::map<Segmen
     });
 }
 
+namespace {
+
+/// Changes the bias of segments with a number of elements by a function of the present one.
+template <class Change>
+Result<Document> changeBiases(const Document &document, const std::set<SegmentRef> &segments, const Change &change) {
+    for (const SegmentRef &segment : segments) {
+        const SegmentSize *const own = segmentSize(document, segment);
+        if (own == nullptr || own->elements == 0) {
+            return error("not-possible", "only elements that are counted can have a bias",
+                         "set the number of elements of the segment first");
+        }
+    }
+    return changeEachSegment(document, segments, [&](SizeMap &sizes, const SegmentRef &segment) {
+        ElementBias &bias = sizes[segment.segment].bias;
+        bias = change(bias);
+    });
+}
+
+} // namespace
+
+Result<Document> setElementBias(const Document &document, const std::set<SegmentRef> &segments,
+                                const ElementBias &bias) {
+    if (!bias.isValid()) {
+        return Diagnostics{biasFault(bias, "a segment", "bad-number")};
+    }
+    return changeBiases(document, segments, [&](const ElementBias &) { return bias; });
+}
+
+Result<Document> flipElementBias(const Document &document, const std::set<SegmentRef> &segments) {
+    return changeBiases(document, segments, [](const ElementBias &old) {
+        return ElementBias{1.0 / old.ratio, old.bothEnds};
+    });
+}
+
 Result<Document> changeSegmentSizes(const Document &document, const std::set<SegmentRef> &segments,
                                     const SegmentSizeChange &change) {
     return changeEachSegment(document, segments, [&](SizeMap &sizes, const SegmentRef &segment) {
@@ -92,6 +127,7 @@ Result<Document> changeSegmentSizes(const Document &document, const std::set<Seg
             SegmentSize &changed = sizes[segment.segment];
             changed.size = *change.size;
             changed.elements = 0;
+            changed.bias = {};
         }
         if (const auto found = sizes.find(segment.segment); change.growth && found != sizes.end()) {
             found->second.growth = *change.growth;
@@ -111,7 +147,9 @@ SizeMap sizesOfOutline(const Shape &shape) {
         if (found != shape.segmentSizes.end() && outline.part(k) < parts.size()) {
             SegmentSize &size = sizes.emplace(k, found->second).first->second;
             if (size.elements > 0) {
-                size.elements = share(size.elements, outline.curve(k).length(), parts[outline.part(k)].length);
+                const double part = outline.curve(k).length(), whole = parts[outline.part(k)].length;
+                size.elements = share(size.elements, part, whole);
+                size.bias = partOf(size.bias, part / whole);
             }
         }
     }
@@ -200,6 +238,7 @@ struct Heir {
     std::uint32_t part = 0;
     double length = 0.0;
     std::vector<std::size_t> from;
+    Curve curve;
 };
 
 /// Adds the segments of a shape that take sizes.
@@ -209,9 +248,21 @@ void addHeirs(const Shape &shape, std::size_t index, const SizedPlaces &places, 
     for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
         std::vector<std::size_t> from = places.along(outline.curve(k));
         if (!from.empty() && seen.insert(outline.part(k)).second) {
-            heirs.push_back({index, outline.part(k), outline.curve(k).length(), std::move(from)});
+            heirs.push_back({index, outline.part(k), outline.curve(k).length(), std::move(from), outline.curve(k)});
         }
     }
+}
+
+/// Returns the bias of a segment that takes the place of another one or a part of it; none for several.
+ElementBias inheritedBias(const Heir &heir, const SizedPlaces &places, double part) {
+    const SizedPlace &place = places[heir.from.front()];
+    if (heir.from.size() > 1 || place.curves.size() != 1) {
+        return {};
+    }
+    const Curve &old = place.curves.front();
+    const bool turned = old.nearest(heir.curve.point(0.25)) > old.nearest(heir.curve.point(0.75));
+    const ElementBias bias = partOf(place.size.bias, part);
+    return turned ? bias.reversed() : bias;
 }
 
 /// Returns the size of a segment that takes the place of others; none if these have nothing in common. `divided`: other
@@ -231,6 +282,7 @@ std::optional<SegmentSize> inherited(const Heir &heir, const SizedPlaces &places
         size.size = std::min(size.size, place.size.size);
     }
     size.elements = !counted ? 0 : divided ? share(elements, heir.length, length) : elements;
+    size.bias = inheritedBias(heir, places, divided ? heir.length / length : 1.0);
     return size;
 }
 
@@ -296,6 +348,9 @@ Diagnostics checkSegmentSizes(const Shape &shape) {
         const double length = size.elements > 0 ? 1.0 : size.size;
         if (auto fault = partSizeFault({length, size.growth}, segmentName(shape, segment), "bad-size")) {
             return {*std::move(fault)};
+        }
+        if (!size.bias.isValid()) {
+            return Diagnostics{biasFault(size.bias, segmentName(shape, segment), "bad-number")};
         }
         if (size.elements > kMaxElementCount) {
             return error("bad-number", "expected 1 to " + std::to_string(kMaxElementCount) + " elements, got " +

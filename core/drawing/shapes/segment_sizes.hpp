@@ -29,6 +29,13 @@ Result<Document> setSegmentSize(const Document &document, const std::set<Segment
 /// Sets a size for each of the segments. Errors as for setSegmentSize().
 Result<Document> setSegmentSizes(const Document &document, const std::map<SegmentRef, SegmentSize> &sizes);
 
+/// Sets the bias of segments with a number of elements of their own. Errors as for setSegmentSize(); bad-number for an
+/// invalid ratio, not-possible for a segment without such a number.
+Result<Document> setElementBias(const Document &document, const std::set<SegmentRef> &segments,
+                                const ElementBias &bias);
+/// Turns the bias of segments around: what was fine becomes coarse. Errors as for setElementBias().
+Result<Document> flipElementBias(const Document &document, const std::set<SegmentRef> &segments);
+
 /// A change of the sizes of segments; unset members leave their values unchanged.
 struct SegmentSizeChange {
     std::optional<double> size;   ///< takes the place of a number of elements

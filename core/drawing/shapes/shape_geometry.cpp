@@ -3,6 +3,7 @@
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/drawing/shapes/slot.hpp"
+#include "core/engine/domain/element_places.hpp"
 #include "core/engine/geometry/path_curve.hpp"
 
 #include <algorithm>
@@ -273,6 +274,7 @@ void becomePath(Shape &shape) {
             SegmentSize &size = shape.segmentSizes[k] = whole;
             size.elements = (whole.elements + parts - 1 - k) / parts; // their sum is that of the whole
             size.elements = whole.elements > 0 ? std::max(size.elements, 1U) : 0U;
+            size.bias = partOf(whole.bias, 1.0 / parts);
         }
     } else {
         shape.segmentSizes = sizesOfOutline(before);

@@ -24,6 +24,10 @@ void writePicture(const BackgroundPicture &picture, const std::filesystem::path 
     out.point(picture.corner);
     out << ", \"size\": ";
     out.point(picture.size);
+    if (picture.angle != 0.0) {
+        out << ", \"angle\": ";
+        out.number(picture.angle);
+    }
     out << ", \"opacity\": ";
     out.number(picture.opacity);
     out << (picture.locked ? ", \"locked\": true}" : "}");
@@ -53,6 +57,9 @@ BackgroundPicture readPicture(const JsonValue &object, const std::filesystem::pa
         if (!(picture.opacity >= 0.0 && picture.opacity <= 1.0)) {
             check.fault(*opacity, "bad-number", "\"opacity\" must lie between 0 and 1");
         }
+    }
+    if (const auto angle = object.find("angle")) {
+        picture.angle = check.number(*angle, "\"angle\"");
     }
     if (const auto locked = object.find("locked")) {
         picture.locked = check.flag(*locked, "\"locked\"");

@@ -64,7 +64,7 @@ class ProjectReader {
         }
         if (const auto given = root.find("picture"); given && check_.expect(*given, JsonKind::Object, "\"picture\"")) {
             document_.picture = readPicture(*given, source_.path, check_);
-            check_.noteUnknown(*given, {"file", "at", "size", "opacity", "locked"});
+            check_.noteUnknown(*given, {"file", "at", "size", "opacity", "locked", "angle"});
         }
         if (const auto list = root.find("guides"); list && check_.expect(*list, JsonKind::Array, "\"guides\"")) {
             guides(*list);

@@ -7,6 +7,18 @@
 
 namespace forefront {
 
+namespace {
+
+void writeBias(const ElementBias &bias, JsonText &out) {
+    if (bias.any()) {
+        out << ", \"bias\": ";
+        out.number(bias.ratio);
+        out << (bias.bothEnds ? ", \"bothEnds\": true" : "");
+    }
+}
+
+} // namespace
+
 void writeSegmentSizes(const Shape &shape, JsonText &out) {
     if (shape.segmentSizes.empty()) {
         return;
@@ -17,6 +29,7 @@ void writeSegmentSizes(const Shape &shape, JsonText &out) {
         out << "{\"segment\": " << segment;
         if (size.elements > 0) {
             out << ", \"elements\": " << size.elements;
+            writeBias(size.bias, out);
         } else {
             out << ", \"size\": ";
             out.number(size.size);
@@ -29,6 +42,24 @@ void writeSegmentSizes(const Shape &shape, JsonText &out) {
 }
 
 namespace {
+
+void readBias(const JsonValue &item, SegmentSize &size, JsonCheck &check) {
+    const auto ratio = item.find("bias"), both = item.find("bothEnds");
+    if (both) {
+        size.bias.bothEnds = check.flag(*both, "\"bothEnds\"");
+    }
+    if (!ratio) {
+        return;
+    }
+    size.bias.ratio = check.positive(*ratio, "the bias of a segment");
+    if (!size.bias.isValid()) {
+        check.fault(*ratio, "bad-number", "invalid bias of a segment; expected a ratio from 0.0001 to 10000");
+        size.bias = {};
+    } else if (size.elements == 0) {
+        check.fault(*ratio, "bad-number",
+                    "a segment has a bias but no number of elements; add one, or remove the bias");
+    }
+}
 
 void readSegmentSize(const JsonValue &item, Shape &shape, JsonCheck &check) {
     if (!check.expect(item, JsonKind::Object, "a size of a segment")) {
@@ -49,7 +80,8 @@ void readSegmentSize(const JsonValue &item, Shape &shape, JsonCheck &check) {
     if (const auto value = item.find("growth")) {
         size.growth = check.notNegative(*value, "the growth of a segment");
     }
-    check.noteUnknown(item, {"segment", "size", "elements", "growth"});
+    readBias(item, size, check);
+    check.noteUnknown(item, {"segment", "size", "elements", "growth", "bias", "bothEnds"});
     const auto index = check.member(item, "segment", "the size of a segment");
     if (!index) {
         return;

@@ -1,6 +1,7 @@
 #include "core/engine/boundary/curve_cuts.hpp"
 
 #include "core/engine/base/ids.hpp"
+#include "core/engine/domain/element_places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,10 +140,28 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
     }
     const std::uint32_t minimum = about.start == about.end ? 3 : 1; // a loop needs three
     cuts_[chain].clear();
+    if (asked > 0 && biasAlong(domain_, about, elements_).any()) {
+        cutWithBias(chain, asked);
+        return outcome;
+    }
     for (const double fraction : asked > 0 ? cutInto(integral, asked) : cutClosely(integral, path, spacing, minimum)) {
         cuts_[chain].push_back(std::lerp(about.t0, about.t1, fraction));
     }
     return outcome;
+}
+
+/// Divides a chain into the elements of a bias. Those of a part of a curve are as long as along the whole.
+void CurveCuts::cutWithBias(std::uint32_t chain, std::uint32_t count) {
+    const CurveChain &about = chains_.list[chain];
+    const std::uint32_t whole = elements_[about.segments.front()];
+    const std::vector<double> places = elementPlaces(whole, biasAlong(domain_, about, elements_));
+    const auto [first, last] = elementsOfChain(domain_, about, places);
+    cuts_[chain].push_back(about.t0);
+    for (std::uint32_t k = 1; k < count; ++k) {
+        const double before = std::lerp(first, last, static_cast<double>(k) / count);
+        cuts_[chain].push_back(parameterAtLength(curve(chain), placeOfElement(places, before)));
+    }
+    cuts_[chain].push_back(about.t1);
 }
 
 bool CurveCuts::allowsPiece(std::uint32_t chain, double from, double to) const {

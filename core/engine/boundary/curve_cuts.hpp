@@ -55,6 +55,7 @@ class CurveCuts {
 
   private:
     void addChain(CurveChain chain);
+    void cutWithBias(std::uint32_t chain, std::uint32_t count);
     bool isFine(const ChainPiece &piece) const;
     void straighten(const ChainPiece &piece);
     void cutOut(std::uint32_t chain);

@@ -10,6 +10,7 @@
 #include "core/engine/boundary/narrow_tips.hpp"
 #include "core/engine/boundary/spacing_integral.hpp"
 #include "core/engine/domain/domain_graph.hpp"
+#include "core/engine/domain/element_places.hpp"
 #include "core/engine/geometry/polygon.hpp"
 
 #include <algorithm>
@@ -327,7 +328,12 @@ class Discretiser {
                 return faultOf(SpacingIntegral::Outcome::TooMany, midpoint(a, b));
             }
             count_[s] = std::min(most_[s], asked > 0 ? asked : static_cast<std::uint32_t>(integral_.pieces()));
-            integral_.cut(count_[s], fractions_);
+            if (const ElementBias bias = elements_.bias(s); asked > 0 && bias.any()) {
+                const std::vector<double> places = elementPlaces(count_[s], forward ? bias : bias.reversed());
+                fractions_.assign(places.begin() + 1, places.end() - 1);
+            } else {
+                integral_.cut(count_[s], fractions_);
+            }
             if (asked == 0) {
                 dropCutsInTips(s, forward);
             }

@@ -1,6 +1,7 @@
 #include "core/engine/domain/curve_chains.hpp"
 
 #include "core/engine/base/ids.hpp"
+#include "core/engine/domain/element_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -140,10 +141,35 @@ std::uint32_t elementsAlong(const Domain &domain, const CurveChain &chain, Segme
     }
     // The difference of two rounded numbers: with those of the other chains it adds up to the whole.
     const Curve &curve = domain.curves[chain.curve];
-    const double share = whole / curve.length(0.0, 1.0);
-    const double before = std::round(share * curve.length(0.0, chain.t0));
-    const double after = std::round(share * curve.length(0.0, chain.t1));
+    const ElementBias bias = biasAlong(domain, chain, elements);
+    double before = 0.0, after = 0.0;
+    if (bias.any()) {
+        const auto [first, last] = elementsOfChain(domain, chain, elementPlaces(whole, bias));
+        before = std::round(first);
+        after = std::round(last);
+    } else {
+        const double share = whole / curve.length(0.0, 1.0);
+        before = std::round(share * curve.length(0.0, chain.t0));
+        after = std::round(share * curve.length(0.0, chain.t1));
+    }
     return static_cast<std::uint32_t>(std::max(after - before, chain.start == chain.end ? 3.0 : 1.0));
+}
+
+ElementBias biasAlong(const Domain &domain, const CurveChain &chain, SegmentElements elements) {
+    if (chain.segments.empty()) {
+        return {};
+    }
+    const CurveStretch &stretch = domain.segments[chain.segments.front()].stretch;
+    const ElementBias bias = elements.bias(chain.segments.front());
+    return stretch.t0 <= stretch.t1 ? bias : bias.reversed();
+}
+
+std::pair<double, double> elementsOfChain(const Domain &domain, const CurveChain &chain,
+                                          const std::vector<double> &places) {
+    const Curve &curve = domain.curves[chain.curve];
+    const double whole = curve.length();
+    return {elementsBefore(places, curve.length(0.0, chain.t0) / whole),
+            elementsBefore(places, curve.length(0.0, chain.t1) / whole)};
 }
 
 CurveChains curveChains(const Domain &domain) {

@@ -4,6 +4,7 @@
 #include "core/engine/domain/segment_elements.hpp"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -30,6 +31,14 @@ double chordTolerance(const Domain &domain);
 /// Returns the number of elements that a chain must have, at least 3 for a loop; 0: as the spacing asks. Chains of one
 /// curve share its number by their lengths.
 std::uint32_t elementsAlong(const Domain &domain, const CurveChain &chain, SegmentElements elements);
+
+/// Returns the bias of the elements along the curve of a chain, in the direction of its parameter.
+ElementBias biasAlong(const Domain &domain, const CurveChain &chain, SegmentElements elements);
+
+/// Returns how many elements of its curve are before the start and before the end of a chain. `places`: of those along
+/// the curve, see elementPlaces().
+std::pair<double, double> elementsOfChain(const Domain &domain, const CurveChain &chain,
+                                          const std::vector<double> &places);
 
 /// Finds the chains of a domain, which need not be valid. Segments whose ends are nowhere near their curve are left
 /// out. An inner node of a chain is on the curve, belongs to no other segment and is no constraint point; all segments

@@ -28,7 +28,7 @@ Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
     const bool automatic = job.spacing.usesAutomatic() && !job.spacing.maximum;
     Result<DiscreteDomain> boundary =
         discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces,
-                   automatic ? NarrowTips::Whole : NarrowTips::Divided, job.spacing.placed.elements);
+                   automatic ? NarrowTips::Whole : NarrowTips::Divided, job.spacing.placed.counts());
     if (!boundary) {
         return boundary.faults();
     }
@@ -63,7 +63,7 @@ std::vector<SizeSource> shortChords(const PreparedJob &prepared, const MeshingJo
     constexpr double kFarShorter = 0.5; // relative to the spacing
     const double minimum = job.spacing.minimum.value_or(0.0);
     std::vector<SizeSource> sources;
-    const SegmentElements elements = job.spacing.placed.elements;
+    const SegmentElements elements = job.spacing.placed.counts();
     for (std::size_t s = 0; s < domain.segments.size(); ++s) {
         const DomainSegment &segment = domain.segments[s];
         if (!segment.stretch.follows() || elements[s] > 0 || (isEnd[segment.a] == 0 && isEnd[segment.b] == 0)) {

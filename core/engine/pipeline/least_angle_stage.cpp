@@ -10,7 +10,7 @@ Status leastAngleStage(MeshingState &state, const Progress &progress) {
     const MeshingJob &job = state.job;
     progress("raising the least angle", 0.0);
     DiscreteDomain boundary = *state.prepared.boundary;
-    const SegmentElements counts = job.spacing.placed.elements;
+    const SegmentElements counts = job.spacing.placed.counts();
     LeastAngleRules rules{*job.options.leastAngle, elementsToStopAt(job.options), {}};
     rules.mayDivide = [&, &segments = state.prepared.boundary->segments](std::uint32_t edge) {
         return !job.options.keepBoundary && counts[segments[edge].source] == 0;

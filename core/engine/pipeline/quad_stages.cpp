@@ -13,7 +13,7 @@ Status quadFrontStage(MeshingState &state, const Progress &progress) {
     progress("making the boundary even", 0.0);
     const bool divide = !options.keepBoundary && options.elements == Elements::Quads;
     const ColouredBoundary boundary = colourBoundary(*prepared.boundary, *prepared.spacing,
-                                                     {&state.job.domain, state.job.spacing.placed.elements, divide});
+                                                     {&state.job.domain, state.job.spacing.placed.counts(), divide});
     if (!advanceColoured({boundary, *prepared.spacing, options, prepared.estimatedElements, elementsToStopAt(options)},
                          state.quads, progress)) {
         return progress.cancelled() ? cancelled("meshing") : stoppedFront(prepared, options);

@@ -144,7 +144,7 @@ Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addSegmentSizes(const PartInput &input, FieldParts &parts) {
-    addSegmentSizeSites(input.domain, input.spec.placed.segments, input.minimum, input.givenGradation(), parts.few);
+    addSegmentSizeSites(input.domain, input.spec.placed, input.minimum, input.givenGradation(), parts.few);
     noteSteepSegments(input, parts.notes);
     return {};
 }
@@ -164,7 +164,7 @@ Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
 }
 
 Diagnostics addBends(const PartInput &input, FieldParts &parts) {
-    addCurvatureSites(input.domain, input.faces, curveChains(input.domain), input.spec.placed.elements,
+    addCurvatureSites(input.domain, input.faces, curveChains(input.domain), input.spec.placed.counts(),
                       *input.spec.segmentsPerTurn, input.minimum, input.gradation, SpacingOrigin::Boundary, false,
                       input.progress, parts.few);
     return {};
@@ -263,13 +263,15 @@ Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain) {
     }
     // Numbers of elements are no part of the field: they say how curves and lines are divided whatever it asks for.
     checkSegmentList(spec.placed.elements.size(), "numbers of elements", "bad-element-counts", domain, faults);
+    checkSegmentList(spec.placed.biases.size(), "biases of elements", "bad-element-counts", domain, faults);
+    checkBiases(spec.placed.biases, faults);
     checkSegmentList(spec.placed.segments.size(), "sizes along segments", "bad-segment-sizes", domain, faults);
     return faults;
 }
 
 bool sameContent(const SpacingSpec &a, const SpacingSpec &b) {
     return a.minimum == b.minimum && a.maximum == b.maximum && a.gradation == b.gradation &&
-           a.placed.elements == b.placed.elements &&
+           a.placed.elements == b.placed.elements && a.placed.biases == b.placed.biases &&
            std::all_of(kKinds.begin(), kKinds.end(), [&](const SpacingPartKind &kind) { return kind.same(a, b); });
 }
 

@@ -88,7 +88,7 @@ class FieldBuilder {
         auto &regions = parts_.point<RegionPart>();
         const double largest = regions && !background ? regions->largest() : 0.0;
         AutomaticSpacing automatic = automaticSpacing(
-            input_.domain, faces_, spec_.placed.elements, input_.box, input_.minimum, input_.gradation, largest,
+            input_.domain, faces_, spec_.placed.counts(), input_.box, input_.minimum, input_.gradation, largest,
             spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
         if (!background) {
             if (largest > automatic.maximum) { // a region that may be coarser is

@@ -25,7 +25,7 @@ Result<std::shared_ptr<const SpacingField>> ToleranceField::limit(std::shared_pt
     }
     SiteSet sites;
     const OtherSizes sizes{[&others](Vec2 p) { return others->at(p); }, others->maximum()};
-    addToleranceSites(domain, spec.placed.elements, sizes, spec.minimum.value_or(0.0),
+    addToleranceSites(domain, spec.placed.counts(), sizes, spec.minimum.value_or(0.0),
                       spec.gradation.value_or(kCurveGradation), progress, sites);
     std::optional<SiteTree> tree;
     if (!sites.sites.empty() && !progress.cancelled()) {

@@ -13,6 +13,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace forefront {
@@ -41,13 +42,11 @@ const BackgroundPicture *PictureTool::movable(const Shell &context) {
 }
 
 Vec2 PictureTool::place(const BackgroundPicture &picture, std::size_t point) const {
-    const Vec2 share = points_[point];
-    return picture.corner + Vec2{share.x * picture.size.x, share.y * picture.size.y};
+    return placeIn(picture, points_[point]);
 }
 
 Vec2 PictureTool::share(const BackgroundPicture &picture, Vec2 place) {
-    const Vec2 arm = place - picture.corner;
-    return {arm.x / picture.size.x, arm.y / picture.size.y};
+    return shareOf(picture, place);
 }
 
 void PictureTool::change(Shell &context, const BackgroundPicture &picture, const std::string &label,
@@ -85,7 +84,7 @@ bool PictureTool::handle(const CanvasEvent &event, Shell &context) {
 
 bool PictureTool::press(Vec2 at, Shell &context) {
     const BackgroundPicture *const picture = movable(context);
-    if (picture == nullptr || !boundsOf(*picture).contains(at)) {
+    if (picture == nullptr || !covers(*picture, at)) {
         return false;
     }
     if (mode_ == PictureMode::Calibrate) {
@@ -195,9 +194,9 @@ void PictureTool::calibrate(Shell &context, double distance) const {
 void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {
     BackgroundPicture picture = *context.document.current()->picture;
     bool moved = drawPlaceField(context, flow, "options/picture/x", "Left", picture.corner.x,
-                                "x of the left edge of the picture");
+                                "x of the lower left corner of the picture");
     moved = drawPlaceField(context, flow, "options/picture/y", "Bottom", picture.corner.y,
-                           "y of the lower edge of the picture") ||
+                           "y of the lower left corner of the picture") ||
             moved;
     double width = picture.size.x;
     if (drawPlaceField(context, flow, "options/picture/width", "Width", width,
@@ -206,6 +205,12 @@ void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {
         change(context, scaledAbout(picture, picture.corner, width / picture.size.x), "Scale background picture");
     } else if (moved) {
         change(context, picture, "Move background picture");
+    }
+    double angle = picture.angle;
+    if (drawPlaceField(context, flow, "options/picture/angle", "Angle", angle,
+                       "Angle of the picture in degrees, counter-clockwise about its lower left corner")) {
+        picture.angle = std::remainder(angle, 360.0);
+        change(context, picture, "Rotate background picture");
     }
 }
 
@@ -242,6 +247,28 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
         picture.corner += wanted - first;
         firstPlaced_ = true;
         change(context, picture, "Move background picture");
+    }
+    drawSecondPlace(context, flow);
+}
+
+/// Draws the coordinates of the second point, which turn and scale the picture about the first one.
+void PictureTool::drawSecondPlace(Shell &context, ui::Flow &flow) {
+    const BackgroundPicture picture = *context.document.current()->picture;
+    const Vec2 first = place(picture, 0);
+    Vec2 second = place(picture, 1);
+    bool moved = drawPlaceField(context, flow, "options/picture/x2", "Second point: x", second.x,
+                                "Where the second point is in the drawing: x. The picture is turned and scaled about "
+                                "the first point; the drawing stays");
+    moved = drawPlaceField(context, flow, "options/picture/y2", "y", second.y,
+                           "Where the second point is in the drawing: y. The picture is turned and scaled about the "
+                           "first point; the drawing stays") ||
+            moved;
+    if (moved && distance(first, second) <= 1e-12 * std::max(length(first), length(second))) {
+        const std::string fault = "expected another place than that of the first point";
+        ui::refuseEntry(context, "options/picture/x2", error("bad-number", fault), fault);
+    } else if (moved) {
+        firstPlaced_ = true;
+        change(context, placedBy(picture, points_[0], points_[1], first, second), "Place background picture");
     }
 }
 
@@ -303,7 +330,8 @@ void PictureTool::drawOptions(Shell &context, ui::Flow &flow) {
         if (ui::segmented(context, "options/picture/mode", mode_, 150.0F)) {
             points_.clear();
         }
-        ui::tooltip(context, "Move: drag the picture. Calibrate: click two points and enter their real distance.");
+        ui::tooltip(context, "Move: drag the picture. Calibrate: click two points and enter their real "
+                             "distance, or the coordinates of both.");
         mode_ == PictureMode::Move ? drawPlace(context, flow) : drawCalibration(context, flow);
     }
     drawLook(context, flow);
@@ -315,7 +343,7 @@ void PictureTool::drawOverlay(CanvasPainter &painter, Shell &context) {
         return;
     }
     const Theme &theme = context.theme;
-    painter.rectangle(boundsOf(*picture), fade(theme.selection, 0.7), 1.0);
+    painter.polyline(cornersOf(*picture), true, fade(theme.selection, 0.7), 1.0);
     if (mode_ != PictureMode::Calibrate || points_.empty()) {
         return;
     }
@@ -357,8 +385,8 @@ std::string PictureTool::statusText(const Shell &context) const {
     case 1:
         return "Click the second point. Esc: start again";
     default:
-        return "In the field above, enter the real distance between the points. Drag a point to correct it; "
-               "Esc: start again";
+        return "In the fields above, enter the real distance between the points, or the coordinates of both. Drag a "
+               "point to correct it; Esc: start again";
     }
 }
 

@@ -61,6 +61,7 @@ class PictureTool final : public Tool {
     static Vec2 share(const BackgroundPicture &picture, Vec2 place);
     void drawPlace(Shell &context, ui::Flow &flow);
     void drawCalibration(Shell &context, ui::Flow &flow);
+    void drawSecondPlace(Shell &context, ui::Flow &flow);
     void drawLook(Shell &context, ui::Flow &flow);
 
     std::shared_ptr<EditState> state_;

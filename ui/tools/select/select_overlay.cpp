@@ -1,5 +1,6 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/domain/element_places.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
@@ -27,6 +28,30 @@ void drawBoxHandles(CanvasPainter &painter, const Theme &theme, const SourceBox 
         painter.handle(corner, 3.5, theme.canvas, theme.selection);
     }
     painter.ring(box.centre(), 8.0, theme.selection, 2.0);
+}
+
+/// Draws where elements with a bias begin and end along the selected segments of a shape.
+void drawBiasMarks(CanvasPainter &painter, const Theme &theme, const Shape &shape, const Outline &outline,
+                   const Selection &selection) {
+    constexpr std::uint32_t kMaxMarks = 400;
+    const bool whole = selection.shapes.contains(shape.id);
+    for (std::uint32_t k = 0; k < outline.segmentCount() && !shape.segmentSizes.empty(); ++k) {
+        const std::uint32_t part = outline.part(k);
+        const auto found = shape.segmentSizes.find(part);
+        const bool shown = whole || selection.segments.contains({shape.id, part});
+        if (!shown || found == shape.segmentSizes.end() || !found->second.bias.any() ||
+            found->second.elements > kMaxMarks) {
+            continue;
+        }
+        const Curve curve = outline.curve(k);
+        for (const double place : elementPlaces(found->second.elements, found->second.bias)) {
+            const double t = parameterAtLength(curve, place);
+            const Vec2 at = curve.point(t), along = curve.tangent(t);
+            const Vec2 across = painter.camera().length(5.0 * painter.scale()) * Vec2{-along.y, along.x};
+            painter.line(at - across, at + across, theme.canvas, 4.0);
+            painter.line(at - across, at + across, theme.selection, 2.0);
+        }
+    }
 }
 
 } // namespace
@@ -77,6 +102,7 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
                 painter.curve(outline.curve(k), theme.selection, 4.0);
             }
         }
+        drawBiasMarks(painter, theme, *shape, outline, selection);
     }
 }
 

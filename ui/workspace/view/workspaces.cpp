@@ -11,8 +11,9 @@ using Ids = std::string_view;
 // What follows the selection is below what does not, which stays in place.
 constexpr std::array<Ids, 4> kDrawPanels{"shapes", "parameters", "inspector", "names"};
 constexpr std::array<Ids, 1> kDrawFolded{"names"};
-constexpr std::array<Ids, 14> kDrawTools{"select", "polygon", "polyline", "rectangle", "circle", "ellipse", "regular",
-                                         "slot",   "arc",     "point",    "trim",      "region", "measure", "picture"};
+constexpr std::array<Ids, 15> kDrawTools{"select",  "polygon", "polyline", "rectangle", "circle",
+                                         "ellipse", "regular", "slot",     "arc",       "point",
+                                         "trim",    "region",  "measure",  "picture",   "outline"};
 constexpr std::array<Ids, 11> kDrawLayers{"domain",  "boundary", "faults", "marks",  "mesh",  "lattice",
                                           "picture", "regions",  "labels", "sketch", "guides"};
 

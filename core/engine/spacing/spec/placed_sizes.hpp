@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/vec2.hpp"
+#include "core/engine/domain/segment_elements.hpp"
 
 #include <cstdint>
 #include <string>
@@ -55,9 +56,16 @@ struct PlacedSizes {
     /// Number of elements along the whole line or curve that a segment is a part of, by index into Domain::segments; 0:
     /// as the spacing asks. Empty: 0 for all. Takes precedence over the spacing and the tolerance of curves.
     std::vector<std::uint32_t> elements;
+    /// Bias of the elements along a line or curve with a number of them, by index into Domain::segments; the same for
+    /// all segments of a curve that run in one direction. The count and the lengths are exact, unless parts of the
+    /// boundary would meet. Empty: none.
+    std::vector<ElementBias> biases;
     /// Sizes along segments, by index into Domain::segments, in place of SpacingSpec::partSizes of their tags; a size
     /// of 0: none is given. Empty: none for all.
     std::vector<PartSize> segments;
+
+    /// Returns the numbers of elements with their biases.
+    SegmentElements counts() const { return {elements, biases}; }
 
     friend bool operator==(const PlacedSizes &, const PlacedSizes &) = default;
 };

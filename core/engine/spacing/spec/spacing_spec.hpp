@@ -135,6 +135,7 @@ struct SpacingSpec {
     void replaceRules(SpacingSpec rules) {
         rules.placed = std::exchange(placed, {});
         rules.placed.elements.clear();
+        rules.placed.biases.clear();
         rules.placed.segments.clear();
         *this = std::move(rules);
     }

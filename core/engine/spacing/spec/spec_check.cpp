@@ -2,7 +2,9 @@
 
 #include "core/engine/base/number_text.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -129,6 +131,21 @@ void checkSegmentSizes(std::span<const PartSize> sizes, Diagnostics &faults) {
             return;
         }
     }
+}
+
+void checkBiases(std::span<const ElementBias> biases, Diagnostics &faults) {
+    const auto bad = std::find_if(biases.begin(), biases.end(), [](const ElementBias &b) { return !b.isValid(); });
+    if (bad != biases.end()) {
+        faults.push_back(biasFault(*bad, "segment " + std::to_string(bad - biases.begin()), "bad-element-counts"));
+    }
+}
+
+Diagnostic biasFault(const ElementBias &bias, const std::string &owner, std::string code) {
+    return error(std::move(code),
+                 "invalid bias " + numberText(bias.ratio, 6) + " of the elements of " + owner +
+                     "; expected a ratio from 0.0001 to 10000",
+                 "enter the length of the last element over that of the first")
+        .front();
 }
 
 void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults) {

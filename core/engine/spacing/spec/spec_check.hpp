@@ -30,6 +30,10 @@ void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &
 
 /// Checks the sizes along segments. Fault: bad-source, for the first invalid one.
 void checkSegmentSizes(std::span<const PartSize> sizes, Diagnostics &faults);
+/// Checks the biases of elements along segments. Code: bad-element-counts.
+void checkBiases(std::span<const ElementBias> biases, Diagnostics &faults);
+/// Returns the fault of an invalid bias of the elements of `owner`.
+Diagnostic biasFault(const ElementBias &bias, const std::string &owner, std::string code);
 
 /// Checks the sizes of nodes. Faults: bad-source, with the place if it is finite.
 void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults);

@@ -16,8 +16,9 @@ namespace forefront {
 void addPartSizeSites(const Domain &domain, const std::map<std::int32_t, PartSize> &sizes,
                       const std::vector<PartSize> &ofSegments, double minimum, double gradation, SiteSet &sites);
 
-/// Adds one site for each segment that has a size of its own, limited in the same way.
-void addSegmentSizeSites(const Domain &domain, const std::vector<PartSize> &sizes, double minimum, double gradation,
+/// Adds one site for each segment that has a size of its own, limited in the same way; along one with a bias, sites for
+/// its elements, or for groups of them if there are many.
+void addSegmentSizeSites(const Domain &domain, const PlacedSizes &placed, double minimum, double gradation,
                          SiteSet &sites);
 
 } // namespace forefront
