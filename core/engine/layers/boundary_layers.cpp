@@ -35,8 +35,8 @@ std::vector<RayChain> finishedRays(const LayerRequest &request, const DiscreteDo
                                    const std::vector<WallChain> &walls, std::span<const LayerHeights> heights) {
     std::vector<RayChain> chains;
     for (const WallChain &wall : walls) {
-        RayChain chain = raysOf(boundary, wall, heights, request.specs,
-                                {&request.domain, request.elements, request.keepBoundary});
+        RayChain chain =
+            raysOf(boundary, wall, heights, request.specs, {&request.domain, request.elements, request.keepBoundary});
         levelLayers(chain);
         for (LayerRay &ray : chain.rays) {
             ray.asked = ray.count; // longer wall edges beside shorter ones
@@ -74,8 +74,8 @@ Result<BuiltLayers> buildLayers(const LayerRequest &request, std::shared_ptr<con
     const std::vector<WallChain> walls = wallChains(*boundary, request.specs);
     const std::vector<LayerHeights> heights = heightsOf(*boundary, walls, request.specs);
     std::vector<RayChain> chains = finishedRays(request, *boundary, walls, heights);
-    Result<std::shared_ptr<const SpacingField>> field = layeredField(
-        std::move(spacing), topSites(chains, heights, request.gradation), boundary->bounds(), progress);
+    Result<std::shared_ptr<const SpacingField>> field =
+        layeredField(std::move(spacing), topSites(chains, heights, request.gradation), boundary->bounds(), progress);
     if (!field) {
         return field.faults();
     }

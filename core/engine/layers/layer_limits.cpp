@@ -84,7 +84,8 @@ class Obstacles {
         }
         const Vec2 a = boundary_.nodes[s.a], b = boundary_.nodes[s.b];
         const bool wall = layered_[number] != 0;
-        if (faces(s, a, b, wall, ray) || meet(ray.base, placeOn(ray, ray.count, heights_), a, b) != SegmentMeeting::Apart) {
+        if (faces(s, a, b, wall, ray) ||
+            meet(ray.base, placeOn(ray, ray.count, heights_), a, b) != SegmentMeeting::Apart) {
             limitTo(ray, a, b, needed(wall ? kShareOfWalls : kShareOfOthers), LayerStop::Wall, s.tag);
         }
     }
@@ -93,10 +94,11 @@ class Obstacles {
     bool faces(const DiscreteSegment &s, Vec2 a, Vec2 b, bool wall, const LayerRay &ray) const {
         const Vec2 normal = leftNormal(b - a);
         const double side = dot(ray.base - a, normal);
+        const double inLine = 1e-9 * length(normal) * length(ray.base - a); // around a convex corner
         const double approach = dot(normal, ray.direction) / (length(normal) * length(ray.direction));
         const double limit = wall ? kWallFaces : kOtherFaces;
-        return (s.leftRegion != kOutside && side >= 0.0 && approach < limit) ||
-               (s.rightRegion != kOutside && side <= 0.0 && -approach < limit);
+        return (s.leftRegion != kOutside && side > inLine && approach < limit) ||
+               (s.rightRegion != kOutside && side < -inLine && -approach < limit);
     }
 
     /// Lowers the ray to its last layer before the first that has too little free distance to ab.

@@ -30,8 +30,8 @@ struct TopEdge {
 /// The boundary of what the layers leave free: the tops of the columns, and the segments that carry none.
 struct LayerOutline {
     std::vector<Vec2> points;
-    std::vector<PlaneEdge> edges;  ///< the tops first
-    std::vector<TopEdge> tops;     ///< as many as the first edges
+    std::vector<PlaneEdge> edges;   ///< the tops first
+    std::vector<TopEdge> tops;      ///< as many as the first edges
     std::vector<std::int32_t> tags; ///< per edge: of the boundary part it lies on or over
 };
 

@@ -10,10 +10,10 @@ namespace forefront {
 
 namespace {
 
-constexpr double kFanFrom = std::numbers::pi / 3.0;  ///< turn of a convex corner, in radians
-constexpr double kFanStep = std::numbers::pi / 9.0;  ///< greatest angle between rays of a fan
+constexpr double kFanFrom = std::numbers::pi / 3.0;    ///< turn of a convex corner, in radians
+constexpr double kFanStep = std::numbers::pi / 9.0;    ///< greatest angle between rays of a fan
 constexpr double kCornerFrom = std::numbers::pi / 9.0; ///< turn beside which rays lean over
-constexpr double kMaxStretch = 2.0;                  ///< of a ray at a concave corner, reached at 60 degrees
+constexpr double kMaxStretch = 2.0;                    ///< of a ray at a concave corner, reached at 60 degrees
 /// Rays lean over within this many times the height of the layers, times the tangent of the lean if that is above 1:
 /// the tops of the columns there are at most a third narrower or wider than their wall edges.
 constexpr double kLeanReach = 3.0;
@@ -126,8 +126,9 @@ class RayMaker {
             if (isEnd(i)) {
                 spread(i, node.lean, i == 0, lean);
             } else if (node.isCorner() && !node.isFan()) {
-                const double own =
-                    std::copysign(std::min(std::tan(0.5 * std::abs(node.turn)), std::sqrt(kMaxStretch * kMaxStretch - 1.0)), node.turn);
+                const double own = std::copysign(
+                    std::min(std::tan(0.5 * std::abs(node.turn)), std::sqrt(kMaxStretch * kMaxStretch - 1.0)),
+                    node.turn);
                 spread(i, own, true, lean);
                 spread(i, -own, false, lean);
             }
@@ -186,8 +187,8 @@ class RayMaker {
         const Vec2 normal = leftNormal(along_[node.before]), along = along_[node.before];
         for (int j = 0; j <= sectors; ++j) {
             const double angle = -node.turn * j / sectors; // clockwise
-            ray.direction = j < sectors ? std::cos(angle) * normal + std::sin(angle) * along
-                                        : leftNormal(along_[node.after]);
+            ray.direction =
+                j < sectors ? std::cos(angle) * normal + std::sin(angle) * along : leftNormal(along_[node.after]);
             result.rays.push_back(ray);
             if (j < sectors) {
                 WallEdge sector = chain_.edges[node.after];

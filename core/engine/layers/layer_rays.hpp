@@ -14,12 +14,12 @@ namespace forefront {
 /// A straight line from a node of a wall, on which the nodes of its layers lie.
 struct LayerRay {
     Vec2 base;
-    Vec2 direction;                ///< the node at height y is at base + y·direction; longer than 1 where it leans
-    std::uint32_t node = 0;        ///< of the wall
-    std::uint32_t spec = 0;        ///< index of the LayerSpec that its heights follow
-    std::uint32_t fan = kNoIndex;  ///< number of the fan it belongs to, counted along its chain; kNoIndex: none
-    std::uint32_t asked = 0;       ///< number of layers asked for
-    std::uint32_t count = 0;       ///< number of layers that it has
+    Vec2 direction;                   ///< the node at height y is at base + y·direction; longer than 1 where it leans
+    std::uint32_t node = 0;           ///< of the wall
+    std::uint32_t spec = 0;           ///< index of the LayerSpec that its heights follow
+    std::uint32_t fan = kNoIndex;     ///< number of the fan it belongs to, counted along its chain; kNoIndex: none
+    std::uint32_t asked = 0;          ///< number of layers asked for
+    std::uint32_t count = 0;          ///< number of layers that it has
     LayerStop stop = LayerStop::Wall; ///< why there are fewer than asked for
     std::int32_t stoppedBy = 0;       ///< the tag of the part that stopped it
     /// Of a ray that slides along the boundary, once that is cut: the node of its first layer there, which those of the
@@ -65,10 +65,10 @@ struct SlidingRules {
 
 /// Returns the rays of a chain with the number of layers asked for. `heights`: by specification.
 ///
-/// At smooth nodes a ray bisects the angle of the wall, and is longer by 1/cos of half the turn, so that the layers stay
-/// parallel to both edges. At convex corners of more than 60 degrees there is a fan of rays, 20 degrees apart at most.
-/// Beside all other corners of more than 20 degrees, and where an end slides along a straight neighbour at 45 to 135
-/// degrees, the rays lean over gradually, so that they do not meet.
+/// At smooth nodes a ray bisects the angle of the wall, and is longer by 1/cos of half the turn, so that the layers
+/// stay parallel to both edges. At convex corners of more than 60 degrees there is a fan of rays, 20 degrees apart at
+/// most. Beside all other corners of more than 20 degrees, and where an end slides along a straight neighbour at 45 to
+/// 135 degrees, the rays lean over gradually, so that they do not meet.
 RayChain raysOf(const DiscreteDomain &boundary, const WallChain &chain, std::span<const LayerHeights> heights,
                 std::span<const LayerSpec> specs, const SlidingRules &sliding);
 

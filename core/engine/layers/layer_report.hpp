@@ -32,11 +32,11 @@ struct EnumWords<LayerStop> {
 
 /// A ray from a wall that has fewer layers than asked for.
 struct ShortenedRay {
-    Vec2 base;                ///< its node on the wall
-    Vec2 end;                 ///< where its layers end
-    std::int32_t tag = 1;     ///< of the wall
-    std::uint32_t asked = 0;  ///< number of layers
-    std::uint32_t made = 0;   ///< number of layers, < asked
+    Vec2 base;               ///< its node on the wall
+    Vec2 end;                ///< where its layers end
+    std::int32_t tag = 1;    ///< of the wall
+    std::uint32_t asked = 0; ///< number of layers
+    std::uint32_t made = 0;  ///< number of layers, < asked
     LayerStop stop = LayerStop::Wall;
     std::int32_t stoppedBy = 0; ///< tag of the boundary part, or of the point, that stopped it or a ray beside it
 };
@@ -46,9 +46,9 @@ struct LayerReport {
     std::size_t quadrilaterals = 0;
     std::size_t triangles = 0;
     std::size_t rays = 0;
-    std::size_t fans = 0;         ///< convex corners with more than one ray
-    std::uint32_t fewest = 0;     ///< layers of a ray
-    std::uint32_t most = 0;       ///< layers of a ray
+    std::size_t fans = 0;                ///< convex corners with more than one ray
+    std::uint32_t fewest = 0;            ///< layers of a ray
+    std::uint32_t most = 0;              ///< layers of a ray
     std::vector<ShortenedRay> shortened; ///< along the walls
 };
 

@@ -25,7 +25,8 @@ std::optional<Diagnostic> layerFault(const LayerSpec &spec, std::string_view own
         return fault("both a count and a thickness are given", "remove one of them");
     }
     if (spec.count && (*spec.count < 1 || *spec.count > kMaxLayers)) {
-        return fault("expected a count from 1 to " + std::to_string(kMaxLayers) + ", got " + std::to_string(*spec.count),
+        return fault("expected a count from 1 to " + std::to_string(kMaxLayers) + ", got " +
+                         std::to_string(*spec.count),
                      "choose a count within this range");
     }
     if (spec.thickness && !(*spec.thickness >= spec.first && std::isfinite(*spec.thickness))) {
@@ -60,9 +61,8 @@ Diagnostics checkLayers(std::span<const LayerSpec> specs, const Domain &domain) 
                                    "choose one of these parts")
                                  .front());
         } else if (!seen.insert(spec.tag).second) {
-            faults.push_back(error("repeated-layer", "boundary layers on " + name + " are given twice",
-                                   "keep one of them")
-                                 .front());
+            faults.push_back(
+                error("repeated-layer", "boundary layers on " + name + " are given twice", "keep one of them").front());
         } else if (std::optional<Diagnostic> fault = layerFault(spec, name)) {
             faults.push_back(std::move(*fault));
         }

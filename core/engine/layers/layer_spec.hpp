@@ -30,11 +30,11 @@ struct EnumWords<LayerCells> {
 /// factor `growth`. Without a count and a thickness, layers are added until the next one would be as high as 0.7 times
 /// the length of the wall edges below it.
 struct LayerSpec {
-    std::int32_t tag = 1;             ///< of the boundary part
-    double first = 0.0;               ///< height of the first layer in domain units, > 0
-    double growth = 1.2;              ///< ratio of the heights of successive layers, 1 to 4
-    std::optional<std::uint32_t> count{};  ///< number of layers, 1 to kMaxLayers
-    std::optional<double> thickness{};     ///< height of all layers; the number of layers that comes nearest to it is used
+    std::int32_t tag = 1;                 ///< of the boundary part
+    double first = 0.0;                   ///< height of the first layer in domain units, > 0
+    double growth = 1.2;                  ///< ratio of the heights of successive layers, 1 to 4
+    std::optional<std::uint32_t> count{}; ///< number of layers, 1 to kMaxLayers
+    std::optional<double> thickness{}; ///< height of all layers; the number of layers that comes nearest to it is used
     LayerCells cells = LayerCells::Quads;
 
     friend bool operator==(const LayerSpec &, const LayerSpec &) = default;

@@ -12,7 +12,7 @@ namespace forefront {
 
 /// An edge of the discretised boundary that carries layers, from a to b with the layers on its left.
 struct WallEdge {
-    std::uint32_t a = 0;       ///< index into DiscreteDomain::nodes
+    std::uint32_t a = 0; ///< index into DiscreteDomain::nodes
     std::uint32_t b = 0;
     std::uint32_t segment = 0; ///< index into DiscreteDomain::segments
     std::uint32_t face = 0;    ///< index into DiscreteDomain::regions

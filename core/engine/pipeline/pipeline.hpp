@@ -33,11 +33,12 @@ struct PreparedJob {
     const std::shared_ptr<const DiscreteDomain> &frontBoundary() const { return layers ? layers->outer : boundary; }
 };
 
-/// Validates the domain, builds the spacing, discretises the boundary and builds the boundary layers. If the estimated number of elements exceeds
-/// `budget`, which must be positive, the spacing is multiplied by one factor that brings it down to the budget, for a
-/// preview of the mesh; given nodes and edges stay, so that there may be more. Without a budget, the estimate must not
-/// exceed MeshingOptions::maxElements. Where chords stand for curves that cross, sizes for the short ones among them
-/// are added to an automatic spacing. Errors: those of each step, "too-many-elements", "cancelled".
+/// Validates the domain, builds the spacing, discretises the boundary and builds the boundary layers. If the estimated
+/// number of elements exceeds `budget`, which must be positive, the spacing is multiplied by one factor that brings it
+/// down to the budget, for a preview of the mesh; given nodes and edges stay, so that there may be more. Without a
+/// budget, the estimate must not exceed MeshingOptions::maxElements. Where chords stand for curves that cross, sizes
+/// for the short ones among them are added to an automatic spacing. Errors: those of each step, "too-many-elements",
+/// "cancelled".
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {},
                             double budget = std::numeric_limits<double>::infinity());
 

@@ -8,10 +8,9 @@
 namespace forefront {
 
 std::span<const Stage> stagesBeforeFront() {
-    static constexpr std::array kStages = {Stage{StageTime::Prepare, validateStage},
-                                           Stage{StageTime::Prepare, spacingStage},
-                                           Stage{StageTime::Prepare, boundaryStage},
-                                           Stage{StageTime::Prepare, layersStage}};
+    static constexpr std::array kStages = {
+        Stage{StageTime::Prepare, validateStage}, Stage{StageTime::Prepare, spacingStage},
+        Stage{StageTime::Prepare, boundaryStage}, Stage{StageTime::Prepare, layersStage}};
     return kStages;
 }
 
