@@ -54,6 +54,7 @@ class Project:
     def __init__(self):
         self.shapes, self.markers, self.boundaries, self.regions = [], [], {}, {}
         self.spacing = {"fromBoundary": False}
+        self.layers = []
         self.circle_tolerance = 0.002
 
     def add(self, kind, nodes, tag, name="", use="boundary", segment_tags=None):
@@ -74,6 +75,8 @@ class Project:
                 "options": {"grid": "hierarchical", "gridColumns": 0, "gridRows": 0, "keepBoundary": False,
                             "improve": "default", "threads": 1},
                 "circleTolerance": self.circle_tolerance, "nextId": len(self.shapes) + 1}
+        if self.layers:
+            text["layers"] = self.layers
         lines = []
         for key, value in text.items():
             if key == "shapes":
@@ -151,6 +154,33 @@ def airfoil():
     p.write("airfoil.json")
 
 
+def naca_0012(count, chord, angle, x0, y0):
+    """Nodes of a NACA 0012 airfoil with a closed trailing edge, clockwise from there; `angle` in radians."""
+    nodes = []
+    for k in range(2 * count):
+        x = 0.5 * (1 - math.cos(math.pi * (count - k) / count))
+        y = 0.6 * (0.2969 * math.sqrt(x) - 0.1260 * x - 0.3516 * x**2 + 0.2843 * x**3 - 0.1036 * x**4)
+        y = 0 if k == 0 else -y if k <= count else y
+        nodes.append((x0 + chord * (math.cos(angle) * x - math.sin(angle) * y),
+                      y0 + chord * (math.sin(angle) * x + math.cos(angle) * y)))
+    return nodes
+
+
+def flap():
+    """A NACA 0012 airfoil with a flap of the same shape, a gap of 2.5 % apart."""
+    p = Project()
+    p.boundaries = {1: "far field", 2: "airfoil", 3: "flap"}
+    p.regions = {1: "air"}
+    p.add("circle", [(0.5, 0), (10.5, 0)], 1, "far field")
+    p.add("polygon", naca_0012(80, 1, 0, 0, 0), 2, "airfoil")
+    p.add("polygon", naca_0012(48, 0.35, -0.35, 0.98, -0.035), 3, "flap")
+    p.spacing.update({"maximum": 1.5, "gradation": 0.2})
+    p.source("line", (0, 0), 0.015, 0.2, "chord", b=(1, 0))
+    p.source("line", (0.98, -0.035), 0.008, 0.2, "flap", b=(1.31, -0.155))
+    p.layers = [{"tag": 2, "first": 2e-5, "growth": 1.2}, {"tag": 3, "first": 2e-5, "growth": 1.2}]
+    p.write("flap.json")
+
+
 def ring(cx, cy, radius, seed, count, squash=1.0, rough=0.12):
     nodes = []
     for k in range(count):
@@ -202,6 +232,21 @@ def arc(cx, cy, radius, start, end, count):
     """Points from angle `start` to `end`, in degrees."""
     return [(cx + radius * math.cos(math.radians(start + (end - start) * k / count)),
              cy + radius * math.sin(math.radians(start + (end - start) * k / count))) for k in range(count + 1)]
+
+
+def tunnel():
+    """A cylinder in a channel; the layers of the walls slide along the inflow and the outflow."""
+    p = Project()
+    p.boundaries = {1: "wall", 2: "inflow", 3: "outflow", 4: "cylinder"}
+    p.regions = {1: "fluid"}
+    p.add("polygon", [(0, 0), (22, 0), (22, 4.1), (0, 4.1)], 1, "channel", segment_tags=[1, 3, 1, 2])
+    p.add("circle", [(2, 2), (2.5, 2)], 4, "cylinder")
+    p.spacing.update({"size": 0.2})
+    p.source("circle", (2, 2), 0.04, 0.18, "cylinder", radius=0.55)
+    p.source("line", (2.5, 2), 0.1, 0.2, "wake", b=(12, 2.1), radius=0.5)
+    p.layers = [{"tag": 1, "first": 0.01, "growth": 1.2, "count": 12},
+                {"tag": 4, "first": 0.002, "growth": 1.2, "thickness": 0.12}]
+    p.write("tunnel.json")
 
 
 def dam():
@@ -316,6 +361,8 @@ if __name__ == "__main__":
         ("crack.json", "Cracked plate", "an inner line, fine at its tips", crack),
         ("letter.json", "Letter A", "an outline with an inner loop", letter),
         ("cylinder.json", "Flow past a cylinder", "all lengths are parameters, sources along walls and wake", None),
+        ("flap.json", "Airfoil with a flap", "boundary layers that share a narrow gap", flap),
+        ("tunnel.json", "Cylinder in a channel", "boundary layers on walls and around a cylinder", tunnel),
         ("dam.json", "Embankment dam", "soils as regions, each with a maximum area", dam),
         ("machine.json", "Electric machine", "an air gap with a width of 2 % of the radius", machine),
         ("snowflake.json", "Snowflake", "a fractal with 768 corners", snowflake),

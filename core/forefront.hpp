@@ -26,6 +26,7 @@
 /// | check it | forefront::validate |
 /// | set the element size, also by a function | forefront::SpacingSpec, forefront::SizeGrid |
 /// | set it at nodes and in regions, or count elements | forefront::PlacedSizes |
+/// | add boundary layers | forefront::LayerSpec, forefront::LayerReport |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshStepper; in the background: forefront::MeshingSession |
 /// | hold a mesh of any kinds of cells | forefront::Mesh, forefront::CellBlock, forefront::CellTraits |

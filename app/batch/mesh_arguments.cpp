@@ -30,6 +30,8 @@ Examples:
         edges of length 5 where the picture is black, 200 where it is white
   forefront mesh plate.poly -o plate.inp --size 0.5 --elements quads
         quadrilaterals alone
+  forefront mesh wing.json -o wing.su2 --layers "wing:first=1e-4,growth=1.2,count=20"
+        20 thin layers along the boundary part wing
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
   forefront mesh plate.json -o plate.foam
@@ -132,6 +134,7 @@ void addImportOptions(CLI::App &app, MeshArguments &arguments) {
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
     std::string grid;
+    std::vector<std::string> layers;
     CLI::App app("Meshes a planar domain with triangles or quadrilaterals by the advancing front technique.",
                  "forefront mesh");
     app.footer(kMeshExamples);
@@ -174,6 +177,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         ->check(nonNegativeNumber())
         ->type_name("N");
     addCurveToleranceOption(app, arguments.curveTolerance);
+    addLayersOption(app, layers);
     addFrontOptions(app, arguments, grid);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")
@@ -187,6 +191,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         return *code;
     }
     std::string wrong = grid.empty() ? std::string() : parseGrid(grid, arguments);
+    if (wrong.empty()) {
+        wrong = parseLayers(layers, arguments.layers);
+    }
     if (wrong.empty()) {
         wrong = checkFormats(arguments.outputs, arguments.formats);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/batch/cli_options.hpp"
+#include "app/batch/layers_option.hpp"
 #include "app/batch/outputs.hpp"
 #include "core/engine/mesher/options.hpp"
 #include "core/files/source/picture_sizes.hpp"
@@ -31,6 +32,7 @@ struct MeshArguments {
     std::optional<double> segmentsPerTurn;
     std::optional<double> elementsAcross;
     std::optional<CurveToleranceArgument> curveTolerance;
+    std::vector<LayersArgument> layers;
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     std::optional<Elements> elements;

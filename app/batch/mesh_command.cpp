@@ -309,6 +309,9 @@ int runMesh(const MeshArguments &arguments) {
         faults = applyOptions(arguments, job->options);
     }
     if (faults.empty()) {
+        faults = allFormats().locateFaults(input.path, applyLayers(arguments.layers, *job), input.options);
+    }
+    if (faults.empty()) {
         faults = allFormats().locateFaults(input.path, checkOpenNames(arguments.form, job->domain), input.options);
     }
     if (!faults.empty()) {
@@ -339,6 +342,7 @@ int runMesh(const MeshArguments &arguments) {
         printFaults(flatElements(report.quality));
         printFaults(notConvex(report.quads));
         printFaults(straightEdges(report.order));
+        printFaults(shortenedLayers(outcome->layers, outcome->mesh.boundaryNames));
     }
     const Status printed = printResult(arguments, report);
     return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);

@@ -83,6 +83,8 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     report.quads = outcome.quads;
     report.elementOrder = options.order;
     report.order = outcome.order;
+    report.layers = outcome.layers;
+    report.boundaryNames = outcome.mesh.boundaryNames;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
     report.secondsImprove = outcome.secondsImprove;
@@ -268,6 +270,35 @@ void addOrder(const SecondOrderReport &order, JsonWriter &json) {
     json.endArray().endObject();
 }
 
+void addLayers(const RunReport &report, JsonWriter &json) {
+    const LayerReport &layers = report.layers;
+    json.key("boundary_layers").beginObject();
+    json.member("rays", layers.rays).member("fans", layers.fans);
+    json.member("layers_min", layers.fewest).member("layers_max", layers.most);
+    json.member("quadrilaterals", layers.quadrilaterals).member("triangles", layers.triangles);
+    json.key("shortened").beginArray();
+    for (const ShortenedRay &ray : layers.shortened) {
+        json.beginObject().member("x", ray.base.x).member("y", ray.base.y);
+        json.member("boundary", boundaryName(report.boundaryNames, ray.tag));
+        json.member("asked", ray.asked).member("made", ray.made).member("reason", wordOf(ray.stop));
+        json.member("stopped_by", boundaryName(report.boundaryNames, ray.stoppedBy)).endObject();
+    }
+    json.endArray().endObject();
+}
+
+/// Returns a line on the boundary layers; empty without any.
+std::string layersLine(const LayerReport &layers) {
+    if (layers.rays == 0) {
+        return {};
+    }
+    const std::string counts = layers.fewest == layers.most
+                                   ? std::to_string(layers.most)
+                                   : std::to_string(layers.fewest) + " to " + std::to_string(layers.most);
+    return "boundary layers: " + counts + " on " + countText(layers.rays, "ray") + ", " +
+           countText(layers.quadrilaterals, "quadrilateral") + " and " + countText(layers.triangles, "triangle") +
+           "; fewer than asked for on " + countText(layers.shortened.size(), "ray") + '\n';
+}
+
 } // namespace
 
 std::string statisticsJson(const RunReport &report) {
@@ -295,6 +326,9 @@ std::string statisticsJson(const RunReport &report) {
     }
     if (report.elementOrder == ElementOrder::Second) {
         addOrder(report.order, json);
+    }
+    if (report.layers.rays > 0) {
+        addLayers(report, json);
     }
     if (report.rules != FrontRules()) {
         json.key("rules");
@@ -407,7 +441,8 @@ std::string summary(const RunReport &report) {
         cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
     const std::string rules = report.rules == FrontRules() ? "" : "changed rules: " + changesText(report.rules) + '\n';
     return leastAngleLines(report) + sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + rules + size +
-           (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + text;
+           (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + layersLine(report.layers) +
+           text;
 }
 
 } // namespace forefront

@@ -9,6 +9,7 @@
 #include "core/engine/pipeline/pipeline.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ struct RunReport : MeshReport {
     QuadReport quads;                 ///< unless the elements are triangles
     ElementOrder elementOrder = ElementOrder::First;
     SecondOrderReport order; ///< of a mesh of second order
+    LayerReport layers;      ///< of a mesh with boundary layers
+    /// Names of the boundary parts that `layers` refers to.
+    std::map<std::int32_t, std::string> boundaryNames;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far
 

@@ -8,8 +8,8 @@ from pathlib import Path
 # are equals and must not include each other. "*" stands for all rooms that are not named.
 ORDERS = {
     "core": ["engine", "files", "c", "drawing", "drawing_files", "teaching", "."],
-    "core/engine": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
-                    "quads", "refine", "pipeline", "adapt session"],
+    "core/engine": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "layers",
+                    "mesher", "quads", "refine", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],
     "core/files": ["source", "text", "common", "json", "*", "."],
     "core/drawing": ["arrangement", "sketch", "document", "shapes", "colour_outline", "names", "constraints", "formulas", "domain", "picking", "commands recovery"],

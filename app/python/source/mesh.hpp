@@ -5,6 +5,7 @@
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/quads/quad_report.hpp"
+#include "core/engine/refine/least_angle.hpp"
 #include "core/engine/spacing/spacing_field.hpp"
 
 #include <memory>

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -106,6 +107,12 @@ Document inserted(const Document &document, const Document &other, double scale,
             next.elementCounts.emplace(tag, elements);
         }
     }
+    std::copy_if(other.layers.begin(), other.layers.end(), std::back_inserter(next.layers),
+                 [&](const LayerSpec &layer) {
+                     return !std::binary_search(known.begin(), known.end(), layer.tag) &&
+                            std::none_of(document.layers.begin(), document.layers.end(),
+                                         [&](const LayerSpec &own) { return own.tag == layer.tag; });
+                 });
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
     items.constraints = copyConstraints(next, other, items.shapes);

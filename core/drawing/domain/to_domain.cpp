@@ -6,6 +6,9 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/domain/node_merger.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace forefront {
 namespace {
 
@@ -214,6 +217,12 @@ MeshingJob jobOf(const Document &document) {
     job.spacing.placed.elements = made.elements();
     job.spacing.placed.biases = made.biases();
     job.spacing.placed.segments = made.sizes();
+    // A deleted part may have left its layers, as it may its size.
+    std::copy_if(document.layers.begin(), document.layers.end(), std::back_inserter(job.layers),
+                 [&](const LayerSpec &layer) {
+                     return std::any_of(job.domain.segments.begin(), job.domain.segments.end(),
+                                        [&](const DomainSegment &segment) { return segment.tag == layer.tag; });
+                 });
     return job;
 }
 

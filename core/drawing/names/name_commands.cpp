@@ -64,6 +64,9 @@ std::int32_t freeBoundaryTag(const Document &document) {
     const auto &counts = document.elementCounts;
     last = sizes.empty() ? last : std::max(last, sizes.rbegin()->first);
     last = counts.empty() ? last : std::max(last, counts.rbegin()->first);
+    for (const LayerSpec &layer : document.layers) {
+        last = std::max(last, layer.tag);
+    }
     return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
 }
 
@@ -103,6 +106,7 @@ Result<Document> renameBoundaryTag(const Document &document, std::int32_t tag, c
     merged.boundaryNames.erase(tag);
     merged.spacing.partSizes.erase(tag);
     merged.elementCounts.erase(tag);
+    std::erase_if(merged.layers, [&](const LayerSpec &layer) { return layer.tag == tag; });
     return all.shapes.empty() && all.segments.empty() ? merged : nameBoundaryPart(merged, all, name);
 }
 

@@ -10,9 +10,11 @@
 #include "core/engine/geometry/path_curve.hpp"
 #include "core/files/text/base64.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 
 namespace forefront {
@@ -71,7 +73,7 @@ class SvgText {
     }
 };
 
-/// Copies the element size or the number of elements of a boundary part.
+/// Copies the element size or the number of elements of a boundary part, and its layers.
 void copySizes(const Document &document, std::int32_t tag, Document &part) {
     const auto elements = document.elementCounts.find(tag);
     if (elements != document.elementCounts.end()) {
@@ -81,6 +83,8 @@ void copySizes(const Document &document, std::int32_t tag, Document &part) {
     if (size != document.spacing.partSizes.end()) {
         part.spacing.partSizes.insert(*size);
     }
+    std::copy_if(document.layers.begin(), document.layers.end(), std::back_inserter(part.layers),
+                 [&](const LayerSpec &layer) { return layer.tag == tag; });
 }
 
 /// Returns a document with only the selected things.

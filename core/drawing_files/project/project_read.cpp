@@ -6,6 +6,7 @@
 #include "core/drawing_files/project/project_constraints.hpp"
 #include "core/drawing_files/project/project_curves.hpp"
 #include "core/drawing_files/project/project_element_counts.hpp"
+#include "core/drawing_files/project/project_layers.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
 #include "core/drawing_files/project/project_parameters.hpp"
 #include "core/drawing_files/project/project_picture.hpp"
@@ -72,13 +73,15 @@ class ProjectReader {
         nextId(root);
         readConstraints(root, renumbered_, document_, check_);
         readElementCounts(root, document_, check_);
+        readLayers(root, document_, check_);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        check_.noteUnknown(root, {"format", "version", "shapes", "regionMarkers", "boundaryNames", "regionNames",
-                                  "spacing", "options", "limits", "nextId", "circleTolerance", "curveTolerance",
-                                  "parameters", "formulas", "picture", "elementCounts", "constraints", "guides"});
+        check_.noteUnknown(root,
+                           {"format", "version", "shapes", "regionMarkers", "boundaryNames", "regionNames", "spacing",
+                            "options", "limits", "nextId", "circleTolerance", "curveTolerance", "parameters",
+                            "formulas", "picture", "elementCounts", "constraints", "guides", "layers"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }

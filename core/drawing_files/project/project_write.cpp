@@ -3,6 +3,7 @@
 #include "core/drawing_files/project/project_constraints.hpp"
 #include "core/drawing_files/project/project_curves.hpp"
 #include "core/drawing_files/project/project_element_counts.hpp"
+#include "core/drawing_files/project/project_layers.hpp"
 #include "core/drawing_files/project/project_node_sizes.hpp"
 #include "core/drawing_files/project/project_picture.hpp"
 #include "core/drawing_files/project/project_spacing.hpp"
@@ -35,6 +36,7 @@ class ProjectWriter {
         names("regionNames", document.regionNames);
         writeSpacing(rulesOf(document), out_);
         writeElementCounts(document, out_);
+        writeLayers(document, out_);
         options(document.options);
         limits(document.limits);
         out_ << ",\n  \"circleTolerance\": ";

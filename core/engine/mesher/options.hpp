@@ -5,6 +5,7 @@
 #include "core/engine/domain/domain.hpp"
 #include "core/engine/grid/grid_kind.hpp"
 #include "core/engine/improve/improve_level.hpp"
+#include "core/engine/layers/layer_spec.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesher/front_rules.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
@@ -14,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace FOREFRONT_API forefront {
 
@@ -87,6 +89,7 @@ struct MeshingJob {
     SpacingSpec spacing;
     MeshingOptions options;
     std::shared_ptr<SharedSpacing> shared{}; ///< where others need the field of this job, too; null: nobody does
+    std::vector<LayerSpec> layers{};         ///< boundary layers, at most one specification for each boundary tag
 
     /// Returns the number of threads that may work on this job: one if its size function must not be called from
     /// others.

@@ -49,7 +49,7 @@ Status advanceToEnd(Mesher &mesher, const PreparedJob &prepared, const MeshingOp
 Status frontStage(MeshingState &state, const Progress &progress) {
     const PreparedJob &prepared = state.prepared;
     const unsigned threads = state.job.usableThreads();
-    std::unique_ptr<Mesher> mesher = Mesher::create(prepared.boundary, prepared.spacing, state.job.options);
+    std::unique_ptr<Mesher> mesher = Mesher::create(prepared.frontBoundary(), prepared.spacing, state.job.options);
     mesher->reserve(static_cast<std::uint64_t>(Mesher::kReserve * prepared.estimatedElements) + 1024);
     if (threads > 1) {
         if (Status faults = advanceInParallel(*mesher, state, threads, progress); !faults.empty()) {

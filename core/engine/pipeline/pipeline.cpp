@@ -42,6 +42,9 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
         }
     }
     outcome.secondsWall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (state.prepared.layers) {
+        outcome.layers = state.prepared.layers->report;
+    }
     outcome.boundary = std::move(state.prepared.boundary);
     outcome.spacing = std::move(state.prepared.spacing);
     outcome.work = state.work;

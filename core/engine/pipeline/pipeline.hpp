@@ -5,6 +5,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/boundary/discretise.hpp"
 #include "core/engine/improve/improve.hpp"
+#include "core/engine/layers/boundary_layers.hpp"
 #include "core/engine/mesh/mesh.hpp"
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesher/options.hpp"
@@ -24,16 +25,21 @@ class Mesher;
 struct PreparedJob {
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
+    std::shared_ptr<const BoundaryLayers> layers; ///< null: none are asked for
     double estimatedElements = 0.0;
     double requestedElements = 0.0; ///< the estimate for the spacing of the job
     double coarsening = 1.0;        ///< ratio of `spacing` to the spacing of the job; see prepare()
+
+    /// Returns the boundary that the front starts from: what the layers leave free, or `boundary` without layers.
+    const std::shared_ptr<const DiscreteDomain> &frontBoundary() const { return layers ? layers->outer : boundary; }
 };
 
-/// Validates the domain, builds the spacing and discretises the boundary. If the estimated number of elements exceeds
-/// `budget`, which must be positive, the spacing is multiplied by one factor that brings it down to the budget, for a
-/// preview of the mesh; given nodes and edges stay, so that there may be more. Without a budget, the estimate must not
-/// exceed MeshingOptions::maxElements. Where chords stand for curves that cross, sizes for the short ones among them
-/// are added to an automatic spacing. Errors: those of each step, "too-many-elements", "cancelled".
+/// Validates the domain, builds the spacing, discretises the boundary and builds the boundary layers. If the estimated
+/// number of elements exceeds `budget`, which must be positive, the spacing is multiplied by one factor that brings it
+/// down to the budget, for a preview of the mesh; given nodes and edges stay, so that there may be more. Without a
+/// budget, the estimate must not exceed MeshingOptions::maxElements. Where chords stand for curves that cross, sizes
+/// for the short ones among them are added to an automatic spacing. Errors: those of each step, "too-many-elements",
+/// "cancelled".
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {},
                             double budget = std::numeric_limits<double>::infinity());
 
@@ -47,6 +53,7 @@ struct MeshingOutcome {
     LeastAngleReport leastAngle; ///< of a mesh with a least angle
     QuadReport quads;            ///< of a mesh of quadrilaterals
     SecondOrderReport order;     ///< of a mesh of second order
+    LayerReport layers;          ///< of a mesh with boundary layers
     double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅
     double secondsImprove = 0.0; ///< CPU time of the improvement
     double secondsWall = 0.0;    ///< wall clock time of both; less than their sum where threads share the work

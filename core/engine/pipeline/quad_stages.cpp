@@ -11,8 +11,9 @@ Status quadFrontStage(MeshingState &state, const Progress &progress) {
     const MeshingOptions &options = state.job.options;
     PreparedJob &prepared = state.prepared;
     progress("making the boundary even", 0.0);
-    const bool divide = !options.keepBoundary && options.elements == Elements::Quads;
-    const ColouredBoundary boundary = colourBoundary(*prepared.boundary, *prepared.spacing,
+    // The edges of layers must stay; the front has a triangle where that leaves an odd number.
+    const bool divide = !options.keepBoundary && options.elements == Elements::Quads && !prepared.layers;
+    const ColouredBoundary boundary = colourBoundary(*prepared.frontBoundary(), *prepared.spacing,
                                                      {&state.job.domain, state.job.spacing.placed.counts(), divide});
     if (!advanceColoured({boundary, *prepared.spacing, options, prepared.estimatedElements, elementsToStopAt(options)},
                          state.quads, progress)) {
@@ -31,7 +32,7 @@ Status quadCleanupStage(MeshingState &state, const Progress &progress) {
 }
 
 Status quadBlocksStage(MeshingState &state, const Progress &) {
-    state.mesh = toMesh(std::move(state.quads), *state.prepared.boundary, state.quadReport);
+    state.mesh = toMesh(std::move(state.quads), *state.prepared.frontBoundary(), state.quadReport);
     return {};
 }
 

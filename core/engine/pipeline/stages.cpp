@@ -8,9 +8,9 @@
 namespace forefront {
 
 std::span<const Stage> stagesBeforeFront() {
-    static constexpr std::array kStages = {Stage{StageTime::Prepare, validateStage},
-                                           Stage{StageTime::Prepare, spacingStage},
-                                           Stage{StageTime::Prepare, boundaryStage}};
+    static constexpr std::array kStages = {
+        Stage{StageTime::Prepare, validateStage}, Stage{StageTime::Prepare, spacingStage},
+        Stage{StageTime::Prepare, boundaryStage}, Stage{StageTime::Prepare, layersStage}};
     return kStages;
 }
 
@@ -52,6 +52,7 @@ std::span<const Stage> stagesAfterFront() {
                                            Stage{StageTime::Mesh, blocksStage, makesTriangles},
                                            Stage{StageTime::Improve, quadCleanupStage, improvesQuads},
                                            Stage{StageTime::Mesh, quadBlocksStage, makesQuads},
+                                           Stage{StageTime::Mesh, joinStage},
                                            Stage{StageTime::Mesh, orderStage, raisesOrder},
                                            Stage{StageTime::Improve, verifyStage, verifies}};
     return kStages;

@@ -26,6 +26,9 @@ Status validateStage(MeshingState &state, const Progress &progress);
 Status spacingStage(MeshingState &state, const Progress &progress);
 /// Discretises the boundary and estimates the number of elements. Sets the rest of `prepared`.
 Status boundaryStage(MeshingState &state, const Progress &progress);
+/// Builds the boundary layers that the job asks for. Sets `prepared.layers`; replaces `prepared.boundary` and
+/// `prepared.spacing`.
+Status layersStage(MeshingState &state, const Progress &progress);
 /// Advances the front until Γ = ∅. Sets `triangles` and `work`.
 Status frontStage(MeshingState &state, const Progress &progress);
 /// Improves the triangles at the level of the job.
@@ -41,6 +44,8 @@ Status quadCleanupStage(MeshingState &state, const Progress &progress);
 Status quadBlocksStage(MeshingState &state, const Progress &progress);
 /// Makes the mesh of blocks, to which the triangles move.
 Status blocksStage(MeshingState &state, const Progress &progress);
+/// Adds the boundary layers to `mesh`.
+Status joinStage(MeshingState &state, const Progress &progress);
 /// Adds nodes in the middles of edges. Changes `mesh` to one of second order; sets `secondOrder`.
 Status orderStage(MeshingState &state, const Progress &progress);
 /// Checks the mesh of blocks against the domain. Faults: those of verifyAgainst().

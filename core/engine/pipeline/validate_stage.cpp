@@ -7,13 +7,19 @@ namespace forefront {
 
 namespace {
 
-Status validateLeastAngle(const MeshingOptions &options) {
+Status validateLeastAngle(const MeshingJob &job) {
+    const MeshingOptions &options = job.options;
     if (!options.leastAngle) {
         return {};
     }
     if (options.elements != Elements::Triangles) {
         return error("least-angle", "a least angle can be asked for triangles only",
                      "leave out the least angle, or choose triangles");
+    }
+    if (!job.layers.empty()) {
+        return error("least-angle",
+                     "a least angle cannot be had beside boundary layers, whose elements are long and thin",
+                     "leave out the least angle, or the layers");
     }
     if (!(*options.leastAngle > 0.0 && *options.leastAngle <= kMaxLeastAngle)) {
         return error("least-angle", "the least angle is " + numberText(*options.leastAngle, 6) +
@@ -26,10 +32,15 @@ Status validateLeastAngle(const MeshingOptions &options) {
 
 Status validateStage(MeshingState &state, const Progress &progress) {
     progress("validating", 0.0);
-    if (Status faults = validateLeastAngle(state.job.options); !faults.empty()) {
+    if (Status faults = validateLeastAngle(state.job); !faults.empty()) {
         return faults;
     }
-    return validate(state.job.domain, kMaxListedFaults, &state.faces);
+    Diagnostics faults = validate(state.job.domain, kMaxListedFaults, &state.faces);
+    if (!hasErrors(faults)) {
+        Diagnostics ofLayers = checkLayers(state.job.layers, state.job.domain);
+        faults.insert(faults.end(), ofLayers.begin(), ofLayers.end());
+    }
+    return faults;
 }
 
 } // namespace forefront

@@ -17,7 +17,8 @@ Result<PreparedJob> prepareStepped(const MeshingJob &job, const Progress &progre
 
 SteppedRun::SteppedRun(std::shared_ptr<const MeshingJob> job, PreparedJob prepared, std::uint64_t number)
     : job_(std::move(job)), prepared_(std::move(prepared)), number_(number),
-      travel_(Mesher::create(prepared_.boundary, prepared_.spacing, job_->options)), builder_((number + 1) << 32U) {}
+      travel_(Mesher::create(prepared_.frontBoundary(), prepared_.spacing, job_->options)),
+      builder_((number + 1) << 32U) {}
 
 Diagnostics SteppedRun::excess() const {
     const bool exceeds = travel_.timeline().mesher().state().elements.size() > elementsToStopAt(job_->options);
@@ -26,7 +27,7 @@ Diagnostics SteppedRun::excess() const {
 
 Status SteppedRun::improve(const Progress &progress) {
     MeshingState state{.job = *job_, .prepared = prepared_};
-    state.triangles = toMesh(travel_.timeline().mesher().state(), *prepared_.boundary);
+    state.triangles = toMesh(travel_.timeline().mesher().state(), *prepared_.frontBoundary());
     if (Status faults = runStages(stagesAfterFront(), state, progress); !faults.empty()) {
         return faults;
     }

@@ -1,0 +1,51 @@
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/layers/boundary_layers.hpp"
+#include "core/engine/pipeline/element_limit.hpp"
+#include "core/engine/pipeline/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kGrowthFromTops = 0.2; ///< of the size, unless a smaller gradation is given
+
+} // namespace
+
+Status layersStage(MeshingState &state, const Progress &progress) {
+    const MeshingJob &job = state.job;
+    if (job.layers.empty()) {
+        return {};
+    }
+    PreparedJob &prepared = state.prepared;
+    const double gradation = std::min(job.spacing.gradation.value_or(kGrowthFromTops), kGrowthFromTops);
+    Result<BuiltLayers> built =
+        buildLayers({job.domain, job.layers, job.spacing.placed.counts(), job.options.keepBoundary, gradation},
+                    prepared.boundary, prepared.spacing, progress);
+    if (!built) {
+        return built.faults();
+    }
+    prepared.layers = std::move(built->layers);
+    prepared.boundary = std::move(built->boundary);
+    prepared.spacing = std::move(built->spacing);
+    prepared.estimatedElements = prepared.boundary->estimatedElements;
+    const auto limit = static_cast<double>(std::isinf(state.budget) ? limitOf(job.options) : kMaxElements);
+    if (!(prepared.estimatedElements <= limit)) {
+        return tooManyElements("the boundary layers and the node spacing need about " +
+                                   numberText(prepared.estimatedElements, 3) + " elements",
+                               prepared.estimatedElements, limit, prepared);
+    }
+    return {};
+}
+
+Status joinStage(MeshingState &state, const Progress &) {
+    if (const PreparedJob &prepared = state.prepared; prepared.layers) {
+        state.mesh = withLayers(std::move(state.mesh), *prepared.layers, *prepared.boundary);
+    }
+    return {};
+}
+
+} // namespace forefront
