@@ -22,8 +22,8 @@ std::optional<Extrusion> parseExtrusion(const std::string &text) {
         return extrusion;
     }
     const auto layers = *height.ptr == ':' ? std::from_chars(height.ptr + 1, end, extrusion.layers) : height;
-    const bool valid =
-        layers.ec == std::errc() && layers.ptr == end && extrusion.layers >= 1 && extrusion.layers <= kMaxLayers;
+    const bool valid = layers.ec == std::errc() && layers.ptr == end && extrusion.layers >= 1 &&
+                       extrusion.layers <= kMaxExtrudedLayers;
     return valid ? std::optional(extrusion) : std::nullopt;
 }
 
@@ -46,8 +46,8 @@ void addExtrudeOption(CLI::App &app, MeshForm &form) {
                form.extrusion = parseExtrusion(text);
                if (!form.extrusion) {
                    throw CLI::ValidationError("--extrude", "expected a height above 0, or HEIGHT:LAYERS with 1 to " +
-                                                               std::to_string(kMaxLayers) + " layers, got '" + text +
-                                                               "'");
+                                                               std::to_string(kMaxExtrudedLayers) + " layers, got '" +
+                                                               text + "'");
                }
            },
            "make prisms and hexahedra of the elements, H high in N layers (default 1), with boundary parts as faces "

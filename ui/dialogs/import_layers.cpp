@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-constexpr float kMaxLayers = 4.5F; ///< switches shown at once; more are scrolled
+constexpr float kShownLayers = 4.5F; ///< switches shown at once; more are scrolled
 
 /// Returns for each layer whether it is in a list with commas.
 std::vector<bool> layersIn(const std::vector<std::string> &layers, const std::string &list) {
@@ -37,7 +37,7 @@ bool drawSwitches(Shell &context, const DrawingContents &contents, std::optional
     const auto used = std::count(on.begin(), on.end(), true);
     const float row = ImGui::GetFrameHeightWithSpacing();
     bool changed = false;
-    ImGui::BeginChild("layers", {0, row * std::min(kMaxLayers, static_cast<float>(layers.size()))}, false,
+    ImGui::BeginChild("layers", {0, row * std::min(kShownLayers, static_cast<float>(layers.size()))}, false,
                       ImGuiWindowFlags_NoNav);
     for (std::size_t k = 0; k < layers.size(); ++k) {
         bool read = on[k];

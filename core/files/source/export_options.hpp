@@ -17,7 +17,7 @@ struct Extrusion {
 };
 
 /// The maximum number of layers of an extrusion.
-inline constexpr std::uint32_t kMaxLayers = 10'000;
+inline constexpr std::uint32_t kMaxExtrudedLayers = 10'000;
 
 /// What a file says of a mesh beyond the mesh itself.
 struct ExportOptions {
