@@ -95,6 +95,9 @@ class Obstacles {
         const Vec2 normal = leftNormal(b - a);
         const double side = dot(ray.base - a, normal);
         const double inLine = 1e-9 * length(normal) * length(ray.base - a); // around a convex corner
+        if (std::max(dot(a - ray.base, ray.direction), dot(b - ray.base, ray.direction)) <= 0.0) {
+            return false; // behind it, as the sides of a trailing edge
+        }
         const double approach = dot(normal, ray.direction) / (length(normal) * length(ray.direction));
         const double limit = wall ? kWallFaces : kOtherFaces;
         return (s.leftRegion != kOutside && side > inLine && approach < limit) ||
