@@ -136,14 +136,6 @@ void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
     ui::tooltip(context,
                 "Snap to a point of the drawing grid when the pointer is near it. The layer Grid shows the grid or "
                 "hides it.");
-    flow.item("relations");
-    ui::checkbox(context, "options/snap/relations", "Find relations", context.snapping.infers);
-    ui::tooltip(context, "Snap to directions and lengths of other lines, and level with or above other nodes: "
-                         "horizontal, vertical, parallel, perpendicular, tangent, equal. Hold Ctrl to turn it off.");
-    ImGui::SameLine(0, context.px(12));
-    ui::checkbox(context, "options/snap/constraints", "Add constraints", context.snapping.addsConstraints);
-    ui::tooltip(context, "Add the relations shown at the pointer as sketch constraints. Off by default: a drawing that "
-                         "is only meshed is easier to change without them.");
 }
 
 double EditState::twoDigits(double value) {

@@ -434,6 +434,9 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
         drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next inner line");
     }
     state_->drawSnapOptions(context, flow);
+    if (mode_ == PenMode::Corners) {
+        drawRelationOptions(context, flow);
+    }
 }
 
 std::string PenTool::statusText(const Shell &) const {

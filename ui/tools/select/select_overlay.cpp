@@ -250,6 +250,7 @@ void SelectTool::drawOptions(Shell &context, ui::Flow &flow) {
     ui::tooltip(context, "Choose which kinds of items can be selected");
     drawFilter(context);
     state_->drawSnapOptions(context, flow);
+    drawRelationOptions(context, flow);
 }
 
 /// Draws the popup that chooses which kinds of items can be selected.
