@@ -22,7 +22,7 @@ class OutlineTool final : public Tool {
     const char *id() const override { return "outline"; }
     const char *name() const override { return "Trace by colour: click an area of the picture"; }
     const char *icon() const override;
-    int key() const override { return 'O'; }
+    int key() const override { return 'Y'; }
     CursorShape cursor() const override { return CursorShape::Crosshair; }
     void activate(Shell &context) override;
     void deactivate(Shell &context) override;
