@@ -245,7 +245,8 @@ TEST_CASE("Forms: hovering the label of a field shows its tooltip") {
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
     driver.showPanel("spacing");
-    for (const char *field : {"spacing/size", "spacing/expression", "spacing/gradation", "meshing/elements/Triangles"}) {
+    for (const char *field :
+         {"spacing/size", "spacing/expression", "spacing/gradation", "meshing/elements/Triangles"}) {
         CAPTURE(field);
         if (std::string_view(field).starts_with("meshing")) {
             driver.showPanel("meshing");

@@ -103,7 +103,9 @@ TEST_CASE("Element bias: along an arc, by its length, in the direction of the ou
 }
 
 TEST_CASE("Element bias: the size in the domain follows the lengths of the elements") {
-    const MeshingJob job = jobOf(biased({16.0, false}, 20));
+    Document document = biased({16.0, false}, 20);
+    document.spacing.size = 1e3; // no other size is smaller
+    const MeshingJob job = jobOf(document);
     const auto field = SpacingField::build(job.spacing, job.domain);
     REQUIRE(field.ok());
     const std::vector<double> places = elementPlaces(20, {16.0, false});

@@ -9,6 +9,7 @@
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/relation_options.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include "ui/tools/select/select_tool.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/relation_options.hpp"
 #include "ui/workspace/snap_mark.hpp"
 
 #include <imgui.h>
