@@ -176,27 +176,6 @@ def lake():
     p.write("lake.json")
 
 
-def gear():
-    p = Project()
-    p.boundaries = {1: "teeth", 2: "bore", 3: "lightening hole"}
-    p.regions = {1: "steel"}
-    teeth, root, tip = 18, 42.0, 50.0
-    nodes = []
-    for k in range(teeth):
-        for part, radius in ((-0.30, root), (-0.20, 0.5 * (root + tip) + 1), (-0.12, tip), (0.12, tip),
-                             (0.20, 0.5 * (root + tip) + 1), (0.30, root)):
-            a = 2 * math.pi * (k + part) / teeth
-            nodes.append((radius * math.cos(a), radius * math.sin(a)))
-    p.add("polygon", nodes, 1, "rim")
-    p.add("circle", [(0, 0), (11, 0)], 2, "bore")
-    for k in range(6):
-        a = 2 * math.pi * (k + 0.5) / 6
-        centre = (26 * math.cos(a), 26 * math.sin(a))
-        p.add("circle", [centre, (centre[0] + 6.5, centre[1])], 3, "")
-    p.spacing.update({"expression": "max(1.1, 0.16*(51 - sqrt(x*x + y*y)))", "maximum": 3.2})
-    p.write("gear.json")
-
-
 def crack():
     p = Project()
     p.boundaries = {1: "free edge", 2: "pulled", 3: "crack"}
@@ -223,20 +202,6 @@ def arc(cx, cy, radius, start, end, count):
     """Points from angle `start` to `end`, in degrees."""
     return [(cx + radius * math.cos(math.radians(start + (end - start) * k / count)),
              cy + radius * math.sin(math.radians(start + (end - start) * k / count))) for k in range(count + 1)]
-
-
-def cylinder():
-    p = Project()
-    p.boundaries = {1: "wall", 2: "inflow", 3: "outflow", 4: "cylinder"}
-    p.regions = {1: "fluid"}
-    p.add("polygon", [(0, 0), (22, 0), (22, 4.1), (0, 4.1)], 1, "channel", segment_tags=[1, 3, 1, 2])
-    p.add("circle", [(2, 2), (2.5, 2)], 4, "cylinder")
-    p.spacing.update({"size": 0.5})
-    p.source("circle", (2, 2), 0.05, 0.18, "cylinder", radius=0.55)
-    p.source("line", (2.5, 2), 0.14, 0.2, "wake", b=(12, 2.1), radius=0.5)
-    p.source("line", (0, 0), 0.16, 0.3, "lower wall", b=(22, 0))
-    p.source("line", (0, 4.1), 0.16, 0.3, "upper wall", b=(22, 4.1))
-    p.write("cylinder.json")
 
 
 def dam():
@@ -343,14 +308,14 @@ if __name__ == "__main__":
         ("bracket.json", "Mounting bracket", "arcs, a slot and holes, all set by parameters", None),
         ("wing.json", "Airfoil of splines", "sizes on boundary parts, a box around the wake", None),
         ("river.json", "River and lake", "cubic curves, a gradient, fine at the head of a mole", None),
-        ("joint.json", "Sealed road joint", "regions with their own sizes, inner lines, an ellipse", None),
+        ("joint.json", "Sealed road joint", "gap and layers set by parameters, regions with their own sizes", None),
         ("plate.json", "Plate with a hole", "a source around the hole", plate),
         ("airfoil.json", "Airfoil", "fine at its edges and wake, coarse far away", airfoil),
         ("lake.json", "Lake with islands", "spacing from the segment lengths of the shore", lake),
-        ("gear.json", "Gear", "spacing as an expression in x and y", gear),
+        ("gear.json", "Gear", "a bore and holes set by parameters, spacing as an expression", None),
         ("crack.json", "Cracked plate", "an inner line, fine at its tips", crack),
         ("letter.json", "Letter A", "an outline with an inner loop", letter),
-        ("cylinder.json", "Flow past a cylinder", "sources along walls and wake", cylinder),
+        ("cylinder.json", "Flow past a cylinder", "all lengths are parameters, sources along walls and wake", None),
         ("dam.json", "Embankment dam", "soils as regions, each with a maximum area", dam),
         ("machine.json", "Electric machine", "an air gap with a width of 2 % of the radius", machine),
         ("snowflake.json", "Snowflake", "a fractal with 768 corners", snowflake),

@@ -65,4 +65,6 @@
 #include "core/engine/session/mesh_stepper.hpp"
 #include "core/engine/session/meshing_session.hpp"
 #include "core/engine/spacing/spec/size_grid.hpp"
+#include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
+#include "core/files/hydro/water_check.hpp"

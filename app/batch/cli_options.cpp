@@ -328,17 +328,18 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
 }
 
 std::string DrawingArguments::firstGiven() const {
-    const std::pair<bool, const char *> given[] = {{weldTolerance.has_value(), "--weld"},
-                                                   {overlap.has_value(), "--overlap"},
-                                                   {layer.has_value(), "--layer"},
-                                                   {nameProperty.has_value(), "--name-property"},
-                                                   {degrees == DegreeRule::Local, "--projection"},
-                                                   {degrees == DegreeRule::Keep, "--allow-degrees"},
-                                                   {beyondPage, "--beyond-page"},
-                                                   {dropLines, "--drop-lines"},
-                                                   {strokeAreas, "--stroke-areas"},
-                                                   {shapeRegions, "--shape-regions"},
-                                                   {whiteHoles, "--white-holes"}};
+    const std::pair<bool, const char *> given[] = {
+        {weldTolerance.has_value(), "--weld"},
+        {overlap.has_value(), "--overlap"},
+        {layer.has_value(), "--layer"},
+        {nameProperty.has_value(), "--name-property"},
+        {degrees == DegreeRule::Local, "--projection"},
+        {degrees == DegreeRule::Keep, "--allow-degrees"},
+        {beyondPage, "--beyond-page"},
+        {dropLines, "--drop-lines"},
+        {strokeAreas, "--stroke-areas"},
+        {shapeRegions, "--shape-regions"},
+        {whiteHoles.has_value(), whiteHoles.value_or(true) ? "--white-holes" : "--no-white-holes"}};
     const auto *const first =
         std::find_if(std::begin(given), std::end(given), [](const auto &one) { return one.first; });
     return first == std::end(given) ? std::string() : first->second;
@@ -377,7 +378,8 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
                                "inside another always keeps its area")
         ->type_name("RULE");
     app.add_option("--layer", arguments.layer,
-                   "layer of a TopoJSON file to read, such as counties; default: the first one with polygons")
+                   "layers of a DXF file to read, with commas between them; default: all that are shown. Or "
+                   "the layer of a TopoJSON file, such as counties; default: the first one with polygons")
         ->type_name("NAME");
     app.add_option("--name-property", arguments.nameProperty,
                    "property of the features of a map that names regions and boundaries, text or numbers; id also "
@@ -395,8 +397,10 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
     app.add_flag("--shape-regions", arguments.shapeRegions,
                  "make every filled SVG shape a region named by its id or label, as far as no later shape covers it; "
                  "by default, all shapes are one region");
-    app.add_flag("--white-holes", arguments.whiteHoles,
-                 "make white filled SVG shapes that lie on others holes in these; by default, they are merged");
+    app.add_flag(
+        "--white-holes,!--no-white-holes", arguments.whiteHoles,
+        "white filled SVG shapes that lie on others are holes in these (default, unless nothing would remain), "
+        "or are merged with them");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

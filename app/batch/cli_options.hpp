@@ -82,7 +82,7 @@ struct DrawingArguments {
     bool dropLines = false;
     bool strokeAreas = false;
     bool shapeRegions = false;
-    bool whiteHoles = false;
+    std::optional<bool> whiteHoles;
 
     void applyTo(ImportOptions &options) const;
     /// Returns the name of the first option given, such as "--weld"; empty if none is.

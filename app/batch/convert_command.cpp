@@ -1,6 +1,8 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
+#include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/extrude_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/open_boundaries.hpp"
@@ -13,9 +15,12 @@
 #include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/files/common/dropped_fields.hpp"
+#include "core/files/elevations.hpp"
 #include "core/files/files.hpp"
 #include "core/files/inner_edges.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -29,7 +34,8 @@ namespace forefront {
 namespace {
 
 constexpr const char *kConvertExamples = R"help(
-Nodes, elements, tags and names stay as they are. Values of nodes and elements are left out, with a note. A mesh with
+Nodes, elements, tags and names stay as they are, and so do nodal values "elevation" in formats that hold elevations. Other
+values of nodes and elements are left out, with a note. A mesh with
 elements that a format does not have is refused, and the message names formats that have them.
 
 Examples:
@@ -45,6 +51,10 @@ Examples:
         the same mesh with nodes and elements numbered for a small bandwidth
   forefront convert bay.msh -o bay.14 --open sea
         a grid of ADCIRC with one open boundary part; the rest is land
+  forefront convert plate.msh -o plate.foam --extrude 0.1
+        the folder of a case of OpenFOAM, one cell of 0.1 thick
+  forefront convert plate.msh -o plate.vtu --extrude 2:8
+        prisms and hexahedra in 8 layers, 2 high in all
 
 Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
@@ -84,7 +94,7 @@ Diagnostics checkConverted(const Mesh &mesh, const ConvertArguments &arguments) 
             if (!format->writesMesh) {
                 continue;
             }
-            Diagnostics faults = checkElements(*format, mesh);
+            Diagnostics faults = checkExport(*format, mesh, exportOptionsOf(arguments.form, mesh));
             for (Diagnostic &fault : faults) {
                 fault.file = isStandardStream(output.path) ? "" : output.path.string();
                 fault.advice += fault.advice.empty() ? "split the elements with --triangles"
@@ -135,6 +145,43 @@ Diagnostics changeElements(Mesh &mesh, const ConvertArguments &arguments, const 
                : cancelled("converting");
 }
 
+/// Takes the elevations of the nodes out of the values of a file, if it has some at all nodes.
+std::vector<double> takeElevations(MeshFields &read, const ConvertArguments &arguments) {
+    const auto found = read.fields.find("elevation");
+    const bool complete =
+        found != read.fields.end() && !arguments.form.elevation &&
+        std::all_of(found->second.begin(), found->second.end(), [](double value) { return std::isfinite(value); });
+    if (!complete) {
+        return {};
+    }
+    std::vector<double> elevations = std::move(found->second);
+    read.fields.erase(found);
+    return elevations;
+}
+
+/// Sets the elevations that --elevation gives, or completes those of the file for nodes that were added. Returns the
+/// faults of places without one.
+Diagnostics setElevations(const MeshView &mesh, const ConvertArguments &arguments, std::vector<double> &elevations) {
+    if (!arguments.form.elevation) {
+        if (!elevations.empty()) {
+            addMiddleElevations(mesh, elevations);
+        }
+        return {};
+    }
+    Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, arguments.quiet);
+    if (!read) {
+        return read.faults();
+    }
+    elevations = std::move(*read);
+    return {};
+}
+
+/// Returns the form with the numbers of the file unless others are asked for.
+MeshForm formAsRead(MeshForm form) {
+    form.numbering = form.numbering.value_or(Numbering::Creation);
+    return form;
+}
+
 void printSize(const Mesh &mesh, const ConvertArguments &arguments) {
     std::string text = std::to_string(mesh.nodes.size()) + " nodes";
     for (const CellBlock &block : mesh.blocks) {
@@ -159,6 +206,7 @@ int runConvert(const ConvertArguments &arguments) {
         return refuse(read.faults(), interrupt);
     }
     printNotes(notes, arguments.quiet);
+    std::vector<double> elevations = takeElevations(*read, arguments);
     if (!arguments.quiet) {
         noteDroppedFields(*read, *file);
     }
@@ -171,6 +219,9 @@ int runConvert(const ConvertArguments &arguments) {
     if (const Diagnostics faults = changeElements(mesh, arguments, progress); !faults.empty()) {
         return refuse(allFormats().locateFaults(file->path, faults, file->options), interrupt);
     }
+    if (const Diagnostics faults = setElevations(mesh, arguments, elevations); !faults.empty()) {
+        return refuse(faults, interrupt);
+    }
     if (const Diagnostics unsupported = checkConverted(mesh, arguments); !unsupported.empty()) {
         return refuse(unsupported, interrupt);
     }
@@ -179,10 +230,10 @@ int runConvert(const ConvertArguments &arguments) {
     }
     interrupt.deferToStop();
     const Diagnostics written = bar.during({}, [&] {
-        return writeAndCommit(
-            pairFormats(arguments.outputs, arguments.formats), mesh,
-            {arguments.form.innerEdges, arguments.form.numbering.value_or(Numbering::Creation), arguments.form.open},
-            progress);
+        MeshView view(mesh);
+        view.elevations = elevations;
+        return writeAndCommit(pairFormats(arguments.outputs, arguments.formats), view, formAsRead(arguments.form),
+                              progress);
     });
     if (hasErrors(written)) {
         return refuse(written, interrupt);
@@ -205,6 +256,8 @@ int convertCommand(int argc, const char *const *argv) {
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
     addOpenOption(app, arguments.form);
+    addExtrudeOption(app, arguments.form);
+    addElevationOption(app, arguments.form.elevation);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_option_function<std::string>(
            "--order", [&arguments](const std::string &) { arguments.order = ElementOrder::Second; },
@@ -224,12 +277,22 @@ int convertCommand(int argc, const char *const *argv) {
         wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty()) {
+        wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
+    }
+    if (wrong.empty()) {
+        wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
+    }
+    if (wrong.empty()) {
         wrong = checkInputs({arguments.mesh}, arguments.inputFormat);
     }
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }
-    const Diagnostics faults = checkOutputs(pairFormats(arguments.outputs, arguments.formats), {arguments.mesh});
+    std::vector<std::filesystem::path> inputs{arguments.mesh};
+    if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
+        inputs.emplace_back(*arguments.form.elevation);
+    }
+    const Diagnostics faults = checkOutputs(pairFormats(arguments.outputs, arguments.formats), inputs);
     printFaults(faults);
     return faults.empty() ? runConvert(arguments) : static_cast<int>(kRefused);
 }

@@ -23,8 +23,8 @@ Examples:
         the first 200 advances as an animated GIF
   forefront film plate.json -o frames-%d.png --frames 30
         30 pictures from the start to the finished mesh: frames-1.png to frames-30.png
-  forefront film plate.json -o moment.svg --from 120 --steps 1 --layers mesh,boundary,front,candidates,caption
-        advance 121 with its candidates and a caption
+  forefront film plate.json -o moment.pdf --at 121 --labels
+        the moment after advance 121, with A, B, C, the search circle, and the candidates with their ranks and scores
   forefront film plate.json -o run.html --method classic
         a page that plays the run in a browser, forward and back, with the ten steps and the candidates; needs no network
 
@@ -34,6 +34,8 @@ struct FilmArguments {
     RunArguments run;
     int from = 0;
     std::optional<int> steps;
+    std::optional<int> at;
+    bool labels = false;
     std::vector<std::string> layers;
     FilmPlan plan;
 };
@@ -46,6 +48,9 @@ FilmLayers layersOf(const FilmArguments &arguments) {
             layers.shown[static_cast<std::size_t>(*fromWord<FilmLayer>(word))] = true;
         }
     }
+    if (arguments.labels) {
+        layers.shown[static_cast<std::size_t>(FilmLayer::Labels)] = true;
+    }
     return layers;
 }
 
@@ -55,6 +60,10 @@ FilmPlan planOf(const FilmArguments &arguments) {
     if (arguments.steps) {
         plan.steps = static_cast<std::uint64_t>(*arguments.steps);
     }
+    if (arguments.at) {
+        plan.from = static_cast<std::uint64_t>(*arguments.at);
+        plan.steps = 0;
+    }
     plan.layers = layersOf(arguments);
     plan.title = isStandardStream(arguments.run.input) ? std::string() : arguments.run.input.stem().string();
     return plan;
@@ -63,13 +72,16 @@ FilmPlan planOf(const FilmArguments &arguments) {
 /// Returns the error for an option that does not apply to this kind of output; empty if there is none.
 std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
     const bool gif = plan.output.extension() == ".gif";
-    for (const char *option : {"--frames", "--width", "--layers"}) {
+    for (const char *option : {"--frames", "--width", "--layers", "--labels"}) {
         if (plan.isPage() && app.count(option) > 0) {
             return std::string(option) + ": a page has no such setting; the reader of the page chooses";
         }
     }
     if (app.count("--speed") > 0 && !gif) {
         return "--speed: applies only to a GIF";
+    }
+    if (app.count("--at") > 0 && (gif || plan.isPage() || plan.numbered())) {
+        return "--at: applies only to a single picture; use --from and --steps";
     }
     if (gif || plan.isPage() || plan.numbered()) {
         return {};
@@ -78,7 +90,7 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
         return "--frames: a single picture has only one frame; write a GIF, or number the pictures with %d";
     }
     if (app.count("--from") > 0 && app.count("--steps") == 0) {
-        return "--from: a single picture shows the end of the range; also give --steps, such as --steps 1";
+        return "--from: a single picture shows the end of the range; also give --steps, such as --steps 1, or use --at";
     }
     return {};
 }
@@ -87,21 +99,29 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
 void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
     addRunOptions(app, arguments.run);
     app.add_option("-o,--output", arguments.plan.output,
-                   "FILE.gif: animation; FILE.html: page that plays the run; NAME-%d.png or .svg: one picture per "
-                   "frame; FILE.png or .svg: the last moment")
+                   "FILE.gif: animation; FILE.html: page that plays the run; NAME-%d.png, .svg or .pdf: one "
+                   "picture per frame; FILE.png, .svg or .pdf: one moment, the last unless --at is given")
         ->type_name("FILE")
         ->required();
-    app.add_option("--from", arguments.from, "first moment: the number of advances done; default 0")
-        ->check(wholeNumberWithin(0, 1'000'000'000));
-    app.add_option("--steps", arguments.steps, "number of advances shown; default: to the end of the run")
-        ->check(wholeNumberWithin(1, 1'000'000'000));
+    auto *const from = app.add_option("--from", arguments.from, "first moment: the number of advances done; default 0")
+                           ->check(wholeNumberWithin(0, 1'000'000'000));
+    auto *const steps =
+        app.add_option("--steps", arguments.steps, "number of advances shown; default: to the end of the run")
+            ->check(wholeNumberWithin(1, 1'000'000'000));
+    app.add_option("--at", arguments.at, "the moment of a single picture: the number of advances done")
+        ->check(wholeNumberWithin(0, 1'000'000'000))
+        ->excludes(from)
+        ->excludes(steps);
+    app.add_flag("--labels", arguments.labels,
+                 "also show A, B, C, the search circle, and the rank and score of each candidate");
     app.add_option("--frames", arguments.plan.frames, "maximum number of frames, default 120; long runs skip advances")
         ->check(wholeNumberWithin(1, FilmPlan::kMaxFrames));
     app.add_option("--width", arguments.plan.width, "width in pixels, default 800")
         ->check(wholeNumberWithin(FilmPlan::kMinWidth, FilmPlan::kMaxWidth));
     app.add_option("--speed", arguments.plan.speed, "frames per second of a GIF, default 10")
         ->check(numberWithin(FilmPlan::kSlowest, FilmPlan::kFastest));
-    app.add_option("--layers", arguments.layers, "comma-separated: mesh, boundary, front, candidates, grid, caption")
+    app.add_option("--layers", arguments.layers,
+                   "comma-separated: mesh, boundary, front, candidates, grid, caption, labels")
         ->delimiter(',')
         ->check(oneOf(wordsOf<FilmLayer>()));
 }
@@ -144,6 +164,9 @@ int filmCommand(int argc, const char *const *argv) {
     if (plan.steps && written->last - written->first < *plan.steps) {
         std::fprintf(stderr, "note: the run ends at advance %llu, before --steps %llu are shown\n",
                      static_cast<unsigned long long>(written->last), static_cast<unsigned long long>(*plan.steps));
+    }
+    if (plan.layers.has(FilmLayer::Labels) && !plan.isPage() && !written->labelled) {
+        std::fprintf(stderr, "note: no labels: at the start and in the improved mesh there is no advance to show\n");
     }
     const unsigned long long count = plan.isPage() ? written->last : static_cast<unsigned long long>(written->frames);
     std::printf("wrote %s: %llu %s%s\n", plan.output.c_str(), count, plan.isPage() ? "advance" : "frame",

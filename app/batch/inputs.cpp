@@ -83,7 +83,8 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
     }
     for (const auto &[given, option] :
          {std::pair(drawing.beyondPage, "--beyond-page"), std::pair(drawing.strokeAreas, "--stroke-areas"),
-          std::pair(drawing.shapeRegions, "--shape-regions"), std::pair(drawing.whiteHoles, "--white-holes")}) {
+          std::pair(drawing.shapeRegions, "--shape-regions"), std::pair(drawing.whiteHoles == true, "--white-holes"),
+          std::pair(drawing.whiteHoles == false, "--no-white-holes")}) {
         if (given && format->kind != FileKind::Drawing) {
             return std::string(option) + ": applies only to " +
                    formatNames([](const FileFormat &each) { return each.kind == FileKind::Drawing; }) + "s";

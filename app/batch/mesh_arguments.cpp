@@ -1,6 +1,8 @@
 #include "app/batch/mesh_arguments.hpp"
 
 #include "app/batch/cli_options.hpp"
+#include "app/batch/elevation_option.hpp"
+#include "app/batch/extrude_option.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/outputs.hpp"
@@ -30,6 +32,10 @@ Examples:
         quadrilaterals alone
   forefront mesh plate.json -o plate.inp --order 2
         triangles of 6 nodes, whose edges follow the curves of the domain
+  forefront mesh plate.json -o plate.foam
+        a case of OpenFOAM, one cell thick
+  forefront mesh lake.geojson -o lake.14 --elevation depth.asc
+        a grid of ADCIRC with the depths of a raster
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -84,6 +90,11 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     addWordOption<QuadNodes>(app, "--quad-nodes", arguments.quadNodes,
                              "nodes of a quadrilateral of order 2: 8 (default), or 9 with one in its centre")
         ->type_name("N");
+    app.add_option(
+           "--min-angle", arguments.leastAngle,
+           "refine the triangles until none has a smaller angle, in degrees up to 33, except where corners of the "
+           "domain or kept segments force it, which are named")
+        ->type_name("DEGREES");
     addWordOption<Method>(app, "--method", arguments.method,
                           "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
         ->type_name("METHOD");
@@ -134,6 +145,8 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form);
     addOpenOption(app, arguments.form);
+    addExtrudeOption(app, arguments.form);
+    addElevationOption(app, arguments.form.elevation);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
@@ -192,6 +205,12 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     }
     if (wrong.empty()) {
         wrong = checkOpen(arguments.form, pairFormats(arguments.outputs, arguments.formats));
+    }
+    if (wrong.empty()) {
+        wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
+    }
+    if (wrong.empty()) {
+        wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
         wrong = "no output; add -o OUT or --stats FILE.json";

@@ -36,6 +36,7 @@ struct MeshArguments {
     std::optional<Elements> elements;
     std::optional<ElementOrder> order;
     std::optional<QuadNodes> quadNodes;
+    std::optional<double> leastAngle; ///< degrees
     bool keepBoundary = false;
     bool verify = false;
     bool repair = false;

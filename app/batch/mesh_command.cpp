@@ -1,5 +1,6 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
+#include "app/batch/elevation_option.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
@@ -135,6 +136,9 @@ Diagnostics applyOptions(const MeshArguments &arguments, MeshingOptions &options
     options.elements = arguments.elements.value_or(options.elements);
     options.order = arguments.order.value_or(options.order);
     options.quadNodes = arguments.quadNodes.value_or(options.quadNodes);
+    if (arguments.leastAngle) {
+        options.leastAngle = arguments.leastAngle;
+    }
     options.method = arguments.method.value_or(options.method);
     options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
@@ -190,8 +194,18 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
 
 /// Writes the meshes and the statistics, all of them or none. Returns the errors or, if there are none, notes on what
 /// the formats changed.
-Diagnostics writeResults(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
+Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, const RunReport &report,
                          const Progress &progress) {
+    MeshView mesh(outcome);
+    std::vector<double> elevations;
+    if (arguments.form.elevation) {
+        Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, arguments.quiet);
+        if (!read) {
+            return read.faults();
+        }
+        elevations = std::move(*read);
+        mesh.elevations = elevations;
+    }
     FileSet files;
     Diagnostics notes =
         writeOutputs(files, pairFormats(arguments.outputs, arguments.formats), mesh, arguments.form, progress);
@@ -333,6 +347,9 @@ int meshCommand(int argc, const char *const *argv) {
     std::vector<std::filesystem::path> inputs{arguments.input};
     if (arguments.spacingFile) {
         inputs.emplace_back(*arguments.spacingFile);
+    }
+    if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
+        inputs.emplace_back(*arguments.form.elevation);
     }
     const Diagnostics faults = checkOutputs(files, inputs);
     printFaults(faults);

@@ -39,9 +39,10 @@ Diagnostics unknownNames(const std::vector<std::string> &open, const Parts &part
 } // namespace
 
 void addOpenOption(CLI::App &app, MeshForm &form) {
-    app.add_option("--open", form.open,
-                   "name of a boundary part through which water flows, for grids of ADCIRC and SCHISM, such as sea or "
-                   "boundary_2; all others are land; can be repeated")
+    app.add_option(
+           "--open", form.open,
+           "name of a boundary part through which water flows, for ADCIRC, SCHISM, TELEMAC and MIKE, such as sea or "
+           "boundary_2; all others are land; can be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
 }
@@ -87,6 +88,7 @@ Diagnostics checkOpenNames(const MeshForm &form, const MeshView &mesh) {
 
 ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh) {
     ExportOptions options;
+    options.extrusion = form.extrusion;
     const Parts parts = form.open.empty() ? Parts() : tagsOf(mesh).edges;
     for (const std::string &name : form.open) {
         for (const auto &[tag, given] : parts) {

@@ -100,7 +100,7 @@ Diagnostics writeOutput(FileSet &files, const Output &output, const MeshView &me
                         const Progress &progress) {
     if (!isStandardStream(output.path)) {
         Status written = writeMesh(files, output.path, mesh, output.format, progress, options);
-        return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
+        return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format, options);
     }
     StandardOutput sink;
     const Status status = writeMesh(sink, mesh, output.format, options);
@@ -129,6 +129,17 @@ Diagnostic allLandNote(const Output &output) {
     return note;
 }
 
+/// Reports how thick a plane mesh becomes.
+Diagnostic thicknessNote(const Output &output, const MeshView &mesh) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "thickness";
+    note.message = "the mesh is one cell thick, " + numberText(usualExtrusion(mesh).height, 4) +
+                   " as the elements are wide; --extrude H sets the thickness";
+    note.file = isStandardStream(output.path) ? "" : output.path.string();
+    return note;
+}
+
 /// The forms of a mesh that outputs need, each made once.
 class FormedMeshes {
   public:
@@ -138,6 +149,13 @@ class FormedMeshes {
         if (!withoutInner && numbering == Numbering::Creation) {
             return mesh_;
         }
+        MeshView view = make(withoutInner, numbering);
+        view.elevations = elevations(numbering);
+        return view;
+    }
+
+  private:
+    MeshView make(bool withoutInner, Numbering numbering) {
         std::optional<Mesh> &made = made_[withoutInner ? 1 : 0][numbering == Numbering::Creation ? 0 : 1];
         if (!made && numbering == Numbering::Creation) {
             made = withoutInnerEdges(mesh_);
@@ -147,7 +165,20 @@ class FormedMeshes {
         return *made;
     }
 
-  private:
+    /// Returns the elevations of the nodes with their new numbers.
+    std::span<const double> elevations(Numbering numbering) {
+        if (numbering == Numbering::Creation || mesh_.elevations.empty()) {
+            return mesh_.elevations;
+        }
+        if (renumbered_.empty()) {
+            renumbered_.resize(mesh_.elevations.size());
+            for (std::size_t n = 0; n < renumbered_.size(); ++n) {
+                renumbered_[index(numbers()[n])] = mesh_.elevations[n];
+            }
+        }
+        return renumbered_;
+    }
+
     std::span<const NodeId> numbers() {
         if (numbers_.empty()) {
             numbers_ = reverseCuthillMcKee(mesh_);
@@ -158,6 +189,7 @@ class FormedMeshes {
     const MeshView &mesh_;
     std::array<std::array<std::optional<Mesh>, 2>, 2> made_;
     std::vector<NodeId> numbers_;
+    std::vector<double> renumbered_; ///< elevations
 };
 
 } // namespace
@@ -177,6 +209,9 @@ Diagnostics writeOutputs(FileSet &files, const std::vector<Output> &outputs, con
         notes.insert(notes.end(), faults.begin(), faults.end());
         if (form.open.empty() && hasOpenBoundaries(output.path, output.format)) {
             notes.push_back(allLandNote(output));
+        }
+        if (!form.extrusion && solidsOnly(output.path, output.format)) {
+            notes.push_back(thicknessNote(output, written));
         }
         if (!form.innerEdges && written.edges.size() < mesh.edges.size()) {
             notes.push_back(innerEdgesNote(output, mesh.edges.size() - written.edges.size()));
@@ -234,7 +269,7 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
             continue;
         }
         const std::vector<std::filesystem::path> files = filesOfMesh(output.path, output.format);
-        Diagnostics wrong = checkPlace(output.path);
+        Diagnostics wrong = checkPlace(output.path, output.format);
         if (wrong.empty() && std::any_of(files.begin(), files.end(), [&](const std::filesystem::path &file) {
                 return read.count(resolved(file)) > 0;
             })) {

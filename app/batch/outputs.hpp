@@ -6,6 +6,7 @@
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/files/inner_edges.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/text/file_set.hpp"
 
 #include <cstdio>
@@ -48,6 +49,8 @@ struct MeshForm {
     std::optional<InnerEdges> innerEdges; ///< absent: left out of the formats that do not accept them, with a note
     std::optional<Numbering> numbering;   ///< absent: the usual one of the format
     std::vector<std::string> open = {};   ///< names of the open boundary parts
+    std::optional<Extrusion> extrusion = {};
+    std::optional<std::string> elevation = {}; ///< a file or an expression
 };
 
 /// Writes a mesh to standard output and to files, which get their names when the set is committed. Stops at the first

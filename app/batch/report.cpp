@@ -78,6 +78,8 @@ RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options)
     if (options.elements == Elements::Triangles && options.method == Method::Classic) {
         report.rules = options.rules;
     }
+    report.leastAngle = options.leastAngle;
+    report.angles = outcome.leastAngle;
     report.quads = outcome.quads;
     report.elementOrder = options.order;
     report.order = outcome.order;
@@ -243,6 +245,18 @@ void addQuads(const QuadReport &quads, JsonWriter &json) {
     json.endObject();
 }
 
+void addLeastAngle(double asked, const LeastAngleReport &angles, JsonWriter &json) {
+    json.key("least_angle").beginObject();
+    json.member("asked", asked).member("reached", angles.reached);
+    json.member("added_nodes", angles.addedNodes).member("divided_edges", angles.dividedEdges);
+    json.key("forced").beginArray();
+    for (const ForcedAngle &place : angles.forced) {
+        json.beginObject().member("x", place.at.x).member("y", place.at.y).member("angle", place.angle);
+        json.member("by", wordOf(place.reason)).member("elements", place.elements).endObject();
+    }
+    json.endArray().endObject();
+}
+
 void addOrder(const SecondOrderReport &order, JsonWriter &json) {
     json.key("second_order").beginObject();
     json.member("curved_edges", order.curvedEdges);
@@ -273,6 +287,9 @@ std::string statisticsJson(const RunReport &report) {
     json.member("forced_mean", perElement(report.work.forced)).member("improve", wordOf(report.improve));
     json.member("seconds_prepare", report.secondsPrepare).member("seconds_mesh", report.secondsMesh);
     json.member("seconds_improve", report.secondsImprove).member("peak_bytes", report.peakBytes);
+    if (report.leastAngle) {
+        addLeastAngle(*report.leastAngle, report.angles, json);
+    }
     if (report.elements != Elements::Triangles) {
         addQuads(report.quads, json);
     }
@@ -350,6 +367,29 @@ std::string quadLines(const RunReport &report) {
     return lines;
 }
 
+/// Returns lines on the least angle of a mesh and on the places that have smaller ones.
+std::string leastAngleLines(const RunReport &report) {
+    if (!report.leastAngle) {
+        return {};
+    }
+    constexpr std::size_t kShown = 10;
+    const LeastAngleReport &angles = report.angles;
+    char text[60];
+    std::snprintf(text, sizeof text, "least angle: %.2f degrees, ", angles.reached);
+    std::string lines = text + std::to_string(angles.addedNodes) + " nodes added, " +
+                        std::to_string(angles.dividedEdges) + " of them on lines\n";
+    for (std::size_t i = 0; i < std::min(kShown, angles.forced.size()); ++i) {
+        const ForcedAngle &place = angles.forced[i];
+        lines += "  smaller at " + placeText(place.at) + ": " + numberText(place.angle, 3) + "°, " +
+                 (place.reason == ForcedBy::Corner ? "a sharp corner" : "beside a segment that may not be divided") +
+                 " (" + std::to_string(place.elements) + (place.elements == 1 ? " element)\n" : " elements)\n");
+    }
+    if (angles.forced.size() > kShown) {
+        lines += "  and " + std::to_string(angles.forced.size() - kShown) + " more places\n";
+    }
+    return lines;
+}
+
 } // namespace
 
 std::string summary(const RunReport &report) {
@@ -366,7 +406,7 @@ std::string summary(const RunReport &report) {
         report.secondsPrepare, report.secondsMesh, report.secondsImprove,
         cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
     const std::string rules = report.rules == FrontRules() ? "" : "changed rules: " + changesText(report.rules) + '\n';
-    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + rules + size +
+    return leastAngleLines(report) + sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + rules + size +
            (report.elements == Elements::Triangles ? std::string() : quadLines(report)) + text;
 }
 

@@ -9,6 +9,7 @@
 #include "core/engine/pipeline/pipeline.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,10 @@ struct RunReport : MeshReport {
     WorkCounters work;
     ImproveLevel improve = ImproveLevel::None;
     Elements elements = Elements::Triangles;
-    FrontRules rules{}; ///< the defaults unless the method is classic
-    QuadReport quads;   ///< unless the elements are triangles
+    FrontRules rules{};               ///< the defaults unless the method is classic
+    std::optional<double> leastAngle; ///< that was asked for, degrees
+    LeastAngleReport angles;          ///< how it was reached
+    QuadReport quads;                 ///< unless the elements are triangles
     ElementOrder elementOrder = ElementOrder::First;
     SecondOrderReport order; ///< of a mesh of second order
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;

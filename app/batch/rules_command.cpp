@@ -33,7 +33,7 @@ std::string boundsText(const FrontRuleInfo &info) {
     case RuleKind::Choice:
         return wordList<BaseRule>();
     case RuleKind::Switch:
-        return "true or false";
+        return "true (on) or false (off)";
     case RuleKind::Number:
     case RuleKind::Whole:
         break;
@@ -42,12 +42,18 @@ std::string boundsText(const FrontRuleInfo &info) {
     return numberText(info.minimum, 7) + " to " + numberText(info.maximum, 7) + (unit.empty() ? "" : " " + unit);
 }
 
+/// Returns the default of a rule as a file of rules has it.
+std::string defaultText(FrontRule rule) {
+    const std::string text = valueText(FrontRules(), rule);
+    return frontRuleInfo(rule).kind == RuleKind::Switch ? (text == "on" ? "true (on)" : "false (off)") : text;
+}
+
 void printList() {
     for (const FrontRule rule : valuesOf<FrontRule>()) {
         const FrontRuleInfo &info = frontRuleInfo(rule);
         std::printf("%s: %s; default %s; step %d, %s\n        %s: %s\n", std::string(wordOf(rule)).c_str(),
-                    boundsText(info).c_str(), valueText(FrontRules(), rule).c_str(), info.step, originText(info.origin),
-                    info.name, info.meaning);
+                    boundsText(info).c_str(), defaultText(rule).c_str(), info.step, originText(info.origin), info.name,
+                    info.meaning);
     }
     std::printf(
         "\nLo's: part of his method as described. Ours: chosen for this program, where the description leaves it "

@@ -113,7 +113,7 @@ FOREFRONT_C_API forefront_status forefront_set_part_size(forefront_context *cont
                                                          double size, double growth);
 /**
  * Sets an option by the name and the value that it has on the command line: elements, method, grid, improve, threads,
- * keep-boundary (true or false), max-elements, gradation, elements-across, segments-per-turn.
+ * keep-boundary (true or false), min-angle, max-elements, gradation, elements-across, segments-per-turn.
  */
 FOREFRONT_C_API forefront_status forefront_set_option(forefront_context *context, forefront_job *job, const char *name,
                                                       const char *value);

@@ -84,6 +84,9 @@ forefront_status setOption(forefront_context &context, forefront::MeshingJob &jo
     if (name == "max-elements") {
         return setNumber<std::uint64_t>(context, options.maxElements, "max-elements", value, 1U);
     }
+    if (name == "min-angle") {
+        return setNumber<double>(context, options.leastAngle, "min-angle", value, 0.0);
+    }
     if (name == "gradation") {
         return setNumber<double>(context, job.spacing.gradation, "gradation", value, 0.0);
     }

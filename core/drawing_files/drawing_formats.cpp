@@ -1,16 +1,19 @@
 #include "core/drawing_files/drawing_formats.hpp"
 
 #include "core/drawing/domain/document_domain.hpp"
+#include "core/drawing_files/dxf/dxf.hpp"
 #include "core/drawing_files/geojson/geojson.hpp"
 #include "core/drawing_files/geojson/topojson.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/drawing_files/svg/svg.hpp"
+#include "core/drawing_files/wkt/wkt.hpp"
 #include "core/engine/domain/chains/chain_order.hpp"
 #include "core/files/format.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -85,9 +88,18 @@ constexpr std::array kDrawings = {
            .recognise = looksLikeTopoJson,
            .mayShowLate = true,
            .readDomain = readInChainOrder<readTopoJson>},
+    Format{.about = {.id = "wkt",
+                     .name = "well-known text",
+                     .extension = ".wkt",
+                     .kind = FileKind::Domain,
+                     .readsDomain = true,
+                     .arranges = true},
+           .recognise = looksLikeWkt,
+           .readDomain = readInChainOrder<readWkt>},
 };
 
-/// Returns the formats of drawings, then those of the engine. SVG is one of both: the drawing library reads it.
+/// Returns the formats of drawings, then those of the engine. SVG and DXF are among both: the drawing library reads
+/// them.
 std::vector<Format> everyFormat() {
     std::vector<Format> list(kDrawings.begin(), kDrawings.end());
     for (Format format : engineFormats().formats()) {
@@ -95,6 +107,11 @@ std::vector<Format> everyFormat() {
             format.about.readsDomain = format.about.arranges = true;
             format.recognise = looksLikeSvg;
             format.readDomain = readInChainOrder<readSvg>;
+        }
+        if (format.about.id == std::string_view("dxf")) {
+            format.about.readsDomain = format.about.hasLayers = format.about.arranges = true;
+            format.recognise = looksLikeDxf;
+            format.readDomain = readInChainOrder<readDxf>;
         }
         list.push_back(format);
     }

@@ -1,19 +1,25 @@
 #include "core/files/abaqus/abaqus.hpp"
+#include "core/files/dxf/dxf_write.hpp"
 #include "core/files/esri/esri_grid.hpp"
+#include "core/files/femm/femm.hpp"
 #include "core/files/format.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/hydro/hydro.hpp"
+#include "core/files/hydro/selafin.hpp"
 #include "core/files/medit/medit.hpp"
 #include "core/files/mfem/mfem.hpp"
 #include "core/files/nastran/nastran.hpp"
 #include "core/files/netgen/netgen.hpp"
 #include "core/files/obj/obj.hpp"
+#include "core/files/openfoam/openfoam.hpp"
 #include "core/files/png/png.hpp"
+#include "core/files/points/points.hpp"
 #include "core/files/sms/two_dm.hpp"
 #include "core/files/su2/su2.hpp"
 #include "core/files/surfaces/surfaces.hpp"
 #include "core/files/svg/svg_picture.hpp"
 #include "core/files/triangle/triangle.hpp"
+#include "core/files/ugrid/ugrid.hpp"
 #include "core/files/unv/unv.hpp"
 #include "core/files/vtk/vtk.hpp"
 
@@ -51,7 +57,8 @@ constexpr const char *kVtkData =
 
 /// Returns the common description of all Gmsh formats.
 constexpr Format gmsh(const char *id, const char *name, const char *program,
-                      void (*write)(const MeshView &, TextWriter &)) {
+                      void (*write)(const MeshView &, TextWriter &),
+                      void (*solids)(const SolidMesh &, TextWriter &) = nullptr) {
     return {.about = {.id = id,
                       .name = name,
                       .extension = ".msh",
@@ -61,6 +68,8 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
                       .readsSpacing = true,
                       .readsFields = true,
                       .holds = kAllCells,
+                      .holdsSolids = solids != nullptr,
+                      .holdsElevations = true,
                       .program = program,
                       .keeps = kGroups},
             .recognise = looksLikeMsh,
@@ -68,7 +77,8 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
             .readSpacing = readMshSpacing,
             .readFields = readMshFields,
             .writeMesh = write,
-            .noteChanges = noteMshChanges};
+            .noteChanges = noteMshChanges,
+            .writeSolid = solids};
 }
 
 // Every format with its name, its capabilities and its functions.
@@ -80,6 +90,27 @@ constexpr std::array kFormats = {
                      .readsDomain = true},
            .readDomain = readPoly,
            .filesBeside = filesBesidePoly},
+    Format{.about = {.id = "femm",
+                     .name = "FEMM problem",
+                     .extension = ".fem",
+                     .otherExtensions = ".fee .feh .fec",
+                     .kind = FileKind::Domain,
+                     .readsDomain = true},
+           .recognise = looksLikeFemm,
+           .readDomain = readFemm},
+    Format{.about = {.id = "csv",
+                     .name = "table of points (CSV)",
+                     .extension = ".csv",
+                     .otherExtensions = ".xy",
+                     .kind = FileKind::Domain,
+                     .readsDomain = true},
+           .readDomain = readCsv},
+    Format{.about = {.id = "airfoil",
+                     .name = "airfoil (Selig, Lednicer)",
+                     .extension = ".dat",
+                     .kind = FileKind::Domain,
+                     .readsDomain = true},
+           .readDomain = readAirfoil},
     Format{.about = {.id = "svg",
                      .name = "SVG drawing",
                      .extension = ".svg",
@@ -88,7 +119,27 @@ constexpr std::array kFormats = {
                      .holds = kAllCells,
                      .keeps = "A drawing of the mesh; cannot be read back as a mesh."},
            .writeMesh = writeSvg},
-    gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2),
+    Format{.about = {.id = "dxf",
+                     .name = "DXF drawing",
+                     .extension = ".dxf",
+                     .kind = FileKind::CadDrawing,
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .keeps = "Keeps elements as faces, boundary parts as polylines and points, each on the layer of "
+                              "its name. Read back, the polylines are a drawing."},
+           .writeMesh = writeDxf,
+           .noteChanges = noteDxfChanges},
+    Format{.about = {.id = "dxf-outline",
+                     .name = "DXF drawing, outline",
+                     .extension = ".dxf",
+                     .kind = FileKind::CadDrawing,
+                     .writesMesh = true,
+                     .holds = kAllCells,
+                     .keeps = "Keeps boundary parts as polylines with arcs, and points, on the layers of their names; "
+                              "elements are left out."},
+           .writeMesh = writeDxfOutline,
+           .noteChanges = noteDxfChanges},
+    gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2, writeMsh2Solid),
     gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4),
     gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4Binary),
     Format{.about = {.id = "vtu",
@@ -99,12 +150,15 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .readsFields = true,
                      .holds = kAllCells,
+                     .holdsSolids = true,
+                     .holdsElevations = true,
                      .program = "ParaView",
                      .keeps = kVtuData},
            .recognise = looksLikeVtu,
            .readMesh = readVtu,
            .readFields = readVtuFields,
-           .writeMesh = writeVtu},
+           .writeMesh = writeVtu,
+           .writeSolid = writeVtuSolid},
     Format{.about = {.id = "vtk",
                      .name = "VTK legacy",
                      .extension = ".vtk",
@@ -125,12 +179,14 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kMeditCells,
+                     .holdsSolids = true,
                      .program = "FreeFem++",
                      .keeps = "Keeps the numbers of regions, boundary parts and points, for readmesh; names only as "
                               "comments."},
            .recognise = looksLikeMedit,
            .readMesh = readMedit,
-           .writeMesh = writeMedit},
+           .writeMesh = writeMedit,
+           .writeSolid = writeMeditSolid},
     Format{.about = {.id = "mfem",
                      .name = "MFEM mesh",
                      .extension = ".mesh",
@@ -150,13 +206,15 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kAbaqusCells,
+                     .holdsSolids = true,
                      .program = "CalculiX",
                      .keeps = "Keeps regions as element sets, boundary parts as node sets and surfaces, points as node "
                               "sets, all with names that the solver accepts. Elements are CPS3."},
            .recognise = looksLikeAbaqus,
            .readMesh = readAbaqus,
            .writeMesh = writeAbaqus,
-           .noteChanges = noteAbaqusChanges},
+           .noteChanges = noteAbaqusChanges,
+           .writeSolid = writeAbaqusSolid},
     Format{.about = {.id = "su2",
                      .name = "SU2",
                      .extension = ".su2",
@@ -179,12 +237,14 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kEightNodes,
+                     .holdsSolids = true,
                      .keeps = "Keeps regions and boundary parts as permanent groups of elements, points as groups of "
                               "nodes, with names made identifiers."},
            .recognise = looksLikeUnv,
            .readMesh = readUnv,
            .writeMesh = writeUnv,
-           .noteChanges = noteUnvChanges},
+           .noteChanges = noteUnvChanges,
+           .writeSolid = writeUnvSolid},
     Format{.about = {.id = "nastran",
                      .name = "Nastran bulk data",
                      .extension = ".bdf",
@@ -193,12 +253,29 @@ constexpr std::array kFormats = {
                      .readsMesh = true,
                      .writesMesh = true,
                      .holds = kEightNodes,
+                     .holdsSolids = true,
                      .keeps = "Keeps regions as properties of elements, boundary parts as properties of rods (CROD); "
                               "names and points only as comments. Coordinates have at most 16 characters."},
            .recognise = looksLikeNastran,
            .readMesh = readNastran,
            .writeMesh = writeNastran,
-           .noteChanges = noteNastranChanges},
+           .noteChanges = noteNastranChanges,
+           .writeSolid = writeNastranSolid},
+    Format{.about = {.id = "openfoam",
+                     .name = "OpenFOAM polyMesh",
+                     .extension = ".foam",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .holdsSolids = true,
+                     .solidsOnly = true,
+                     .folder = kFoamFiles,
+                     .program = "OpenFOAM",
+                     .keeps =
+                         "Writes a folder with constant/polyMesh, one cell thick unless --extrude says more. Keeps "
+                         "boundary parts as patches, regions as cell zones, tagged edges inside as face zones, "
+                         "with names made identifiers; points are left out. Cannot be read back."},
+           .noteChanges = noteOpenFoamChanges,
+           .writeFiles = writeOpenFoam},
     Format{.about = {.id = "2dm",
                      .name = "SMS 2DM",
                      .extension = ".2dm",
@@ -207,9 +284,10 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .readsFields = true,
                      .holds = kAllCells,
+                     .holdsElevations = true,
                      .keeps =
                          "Keeps regions as materials, boundary parts as node strings with their numbers; names and "
-                         "points only as comments. Elevations are 0."},
+                         "points only as comments, elevations as z."},
            .recognise = looksLikeTwoDm,
            .readMesh = readTwoDm,
            .readFields = readTwoDmFields,
@@ -221,8 +299,9 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .holds = kTriangleGrid,
                      .hasOpenBoundaries = true,
+                     .holdsElevations = true,
                      .keeps = "Keeps triangles and the boundary as chains of open parts, land (20) and islands (21), "
-                              "without names. Depths are 0; cannot be read back."},
+                              "without names. Depths are elevations with the other sign; cannot be read back."},
            .writeWith = writeAdcirc,
            .noteChanges = noteDepths},
     Format{.about = {.id = "gr3",
@@ -231,10 +310,65 @@ constexpr std::array kFormats = {
                      .writesMesh = true,
                      .holds = kFirstOrder,
                      .hasOpenBoundaries = true,
+                     .holdsElevations = true,
                      .keeps = "Keeps elements and the boundary as chains of open parts, land (0) and islands (1), "
-                              "without names. Depths are 0; cannot be read back."},
+                              "without names. Depths are elevations with the other sign; cannot be read back."},
            .writeWith = writeSchism,
            .noteChanges = noteDepths},
+    Format{.about = {.id = "selafin",
+                     .name = "TELEMAC SELAFIN",
+                     .extension = ".slf",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .acceptsInnerEdges = false,
+                     .hasOpenBoundaries = true,
+                     .holdsElevations = true,
+                     .files = kSelafinExtensions,
+                     .program = "TELEMAC",
+                     .keeps =
+                         "Writes .slf, in single precision, and .cli. Keeps triangles, elevations as BOTTOM, and the "
+                         "boundary as walls (2 2 2) and open parts with a prescribed level (5 4 4); regions, names "
+                         "and points are left out. Cannot be read back."},
+           .noteChanges = noteSelafinChanges,
+           .writeFiles = writeSelafin},
+    Format{.about = {.id = "ugrid",
+                     .name = "UGRID netCDF",
+                     .extension = ".nc",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .holdsElevations = true,
+                     .program = "Delft3D FM",
+                     .keeps =
+                         "Keeps elements as faces, elevations, and the numbers of regions and boundary parts, with "
+                         "their names as meanings; points are left out. Cannot be read back."},
+           .writeMesh = writeUgrid,
+           .noteChanges = noteUgridChanges},
+    Format{.about = {.id = "mike",
+                     .name = "MIKE mesh",
+                     .extension = ".mesh",
+                     .writesMesh = true,
+                     .holds = kFirstOrder,
+                     .hasOpenBoundaries = true,
+                     .holdsElevations = true,
+                     .program = "MIKE 21 FM",
+                     .keeps =
+                         "Keeps elements, elevations, and the boundary as codes of nodes: 1 land, 2 and more the open "
+                         "parts in their order; regions, names and points are left out. Cannot be read back."},
+           .writeWith = writeMike,
+           .noteChanges = noteDepths},
+    Format{.about = {.id = "anuga",
+                     .name = "ANUGA mesh",
+                     .extension = ".tsh",
+                     .writesMesh = true,
+                     .holds = kTriangleGrid,
+                     .acceptsInnerEdges = false,
+                     .holdsElevations = true,
+                     .program = "ANUGA",
+                     .keeps =
+                         "Keeps triangles, elevations, regions and boundary parts with names made identifiers; points "
+                         "are left out. Cannot be read back."},
+           .writeMesh = writeAnuga,
+           .noteChanges = noteAnugaChanges},
     Format{.about = {.id = "triangle",
                      .name = "Triangle .node/.ele/.edge",
                      .extension = ".node",
@@ -275,6 +409,7 @@ constexpr std::array kFormats = {
                      .extension = ".ply",
                      .writesMesh = true,
                      .holds = kFirstOrder,
+                     .holdsElevations = true,
                      .keeps = "Keeps elements as faces with the number of their region; boundary and points are left "
                               "out. Cannot be read back."},
            .writeMesh = writePly},
@@ -283,6 +418,7 @@ constexpr std::array kFormats = {
                      .extension = ".stl",
                      .writesMesh = true,
                      .holds = kTriangleGrid,
+                     .holdsElevations = true,
                      .keeps = "Keeps triangles, a solid for each region; boundary and points are left out. Cannot be "
                               "read back."},
            .writeMesh = writeStl,
@@ -292,6 +428,7 @@ constexpr std::array kFormats = {
                      .extension = ".off",
                      .writesMesh = true,
                      .holds = kFirstOrder,
+                     .holdsElevations = true,
                      .keeps = "Keeps elements as faces; regions, boundary and points are left out. Cannot be read "
                               "back."},
            .writeMesh = writeOff},
@@ -301,7 +438,8 @@ constexpr std::array kFormats = {
                      .kind = FileKind::Grid,
                      .readsSpacing = true},
            .recognise = looksLikeEsriGrid,
-           .readSpacing = readEsriGrid},
+           .readSpacing = readEsriGrid,
+           .readRaster = readEsriRaster},
     Format{
         .about =
             {.id = "png", .name = "PNG picture", .extension = ".png", .kind = FileKind::Picture, .readsSpacing = true},

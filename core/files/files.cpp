@@ -1,5 +1,7 @@
 #include "core/files/files.hpp"
 
+#include "core/engine/base/number_text.hpp"
+#include "core/files/common/solid_mesh.hpp"
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/format.hpp"
 #include "core/files/named_faults.hpp"
@@ -21,6 +23,23 @@ const Format *meshFormat(const std::filesystem::path &path, std::string_view id)
     const FormatList &list = engineFormats();
     const Format *format = id.empty() ? list.ofExtension(path, writesMesh) : list.ofId(id);
     return format != nullptr && format->canWriteMesh() ? format : nullptr;
+}
+
+/// Writes a mesh, extruded if the options say so.
+void writeText(const Format &format, const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
+    if (options.extrusion) {
+        format.writeSolid(SolidMesh(mesh, *options.extrusion), out);
+    } else {
+        format.write(mesh, options, out);
+    }
+}
+
+Diagnostic exportNote(const char *code, std::string message) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = code;
+    note.message = std::move(message);
+    return note;
 }
 
 } // namespace
@@ -57,17 +76,16 @@ Status writeMesh(FileSet &files, const std::filesystem::path &path, const MeshVi
                                                                   : engineFormats().ids(writesMesh))),
                      path);
     }
-    if (Status refused = checkElements(format->about, mesh); !refused.empty()) {
+    if (Status refused = checkExport(format->about, mesh, options); !refused.empty()) {
         return named(std::move(refused), path);
     }
     try {
         if (format->writeFiles != nullptr) {
-            format->writeFiles(files, path, mesh, progress);
-            return files.status();
+            return named(format->writeFiles(files, path, mesh, options, progress), path);
         }
         constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
         files.write(
-            path, [&](TextWriter &out) { format->write(mesh, options, out); }, progress,
+            path, [&](TextWriter &out) { writeText(*format, mesh, options, out); }, progress,
             1 + mesh.nodes.size() * kBytesPerNode + nodesOfElements(mesh) / 3 * kBytesPerElement);
         return files.status();
     } catch (const std::bad_alloc &) {
@@ -90,17 +108,34 @@ Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId
                                        : std::string(format->about.name) + " cannot be written to a stream",
                      "expected one of " + engineFormats().ids([](const Format &f) { return f.writesText(); }));
     }
-    if (Status refused = checkElements(format->about, mesh); !refused.empty()) {
+    if (Status refused = checkExport(format->about, mesh, options); !refused.empty()) {
         return refused;
     }
     TextWriter out(sink);
-    format->write(mesh, options, out);
+    writeText(*format, mesh, options, out);
     return out.flush() ? Status{} : error("cannot-write", "cannot write to the stream");
 }
 
-Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId) {
+Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId,
+                        const ExportOptions &options) {
     const Format *const format = meshFormat(path, formatId);
-    return format != nullptr && format->noteChanges != nullptr ? named(format->noteChanges(mesh), path) : Diagnostics{};
+    if (format == nullptr) {
+        return {};
+    }
+    const bool solid = options.extrusion || format->about.solidsOnly;
+    Diagnostics notes = format->noteChanges != nullptr ? format->noteChanges(mesh) : Diagnostics{};
+    if (solid && !mesh.points.empty()) {
+        notes.push_back(exportNote("points-left-out", countText(mesh.points.size(), "tagged point") +
+                                                          (mesh.points.size() == 1 ? " is" : " are") +
+                                                          " left out of the extruded mesh"));
+    }
+    if (!mesh.elevations.empty() && (solid || !format->about.holdsElevations)) {
+        notes.push_back(exportNote("elevation-left-out", solid ? "the elevations of the nodes are left out of the "
+                                                                 "extruded mesh"
+                                                               : "the format holds no elevations of nodes; they are "
+                                                                 "left out"));
+    }
+    return named(std::move(notes), path);
 }
 
 bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view formatId) {
@@ -113,6 +148,11 @@ bool hasOpenBoundaries(const std::filesystem::path &path, std::string_view forma
     return format != nullptr && format->about.hasOpenBoundaries;
 }
 
+bool solidsOnly(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format != nullptr && format->about.solidsOnly;
+}
+
 Numbering usualNumbering(const std::filesystem::path &path, std::string_view formatId) {
     const Format *const format = meshFormat(path, formatId);
     return format != nullptr && format->about.keepsCreation ? Numbering::Creation : Numbering::ReverseCuthillMcKee;
@@ -120,10 +160,13 @@ Numbering usualNumbering(const std::filesystem::path &path, std::string_view for
 
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
     const Format *format = meshFormat(path, formatId);
-    if (format == nullptr || format->about.files.empty()) {
+    if (format == nullptr || (format->about.files.empty() && format->about.folder.empty())) {
         return {path};
     }
     std::vector<std::filesystem::path> files;
+    for (const char *name : format->about.folder) {
+        files.push_back(path / name);
+    }
     for (const char *extension : format->about.files) {
         files.push_back(path);
         files.back().replace_extension(extension);
@@ -156,6 +199,17 @@ Status checkPlace(const std::filesystem::path &path) {
                      "create it, or choose another");
     }
     return checkReplaceable(path);
+}
+
+Status checkPlace(const std::filesystem::path &path, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    std::error_code none;
+    if (format != nullptr && !format->about.folder.empty() && std::filesystem::exists(path, none)) {
+        return std::filesystem::is_directory(path, none)
+                   ? Status{}
+                   : error("cannot-write", "cannot write the folder: a file has its name", "choose another name");
+    }
+    return checkPlace(path);
 }
 
 } // namespace forefront

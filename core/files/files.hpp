@@ -7,6 +7,7 @@
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/mesh/numbering.hpp"
 #include "core/engine/mesh/tri_mesh.hpp"
+#include "core/files/common/usual_extrusion.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/source/export_options.hpp"
 #include "core/files/text/atomic_file.hpp"
@@ -59,9 +60,14 @@ Status writeMesh(ByteSink &sink, const MeshView &mesh, std::string_view formatId
 /// the kinds that they lack and the formats that hold all of them.
 Status checkElements(const FileFormat &format, const MeshView &mesh);
 
-/// Returns notes on the tag names of the mesh that the format changes, such as to identifiers; empty if there are none.
-/// Parameters as for writeMesh().
-Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId = {});
+/// Returns the fault "unsupported-elements" as checkElements() does, or "unsupported-extrusion" if the format holds no
+/// prisms and hexahedra, or the elements to be extruded are not of first order.
+Status checkExport(const FileFormat &format, const MeshView &mesh, const ExportOptions &options);
+
+/// Returns notes on the tag names of the mesh that the format changes, such as to identifiers, and on parts that it
+/// does not hold, such as elevations; empty if there are none. Parameters as for writeMesh().
+Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh, std::string_view formatId = {},
+                        const ExportOptions &options = {});
 
 /// Returns true unless programs would take tagged edges inside the domain for boundaries in a file that writeMesh
 /// writes, so that it should be written withoutInnerEdges(). Parameters as for writeMesh().
@@ -70,11 +76,16 @@ bool acceptsInnerEdges(const std::filesystem::path &path, std::string_view forma
 /// Returns true if a file that writeMesh writes tells open boundaries from land. Parameters as for writeMesh().
 bool hasOpenBoundaries(const std::filesystem::path &path, std::string_view formatId = {});
 
+/// Returns true if a mesh that writeMesh writes consists of prisms and hexahedra, whether it is extruded or not, as for
+/// OpenFOAM. Parameters as for writeMesh().
+bool solidsOnly(const std::filesystem::path &path, std::string_view formatId = {});
+
 /// Returns the numbering of nodes and elements that suits the readers of a file: for a small bandwidth, except where
 /// they expect the nodes of the input first, as Triangle's do. Parameters as for writeMesh().
 Numbering usualNumbering(const std::filesystem::path &path, std::string_view formatId = {});
 
-/// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
+/// Returns the files that writeMesh writes under a name: one, the three of Triangle, or those in the folder of
+/// OpenFOAM.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
 /// Returns the files that reading `path` may open: that file, the other files of a Triangle mesh, and the .node file
 /// beside a .poly file that contains no nodes.
@@ -83,5 +94,7 @@ std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
 /// no file name, is a folder, lies in a folder that does not exist, or is write-protected. The fault does not name the
 /// file.
 Status checkPlace(const std::filesystem::path &path);
+/// Does the same for a mesh that writeMesh writes; some formats make a folder, which may exist.
+Status checkPlace(const std::filesystem::path &path, std::string_view formatId);
 
 } // namespace forefront

@@ -38,20 +38,6 @@ std::string rootElement(std::string_view head) {
     return {};
 }
 
-bool isWellKnownText(std::string_view head) {
-    const std::string start = lowerCase(withoutBlanks(head).substr(0, 24));
-    const std::size_t length = std::min(start.find_first_of(" \t\r\n(;="), start.size());
-    const std::string_view word = std::string_view(start).substr(0, length),
-                           after = withoutBlanks(start).substr(length);
-    constexpr std::string_view kWords[] = {
-        "point",           "linestring",         "polygon", "multipoint", "multipolygon",
-        "multilinestring", "geometrycollection", "srid"};
-    constexpr std::string_view kNext[] = {"(", ";", "=", "z", "m", "empty"};
-    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords) &&
-           std::any_of(std::begin(kNext), std::end(kNext),
-                       [&](std::string_view next) { return withoutBlanks(after).starts_with(next); });
-}
-
 std::string_view nextLine(std::string_view &text) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
@@ -75,24 +61,6 @@ bool isGmshGeometry(std::string_view head) {
         }
     }
     return false;
-}
-
-bool isDxf(std::string_view head) {
-    if (head.starts_with("AutoCAD Binary DXF")) {
-        return true;
-    }
-    // Comments, each 999 and a line of text, may come first.
-    for (std::string_view rest = head; withoutBlanks(rest).starts_with("999");) {
-        rest = withoutBlanks(rest).substr(3);
-        if (!withoutBlanks(nextLine(rest)).empty()) {
-            return false;
-        }
-        nextLine(rest);
-        head = rest;
-    }
-    const std::string_view start = withoutBlanks(head);
-    return start.starts_with('0') && withoutBlanks(start.substr(1)).starts_with("SECTION") && start.size() > 1 &&
-           (start[1] == '\r' || start[1] == '\n');
 }
 
 constexpr char kToGeoJson[] = "convert it to GeoJSON, for example with ogr2ogr NEW.geojson FILE";
@@ -129,7 +97,8 @@ ForeignKind kindOf(std::string_view head) {
         {"%PDF-"sv, {"a PDF document", "convert it to SVG, for example with pdftocairo -svg FILE NEW.svg"}},
         {"%!PS-Adobe"sv,
          {"a PostScript drawing", "convert it to PDF and then to SVG, for example with ps2pdf and pdftocairo -svg"}},
-        {"AC10"sv, {"a DWG drawing", "save it as SVG in the program that made it"}},
+        {"AC10"sv, {"a DWG drawing", "save it as DXF in ASCII, version 2000 or later, in the program that made it"}},
+        {"AutoCAD Binary DXF"sv, {"a binary DXF drawing", "save it as DXF in ASCII in the program that made it"}},
         {"\xff\xd8\xff"sv,
          {"a JPEG picture", "trace its outlines first, for example with Path > Trace Bitmap in Inkscape"}},
     };
@@ -143,12 +112,6 @@ ForeignKind kindOf(std::string_view head) {
     }
     if (isGmshGeometry(head)) {
         return {"a geometry of Gmsh", "mesh it with Gmsh first: gmsh -2 FILE -o NEW.msh"};
-    }
-    if (isWellKnownText(head)) {
-        return {"well-known text", "write its geometries as GeoJSON"};
-    }
-    if (isDxf(head)) {
-        return {"a DXF drawing", "save it as SVG in the program that made it"};
     }
     const std::string root = rootElement(head);
     if (root == "html") {

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/progress.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/spacing/spec/raster.hpp"
 #include "core/files/format_list.hpp"
 #include "core/files/source/export_options.hpp"
 #include "core/files/source/source.hpp"
@@ -14,6 +15,8 @@
 
 namespace forefront {
 
+struct SolidMesh;
+
 /// The functions of a file format. Readers work from memory and never throw; a null function means that the format does
 /// not support it.
 struct Format {
@@ -24,6 +27,7 @@ struct Format {
     Result<DomainFile> (*readDomain)(const SourceText &) = nullptr; ///< null: the domain of its mesh, if it has one
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
+    Result<Raster> (*readRaster)(const SourceText &) = nullptr;     ///< values of any sign
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
     /// Writes a mesh, in place of writeMesh, for formats that tell open boundaries from land; else null.
@@ -31,7 +35,10 @@ struct Format {
     /// Returns notes on changes that the format makes to the mesh, such as to names; null: it makes none.
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
-    void (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const Progress &) = nullptr;
+    Status (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const ExportOptions &,
+                         const Progress &) = nullptr;
+    /// Writes prisms and hexahedra; null: the format holds none, or writeFiles writes them.
+    void (*writeSolid)(const SolidMesh &, TextWriter &) = nullptr;
     /// Returns further files that reading this one may open; null: none, or those of `about.files`.
     std::vector<std::filesystem::path> (*filesBeside)(const std::filesystem::path &) = nullptr;
 

@@ -25,12 +25,13 @@ struct Format;
 /// The content of the files of a format.
 enum class FileKind : std::uint8_t {
     Mesh,
-    Domain,  ///< nodes and segments that form a valid domain
-    Project, ///< a document of the editor, with parameters
-    Drawing, ///< shapes on a page, with strokes
-    Map,     ///< features with properties, perhaps in degrees
-    Grid,    ///< sizes at the points of a grid
-    Picture  ///< grey values that stand for sizes
+    Domain,     ///< nodes and segments that form a valid domain
+    Project,    ///< a document of the editor, with parameters
+    Drawing,    ///< shapes on a page, with strokes
+    CadDrawing, ///< lines and curves on layers, in a unit of length
+    Map,        ///< features with properties, perhaps in degrees
+    Grid,       ///< sizes at the points of a grid
+    Picture     ///< grey values that stand for sizes
 };
 
 /// A file format the program reads or writes. Anything that differs between formats belongs here: no other code
@@ -45,7 +46,7 @@ struct FileFormat {
     bool readsDomain = false, readsMesh = false, writesMesh = false;
     bool readsSpacing = false;
     bool readsFields = false; ///< its meshes have values of nodes and elements
-    bool hasLayers = false;   ///< a file holds several drawings, of which one is read
+    bool hasLayers = false;   ///< a file has named layers, of which ImportOptions::layer chooses
     /// The kinds of cells that its files hold. Meshes with others are not written.
     CellSet holds = {};
     /// Its lines may cross, touch and overlap: reading arranges them (see ImportOptions::weldTolerance).
@@ -57,10 +58,18 @@ struct FileFormat {
     bool hasOpenBoundaries = false;
     /// Its readers expect the nodes of the input first, so that files keep the order of creation.
     bool keepsCreation = false;
+    /// It holds prisms and hexahedra, which ExportOptions::extrusion makes of elements of first order.
+    bool holdsSolids = false;
+    /// It holds nothing else: without an extrusion, there is one layer of cells.
+    bool solidsOnly = false;
+    /// It holds elevations of nodes; see MeshView::elevations.
+    bool holdsElevations = false;
     /// All elements of a file are of one kind.
     bool oneElementKind = false;
     /// Extensions of the files that a mesh is written to, for formats of several files; empty: one file.
     std::span<const char *const> files = {};
+    /// Paths of the files below the folder that a mesh is written to; empty: no folder.
+    std::span<const char *const> folder = {};
     /// A program that usually reads it, such as "FreeFem++"; empty: it is not the preferred format of any.
     const char *program = "";
     const char *keeps = ""; ///< the parts of a mesh that a file stores, as a sentence; empty: unless meshes are written
@@ -100,7 +109,7 @@ class FormatList {
                                   ImportNotes *notes = nullptr) const;
     /// Adds the file's name to the faults of a domain that readDomain read from it and, where the format has such
     /// places
-    /// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Leaves faults that
+    /// (.poly, GeoJSON, SVG, DXF, project), line and number of the parts. Reads the file once more. Leaves faults that
     /// already name a file unchanged. Faults of the spacing expression get the place of that of the project.
     Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults,
                              const ImportOptions &options = {}) const;

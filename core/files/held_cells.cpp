@@ -113,4 +113,23 @@ Status checkElements(const FileFormat &format, const MeshView &mesh) {
                  adviceFor(kinds));
 }
 
+Status checkExport(const FileFormat &format, const MeshView &mesh, const ExportOptions &options) {
+    if (options.extrusion && !format.holdsSolids) {
+        std::vector<std::string> ids;
+        for (const Format &each : engineFormats().formats()) {
+            if (each.about.holdsSolids) {
+                ids.push_back(std::string(each.about.id) + " (" + each.about.extension + ")");
+            }
+        }
+        return error("unsupported-extrusion", std::string(format.name) + " files hold no prisms and hexahedra",
+                     "extruded meshes are written as " + joined(ids, ", ", " or "));
+    }
+    if (options.extrusion && mesh.hasSecondOrder()) {
+        return error("unsupported-extrusion",
+                     "only elements of first order can be extruded, but the mesh has some of second order",
+                     "make elements of first order");
+    }
+    return checkElements(format, mesh);
+}
+
 } // namespace forefront

@@ -127,6 +127,20 @@ class Meshing(Case):
         self.assertIn("% of the interior nodes irregular", done.stdout)
         self.assertIn("quadrilaterals", self.stats("plate.poly", "-o", "mixed.msh", "--elements", "mixed"))
 
+    def test_a_least_angle_is_kept_but_at_sharp_corners(self):
+        self.write("wedge.poly", "4 2 0 0\n1 0 0\n2 10 0\n3 10 0.9\n4 5 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n")
+        stats = self.stats("wedge.poly", "-o", "wedge.msh", "--min-angle", "30", "--verify")
+        angles = stats["least_angle"]
+        self.assertGreaterEqual(angles["reached"], 30.0)
+        self.assertEqual(angles["asked"], 30.0)
+        self.assertEqual([place["by"] for place in angles["forced"]], ["corner"] * len(angles["forced"]))
+        done = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "30")
+        self.assertIn("least angle: 3", done.stdout)
+        refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "40", code=1)
+        self.assertIn("expected above 0 and at most 33", refused.stderr)
+        refused = self.call("mesh", "wedge.poly", "-o", "wedge.msh", "--min-angle", "20", "--elements", "quads", code=1)
+        self.assertIn("for triangles only", refused.stderr)
+
     def test_elements_of_second_order_follow_curves(self):
         self.write("disc.json", """{"format": "forefront", "version": 2,
             "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [2, 0]]}]}""")
@@ -767,7 +781,7 @@ class Streams(Case):
         for words, message in ((["mesh", "plate.poly", "-o", "-"], "--format"),
                                (["mesh", "plate.poly", "-o", "-", "--format", "triangle"], "several files"),
                                (["mesh", "plate.poly", "-o", "-", "--format", "vtu", "--stats", "-"], "--stats"),
-                               (["mesh", "-", "--input-format", "dxf", "-o", "a.msh"], "unknown format 'dxf'"),
+                               (["mesh", "-", "--input-format", "step", "-o", "a.msh"], "unknown format 'step'"),
                                (["check", "-", "--domain", "-"], "only once"),
                                (["mesh", "plate.poly", "-o", "-", "-o", "-", "--format", "vtu", "--format", "vtu"],
                                 "given twice")):
@@ -1533,6 +1547,20 @@ class Films(Case):
         self.assertEqual({width for width, height in sizes}, {200})
         self.assertLess(max(height for width, height in sizes), 450)
 
+    def test_the_labels_of_a_moment_are_where_the_trace_says(self):
+        run = ["plate.poly", "--method", "classic", "--size", "1"]
+        self.call("trace", *run, "-o", "run.json", "--steps", "3")
+        advance = json.loads(self.read("run.json"))["advances"][2]
+        self.call("film", *run, "-o", "moment.svg", "--at", "3", "--labels")
+        for name, place in ("A", advance["base"]["a"]), ("B", advance["base"]["b"]), ("C", advance["c"]):
+            found = re.findall(rf'data-x="([^"]*)" data-y="([^"]*)">{name}</text>', self.read("moment.svg"))
+            self.assertEqual([[float(x), float(y)] for x, y in found], [place])
+        self.call("film", *run, "-o", "moment.pdf", "--at", "3", "--labels")
+        self.assertTrue((self.path / "moment.pdf").read_bytes().startswith(b"%PDF-1.4"))
+        self.assertIn("no labels", self.call("film", *run, "-o", "start.svg", "--at", "0", "--labels").stderr)
+        self.assertIn("only to a single picture", self.call("film", *run, "-o", "a.gif", "--at", "3", code=2).stderr)
+        self.call("film", *run, "-o", "a.svg", "--at", "3", "--from", "2", code=2)
+
     def test_a_film_that_is_shorter_than_asked_for_says_so(self):
         film = ["film", "plate.poly", "-o", "run.gif", "--size", "1", "--width", "100"]
         self.assertIn("before --steps 1000000 are shown", self.call(*film, "--steps", "1000000").stderr)
@@ -1551,7 +1579,7 @@ class Films(Case):
         self.assertNotIn("<text", self.read("m.svg"))
 
     def test_wrong_usage_is_refused(self):
-        for words, part in ((("-o", "run.mp4"), "expected .gif, .html, .png or .svg"), (("-o", "f-%d.gif"), "leave out %d"),
+        for words, part in ((("-o", "run.mp4"), "expected .gif, .html, .png, .svg or .pdf"), (("-o", "f-%d.gif"), "leave out %d"),
                             (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames"),
                             (("-o", "m.svg", "--frames", "3"), "one frame"), (("-o", "m.svg", "--from", "3"), "--steps"),
                             (("-o", "m-%d.png", "--speed", "3"), "only to a GIF")):
@@ -1698,6 +1726,24 @@ class Telling(Case):
         self.assertGreater(told["parameters"]["r"]["value"], 0)
         self.assertIn("parameters:\n", self.call("info", bracket).stdout)
 
+    def test_samples_are_driven_by_their_parameters(self):
+        samples = pathlib.Path(__file__).parents[2] / "assets" / "samples"
+        for name, settings, span in (("cylinder", ["L=30", "H=6", "D=1.5"], (30.0, 6.0)),
+                                     ("joint", ["W=200", "h=80", "t=15", "gap=14"], (200.0, 80.0)),
+                                     ("gear", ["bore=30", "ring=25", "hole=5"], None)):
+            options = [word for setting in settings for word in ("--set", setting)]
+            self.call("mesh", samples / f"{name}.json", "-o", f"{name}.msh", *options)
+            told = self.info(f"{name}.msh")
+            self.assertTrue(told["valid"])
+            if span:
+                left, bottom, right, top = told["bounds"]
+                self.assertAlmostEqual(right - left, span[0])
+                self.assertAlmostEqual(top - bottom, span[1])
+        bore = next(part for part in self.info("gear.msh")["boundaries"] if part["name"] == "bore")
+        self.assertAlmostEqual(bore["length"], math.pi * 30, delta=0.2)
+        refused = self.call("mesh", samples / "joint.json", "-o", "none.msh", "--set", "t=20", "--set", "h=80", code=1)
+        self.assertIn("would have no length", refused.stderr)
+
     def test_info_refuses_what_holds_neither(self):
         self.write("broken.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nx\n")
         self.assertIn("broken.msh:", self.call("info", "broken.msh", code=1).stderr)
@@ -1783,6 +1829,52 @@ class Convert(Case):
         self.call("convert", "cells.msh", "-o", "a.msh", "--quad-nodes", "9", code=2)
         refused = self.call("convert", "cells.msh", "-o", "a.su2", "--order", "2", code=1).stderr
         self.assertIn("[unsupported-elements]", refused)
+
+    def test_extrusion_makes_prisms_and_hexahedra(self):
+        self.call("convert", "cells.msh", "-o", "a.foam", "-o", "a.msh", "-o", "a.inp", "--extrude", "0.5:2", "-q")
+        self.assertIn("\n7 6 2 3 3 4 13 7 5 14 8\n8 6 2 3 3 5 14 8 6 15 9\n", self.read("a.msh"))  # prisms, after the faces
+        self.assertIn('2 6 "back"\n2 7 "front"\n', self.read("a.msh"))
+        self.assertIn("TYPE=C3D8", self.read("a.inp"))
+        self.assertIn("front\n", self.read("a.foam/constant/polyMesh/boundary"))
+        self.assertNotIn("empty", self.read("a.foam/constant/polyMesh/boundary"))
+        noted = self.call("convert", "cells.msh", "-o", "a.foam").stderr  # replaces the mesh in the folder
+        self.assertIn("a.foam: note: the mesh is one cell thick, 1.581 as the elements are wide", noted)
+        self.assertIn("in_let\n", self.read("a.foam/constant/polyMesh/boundary"))
+        self.assertIn("frontAndBack\n", self.read("a.foam/constant/polyMesh/boundary"))
+        self.assertTrue((self.path / "a.foam/case.foam").exists())
+        for wrong in ("0", "-1", "1:0", "1:2:3", "x", "1:1e9", "nan"):
+            self.assertIn("expected a height above 0",
+                          self.call("convert", "cells.msh", "-o", "b.msh", "--extrude", wrong, code=2).stderr)
+        self.assertIn("SU2 files hold no prisms and hexahedra; write one of msh2",
+                      self.call("convert", "cells.msh", "-o", "b.su2", "--extrude", "1", code=2).stderr)
+        self.assertIn("second order", self.call("mesh", "plate.poly", "-o", "b.foam", "--order", "2", code=2).stderr)
+        self.assertIn("[unsupported-extrusion]",
+                      self.call("convert", "curved.msh", "-o", "b.msh", "--extrude", "1", code=1).stderr)
+        self.assertFalse((self.path / "b.foam").exists() or (self.path / "b.msh").exists())
+
+    def test_elevations_come_from_expressions_and_rasters_and_are_carried_on(self):
+        self.call("convert", "cells.msh", "-o", "a.2dm", "-o", "a.vtu", "--elevation=-1-x", "-q")
+        self.assertIn("ND 5 3 1 -4\n", self.read("a.2dm"))
+        for name in ("a.2dm", "a.vtu"):
+            done = self.call("convert", name, "-o", "b.gr3", "-o", "b.msh", "-o", "b.su2")
+            self.assertIn("b.su2: note: the format holds no elevations of nodes; they are left out", done.stderr)
+            self.assertNotIn("dropped-fields", done.stderr)
+            self.assertIn("\n5 3 1 4\n", self.read("b.gr3"))
+            self.assertIn('"elevation"', self.read("b.msh"))
+        self.call("convert", "a.2dm", "-o", "c.2dm", "--order", "2", "-q")
+        self.assertIn(" 1 0 -2\n", self.read("c.2dm"))  # in the middle of (0, 0) and (2, 0)
+        self.write("bed.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value 9\n-1 -3\n")
+        self.call("convert", "cells.msh", "-o", "d.2dm", "--elevation", "bed.asc", "-q")
+        self.assertIn("ND 2 2 0 -2\n", self.read("d.2dm"))
+        self.write("bed.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value 9\n-1 9\n")
+        refused = self.call("convert", "cells.msh", "-o", "e.2dm", "--elevation", "bed.asc", code=1).stderr
+        self.assertIn("bed.asc: error: no elevation at 3 nodes of 5", refused)
+        self.assertIn("at (2, 0) [no-elevation]", refused)
+        self.assertFalse((self.path / "e.2dm").exists())
+        for wrong, words in (("1/(", "unexpected end"), ("none.asc", "file none.asc not found")):
+            self.assertIn(words, self.call("mesh", "plate.poly", "-o", "f.2dm", "--elevation", wrong, code=2).stderr)
+        self.assertIn("no output holds elevations",
+                      self.call("convert", "cells.msh", "-o", "f.su2", "--elevation", "1", code=2).stderr)
 
     def test_values_are_left_out_with_a_note(self):
         self.write("flux.msh", self.CELLS + "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n1\n3 1.5\n$EndElementData\n"

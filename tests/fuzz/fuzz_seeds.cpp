@@ -149,6 +149,34 @@ const char *const kClippedSvg =
     "<line x2=\"9\" y2=\"8\" stroke=\"rgba(1 2 3 / 4%)\"/><svg width=\"3\" height=\"3\"><rect width=\"4\" "
     "height=\"1\"/></svg>"
     "</g></svg>";
+const char *const kDxf =
+    "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$DWGCODEPAGE\n3\nANSI_1252\n9\n$INSUNITS\n70\n"
+    "4\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nb\n70\n1\n62\n-7\n0\nENDTAB\n"
+    "0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nk\n10\n1\n20\n0\n0\nCIRCLE\n8\n0\n10\n1\n20\n0\n40\n"
+    ".5\n0\nINSERT\n2\nm\n41\n2\n0\nENDBLK\n0\nBLOCK\n2\nm\n0\nARC\n10\n0\n20\n0\n40\n1\n50\n0\n51\n90\n"
+    "0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\na\n90\n3\n70\n1\n10\n0\n20\n0\n"
+    "42\n.5\n10\n9\n20\n0\n10\n9\n20\n9\n0\nINSERT\n8\na\n2\nk\n10\n4\n20\n2\n41\n1\n42\n.5\n50\n30\n"
+    "70\n2\n71\n2\n44\n1\n45\n1\n230\n-1\n0\nLINE\n8\n\\U+00e9\n10\n1\n20\n1\n30\n2\n11\n3\n21\n2\n0\n"
+    "TEXT\n1\nx\n0\nENDSEC\n0\nEOF\n";
+const char *const kDxfCurves =
+    "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n70\n9\n71\n3\n11\n0\n21\n0\n11\n4\n21\n0\n11\n4\n21\n4\n0\nSPLINE\n"
+    "71\n2\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n1\n41\n1\n41\n.7\n41\n1\n10\n1\n20\n0\n10\n1\n20\n"
+    "1\n10\n0\n20\n1\n0\nSPLINE\n71\n4\n40\n0\n40\n0\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n1\n40\n1\n"
+    "40\n1\n10\n0\n20\n0\n10\n1\n20\n3\n10\n2\n20\n0\n10\n3\n20\n3\n10\n4\n20\n0\n0\nELLIPSE\n10\n5\n"
+    "20\n5\n11\n2\n21\n1\n40\n.5\n41\n0\n42\n6\n0\nPOLYLINE\n66\n1\n70\n5\n0\nVERTEX\n10\n0\n20\n0\n42\n"
+    "-1\n0\nVERTEX\n70\n16\n10\n3\n20\n0\n0\nVERTEX\n10\n3\n20\n3\n0\nSEQEND\n0\nENDSEC\n0\nEOF\n";
+const char *const kWkt =
+    "SRID=4326;POLYGON Z((0 0 1,4 0 1,4 3 1,0 0 1),(2 .5 0,3 .5 0,3 1 0,2 .5 0));MULTIPOINT((1 .2),2 .3)\n"
+    "GEOMETRYCOLLECTION(LINESTRING(0 0,1 .5),MULTIPOLYGON EMPTY)";
+const char *const kCsv = "\"x [m]\";y;part\n# c\n0;0;a\n4,5;0;a\n4,5;3;a\n\n1;1;b\n2;1;b\n9;9;c\n";
+const char *const kLednicer = "FOIL\n 3. 3.\n\n0 0\n.5 .1\n1 0\n\n0 0\n.5 -.1\n1 0\n";
+const char *const kFemm =
+    "[Format] = 4.0\n[LengthUnits] = inches\n[ProblemType] = planar\n[BdryProps] = 1\n<BeginBdry>\n<BdryName> = \"a\"\n"
+    "<EndBdry>\n[BlockProps] = 1\n<BeginBlock>\n<BlockName> = \"b\"\n<EndBlock>\n[NumPoints] = 3\n0 0 0 0\n4 0 0 0\n4 "
+    "4 0 0\n"
+    "[NumSegments] = 2\n0 1 -1 1 0 0\n1 2 .5 0 0 0\n[NumArcSegments] = 1\n2 0 90 5 1 0 0\n[NumHoles] = "
+    "0\n[NumBlockLabels] = 1\n"
+    "3 1 1 .5 0 0 0 1 0\n";
 const char *const kLines =
     "{\"type\": \"MultiLineString\", \"crs\": {}, \"coordinates\": [[[0,0],[4,0],[4,3]],[[4,3,1],[0,3],[0,0]],"
     "[[0,0],[4,3]]]}";
@@ -268,6 +296,11 @@ std::vector<std::string> handMade(std::string_view id) {
     static const std::map<std::string_view, std::vector<std::string>> kTexts = {
         {"geojson", {kGeoJson, kLines}},
         {"topojson", {kTopoJson}},
+        {"dxf", {kDxf, kDxfCurves}},
+        {"wkt", {kWkt}},
+        {"csv", {kCsv}},
+        {"airfoil", {kLednicer}},
+        {"femm", {kFemm}},
         {"poly", {kPoly}},
         {"svg", {kSvg, kStyledSvg, kClippedSvg}},
         {"triangle", {kTriangle, kTriangle6}},

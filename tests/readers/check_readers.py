@@ -28,7 +28,9 @@ if missing:
     print("readers missing:", ", ".join(missing))
     sys.exit(1 if os.environ.get("FOREFRONT_REQUIRE_READERS") else 77)
 import check_cells
+import check_solids
 import check_solvers
+import check_water
 
 
 class Gmsh:
@@ -464,6 +466,9 @@ def main():
              lambda s=s, f=f: check_freefem(s, f["medit"], 'readmesh("%s")', by_tag, folder)),
             (f"VTK legacy by FreeFem++{name}", lambda s=s, f=f: check_freefem_vtk(s, f["vtk"], folder))]
     checks += check_solvers.checks(samples, sys.argv[1]) + check_cells.checks(samples)
+    mixed = check_cells.Cells(folder, "mixed")
+    checks += check_water.checks(samples, mixed)
+    checks += check_solids.checks(mixed, mixed.files["msh2"], folder, sys.argv[1])
     checks += list(check_cells.own_reader_checks(sys.argv[1], folder))
     sys.exit(0 if samples.run(checks)[1] else 1)
 

@@ -5,6 +5,8 @@
 // Reads a mesh and writes it in the format of another extension, or with open boundary parts.
 //   export_sample --copy MESH OUT
 //   export_sample --open MESH OUT NAME...
+// Reads a mesh and writes it extruded in layers.
+//   export_sample --extrude MESH OUT HEIGHT LAYERS
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/files/files.hpp"
@@ -21,6 +23,7 @@
 #include <fstream>
 #include <numbers>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -291,6 +294,19 @@ int writeOpen(const std::filesystem::path &from, const std::filesystem::path &to
     return status.empty() ? 0 : fail(status);
 }
 
+/// Reads a mesh and writes it extruded.
+int writeExtruded(const std::filesystem::path &from, const std::filesystem::path &to, double height,
+                  std::uint32_t layers) {
+    const Result<Mesh> read = allFormats().readMesh(from);
+    if (!read) {
+        return fail(read.faults());
+    }
+    ExportOptions options;
+    options.extrusion = Extrusion{height, layers};
+    const Status status = writeMesh(to, *read, {}, {}, options);
+    return status.empty() ? 0 : fail(status);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -300,12 +316,16 @@ int main(int argc, char **argv) {
     if (argc == 4 && std::string_view(argv[1]) == "--read") {
         return printFigures(argv[2], argv[3]);
     }
+    if (argc == 6 && std::string_view(argv[1]) == "--extrude") {
+        return writeExtruded(argv[2], argv[3], std::stod(argv[4]), static_cast<std::uint32_t>(std::stoul(argv[5])));
+    }
     if (argc > 4 && std::string_view(argv[1]) == "--open") {
         return writeOpen(argv[2], argv[3], std::span(argv + 4, static_cast<std::size_t>(argc - 4)));
     }
     if (argc != 2) {
         std::fprintf(stderr,
-                     "usage: export_sample FOLDER | --read FILE NAME | --copy MESH OUT | --open MESH OUT NAME...\n");
+                     "usage: export_sample FOLDER | --read FILE NAME | --copy MESH OUT | --open MESH OUT NAME... | "
+                     "--extrude MESH OUT HEIGHT LAYERS\n");
         return 2;
     }
     const std::filesystem::path folder = argv[1];

@@ -9,7 +9,7 @@ from pathlib import Path
 ORDERS = {
     "core": ["engine", "files", "c", "drawing", "drawing_files", "teaching", "."],
     "core/engine": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
-                    "quads", "pipeline", "adapt session"],
+                    "quads", "refine", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],
     "core/files": ["source", "text", "common", "json", "*", "."],
     "core/drawing": ["arrangement", "sketch", "document", "shapes", "names", "constraints", "formulas", "domain", "picking", "commands recovery"],

@@ -22,9 +22,13 @@ class TemporaryFolder {
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
 
     std::filesystem::path operator/(std::string_view name) const { return path / name; }
-    /// Returns the number of files and folders directly in it.
+    /// Returns the number of files in it, those in its folders included.
     std::size_t fileCount() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path), {}));
+        std::size_t count = 0;
+        for (const auto &entry : std::filesystem::recursive_directory_iterator(path)) {
+            count += entry.is_directory() ? 0 : 1;
+        }
+        return count;
     }
 
     const std::filesystem::path path;

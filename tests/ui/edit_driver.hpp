@@ -12,12 +12,14 @@
 namespace forefront::test {
 
 /// A driver that works in drawing coordinates. Starts with an empty drawing, with about 10 x 10 units in view.
+/// Relations are not sought, so that nodes are where they are clicked.
 class Draughtsman : public Driver {
   public:
     explicit Draughtsman(EditorSetup setup = {}, PixelSize size = {1280, 800})
         : Driver(withoutSample(std::move(setup)), size) {
         key('N', {Modifiers::kControl});
         settle();
+        context().snapping.infers = false;
     }
 
     Pixel pixel(Vec2 place) { return context().view.camera.toPixel(place); }

@@ -170,7 +170,7 @@ TEST_CASE("Sketch: deleting a shape names the constraints that go with it") {
     CHECK(driver.document().constraints.empty());
     bool named = false;
     for (const MessageLog::Entry &entry : driver.context().log.entries()) {
-        named = named || entry.diagnostic.message.find("Removed 1 constraint: Radius 1") == 0;
+        named = named || entry.diagnostic.message.find("Removed 1 sketch constraint: Radius 1") == 0;
     }
     CHECK(named);
 }

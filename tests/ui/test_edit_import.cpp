@@ -351,6 +351,30 @@ TEST_CASE("Import: a layer of a map and the property with its names can be chose
     CHECK(domain.regionNames == std::map<std::int32_t, std::string>{{1, "12"}});
 }
 
+TEST_CASE("Import: the layers of a DXF drawing are switched on and off") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "part.dxf")
+        << "0\nSECTION\n2\nHEADER\n9\n$"
+           "INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nplate\n10\n5\n20\n5\n40\n4\n"
+           "0\nCIRCLE\n8\nhole\n10\n5\n20\n5\n40\n1\n0\nENDSEC\n0\nEOF\n";
+    Draughtsman driver;
+    importFile(driver, place.path / "part.dxf");
+    const std::string layer = "dialog/importoptions/layer/";
+    REQUIRE(driver.has(layer + "1"));
+    CHECK(driver.document().shapes.size() == 2);
+    driver.click(layer + "1");
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 1);
+    driver.click(layer + "0"); // one layer stays
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 1);
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    const Domain domain = toDomain(driver.document());
+    CHECK(domain.bounds().max.x == doctest::Approx(9.0));
+    CHECK(domain.boundaryNames == std::map<std::int32_t, std::string>{{1, "plate"}});
+}
+
 TEST_CASE("Import: neither layers nor properties are offered for a map without them") {
     const TemporaryFolder place;
     std::ofstream(place.path / "map.geojson") << R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,0]]]})";

@@ -1,4 +1,5 @@
 #include "tests/ui/driver.hpp"
+#include "tests/ui/meshed_square.hpp"
 
 #include <doctest/doctest.h>
 
@@ -364,6 +365,74 @@ TEST_CASE("Run: files dropped on the window are opened") {
     REQUIRE_FALSE(driver.context().log.entries().empty());
     CHECK(driver.context().log.entries().back().diagnostic.severity == Severity::Error);
     CHECK(driver.has("canvas/error"));
+}
+
+TEST_CASE("Run: quadrilaterals chosen in the panel Meshing are meshed as a whole, with undo") {
+    MeshedSquare driver;
+    driver.showPanel("meshing");
+    CHECK_FALSE(driver.has("meshing/quadnodes/9"));
+    driver.click("meshing/elements/Quads");
+    CHECK(driver.document().options.elements == Elements::Quads);
+    driver.key(key::kF5);
+    driver.settle();
+    const SessionSnapshot &run = driver.context().run.now();
+    REQUIRE(run.state == RunState::Finished);
+    CHECK_FALSE(run.stepped);
+    REQUIRE(run.mesh);
+    CHECK(run.quality.kinds[static_cast<std::size_t>(CellKind::Quadrilateral4)] == run.quality.elements);
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().options.elements == Elements::Triangles);
+}
+
+TEST_CASE("Run: second order chosen in the panel Meshing gives elements of second order") {
+    MeshedSquare driver;
+    driver.showPanel("meshing");
+    driver.click("meshing/order/2");
+    CHECK(driver.document().options.order == ElementOrder::Second);
+    driver.click("meshing/elements/Quads");
+    driver.click("meshing/quadnodes/9");
+    CHECK(driver.document().options.quadNodes == QuadNodes::Nine);
+    driver.key(key::kF5);
+    driver.settle();
+    const SessionSnapshot &run = driver.context().run.now();
+    REQUIRE(run.state == RunState::Finished);
+    CHECK(run.quality.kinds[static_cast<std::size_t>(CellKind::Quadrilateral9)] == run.quality.elements);
+    CHECK(run.order != nullptr);
+}
+
+TEST_CASE("Run: a least angle is typed in the panel Meshing, and the log names what forces smaller ones") {
+    MeshedSquare driver;
+    driver.showPanel("meshing");
+    driver.fill("meshing/leastangle", "40");
+    CHECK_FALSE(driver.document().options.leastAngle);
+    driver.key(key::kEscape);
+    driver.fill("meshing/leastangle", "30");
+    CHECK(driver.document().options.leastAngle == 30.0);
+    driver.key(key::kF5);
+    driver.settle();
+    const SessionSnapshot &run = driver.context().run.now();
+    REQUIRE(run.state == RunState::Finished);
+    REQUIRE(run.leastAngle);
+    CHECK(run.leastAngle->reached >= 30.0);
+    CHECK(run.leastAngle->forced.empty());
+    driver.click("meshing/elements/Quads");
+    CHECK_FALSE(driver.has("meshing/leastangle"));
+}
+
+TEST_CASE("Run: quadrilaterals are not stepped, and the workspace Step says so") {
+    MeshedSquare driver;
+    driver.showPanel("meshing");
+    driver.click("meshing/elements/Quads");
+    driver.key(key::kF5);
+    driver.settle();
+    const std::uint64_t hash = driver.context().run.now().meshHash;
+    driver.workspace(WorkspaceKind::Step);
+    CHECK(driver.has("options/step/not-stepped"));
+    CHECK_FALSE(driver.has("timeline/granularity/Event"));
+    driver.key(key::kComma);
+    driver.settle();
+    CHECK(driver.context().log.entries().back().diagnostic.message == RunControl::kNotStepped);
+    CHECK(driver.context().run.now().meshHash == hash);
 }
 
 } // namespace forefront::test

@@ -64,6 +64,7 @@ TEST_CASE("Theme: text, edges of fields and marks contrast with all surfaces the
         checkContrast({text, muted}, {pressed}, 3.0); // icons that are on, knobs of sliders
         checkContrast({{"boundary", t.boundary},
                        {"constraint", t.constraint},
+                       {"determined", t.determined},
                        {"front", t.front},
                        {"base", t.base},
                        {"accepted", t.accepted},
@@ -95,15 +96,11 @@ TEST_CASE("Theme: the meanings on the canvas are told apart, also without seeing
     for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
         CAPTURE(kind == ThemeKind::Dark ? "dark" : "light");
         const Theme t = makeTheme(kind);
-        const std::vector<Role> roles{{"boundary", t.boundary},
-                                      {"mesh", over(t.mesh, t.element)},
-                                      {"constraint", t.constraint},
-                                      {"front", t.front},
-                                      {"base", t.base},
-                                      {"accepted", t.accepted},
-                                      {"bad", t.bad},
-                                      {"selection", t.selection},
-                                      {"candidate", t.candidate}};
+        const std::vector<Role> roles{{"boundary", t.boundary},     {"mesh", over(t.mesh, t.element)},
+                                      {"constraint", t.constraint}, {"determined", t.determined},
+                                      {"front", t.front},           {"base", t.base},
+                                      {"accepted", t.accepted},     {"bad", t.bad},
+                                      {"selection", t.selection},   {"candidate", t.candidate}};
         for (std::size_t i = 0; i < roles.size(); ++i) {
             for (std::size_t k = i + 1; k < roles.size(); ++k) {
                 CAPTURE(roles[i].name);

@@ -101,6 +101,7 @@ Document fullDocument() {
     document.options.elements = Elements::Mixed;
     document.options.order = ElementOrder::Second;
     document.options.quadNodes = QuadNodes::Nine;
+    document.options.leastAngle = 27.5;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         document.limits[limit] = std::max(limitInfo(limit).isMinimum ? 0.5 : 70.5, limitInfo(limit).minimum);
     }

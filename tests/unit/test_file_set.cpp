@@ -112,7 +112,7 @@ TEST_CASE("FileSet: if a file cannot get its name, those that have theirs are ta
     CHECK(status[0].file == (folder / "c").string());
     CHECK(bytesOf(folder / "a") == "old");
     CHECK_FALSE(std::filesystem::exists(folder / "b"));
-    CHECK(folder.fileCount() == 2);
+    CHECK(folder.fileCount() == 1); // without the folder in the way
 }
 
 TEST_CASE("Triangle: a disc that is full keeps the old files of a mesh together") {

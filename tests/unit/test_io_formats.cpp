@@ -291,12 +291,15 @@ TEST_CASE("Formats: what the list says of a format agrees with its functions") {
         CHECK(about.writesMesh == format.canWriteMesh());
         CHECK(about.readsSpacing == (format.readSpacing != nullptr));
         CHECK(about.readsFields == (format.readFields != nullptr));
-        CHECK(about.files.empty() == (format.writeFiles == nullptr));
+        CHECK((about.files.empty() && about.folder.empty()) == (format.writeFiles == nullptr));
+        CHECK(about.holdsSolids == (format.writeSolid != nullptr || about.solidsOnly));
         CHECK(about.writesMesh == !std::string(about.keeps).empty());
         CHECK((!about.readsMesh || about.kind == FileKind::Mesh));
         CHECK((about.kind != FileKind::Mesh || about.readsMesh || about.writesMesh));
-        CHECK(about.hasOpenBoundaries == (format.writeWith != nullptr));
-        CHECK((!about.hasLayers || about.kind == FileKind::Map));
+        CHECK((format.writeWith == nullptr || about.hasOpenBoundaries));
+        CHECK((!about.hasOpenBoundaries || format.writeWith != nullptr || format.writeFiles != nullptr));
+        CHECK(about.readsSpacing >= (format.readRaster != nullptr));
+        CHECK((!about.hasLayers || about.kind == FileKind::Map || about.kind == FileKind::CadDrawing));
         if (const std::string program = about.program; !program.empty()) {
             CHECK(about.writesMesh);
             CHECK(programs.insert(program).second); // one format for each program
@@ -323,8 +326,10 @@ TEST_CASE("Formats: each extension is listed once, and each file of a set is nam
         std::filesystem::create_directory(place);
         REQUIRE(writeMesh(place / ("plate" + std::string(format.extension)), samples::square(3, 3), format.id).empty());
         std::set<std::filesystem::path> written;
-        for (const auto &entry : std::filesystem::directory_iterator(place)) {
-            written.insert(entry.path());
+        for (const auto &entry : std::filesystem::recursive_directory_iterator(place)) {
+            if (!entry.is_directory()) {
+                written.insert(entry.path());
+            }
         }
         const auto named = filesOfMesh(place / ("plate" + std::string(format.extension)), format.id);
         CHECK(std::set<std::filesystem::path>(named.begin(), named.end()) == written);

@@ -156,7 +156,7 @@ TEST_CASE("GeoJSON: a map without polygons is refused with what it holds") {
     REQUIRE(lines.ok());
     const Diagnostics faults = validate(*lines);
     REQUIRE(faults.size() == 1);
-    CHECK(faults[0].message.find("only constraint lines") != std::string::npos);
+    CHECK(faults[0].message.find("only inner lines") != std::string::npos);
 }
 
 TEST_CASE("GeoJSON: faults have a location") {

@@ -168,10 +168,10 @@ TEST_CASE("Files: bytes read earlier stand in for the file, with a detected or g
     const auto wrong = allFormats().readDomain("standard input", options);
     REQUIRE_FALSE(wrong.ok());
     CHECK(wrong.faults()[0].file == "standard input");
-    options.formatId = "dxf";
+    options.formatId = "step";
     const auto unknown = allFormats().readDomain("standard input", options);
     REQUIRE_FALSE(unknown.ok());
-    CHECK(unknown.faults()[0].message == "unknown format 'dxf'");
+    CHECK(unknown.faults()[0].message == "unknown format 'step'");
 }
 
 TEST_CASE("SU2: what solvers alone use is skipped with its data, several zones are refused") {

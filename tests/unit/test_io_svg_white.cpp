@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <numbers>
+#include <optional>
 #include <string>
 
 using namespace forefront;
@@ -17,7 +18,7 @@ constexpr const char *kPlate = R"(<svg viewBox="0 0 100 60"><rect width="100" he
 <rect x="65" y="25" width="10" height="10" fill="red"/></svg>)";
 
 /// Returns the area of what a drawing shows.
-double areaOf(const std::string &svg, bool holes, ImportNotes *notes = nullptr) {
+double areaOf(const std::string &svg, std::optional<bool> holes, ImportNotes *notes = nullptr) {
     ImportOptions options;
     options.whiteHoles = holes;
     const Result<DomainFile> file = allFormats().readDomain(MemoryFile{svg, "svg"}, options, notes);
@@ -45,6 +46,18 @@ TEST_CASE("SVG: white shapes on others are merged with them, with a note, or hol
           doctest::Approx(6000.0 - 100.0 * std::numbers::pi - 400.0 + 100.0).epsilon(1e-3));
     CHECK_FALSE(has(cut, "svg-white"));
     CHECK(cut.contents().whiteShapes == 2);
+}
+
+TEST_CASE("SVG: without a choice, white shapes on others are holes, with a note, unless nothing would remain") {
+    ImportNotes cut, merged;
+    CHECK(areaOf(kPlate, std::nullopt, &cut) == doctest::Approx(areaOf(kPlate, true)));
+    CHECK(has(cut, "svg-white"));
+    CHECK(cut.contents().whiteHoles);
+    CHECK(areaOf(R"(<svg viewBox="0 0 40 20"><rect x="1" y="1" width="20" height="10"/>
+<rect width="40" height="20" fill="white"/><rect x="2" y="2" width="0" height="10"/></svg>)",
+                 std::nullopt, &merged) == doctest::Approx(800.0));
+    CHECK(has(merged, "svg-white"));
+    CHECK_FALSE(merged.contents().whiteHoles);
 }
 
 TEST_CASE("SVG: white shapes that lie on nothing, on white or under others are areas, and so are translucent ones") {

@@ -9,6 +9,7 @@
 #include "core/engine/quads/quad_smooth.hpp"
 #include "core/engine/quads/walk_triangles.hpp"
 #include "core/engine/session/mesh_stepper.hpp"
+#include "core/engine/session/meshing_session.hpp"
 #include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>
@@ -178,6 +179,39 @@ TEST_CASE("quads: stepping is refused with a message") {
     const Result<MeshStepper> stepper = MeshStepper::create(quadJob(polygon(circle(20, 1.0)), "0.3"));
     REQUIRE(!stepper);
     CHECK(stepper.faults().front().code == "not-stepped");
+}
+
+TEST_CASE("quads: a session makes the mesh as a whole, the same as meshDomain") {
+    auto job = std::make_shared<const MeshingJob>(quadJob(polygon(circle(40, 1.0)), "0.2"));
+    const Result<MeshingOutcome> expected = meshDomain(*job);
+    REQUIRE(expected);
+    MeshingSession session;
+    session.start(job, StartMode::Run);
+    std::shared_ptr<const SessionSnapshot> snapshot = session.wait();
+    CHECK(snapshot->state == RunState::Finished);
+    CHECK(snapshot->complete);
+    CHECK_FALSE(snapshot->stepped);
+    CHECK(snapshot->meshHash == meshHash(expected->mesh));
+    REQUIRE(snapshot->mesh);
+    CHECK(snapshot->quality.elements == expected->mesh.elementCount());
+    session.step(Granularity::Advance, -1);
+    snapshot = session.wait();
+    CHECK(snapshot->state == RunState::Finished);
+    CHECK(snapshot->meshHash == meshHash(expected->mesh));
+}
+
+TEST_CASE("quads: a cancelled session keeps the previous mesh") {
+    auto job = std::make_shared<const MeshingJob>(quadJob(polygon(circle(40, 1.0)), "0.2"));
+    MeshingSession session;
+    session.start(job, StartMode::Run);
+    const std::uint64_t hash = session.wait()->meshHash;
+    auto large = std::make_shared<const MeshingJob>(quadJob(polygon(circle(400, 1.0)), "0.005"));
+    session.start(large, StartMode::Run);
+    session.cancel();
+    const std::shared_ptr<const SessionSnapshot> snapshot = session.wait();
+    CHECK(snapshot->state == RunState::Finished);
+    CHECK(snapshot->shownRun == 1);
+    CHECK(snapshot->meshHash == hash);
 }
 
 TEST_CASE("joinTriangles: two triangles at the ends of a strip become quadrilaterals") {

@@ -271,14 +271,29 @@ bool CanvasPainter::freeLabel(Vec2 at, Pixel offset, std::string_view text, Colo
 
 bool CanvasPainter::freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour,
                               Colour plate, ImFont *font) {
-    for (const Pixel offset : offsets) {
-        const PixelRect rect = labelRect(at, offset, text, font);
-        if (space_.isFree(rect, true)) {
-            drawLabel(rect, text, colour, plate, font, true);
-            return true;
-        }
+    const std::optional<Pixel> offset = freeOffset(at, offsets, text, font);
+    if (offset) {
+        drawLabel(labelRect(at, *offset, text, font), text, colour, plate, font, true);
     }
-    return false;
+    return offset.has_value();
+}
+
+std::optional<Pixel> CanvasPainter::freeOffset(Vec2 at, std::span<const Pixel> offsets, std::string_view text,
+                                               ImFont *font) const {
+    const auto free = std::find_if(offsets.begin(), offsets.end(), [&](Pixel offset) {
+        return space_.isFree(labelRect(at, offset, text, font), true);
+    });
+    return free == offsets.end() ? std::nullopt : std::optional(*free);
+}
+
+Pixel CanvasPainter::labelSize(std::string_view text, ImFont *font) const {
+    const PixelRect rect = labelRect({}, {}, text, font);
+    return Pixel(rect.width, rect.height) / scale_;
+}
+
+void CanvasPainter::frame(const PixelRect &rect, Colour colour) {
+    list_.AddRect(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), colour, im(4.0 * scale_), 0,
+                  im(1.5 * scale_));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "ui/canvas/label_space.hpp"
 #include "ui/style/colour.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,6 +61,12 @@ class CanvasPainter {
     /// Draws a label at the first of some offsets where it covers nothing of that.
     bool freeLabel(Vec2 at, std::span<const Pixel> offsets, std::string_view text, Colour colour, Colour plate,
                    ImFont *font = nullptr);
+    /// Returns the first of some offsets at which freeLabel() would draw a label; none if there is no room.
+    std::optional<Pixel> freeOffset(Vec2 at, std::span<const Pixel> offsets, std::string_view text, ImFont *font) const;
+    /// Returns the size of a label with its plate, in design pixels.
+    Pixel labelSize(std::string_view text, ImFont *font) const;
+    /// Draws an edge around a rectangle of pixels, such as that of a label.
+    void frame(const PixelRect &rect, Colour colour);
     /// Draws a thin line from a place to the nearest point of the label drawn last.
     void leader(Vec2 from, Colour colour);
     /// Keeps labels inside a rectangle of pixels, such as the canvas.

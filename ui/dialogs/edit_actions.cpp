@@ -1,4 +1,5 @@
 #include "core/drawing/arrangement/repair/repair.hpp"
+#include "core/drawing/commands/junction_constraints.hpp"
 #include "core/drawing/commands/path_commands.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -259,6 +260,21 @@ bool hasPathSegment(const Shell &context) {
     });
 }
 
+/// Makes nodes smooth, and tangent by constraints where these bind the segments beside them, as one step.
+void makeSmooth(Shell &context, NodeKind kind, const char *title) {
+    const std::shared_ptr<const Document> before = context.document.current();
+    context.document.endStroke();
+    if (context.applyCommand(setNodeKind(*before, nodesMeant(*before, context.selection), kind), title, title)) {
+        context.document.apply(constrainJunctions(*before, *context.document.current()), title, title);
+    }
+    context.document.endStroke();
+}
+
+/// Returns true if nodes of paths are selected, or paths as a whole.
+bool hasPathNodes(const Shell &context) {
+    return hasPathNode(context) || (context.selection.nodes.empty() && hasPath(context));
+}
+
 /// Adds the commands on nodes and segments of paths, with the keys of Inkscape.
 void addPathActions(ActionRegistry &actions) {
     const auto add = [&](const char *id, const char *title, int key, bool (*enabled)(const Shell &), bool first,
@@ -272,13 +288,18 @@ void addPathActions(ActionRegistry &actions) {
              .enabled = enabled,
              .separatorBefore = first});
     };
-    const auto hasNodes = [](const Shell &c) { return hasPathNode(c) || (c.selection.nodes.empty() && hasPath(c)); };
-    add("path.corner", "Corner node", 'C', hasNodes, true,
+    const auto addSmooth = [&](const char *id, const char *title, int key, NodeKind kind) {
+        actions.add({.id = id,
+                     .menu = "Edit",
+                     .title = title,
+                     .shortcuts = {{key, Modifiers{Modifiers::kShift}}},
+                     .run = [title, kind](Shell &c) { makeSmooth(c, kind, title); },
+                     .enabled = hasPathNodes});
+    };
+    add("path.corner", "Corner node", 'C', hasPathNodes, true,
         [](const Document &d, const Selection &s) { return setNodeKind(d, nodesMeant(d, s), NodeKind::Corner); });
-    add("path.smooth", "Smooth node", 'S', hasNodes, false,
-        [](const Document &d, const Selection &s) { return setNodeKind(d, nodesMeant(d, s), NodeKind::Smooth); });
-    add("path.symmetric", "Symmetric node", 'Y', hasNodes, false,
-        [](const Document &d, const Selection &s) { return setNodeKind(d, nodesMeant(d, s), NodeKind::Symmetric); });
+    addSmooth("path.smooth", "Smooth node", 'S', NodeKind::Smooth);
+    addSmooth("path.symmetric", "Symmetric node", 'Y', NodeKind::Symmetric);
     add("path.line", "Segment to line", 'L', hasPathSegment, false,
         [](const Document &d, const Selection &s) { return setCurved(d, s.segments, false); });
     add("path.curve", "Segment to curve", 'U', hasPathSegment, false,

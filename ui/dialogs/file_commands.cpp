@@ -410,6 +410,7 @@ void saveDocumentAs(Shell &context, std::function<void(Shell &)> then) {
     request.saves = true;
     request.filters = {projects()};
     request.folder = saveFolder(context);
+    request.fixedFolder = !context.document.path().empty();
     const std::filesystem::path &path = context.document.path();
     request.name = path.empty() ? context.document.title() + kProjectExtension : path.filename().string();
     request.chosen = [then = std::move(then)](Shell &c, const std::filesystem::path &file, const FileFilter &) {

@@ -65,6 +65,15 @@ void FileDialog::enter(const std::filesystem::path &folder) {
     replace_.reset();
 }
 
+void FileDialog::recallFolder(const Shell &context) {
+    const auto known = context.settings.folders.find(request_.id);
+    std::error_code ignored;
+    if (!request_.fixedFolder && known != context.settings.folders.end() &&
+        std::filesystem::is_directory(known->second, ignored)) {
+        enter(known->second);
+    }
+}
+
 void FileDialog::suggest(std::string name) {
     request_.name = std::move(name);
     replace_.reset();
@@ -291,6 +300,7 @@ bool FileDialog::choose(Shell &context) {
         return false;
     }
     replace_.reset();
+    chosen_ = file;
     if (faults.empty() && request_.reads) {
         fault_.clear();
         reading_ = request_.reads(context, file);
@@ -308,6 +318,9 @@ bool FileDialog::show(Shell &context, const Diagnostics &faults) {
     context.log.keep(faults);
     fault_ = faults.empty() ? std::string() : lineOf(faults.front());
     focusName_ = focusName_ || !faults.empty(); // to type another
+    if (faults.empty()) {
+        context.settings.folders[request_.id] = chosen_.parent_path().string();
+    }
     return faults.empty();
 }
 
@@ -427,6 +440,9 @@ bool FileDialog::drawBottom(Shell &context) {
 }
 
 bool FileDialog::draw(Shell &context) {
+    if (!std::exchange(recalled_, true)) {
+        recallFolder(context);
+    }
     entered_ = ui::enterOutsideFields(); // such as after a click on a file
     if (!followReading(context)) {
         return false;

@@ -38,8 +38,11 @@ struct FileRequest {
     std::vector<FileFilter> filters;
     std::size_t filter = 0;
     std::vector<FilePreset> presets; ///< a row of buttons above the name; may be empty
-    std::filesystem::path folder;    ///< initial folder; empty: the working folder
-    std::string name;                ///< suggested name
+    /// Initial folder until a dialog with this id has been used, after which it is the one of that time; empty: the
+    /// working folder.
+    std::filesystem::path folder;
+    bool fixedFolder = false; ///< always begin in `folder`
+    std::string name;         ///< suggested name
     /// Returns the files that a choice writes, for those that need more than the chosen one; may be empty.
     std::function<std::vector<std::filesystem::path>(const std::filesystem::path &, const FileFilter &)> writes = {};
     /// Called with the chosen file. The dialog closes if it returns no faults; otherwise it stays open and shows the
@@ -75,6 +78,8 @@ class FileDialog : public Dialog {
     void drawReading(Shell &context);
     void cancelReading(Shell &context);
     void enter(const std::filesystem::path &folder);
+    /// Enters the folder in which a dialog for the same purpose was used last.
+    void recallFolder(const Shell &context);
     void drawPlaces(Shell &context);
     void drawPath(Shell &context);
     /// Returns true if a file was double-clicked.
@@ -123,6 +128,8 @@ class FileDialog : public Dialog {
     std::shared_ptr<const FileOutcome> reading_;   ///< of the file being read; null: none
     std::optional<std::filesystem::path> replace_; ///< asked whether to replace this file, or what comes with it
     std::string replaced_;                         ///< says which files are replaced then
+    std::filesystem::path chosen_;                 ///< the last file that was chosen
+    bool recalled_ = false;                        ///< recallFolder() was called
     bool focusName_ = true;
     bool entered_ = false; ///< Enter was pressed in this frame, outside all fields
     bool browses_ = true;  ///< shows the folders and files; at first not if there are presets, which come first

@@ -100,8 +100,8 @@ void drawLook(Workspace &context, FilmPlan &plan) {
 }
 
 void drawLayers(Workspace &context, FilmLayers &layers) {
-    constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh",       "Boundary", "Front",
-                                                                            "Candidates", "Grid",     "Caption"};
+    constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh", "Boundary", "Front", "Candidates",
+                                                                            "Grid", "Caption",  "Labels"};
     ui::rowLabel(context, "Show", kFields);
     for (std::size_t k = 0; k < kLabels.size(); ++k) {
         if (k > 0) {
@@ -121,14 +121,16 @@ struct FilmFile {
     FilmFrames frames;
 };
 
-constexpr std::array<FilmFile, 4> kFilmFiles{
+constexpr std::array<FilmFile, 5> kFilmFiles{
     {{"gif", "Animated GIF (.gif)", ".gif", "Loops; plays in browsers and slides.", FilmFrames::Together},
      {"html", "Page that plays the run (.html)", ".html",
       "Opens in any browser, without a network: play, step, zoom, candidates.", FilmFrames::Together},
      {"png", "PNG frames (.png)", ".png", "One picture per frame: NAME-1.png, NAME-2.png and so on.",
       FilmFrames::Numbered},
      {"svg", "SVG of one moment (.svg)", ".svg",
-      "A vector drawing of the first advance; name it NAME-%d.svg for one per frame.", FilmFrames::OneMoment}}};
+      "A vector drawing of the first advance; name it NAME-%d.svg for one per frame.", FilmFrames::OneMoment},
+     {"pdf", "PDF of one moment (.pdf)", ".pdf",
+      "A page with the first advance; name it NAME-%d.pdf for one per frame.", FilmFrames::OneMoment}}};
 
 const FilmFile &filmFile(std::string_view id) {
     return *std::find_if(kFilmFiles.begin(), kFilmFiles.end(), [id](const FilmFile &file) { return id == file.id; });
@@ -192,6 +194,10 @@ std::vector<FileFilter> filmFilters() {
 } // namespace
 
 void exportFilm(Shell &context) {
+    if (!context.run.steps()) {
+        context.log.refuse("Films show a front of triangles; set Elements to Triangles in the panel Meshing");
+        return;
+    }
     FileRequest request;
     request.id = "film";
     request.title = "Export film";

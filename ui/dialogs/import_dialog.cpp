@@ -8,6 +8,7 @@
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/files/files.hpp"
+#include "ui/dialogs/import_layers.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/fault_text.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -184,7 +185,7 @@ Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::
     dialog->hasStrokes_ = has(dialog->notes_, kStrokeNote);
     dialog->leavesPage_ = has(dialog->notes_, kPageNote);
     if (dialog->contents_.whiteShapes > 0) {
-        dialog->whiteIfPossible(progress);
+        dialog->chooseWhite();
     }
     return dialog;
 }
@@ -213,19 +214,14 @@ void ImportDialog::projectIfPossible(const Progress &progress) {
     }
 }
 
-/// Proposes white shapes on others as holes, unless nothing would remain.
-void ImportDialog::whiteIfPossible(const Progress &progress) {
+/// Shows as the user's choice what the reader did with white shapes on others.
+void ImportDialog::chooseWhite() {
     whiteShapes_ = contents_.whiteShapes;
-    options_.whiteHoles = true;
-    read(progress);
-    if (!faults_.empty() || drawing_.shapes.empty()) {
-        options_.whiteHoles = false;
-        read(progress);
-    }
+    options_.whiteHoles = contents_.whiteHoles;
+    std::erase_if(notes_, [](const Diagnostic &note) { return note.code == kWhiteNote; }); // the switch tells it
 }
 
-void ImportDialog::readLayer(const std::string &name) {
-    options_.layer = name;
+void ImportDialog::readLayers() {
     options_.nameProperty.reset(); // the features of another layer have other properties,
     options_.dropLines = false;    // and perhaps no lines
     contents_.properties.clear();  // in case this one cannot be read
@@ -319,17 +315,16 @@ void ImportDialog::drawUnit(Shell &context) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
+    if (!contents_.unit.empty()) {
+        ui::field(context, "Unit in file", contents_.unit, kLabels);
+    }
     ui::field(context, "Size after import", extent(boundsOf(drawing_), scale_), kLabels);
 }
 
-/// Asks which layer of a map is read, and where the names of its features are.
+/// Asks which layers are read, and where the names of its features are.
 void ImportDialog::drawMap(Shell &context) {
-    if (contents_.layers.size() > 1) {
-        ui::rowLabel(context, "Layer", kLabels);
-        int choice = placeIn(contents_.layers, options_.layer.value_or(contents_.layer));
-        if (ui::combo(context, "dialog/importoptions/layer", contents_.layers, choice, kChoices)) {
-            readLayer(contents_.layers[static_cast<std::size_t>(choice)]);
-        }
+    if (drawLayerChoice(context, contents_, options_.layer, kLabels, kChoices)) {
+        readLayers();
     }
     if (contents_.degrees) {
         ui::rowLabel(context, "Coordinates", kLabels);
@@ -395,7 +390,9 @@ void ImportDialog::drawJoining(Shell &context) {
         read();
     }
     if (whiteShapes_ > 0) {
-        if (ui::checkbox(context, "dialog/importoptions/white", "White shapes are holes", options_.whiteHoles)) {
+        bool holes = options_.whiteHoles.value_or(true);
+        if (ui::checkbox(context, "dialog/importoptions/white", "White shapes are holes", holes)) {
+            options_.whiteHoles = holes;
             read();
         }
         ui::tooltip(context,

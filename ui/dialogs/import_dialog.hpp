@@ -36,9 +36,9 @@ class ImportDialog final : public PreviewDialog {
     /// Reads the file with the current options. If that fails, the drawing read before stays, and `faults_` says why.
     void read(const Progress &progress = {});
     void projectIfPossible(const Progress &progress);
-    void whiteIfPossible(const Progress &progress);
-    /// Reads another layer of a map.
-    void readLayer(const std::string &name);
+    void chooseWhite();
+    /// Reads other layers.
+    void readLayers();
     void drawSizes(Shell &context) const;
     void drawUnit(Shell &context);
     void drawMap(Shell &context);

@@ -60,6 +60,10 @@ void OperationDialog::show(Shell &context, Entries entries) {
     if (next) {
         followed_ = operation_.follow && operation_.follow(*next, selection_, shown_.formulas);
         faults = context.document.tryApply(*std::move(next), operation_.title, stroke_);
+        if (faults.empty() && operation_.constrain != nullptr) {
+            faults = context.document.tryApply(operation_.constrain(*start_, *context.document.current()),
+                                               operation_.title, stroke_);
+        }
     } else {
         faults = next.faults();
     }

@@ -40,6 +40,8 @@ struct Operation {
     /// Lets numbers of the result follow the expressions typed into the fields, in order; those of plain numbers are
     /// empty. Returns true if all of them do. None: no number can.
     std::function<bool(Document &, const Selection &, const std::vector<std::string> &)> follow{};
+    /// Adds constraints to the settled result; the first document is the one before the operation. None: adds none.
+    Document (*constrain)(const Document &, const Document &) = nullptr;
 };
 
 /// Asks in the options bar for the numbers of an operation while the canvas previews its result, also for a number that

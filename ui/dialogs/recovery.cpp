@@ -1,5 +1,6 @@
 #include "ui/dialogs/recovery.hpp"
 
+#include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/files/files.hpp"
 #include "ui/dialogs/recovery_dialog.hpp"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -111,12 +114,27 @@ void Recovery::publish(Shell &context) {
     context.animate();
 }
 
+namespace {
+
+/// Returns the document with the path that is being drawn as an open shape.
+std::shared_ptr<const Document> withPath(const std::shared_ptr<const Document> &document, Shape path) {
+    path.name = "Unfinished path";
+    Result<Document> whole = addShape(*document, std::move(path));
+    return whole ? std::make_shared<const Document>(*std::move(whole)) : document;
+}
+
+} // namespace
+
 void Recovery::follow(Shell &context) {
     const std::uint64_t revision = context.document.revision();
     const bool dirty = context.document.dirty();
-    if (revision != revision_ || dirty != dirty_) {
-        if (dirty) {
-            journal_.record(context.document.current(),
+    std::optional<Shape> path = context.tools.current().unfinished();
+    std::vector<Vec2> nodes = path ? path->nodes : std::vector<Vec2>();
+    if (revision != revision_ || dirty != dirty_ || nodes != path_) {
+        path_ = std::move(nodes);
+        if (dirty || path) {
+            const std::shared_ptr<const Document> document = context.document.current();
+            journal_.record(path ? withPath(document, *std::move(path)) : document,
                             {context.document.path(), context.document.title(), context.document.stamp().hash});
         } else {
             journal_.recordSaved();

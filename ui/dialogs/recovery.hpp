@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/drawing/recovery/recovery_journal.hpp"
+#include "core/engine/base/vec2.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +22,7 @@ class Recovery {
     /// Opens the recovery dialog if programs that crashed left journals. Until they are recovered or discarded, the
     /// start page lists their drawings, too: Shell::unsaved.
     void offer(Shell &context);
-    /// Records the document in the journal if it has changed. Called once per frame.
+    /// Records the document in the journal if it has changed, with the path that is being drawn. Called once per frame.
     void follow(Shell &context);
 
     /// A journal that was left behind.
@@ -47,6 +48,7 @@ class Recovery {
     std::vector<Orphan> orphans_;
     std::uint64_t revision_ = 0;
     bool dirty_ = false;
+    std::vector<Vec2> path_;                 ///< nodes of the unfinished path that is recorded with the document
     double nextLook_ = 0.0, lastLook_ = 0.0; ///< for journals that were locked at the start, seconds
 };
 

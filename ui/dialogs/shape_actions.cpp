@@ -3,6 +3,7 @@
 #include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/combine_shapes.hpp"
 #include "core/drawing/commands/corner_commands.hpp"
+#include "core/drawing/commands/junction_constraints.hpp"
 #include "core/drawing/commands/offset_shapes.hpp"
 #include "core/drawing/commands/transform.hpp"
 #include "core/drawing/formulas/formulas.hpp"
@@ -153,6 +154,7 @@ Operation filletOperation(const Shell &context) {
         return filletCorners(document, selection, values[0]);
     };
     operation.follow = followCornerRadius;
+    operation.constrain = constrainJunctions;
     return operation;
 }
 

@@ -295,8 +295,7 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
         context.probe.chosen.reset(); // such as the worst element, shown with any tool
         return;
     }
-    if (context.probe.walks && modifiers_.none() && (event.code == key::kUp || event.code == key::kDown)) {
-        walkRanks(context, event.code == key::kDown);
+    if (context.probe.walks && modifiers_.none() && walkByKey(context, event.code)) {
         return;
     }
     if (!offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context)) {

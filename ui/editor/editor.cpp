@@ -178,8 +178,9 @@ bool Editor::open(const std::filesystem::path &file) {
 /// focus.
 bool Editor::Parts::inputWaits() const {
     const bool naming = context.naming.thing && !context.naming.inPanel && context.naming.frames == 0;
+    const bool dimension = context.dimensionEntry.constraint && context.dimensionEntry.frames == 0;
     return context.widgets.fields.travelling() || context.dialogs.opening() || context.menu.opens ||
-           context.menuKeys.mnemonic != 0 || naming;
+           context.menuKeys.mnemonic != 0 || naming || dimension;
 }
 
 /// Returns the input of this frame; none while it must wait, so that no key reaches another widget than it is meant

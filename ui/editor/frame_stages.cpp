@@ -194,6 +194,7 @@ void Editor::Parts::buildInterface() {
     shell::drawColumn(context, layout.column); // may lie over the canvas
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
+    shell::drawDimensionField(context, layout.canvas);
     context.dialogs.draw(context);
     shell::drawShadows(context);
 }

@@ -1,3 +1,4 @@
+#include "core/drawing/constraints/constraint_figures.hpp"
 #include "core/drawing/shapes/dimensions.hpp"
 #include "core/drawing/shapes/references.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -73,6 +74,7 @@ class DimensionsLayer final : public Layer {
         if (revision_ != frame.revision) {
             revision_ = frame.revision;
             dimensions_ = dimensionsOf(frame.document);
+            findDriving(frame.document);
         }
         for (const Dimension *dimension : inView(frame)) {
             if (dimension->kind == DimensionKind::Length) {
@@ -86,14 +88,35 @@ class DimensionsLayer final : public Layer {
     }
 
   private:
+    /// Finds the dimensions that constraints drive, which the layer Sketch draws.
+    void findDriving(const Document &document) {
+        driving_.assign(dimensions_.size(), false);
+        for (const auto &constraint : document.constraints) {
+            const std::optional<DimensionFigure> figure = dimensionFigure(document, *constraint);
+            for (std::size_t k = 0; figure && k < dimensions_.size(); ++k) {
+                const Dimension &own = dimensions_[k];
+                const bool ends = (own.from == figure->from && own.to == figure->to) ||
+                                  (own.from == figure->to && own.to == figure->from);
+                const bool length = own.kind == DimensionKind::Length && constraint->kind == ConstraintKind::Length;
+                const bool radius = own.kind == DimensionKind::Radius && figure->form == DimensionFigure::Form::Radial;
+                driving_[k] = driving_[k] || (length && ends) ||
+                              (radius && own.from == figure->from && own.shape == constraint->parts[0].shape);
+            }
+        }
+    }
+
     /// Returns the dimensions to draw: the longest in view, angles last.
     std::vector<const Dimension *> inView(const LayerFrame &frame) const {
         const Box2 visible = frame.camera.visible();
         const Selection &selection = frame.selection;
         const bool some = !(selection.shapes.empty() && selection.nodes.empty() && selection.segments.empty());
         const double least = frame.camera.length(kLeastExtent * frame.scale);
+        const bool sketch = frame.visible("sketch");
         std::vector<const Dimension *> found;
         for (const Dimension &dimension : dimensions_) {
+            if (sketch && driving_[static_cast<std::size_t>(&dimension - dimensions_.data())]) {
+                continue;
+            }
             const bool angle = dimension.kind == DimensionKind::Angle;
             if (dimension.extent >= least &&
                 (angle ? visible.contains(dimension.from) : boxOf(dimension.from, dimension.to).overlaps(visible)) &&
@@ -224,6 +247,7 @@ class DimensionsLayer final : public Layer {
     }
 
     std::vector<Dimension> dimensions_; ///< of the document with revision_
+    std::vector<bool> driving_;         ///< for each of them, whether a constraint drives it
     std::uint64_t revision_ = 0;
 };
 

@@ -37,6 +37,10 @@ std::unique_ptr<Layer> makeLabelsLayer();
 std::unique_ptr<Layer> makeNumbersLayer();
 /// Writes lengths, radii and angles of the drawing, or of the selected shapes.
 std::unique_ptr<Layer> makeDimensionsLayer();
+/// Draws the constraints of the sketch, with the values of its dimensions.
+std::unique_ptr<Layer> makeSketchLayer();
+/// Draws the guides.
+std::unique_ptr<Layer> makeGuidesLayer();
 /// Draws size sources and region markers.
 std::unique_ptr<Layer> makeMarksLayer();
 /// Marks the faults of the drawing.

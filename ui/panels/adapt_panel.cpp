@@ -108,6 +108,10 @@ class AdaptPanel final : public Panel {
     const char *obstacle(const Shell &context) const {
         constexpr const char *kChanged = "The drawing has changed; mesh it again first.";
         const RunControl &run = context.run;
+        const MeshingOptions &options = context.document.current()->options;
+        if (options.elements != Elements::Triangles || options.order != ElementOrder::First) {
+            return "Only triangles of order 1 can be adapted: set Elements and Order in the panel Meshing.";
+        }
         if (!run.showsFile() && (run.busy() || run.hasNews())) {
             return "Wait until the mesh is finished.";
         }

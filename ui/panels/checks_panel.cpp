@@ -1,6 +1,7 @@
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/limits_list.hpp"
+#include "ui/panels/unfinished_note.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -40,6 +41,10 @@ class ChecksPanel final : public Panel {
     /// Draws the verdict of all checks in one line.
     static void drawSummary(Shell &context, const ChecksSummary &summary) {
         const bool violated = summary.state == ChecksSummary::State::Violated;
+        if (summary.state == ChecksSummary::State::Unfinished) {
+            drawUnfinishedNote(context, "checks");
+            return;
+        }
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, violated ? context.theme.bad : context.theme.good);
         ImGui::TextUnformatted(violated ? icon::kError : icon::kCheck);

@@ -77,7 +77,7 @@ void ConstraintRows::draw(Shell &context) {
     const std::set<std::uint32_t> shapes = touchedShapes(context.selection);
     bool first = true;
     for (const std::shared_ptr<const SketchConstraint> &constraint : held->constraints) {
-        if (!names(*constraint, shapes)) {
+        if (!names(*constraint, shapes) && !context.selection.constraints.contains(constraint->id)) {
             continue;
         }
         if (first) {

@@ -1,5 +1,6 @@
 #include "ui/panels/measure_choice.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/unfinished_note.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -34,6 +35,7 @@ class HistogramPanel final : public Panel {
             ui::mark(context, "histogram/empty");
             return;
         }
+        drawUnfinishedNote(context, "histogram");
         drawMeasureChoice(context, "histogram/measure", 118.0F);
         if (judgement->summary.count == 0) {
             ui::small(context, noneText(*judgement), true);

@@ -1,4 +1,5 @@
 #include "core/drawing/commands/path_commands.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/names/name_commands.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -312,6 +313,7 @@ void InspectorPanel::drawMany(Shell &context) const {
     part(selection.segments.size(), "segment", "segments");
     part(selection.sources.size(), "source", "sources");
     part(selection.markers.size(), "region marker", "region markers");
+    part(selection.constraints.size(), "sketch constraint", "sketch constraints");
     inspectorHeading(context, what);
     const Document &document = *context.document.current();
     if (!selection.shapes.empty()) {
@@ -358,8 +360,10 @@ void InspectorPanel::draw(Shell &context) {
         drawSegment(context, *selection.segments.begin());
     } else if (!selection.sources.empty()) {
         inspectSource(context, *selection.sources.begin());
-    } else {
+    } else if (!selection.markers.empty()) {
         inspectRegion(context, *selection.markers.begin());
+    } else {
+        inspectorHeading(context, findConstraint(*held, *selection.constraints.begin())->name);
     }
     constraints_.draw(context);
 }

@@ -100,7 +100,7 @@ class ProbePanel final : public Panel {
         if (pick.part == MeshPart::Nodes) {
             if (ui::button(context, "probe/pin", "Pin this node") &&
                 context.applyCommand(pinNode(document, nodes[pick.index], kConstraintTag), "Pin node")) {
-                context.log.announce("The node is now a constraint; every mesh of this drawing will include it");
+                context.log.announce("The node is now an inner point; every mesh of this drawing will include it");
             }
             ui::tooltip(context, "Add the node to the drawing, so that every later mesh includes it");
         } else if (pick.part == MeshPart::Edges) {
@@ -109,7 +109,7 @@ class ProbePanel final : public Panel {
             if (ui::button(context, "probe/keep", "Keep this edge", ui::ButtonKind::Plain, inner) &&
                 context.applyCommand(keepEdge(document, nodes[index(edge.a)], nodes[index(edge.b)], kConstraintTag),
                                      "Keep edge")) {
-                context.log.announce("The edge is now a constraint; every mesh of this drawing will include it");
+                context.log.announce("The edge is now an inner line; every mesh of this drawing will include it");
             }
             ui::tooltip(context, inner ? "Add the edge to the drawing, so that every later mesh includes it"
                                        : "The edge lies on the boundary, which every mesh follows");

@@ -37,7 +37,7 @@ std::vector<std::pair<std::int32_t, std::size_t>> boundaryPartsOf(const Shape &s
 namespace {
 
 const char *groupName(RowKind kind) {
-    return kind == RowKind::Shapes ? "Shapes" : kind == RowKind::Parts ? "Boundary parts" : "Regions";
+    return kind == RowKind::Shapes ? "Shapes" : kind == RowKind::Parts ? "Boundary parts" : "Region markers";
 }
 
 const char *groupId(RowKind kind) {
@@ -85,7 +85,7 @@ std::string rowDetail(const Document &document, const TreeRow &row) {
     case RowKind::Shape: {
         const std::string tag =
             row.count > 1 ? countOf(row.count, "part", "parts") : boundaryName(document.boundaryNames, row.tag);
-        return document.shapes[row.index]->use == ShapeUse::Constraint ? "constraint, " + tag : tag;
+        return document.shapes[row.index]->use == ShapeUse::Constraint ? "inner line, " + tag : tag;
     }
     case RowKind::ShapePart:
     case RowKind::Part:

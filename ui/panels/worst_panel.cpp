@@ -1,5 +1,6 @@
 #include "core/drawing/names/region_commands.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/unfinished_note.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
@@ -65,6 +66,7 @@ class WorstPanel final : public Panel {
             ui::mark(context, "worst/empty");
             return;
         }
+        drawUnfinishedNote(context, "worst");
         ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
         drawTitles(context, *judgement);

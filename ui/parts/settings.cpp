@@ -136,6 +136,11 @@ void readMaps(const JsonValue &json, Settings &settings) {
             settings.keys[action] = keys.string();
         }
     });
+    forMembers(json, "folders", [&](const std::string &dialog, const JsonValue &folder) {
+        if (folder.is(JsonKind::String)) {
+            settings.folders[dialog] = folder.string();
+        }
+    });
     forMembers(json, "toolUses", [&](const std::string &tool, const JsonValue &uses) {
         if (const auto count = uses.integer(); count && *count > 0) {
             settings.toolUses[tool] = static_cast<int>(std::min<std::int64_t>(*count, 1000));
@@ -215,6 +220,9 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.newImprove = choiceIn(json, "newImprove", settings.newImprove);
     settings.snapping = {.toDrawing = boolIn(json, "snapToDrawing", true),
                          .toGrid = boolIn(json, "snapToGrid", true),
+                         .toGuides = boolIn(json, "snapToGuides", true),
+                         .infers = boolIn(json, "inferRelations", true),
+                         .addsConstraints = boolIn(json, "addConstraints", false),
                          .gridStep = sizeIn(json, "gridStep").value_or(0.0),
                          .reach = numberIn(json, "snapReach", Snapping().reach, kMinSnapReach, kMaxSnapReach),
                          .angleStep = numberIn(json, "angleStep", Snapping().angleStep, kMinAngleStep, kMaxAngleStep)};
@@ -275,6 +283,9 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     json.member("newMethod", wordOf(settings.newMethod)).member("newImprove", wordOf(settings.newImprove));
     json.member("snapToDrawing", settings.snapping.toDrawing)
         .member("snapToGrid", settings.snapping.toGrid || settings.snapping.offForPicture);
+    json.member("snapToGuides", settings.snapping.toGuides)
+        .member("inferRelations", settings.snapping.infers)
+        .member("addConstraints", settings.snapping.addsConstraints);
     json.member("snapReach", settings.snapping.reach).member("gridStep", settings.snapping.gridStep);
     json.member("angleStep", settings.snapping.angleStep);
     for (const auto &[name, number] :
@@ -285,6 +296,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
         }
     }
     writeMap(json, "keys", settings.keys);
+    writeMap(json, "folders", settings.folders);
     writeMap(json, "toolUses", settings.toolUses);
     json.key("views").beginObject();
     for (const auto &[name, view] : settings.views) {

@@ -56,6 +56,7 @@ struct Settings {
     std::optional<double> newSize, newGradation; ///< see SpacingSpec
     std::optional<double> newPerTurn, newAcross; ///< elements along a full turn and across gaps
     std::string exportFormat;                    ///< id of the format to which a mesh was exported last; empty: none
+    std::map<std::string, std::string> folders;  ///< last used in a file dialog, by its id
     /// Shortcuts that the user changed, by id of the action; an empty text means none.
     std::map<std::string, std::string> keys;
     std::map<std::string, LessonProgress> lessons; ///< by id of the lesson

@@ -5,6 +5,8 @@
 #include "ui/parts/action.hpp"
 #include "ui/parts/context_menu.hpp"
 #include "ui/parts/dialog.hpp"
+#include "ui/parts/dimension_entry.hpp"
+#include "ui/parts/guide_drag.hpp"
 #include "ui/parts/layer.hpp"
 #include "ui/parts/menu_keys.hpp"
 #include "ui/parts/naming.hpp"
@@ -69,11 +71,14 @@ struct Shell : Workspace {
     std::string revealedPanel;       ///< id of the panel to scroll to; empty: none
     Plates plates;
     std::vector<UnsavedDrawing> unsaved; ///< that can be recovered
+    std::uint64_t newsDismissed = 0;     ///< number of the last entry when messages on the canvas were dismissed
     std::uint64_t logSeen = 0;           ///< number of the last entry of the log that was seen in its drawer
     bool contextMenu = false;            ///< a tool asks for the menu of the selection at the pointer
     ContextMenu menu;                    ///< see contextMenu; panels and tools can open other ones
     MenuKeys menuKeys;
     Naming naming;
+    DimensionEntry dimensionEntry;
+    GuideDrag rulerDrag;          ///< of a guide out of a ruler
     SideBySide sides{background}; ///< runs with other grids or the other method
     bool quit = false;            ///< end the program after this frame
     bool closeRequested = false;  ///< the user closed the window; "file.quit" decides

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/drawing/document/document.hpp"
 #include "core/engine/base/vec2.hpp"
 #include "ui/input/keys.hpp"
 #include "ui/parts/context_menu.hpp"
 #include "ui/platform/platform.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +63,8 @@ class Tool {
     virtual void deactivate(Shell &) {}
     /// Forgets unfinished input, and numbers that belong to one drawing, when another document is opened.
     virtual void forget(Shell &) {}
+    /// Returns the unfinished path as an open shape, so that a crash does not lose it.
+    virtual std::optional<Shape> unfinished() const { return std::nullopt; }
     /// Handles an event and returns true if it was used. Unused keys go to the shortcuts, so that a tool in the middle
     /// of a path can take digits, Enter, Backspace and Esc.
     virtual bool handle(const CanvasEvent &event, Shell &context) = 0;

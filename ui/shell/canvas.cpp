@@ -344,6 +344,26 @@ void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const La
     }
 }
 
+namespace {
+
+/// Keeps labels off small closed outlines, such as holes, which they would hide.
+void reserveSmallOutlines(const Shell &context, CanvasPainter &painter) {
+    constexpr std::size_t kMaxShapes = 2000; // of more, most are too small to be seen
+    constexpr double kSmall = 120.0;         // design pixels
+    const Document &document = *context.document.current();
+    const double small = painter.camera().length(kSmall * painter.scale());
+    const Box2 visible = painter.camera().visible();
+    for (std::size_t k = 0; k < document.shapes.size() && document.shapes.size() <= kMaxShapes; ++k) {
+        const Shape &shape = *document.shapes[k];
+        const Box2 box = shape.hidden || !isClosed(shape) ? Box2() : boundsOf(shape);
+        if (!box.empty() && box.overlaps(visible) && std::max(box.size().x, box.size().y) <= small) {
+            painter.reserve(outlineOf(shape));
+        }
+    }
+}
+
+} // namespace
+
 /// Keeps labels on the canvas, and clear of the plates on it, as placed in the last frame, of the selected nodes and of
 /// what the tool draws.
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
@@ -356,6 +376,7 @@ void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) 
             painter.reserve(widget.rect);
         }
     }
+    reserveSmallOutlines(context, painter);
     for (const NodeRef node : context.selection.nodes) {
         const Shape *const shape = findShape(*context.document.current(), node.shape);
         const std::vector<Vec2> handles = shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>();

@@ -196,7 +196,7 @@ void drawRunBar(Shell &context, const PixelRect &canvas) {
             if (run.quality.elements > 0) {
                 flow.item("elements");
                 ImGui::AlignTextToFramePadding();
-                ui::muted(context, ui::count(run.quality.elements) + " triangles");
+                ui::muted(context, ui::count(run.quality.elements) + (run.stepped ? " triangles" : " elements"));
             }
             flow.item("cancel");
             if (ui::button(context, "run/cancel", "Cancel  Esc")) {
@@ -220,20 +220,38 @@ std::string withPlace(const Diagnostic &diagnostic) {
     return text + diagnostic.message;
 }
 
-/// Returns the newest message if it is recent and, for a fault, still concerns the current document; otherwise null. If
-/// several faults were reported at once, returns the first and counts the others in `more`.
-const MessageLog::Entry *newsOf(Workspace &context, std::size_t &more) {
-    constexpr double kShown = 9.0; // seconds
+constexpr double kNewsShown = 9.0; ///< seconds
+
+/// Returns true for a message that tells the outcome of a command, and need not be read: it goes by itself.
+bool isPassing(const Diagnostic &diagnostic) {
+    return diagnostic.severity == Severity::Note || diagnostic.code == "refused" ||
+           diagnostic.code == "unfinished-path";
+}
+
+/// Returns true if a message is to be shown: what passes for a few seconds, warnings and errors until the user
+/// dismisses them or the drawing that they are about has changed.
+bool isCurrent(const Shell &context, const MessageLog::Entry &entry) {
+    const Diagnostic &diagnostic = entry.diagnostic;
+    if (!entry.announced || entry.number <= context.newsDismissed ||
+        (diagnostic.severity != Severity::Note && entry.revision != context.document.revision())) {
+        return false;
+    }
+    return !isPassing(diagnostic) || context.platform.now() - entry.time <= kNewsShown;
+}
+
+/// Returns the newest message to show; otherwise null. If several faults were reported at once, returns the first and
+/// counts the others in `more`.
+const MessageLog::Entry *newsOf(Shell &context, std::size_t &more) {
     const auto &entries = context.log.entries();
-    const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.announced; });
-    if (last == entries.rend() || context.platform.now() - last->time > kShown) {
+    const auto last = std::find_if(entries.rbegin(), entries.rend(),
+                                   [&context](const auto &entry) { return isCurrent(context, entry); });
+    if (last == entries.rend()) {
         return nullptr;
     }
     const bool fault = last->diagnostic.severity != Severity::Note;
-    if (fault && last->revision != context.document.revision()) {
-        return nullptr;
+    if (isPassing(last->diagnostic)) {
+        context.wakeAt(last->time + kNewsShown);
     }
-    context.wakeAt(last->time + kShown);
     auto first = last;
     const auto together = [&](const MessageLog::Entry &entry) {
         return entry.announced && entry.time == last->time && entry.diagnostic.severity != Severity::Note;
@@ -245,6 +263,18 @@ const MessageLog::Entry *newsOf(Workspace &context, std::size_t &more) {
     return &*first;
 }
 
+void dismissNews(Shell &context) {
+    context.newsDismissed = context.log.entries().back().number;
+    context.animate();
+}
+
+/// Returns true if the shapes that a fault is about can be united.
+bool unites(const Shell &context, const Diagnostic &diagnostic) {
+    const bool meets = diagnostic.code == "crossing-segments" || diagnostic.code == "overlapping-segments";
+    const Action *const combine = meets ? context.actions.find("edit.combine") : nullptr;
+    return combine != nullptr && combine->enabled(context);
+}
+
 /// Draws the buttons of a message; `more` counts the faults that followed it.
 void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnostic, std::size_t more) {
     if (diagnostic.at) {
@@ -253,9 +283,7 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
             context.view.goTo(*diagnostic.at, context.platform.now());
         }
     }
-    const bool meets = diagnostic.code == "crossing-segments" || diagnostic.code == "overlapping-segments";
-    const Action *const combine = meets ? context.actions.find("edit.combine") : nullptr;
-    if (combine != nullptr && combine->enabled(context)) {
+    if (unites(context, diagnostic)) {
         flow.item("combine");
         if (ui::button(context, "canvas/error/combine", "Union\xe2\x80\xa6")) {
             context.actions.run("edit.combine", context);
@@ -271,8 +299,16 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
         flow.item("log");
         if (ui::button(context, "canvas/error/log", "Log")) {
             context.actions.run("view.log", context);
+            dismissNews(context);
         }
         ui::tooltip(context, "Show all messages");
+    }
+    if (!isPassing(diagnostic)) {
+        flow.item("close");
+        if (ui::button(context, "canvas/error/close", icon::kCross, ui::ButtonKind::Quiet)) {
+            dismissNews(context);
+        }
+        ui::tooltip(context, "Dismiss; the log keeps it");
     }
 }
 
@@ -302,14 +338,18 @@ void drawMessage(WidgetContext &context, const Diagnostic &diagnostic, float roo
     ui::mark(context, note ? "canvas/note" : "canvas/error");
 }
 
-/// Shows the newest message for a few seconds, with buttons to go to the place of a fault and to repair it.
+/// Shows the newest message, with buttons to go to the place of a fault and to repair it.
 void drawNews(Shell &context, const PixelRect &canvas) {
     std::size_t more = 0;
     const MessageLog::Entry *const entry = newsOf(context, more);
     if (entry == nullptr) {
         return;
     }
-    const Diagnostic diagnostic = entry->diagnostic; // a button may add to the log
+    Diagnostic diagnostic = entry->diagnostic; // a button may add to the log
+    if (unites(context, diagnostic)) {
+        diagnostic.advice +=
+            diagnostic.advice.empty() ? "join the shapes with Union" : ", or join the shapes with Union";
+    }
     const double scale = static_cast<double>(context.scale);
     const double below = bandsOf(context, canvas).bottom;
     const Plate plate(context, "##news", canvas.centre().x, canvas.y + canvas.height - below * scale, 0.5F, 1.0F);

@@ -158,6 +158,9 @@ int keyOf(const Selection &selection) {
     if (!selection.markers.empty()) {
         add(*selection.markers.begin());
     }
+    if (!selection.constraints.empty()) {
+        add(*selection.constraints.begin());
+    }
     return static_cast<int>(key % 1'000'000'007U);
 }
 
@@ -172,10 +175,18 @@ void followSelection(Shell &context) {
     seen = now;
 }
 
+/// Gives the next window the width of its content with a scroll bar, whether or not it has one. Otherwise a bar that
+/// comes would wrap texts, and these would make it go again, for ever.
+void reserveScrollbar(float width) {
+    ImGui::SetNextWindowContentSize({std::max(1.0F, width - ImGui::GetStyle().ScrollbarSize), 0.0F});
+}
+
 /// Draws the content of a panel in `height` pixels and returns its whole height.
 float drawContent(Shell &context, Panel &panel, float height, float known) {
     const bool whole = known <= height + 1.0F;
-    ImGui::BeginChild(panel.id(), {0, height}, false,
+    const float width = ImGui::GetContentRegionAvail().x;
+    reserveScrollbar(width);
+    ImGui::BeginChild(panel.id(), {width, height}, false,
                       ImGuiWindowFlags_NoNav |
                           (whole ? ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar : 0));
     panel.draw(context);
@@ -250,9 +261,14 @@ void drawColumn(Shell &context, const PixelRect &rect) {
     }
     beginRegion("##column", rect, context.theme.panel, context.px(kColumnPad), 0);
     const float edge = static_cast<float>(rect.x);
-    ImGui::BeginChild("sections", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const ImVec2 end{static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)};
+    ImGui::PushClipRect({edge, static_cast<float>(rect.y)}, end, false); // scroll bars lie in the padding
+    const float sections = end.x - ImGui::GetCursorScreenPos().x;
+    reserveScrollbar(sections);
+    ImGui::BeginChild("sections", {sections, 0}, false, ImGuiWindowFlags_NoNav);
     drawSections(context);
     ImGui::EndChild();
+    ImGui::PopClipRect();
     ui::markWindow(context, "column");
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
                                         {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);

@@ -51,6 +51,8 @@ void drawMenuBar(Shell &context, const PixelRect &rect);
 void drawContextMenu(Shell &context);
 /// Draws the field on the canvas in which something is named.
 void drawNameField(Shell &context, const PixelRect &canvas);
+/// Draws the field on the canvas in which the value of a dimension is edited.
+void drawDimensionField(Shell &context, const PixelRect &canvas);
 /// Draws an entry of a menu that runs an action. Its widget is PREFIX and the id of the action.
 void actionItem(Shell &context, const Action &action, std::string_view prefix = "menu/");
 /// Draws an entry of a menu that opens the submenu of an action.

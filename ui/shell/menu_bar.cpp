@@ -2,6 +2,8 @@
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/menu_choice.hpp"
+#include "ui/widgets/shortened.hpp"
+#include "ui/widgets/tooltip.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -125,17 +127,12 @@ void underlineMnemonic(const char *menu, char mnemonic) {
     ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, ImGui::GetColorU32(ImGuiCol_Text));
 }
 
-std::string titleText(const Workspace &context) {
-    std::string title = context.document.title();
-    if (context.document.dirty()) {
-        title += " \xe2\x80\xa2";
-    }
-    return title;
-}
-
-/// Draws the title of the document in the middle between two places, shortened if it does not fit.
+/// Draws the title of the document in the middle between two places, without its middle if it does not fit; the dot of
+/// unsaved changes stays.
 void drawTitle(Workspace &context, const PixelRect &rect, float from, float to) {
-    const std::string title = titleText(context);
+    const std::string dot = context.document.dirty() ? " \xe2\x80\xa2" : "";
+    const float room = to - from - ImGui::CalcTextSize(dot.c_str()).x;
+    const std::string title = ui::withoutMiddle(context.document.title(), std::max(0.0F, room)) + dot;
     const ImVec2 size = ImGui::CalcTextSize(title.c_str());
     if (to - from < std::min(size.x, context.px(48))) {
         return;
@@ -143,10 +140,14 @@ void drawTitle(Workspace &context, const PixelRect &rect, float from, float to) 
     const float x = std::max(from, (from + to - size.x) / 2);
     const float y = (static_cast<float>(rect.height) - size.y) / 2;
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
-    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {x, y}, {to, y + size.y}, to, to, title.c_str(), nullptr,
-                              &size);
+    ImGui::GetWindowDrawList()->AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), title.c_str());
     ImGui::PopStyleColor();
     ui::markRect(context, "menu/title", {x, y, std::min(size.x, to - x), size.y});
+    if (!dot.empty()) {
+        const double width = ImGui::CalcTextSize(dot.c_str()).x;
+        ui::markRect(context, "menu/unsaved", {x + size.x - width, y, width, size.y});
+    }
+    ui::tooltipOver(context, {x, y, size.x, size.y}, context.document.title());
 }
 
 /// Draws the switch between the workspaces, in the middle of the bar if the menus leave room. Returns its right end.

@@ -124,8 +124,14 @@ void openRulerMenu(Shell &context, bool upright) {
          {switchOf("snapGrid", "Snap to grid", snapping.toGrid,
                    [](Shell &c) { c.snapping.toGrid = !c.snapping.toGrid; }),
           switchOf("snapDrawing", "Snap to drawing", snapping.toDrawing,
-                   [](Shell &c) { c.snapping.toDrawing = !c.snapping.toDrawing; })},
+                   [](Shell &c) { c.snapping.toDrawing = !c.snapping.toDrawing; }),
+          switchOf("snapGuides", "Snap to guides", snapping.toGuides,
+                   [](Shell &c) { c.snapping.toGuides = !c.snapping.toGuides; })},
          actionsOf({"view.fit", "view.zoomSelection", "view.rulers"})});
+}
+
+Pixel pointerPixel() {
+    return {ImGui::GetMousePos().x, ImGui::GetMousePos().y};
 }
 
 void drawRuler(Shell &context, const char *name, const PixelRect &rect, bool upright) {
@@ -143,7 +149,26 @@ void drawRuler(Shell &context, const char *name, const PixelRect &rect, bool upr
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
         openRulerMenu(context, upright);
     }
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        context.rulerDrag.beginNew(context, upright, pointerPixel());
+    }
     ImGui::End();
+}
+
+/// Follows the guide that is dragged out of a ruler.
+void followRulerDrag(Shell &context) {
+    if (!context.rulerDrag.active()) {
+        return;
+    }
+    if (ImGui::IsKeyPressed(key::kEscape, false)) {
+        context.rulerDrag.cancel(context);
+        return;
+    }
+    context.rulerDrag.update(context, pointerPixel(), ImGui::GetIO().KeyCtrl);
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        context.rulerDrag.finish(context, pointerPixel());
+    }
+    context.animate();
 }
 
 } // namespace
@@ -157,6 +182,7 @@ void drawRulers(Shell &context, const Layout &layout) {
     beginRegion("##rulerCorner", {layout.rulerY.x, layout.rulerX.y, layout.rulerY.width, layout.rulerX.height},
                 context.theme.panel, 0, 0);
     ImGui::End();
+    followRulerDrag(context);
 }
 
 } // namespace forefront::shell

@@ -1,4 +1,5 @@
 #include "core/engine/base/hash.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "ui/parts/shown_panels.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/shortened.hpp"
@@ -227,6 +228,32 @@ void addChecks(Cells &cells, Shell &context) {
                 summary.line + (faults.empty() ? "" : "\n" + toString(faults.front())) + "\nClick to see all checks");
 }
 
+/// Adds what the constraints of the sketch leave free; a click selects those that do not hold.
+void addSketch(Cells &cells, Shell &context) {
+    const SketchState *const sketch = context.preview->sketch.get();
+    if (sketch == nullptr) {
+        return;
+    }
+    const bool violated = !sketch->violated.empty();
+    const std::string text = violated ? countText(sketch->violated.size(), "constraint") +
+                                            (sketch->violated.size() == 1 ? " does" : " do") + " not hold"
+                             : sketch->degrees == 0 ? "fully determined"
+                                                    : countText(sketch->degrees, "degree") + " of freedom";
+    if (!cells.addRight("sketch", text, violated ? context.theme.text : context.theme.muted,
+                        violated               ? context.theme.bad
+                        : sketch->degrees == 0 ? context.theme.determined
+                                               : context.theme.boundary)) {
+        return;
+    }
+    if (cells.clicked("sketch") && violated) {
+        context.selection.clear();
+        context.selection.constraints = sketch->violated;
+        context.selection.prune(*context.document.current());
+    }
+    ui::tooltip(context, violated ? "Click to select these constraints"
+                                  : "Number of independent movements that the constraints leave to the sketch");
+}
+
 /// Adds the badge of the log: the number of warnings and errors since it was last open, except those that a field or
 /// dialog shows.
 void addLog(Cells &cells, Shell &context) {
@@ -281,6 +308,7 @@ void drawStatusBar(Shell &context, const PixelRect &rect) {
     addFigures(cells, context);
     addMeshChip(cells, context);
     addChecks(cells, context);
+    addSketch(cells, context);
     addState(cells, context);
     ImGui::PopFont();
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {

@@ -118,7 +118,7 @@ std::uint64_t roundedRate(double rate) {
 
 std::string cancelledText(const SessionSnapshot &run) {
     if (run.known == 0) {
-        return "Cancelled before the front advanced.";
+        return "Cancelled before there was a mesh.";
     }
     return "Cancelled after " + ui::count(run.known) +
            " advances. Step through them, press End to continue, or 2 to start again.";

@@ -52,6 +52,21 @@ void addSnapActions(ActionRegistry &actions) {
                  .title = "Snap to grid",
                  .run = [](Shell &c) { c.snapping.toGrid = !c.snapping.toGrid; },
                  .checked = [](const Shell &c) { return c.snapping.toGrid; }});
+    actions.add({.id = "snap.guides",
+                 .menu = "",
+                 .title = "Snap to guides",
+                 .run = [](Shell &c) { c.snapping.toGuides = !c.snapping.toGuides; },
+                 .checked = [](const Shell &c) { return c.snapping.toGuides; }});
+    actions.add({.id = "snap.relations",
+                 .menu = "",
+                 .title = "Find relations to other lines and nodes",
+                 .run = [](Shell &c) { c.snapping.infers = !c.snapping.infers; },
+                 .checked = [](const Shell &c) { return c.snapping.infers; }});
+    actions.add({.id = "snap.constraints",
+                 .menu = "",
+                 .title = "Add sketch constraints while drawing",
+                 .run = [](Shell &c) { c.snapping.addsConstraints = !c.snapping.addsConstraints; },
+                 .checked = [](const Shell &c) { return c.snapping.addsConstraints; }});
 }
 
 } // namespace

@@ -105,6 +105,13 @@ void drawSpeed(Workspace &context, ui::Flow &flow) {
 }
 
 void drawStepOptions(Shell &context, ui::Flow &flow) {
+    if (!context.run.steps()) {
+        flow.item("step/not-stepped");
+        ImGui::AlignTextToFramePadding();
+        ui::muted(context, RunControl::kNotStepped);
+        ui::mark(context, "options/step/not-stepped");
+        return;
+    }
     drawStepUnit(context, flow);
     drawSpeed(context, flow);
     flow.item("step/follow");

@@ -28,7 +28,7 @@ inline constexpr const char *kRegular = "\xee\x80\x85";     // Regular polygon
 inline constexpr const char *kSlot = "\xee\x80\x86";        // Slot
 inline constexpr const char *kPolyline = "\xee\x80\x87";    // Polyline
 inline constexpr const char *kArc = "\xee\x80\x88";         // Arc
-inline constexpr const char *kPoint = "\xee\x80\x89";       // Constraint point
+inline constexpr const char *kPoint = "\xee\x80\x89";       // Inner point
 inline constexpr const char *kTrim = "\xee\x80\x8a";        // Trim and extend
 inline constexpr const char *kRegion = "\xee\x80\x8b";      // Region
 inline constexpr const char *kBrush = "\xee\x80\x8c";       // Size brush
@@ -77,6 +77,21 @@ inline constexpr const char *kFolder = "\xee\x80\xb6";      // Folder
 inline constexpr const char *kFile = "\xee\x80\xb7";        // File
 inline constexpr const char *kUp = "\xee\x80\xb8";          // Up
 inline constexpr const char *kPin = "\xee\x80\xb9";         // In all workspaces
+
+// Glyphs of sketch constraints.
+inline constexpr const char *kMarkCoincident = "\xee\x82\x80";    // Coincident points
+inline constexpr const char *kMarkOnCurve = "\xee\x82\x81";       // Point on a curve
+inline constexpr const char *kMarkMidpoint = "\xee\x82\x82";      // Point in the middle
+inline constexpr const char *kMarkHorizontal = "\xee\x82\x83";    // Horizontal
+inline constexpr const char *kMarkVertical = "\xee\x82\x84";      // Vertical
+inline constexpr const char *kMarkParallel = "\xee\x82\x85";      // Parallel
+inline constexpr const char *kMarkPerpendicular = "\xee\x82\x86"; // Perpendicular
+inline constexpr const char *kMarkCollinear = "\xee\x82\x87";     // Collinear
+inline constexpr const char *kMarkTangent = "\xee\x82\x88";       // Tangent
+inline constexpr const char *kMarkEqual = "\xee\x82\x89";         // Equal
+inline constexpr const char *kMarkConcentric = "\xee\x82\x8a";    // Concentric
+inline constexpr const char *kMarkSymmetric = "\xee\x82\x8b";     // Symmetric
+inline constexpr const char *kMarkFixed = "\xee\x82\x8c";         // Fixed
 
 } // namespace icon
 

@@ -33,6 +33,7 @@ Theme darkTheme() {
     t.warn = rgb(0xffe066);
     t.boundary = rgb(0xe2e8f0);
     t.constraint = rgb(0x63e6ac);
+    t.determined = rgb(0xd2e07a);
     t.selection = rgb(0x5aa2ff);
     t.mesh = rgb(0x7f8da1, 0.8);
     t.meshOnTint = rgb(0xe8ecf1, 0.65);
@@ -77,6 +78,7 @@ Theme lightTheme() {
     t.warn = rgb(0x8a6a00);
     t.boundary = rgb(0x1b222c);
     t.constraint = rgb(0x1a6b47);
+    t.determined = rgb(0x6e7800);
     t.selection = rgb(0x1a66cc);
     t.mesh = rgb(0x6f7d90, 0.9);
     t.meshOnTint = rgb(0x1b222c, 0.6);

@@ -43,6 +43,7 @@ struct Theme {
     // canvas
     Colour boundary;   ///< domain boundary
     Colour constraint; ///< constraint segments and points, guides
+    Colour determined; ///< parts of a sketch that its constraints leave no freedom
     Colour selection;
     Colour mesh;       ///< edges of the mesh
     Colour meshOnTint; ///< ... over the colours of the node spacing

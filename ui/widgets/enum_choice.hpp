@@ -8,14 +8,15 @@
 
 namespace forefront::ui {
 
-/// Returns the words of an enumeration as labels: "Fast", "Classic".
+/// Returns the words of an enumeration as labels: "Fast", "Classic"; digits stay.
 template <class Enum>
 std::span<const char *const> enumLabels() {
     static const auto texts = [] {
         std::array<std::string, wordsOf<Enum>().size()> list;
         for (std::size_t i = 0; i < list.size(); ++i) {
             list[i] = wordsOf<Enum>()[i];
-            list[i][0] = static_cast<char>(list[i][0] - 'a' + 'A');
+            const char first = list[i][0];
+            list[i][0] = first >= 'a' && first <= 'z' ? static_cast<char>(first - 'a' + 'A') : first;
         }
         return list;
     }();

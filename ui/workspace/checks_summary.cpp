@@ -51,6 +51,17 @@ ChecksSummary withWarnings(ChecksSummary summary, std::size_t warnings) {
 
 } // namespace
 
+std::string unfinishedText(const Workspace &context) {
+    const SessionSnapshot &run = context.run.now();
+    const bool rests = run.state == RunState::Paused || run.state == RunState::Finished ||
+                       run.state == RunState::Cancelled || (run.state == RunState::Running && run.playing);
+    if (!rests || context.run.showsFile() || run.mesh == nullptr || (run.complete && run.advance == run.known)) {
+        return {};
+    }
+    return "Unfinished mesh: advance " + ui::count(run.advance) +
+           (run.complete ? " of " + ui::count(run.known) : ", the end is not reached yet");
+}
+
 ChecksSummary checksSummary(const Workspace &context) {
     const Diagnostics &faults = context.preview->faults;
     const auto errors = static_cast<std::size_t>(std::count_if(
@@ -61,6 +72,9 @@ ChecksSummary checksSummary(const Workspace &context) {
     }
     if (context.run.now().mesh == nullptr && context.document.current()->shapes.empty()) {
         return {};
+    }
+    if (const std::string unfinished = unfinishedText(context); !unfinished.empty()) {
+        return {State::Unfinished, unfinished + "; its limits are judged at the end", "unfinished mesh", true};
     }
     const auto warnings = static_cast<std::size_t>(std::count_if(
         faults.begin(), faults.end(), [](const Diagnostic &fault) { return fault.severity == Severity::Warning; }));

@@ -29,6 +29,9 @@ void SelectionFilter::apply(Selection &selection) const {
     if (!markers) {
         selection.markers.clear();
     }
+    if (!constraints) {
+        selection.constraints.clear();
+    }
 }
 
 const std::shared_ptr<const PickIndex> &EditState::index(const Workspace &context) {
@@ -109,6 +112,7 @@ SnapQuery EditState::query(const Workspace &context, Vec2 place, bool angle, boo
     query.at = place;
     query.tolerance = reach(context, context.snapping.reach);
     query.gridPitch = context.snapping.toGrid ? gridStep(context) : 0.0;
+    query.guides = context.snapping.toGuides;
     query.angle = angle;
     query.angleStep = context.snapping.angleStep;
     query.off = off;
@@ -132,6 +136,14 @@ void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
     ui::tooltip(context,
                 "Snap to a point of the drawing grid when the pointer is near it. The layer Grid shows the grid or "
                 "hides it.");
+    flow.item("relations");
+    ui::checkbox(context, "options/snap/relations", "Find relations", context.snapping.infers);
+    ui::tooltip(context, "Snap to directions and lengths of other lines, and level with or above other nodes: "
+                         "horizontal, vertical, parallel, perpendicular, tangent, equal. Hold Ctrl to turn it off.");
+    ImGui::SameLine(0, context.px(12));
+    ui::checkbox(context, "options/snap/constraints", "Add constraints", context.snapping.addsConstraints);
+    ui::tooltip(context, "Add the relations shown at the pointer as sketch constraints. Off by default: a drawing that "
+                         "is only meshed is easier to change without them.");
 }
 
 double EditState::twoDigits(double value) {

@@ -57,6 +57,7 @@ struct SelectionFilter {
     bool shapes = true; ///< also their segments
     bool nodes = true;  ///< nodes of shapes that can be picked
     bool sources = true, markers = true;
+    bool constraints = true; ///< of the sketch
 
     /// Removes items of other kinds from a selection.
     void apply(Selection &selection) const;

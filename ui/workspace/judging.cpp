@@ -195,6 +195,25 @@ void walkRanks(Workspace &context, bool forward) {
     context.animate();
 }
 
+bool walkByKey(Workspace &context, int code) {
+    const std::size_t count = context.judgement->worst.size();
+    switch (code) {
+    case key::kUp:
+    case key::kDown:
+        walkRanks(context, code == key::kDown);
+        return true;
+    case key::kHome:
+    case key::kEnd:
+        if (count > 0) {
+            goToRank(context, code == key::kHome ? 0 : count - 1);
+            context.animate();
+        }
+        return true;
+    default:
+        return false;
+    }
+}
+
 namespace {
 
 /// Returns the element that contains a place; the lowest number if elements overlap there.

@@ -58,6 +58,10 @@ void goToRank(Workspace &context, std::size_t rank);
 /// Goes to the next of the worst parts, or with `forward` false to the previous one; to the worst if none is shown.
 void walkRanks(Workspace &context, bool forward);
 
+/// Goes to another of the worst parts by a key of their list: an arrow up or down, Home or End. Returns false for other
+/// keys.
+bool walkByKey(Workspace &context, int key);
+
 /// Returns the part of the mesh at a place: the nearest node or edge of the element there if it is within `reach`,
 /// otherwise the element; std::nullopt outside the mesh or until the search tree is ready.
 std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double reach);

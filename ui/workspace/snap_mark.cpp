@@ -1,7 +1,9 @@
 #include "ui/workspace/snap_mark.hpp"
 
 #include "core/drawing/picking/pointer_snap.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/constraint_glyphs.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <array>
@@ -102,6 +104,7 @@ void drawGlyph(CanvasPainter &painter, const Theme &theme, const Snapped &snappe
     case SnapKind::Tangent:
         drawSpecialMark(painter, theme.selection, snapped);
         break;
+    case SnapKind::Guide:
     case SnapKind::Grid:
         painter.line(snapped.at - Vec2{arm, 0}, snapped.at + Vec2{arm, 0}, theme.selection, 1.5);
         painter.line(snapped.at - Vec2{0, arm}, snapped.at + Vec2{0, arm}, theme.selection, 1.5);
@@ -112,9 +115,40 @@ void drawGlyph(CanvasPainter &painter, const Theme &theme, const Snapped &snappe
     case SnapKind::Locked:
         drawLockGlyph(painter, snapped, theme.selection);
         break;
+    case SnapKind::Inferred:
+        painter.ring(snapped.at, 0.5 * kReach, theme.selection, 1.5);
+        break;
     case SnapKind::None:
         break;
     }
+}
+
+/// Draws the guide lines of the relations that a point fulfils, and the other lines that they are about.
+void drawRelations(CanvasPainter &painter, const Workspace &context, const Snapped &snapped) {
+    const Colour colour = fade(context.theme.selection, 0.6);
+    for (const Inference &relation : snapped.inferred) {
+        painter.dashed(relation.start, snapped.at, colour, 1.0);
+        const Shape *const shape =
+            relation.with && relation.ofLine ? findShape(*context.document.current(), relation.with->shape) : nullptr;
+        const Outline outline = shape != nullptr ? outlineOf(*shape) : Outline();
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            if (outline.part(k) == relation.with->index) {
+                painter.curve(outline.curve(k), colour, 2.5);
+            }
+        }
+        if (!relation.ofLine) {
+            painter.ring(relation.start, 5.0, colour, 1.5);
+        }
+    }
+}
+
+/// Returns the glyphs of the relations of a point, as text.
+std::string glyphsOf(const Snapped &snapped) {
+    std::string glyphs;
+    for (const Inference &relation : snapped.inferred) {
+        glyphs += glyphOf(relation.kind);
+    }
+    return glyphs;
 }
 
 } // namespace
@@ -124,8 +158,13 @@ void drawSnapMark(CanvasPainter &painter, const Workspace &context, const Snappe
     if (snapped.from) {
         painter.dashed(*snapped.from, snapped.at, fade(theme.selection, 0.6), 1.0);
     }
+    const bool inferred = snapped.kind == SnapKind::Inferred;
+    if (inferred || context.snapping.addsConstraints) {
+        drawRelations(painter, context, snapped);
+    }
     drawGlyph(painter, theme, snapped);
-    if (const std::string words = wordsOf(snapped); !words.empty()) {
+    const std::string glyphs = inferred || context.snapping.addsConstraints ? glyphsOf(snapped) : std::string();
+    if (const std::string words = glyphs + (glyphs.empty() ? "" : " ") + wordsOf(snapped); !words.empty()) {
         painter.label(snapped.at, {16.0, -30.0}, words, theme.selection, fade(theme.popup, 0.9), context.fonts.small);
     }
 }

@@ -31,7 +31,7 @@ void announceLostConstraints(Workspace &context, const Document &before) {
         names += (k == 0 ? "" : ", ") + lost[k];
     }
     const std::string more = lost.size() > kNamed ? " and " + std::to_string(lost.size() - kNamed) + " more" : "";
-    context.log.announce("Removed " + countText(lost.size(), "constraint") + ": " + names + more);
+    context.log.announce("Removed " + countText(lost.size(), "sketch constraint") + ": " + names + more);
 }
 
 /// Names the numbers that a change took the expressions from; only the first ones if there are many. Those that were

@@ -87,6 +87,7 @@ class Sizes:
 
 class Options:
     keep_boundary: bool
+    min_angle: Optional[float]
     threads: int
     max_elements: int
     verify: bool

@@ -101,7 +101,8 @@ class Domain(_core.DomainBase):
     def read(cls, file: Any, format: Optional[str] = None, **options: Any) -> "Domain":
         """Reads a domain with its sizes from a path, an open file or bytes.
 
-        Projects, GeoJSON, TopoJSON, SVG, .poly and the outlines of meshes. format: an id of :func:`formats`; None: by
+        Projects, DXF, SVG, GeoJSON, TopoJSON, well-known text, .poly, CSV, airfoils, FEMM and the outlines of
+        meshes. format: an id of :func:`formats`; None: by
         content, then by extension. Options, as of the batch program: curve_tolerance, weld, layer, names, strict,
         beyond_page, drop_lines, stroke_areas, shape_regions, white_holes, degrees ("warn", "keep" or "local"),
         parameters (a dict of expressions). ``notes`` of the domain lists what the reader did not use.

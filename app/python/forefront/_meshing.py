@@ -35,7 +35,8 @@ def mesh(domain: Any, size: Any = None, *, progress: Optional[Progress] = None, 
     parameters, {name: value} of the expression · curve_tolerance, a length · names, the property of features that
     holds the names of regions · elements: 'triangles', 'quads' or 'mixed' · method: 'fast' or 'classic' · grid: 'none',
     'uniform' or 'hierarchical' · improve: 'none', 'default' or 'best' · threads · keep_boundary: do not divide the given
-    segments · repair: join what crosses or touches first · max_elements · verify: check the mesh against the domain.
+    segments · min_angle: no triangle has a smaller angle, in degrees up to 33, except at sharp corners of the domain and
+    beside segments that may not be divided, which the notes name · repair: join what crosses or touches first · max_elements · verify: check the mesh against the domain.
 
     progress: called as progress(stage, fraction) on the same thread, at most every 20 ms. An exception that it or the
     size function raises ends the run and arrives unchanged, as does Ctrl-C.

@@ -103,10 +103,10 @@ class Run:
              speed: float = 10.0, layers: Optional[List[str]] = None, progress: Any = None) -> int:
         """Writes a film of the run from its beginning, and returns the number of frames.
 
-        path: FILE.gif, an animation; NAME-%d.png or .svg, a picture for each frame; FILE.png or .svg, the last moment;
-        FILE.html, a page. start: number of advances done at the first frame. steps: number of advances shown; None: to
+        path: FILE.gif, an animation; NAME-%d.png, .svg or .pdf, a picture for each frame; FILE.png, .svg or .pdf, the last
+        moment; FILE.html, a page. start: number of advances done at the first frame. steps: number of advances shown; None: to
         the end. frames: at most. width: pixels. speed: frames per second of a GIF. layers: of 'mesh', 'boundary',
-        'front', 'candidates', 'grid', 'caption'.
+        'front', 'candidates', 'grid', 'caption', 'labels'.
         """
         given = {"start": start, "steps": steps, "frames": frames, "width": width, "speed": speed, "layers": layers}
         return _core.run_film(*self._job.arguments, os.fspath(path), given, progress)[0]

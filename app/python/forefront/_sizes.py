@@ -198,7 +198,8 @@ def job_of(domain: Any, size: Any = None, *, sources: Iterable[Source] = (),
            parameters: Optional[Mapping[str, float]] = None, curve_tolerance: Optional[float] = None,
            names: Optional[str] = None, elements: Optional[str] = None, method: Optional[str] = None,
            grid: Optional[str] = None, improve: Optional[str] = None, threads: Optional[int] = None,
-           keep_boundary: Optional[bool] = None, max_elements: Optional[int] = None, verify: bool = False,
+           keep_boundary: Optional[bool] = None, min_angle: Optional[float] = None,
+           max_elements: Optional[int] = None, verify: bool = False,
            exact: bool = False, repair: bool = False) -> Job:
     """Makes the job of :func:`forefront.mesh` and :func:`forefront.run`, which document the arguments."""
     if isinstance(size, str) and is_geojson(domain) and _has_property(domain, size):
@@ -235,7 +236,8 @@ def job_of(domain: Any, size: Any = None, *, sources: Iterable[Source] = (),
     if parameters:
         rules.names = dict(parameters)
     return Job(domain, rules, size is not None,
-               _options(domain, elements, method, grid, improve, threads, keep_boundary, max_elements, verify),
+               _options(domain, elements, method, grid, improve, threads, keep_boundary, min_angle, max_elements,
+                        verify),
                grid_of_size)
 
 
@@ -246,7 +248,7 @@ def _has_property(geojson: Any, name: str) -> bool:
 
 def _options(domain: Domain, elements: Optional[str], method: Optional[str], grid: Optional[str],
              improve: Optional[str], threads: Optional[int], keep_boundary: Optional[bool],
-             max_elements: Optional[int], verify: bool) -> _core.Options:
+             min_angle: Optional[float], max_elements: Optional[int], verify: bool) -> _core.Options:
     options = _core.Options(domain)
     for word, setter in ((elements, options.set_elements), (method, options.set_method), (grid, options.set_grid),
                          (improve, options.set_improve)):
@@ -258,6 +260,8 @@ def _options(domain: Domain, elements: Optional[str], method: Optional[str], gri
         options.threads = threads
     if keep_boundary is not None:
         options.keep_boundary = keep_boundary
+    if min_angle is not None:
+        options.min_angle = float(min_angle)
     if max_elements is not None:
         options.max_elements = int(max_elements)
     options.verify = verify

@@ -148,6 +148,7 @@ void bindOptions(py::module_ &module) {
         .def("set_improve",
              [](MeshingOptions &self, const std::string &word) { setWord(self.improve, "improve", word); })
         .def_readwrite("keep_boundary", &MeshingOptions::keepBoundary)
+        .def_readwrite("min_angle", &MeshingOptions::leastAngle)
         .def_readwrite("threads", &MeshingOptions::threads)
         .def_readwrite("max_elements", &MeshingOptions::maxElements)
         .def_readwrite("verify", &MeshingOptions::verify);

@@ -19,6 +19,8 @@ namespace py = pybind11;
 struct MadeBy {
     WorkCounters work;
     QuadReport quads;
+    std::optional<double> leastAngle; ///< that was asked for, degrees
+    LeastAngleReport angles;
     Elements elements = Elements::Triangles;
     ImproveLevel improve = ImproveLevel::None;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0; ///< CPU time

@@ -48,6 +48,8 @@ std::string summaryJson(const PythonMesh &self) {
         static_cast<MeshReport &>(report) = figures;
         report.work = self.made->work;
         report.quads = self.made->quads;
+        report.leastAngle = self.made->leastAngle;
+        report.angles = self.made->angles;
         report.elements = self.made->elements;
         report.improve = self.made->improve;
         report.secondsPrepare = self.made->secondsPrepare;

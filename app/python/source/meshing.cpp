@@ -35,11 +35,13 @@ PythonMesh meshDomainOf(const PythonDomain &domain, const SpacingSpec &sizes, bo
     const MeshingJob job = jobOf(domain, sizes, replaces, options);
     const Progress progress = progressOf(callback);
     MeshingOutcome outcome = valueOrRaise(withoutGil([&] { return meshDomain(job, progress); }));
-    MadeBy made{outcome.work,           outcome.quads,       options.elements,       options.improve,
-                outcome.secondsPrepare, outcome.secondsMesh, outcome.secondsImprove, residentPeak()};
+    MadeBy made{outcome.work,    outcome.quads,          options.leastAngle,  outcome.leastAngle,     options.elements,
+                options.improve, outcome.secondsPrepare, outcome.secondsMesh, outcome.secondsImprove, residentPeak()};
     Diagnostics notes = outcome.spacing->notes();
     const Diagnostics large = largeElements(outcome.mesh, job.domain, job.spacing.placed.regions);
     notes.insert(notes.end(), large.begin(), large.end());
+    const Diagnostics forced = forcedAngles(outcome.leastAngle);
+    notes.insert(notes.end(), forced.begin(), forced.end());
     PythonMesh mesh = pythonMesh(std::move(outcome.mesh));
     mesh.spacing = std::move(outcome.spacing);
     mesh.made = made;

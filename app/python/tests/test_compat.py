@@ -87,7 +87,7 @@ def test_faults_have_places():
         tr.triangulate(crossed, "pq")
     assert caught.value.faults[0].at == (0.5, 0.5)
     square = {"vertices": box(0, 0, 1, 1), "segments": loops(1)}
-    for switches, message in (("pr", "unknown switches r"), ("pq40", "from 0 to 34 degrees"), ("pa0", "positive area")):
+    for switches, message in (("pr", "unknown switches r"), ("pq40", "from 0 to 33 degrees"), ("pa0", "positive area")):
         with pytest.raises(ValueError, match=message):
             tr.triangulate(square, switches)
 

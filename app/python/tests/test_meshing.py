@@ -127,6 +127,11 @@ def test_options_reach_the_mesher(rectangle):
     assert quads.neighbours.shape == quads.elements.shape
     kept = ff.mesh(rectangle, 0.2, keep_boundary=True)
     assert len(kept.edges) == 4
+    wedge = [(0, 0), (10, 0), (10, 0.9)]
+    sharp = ff.mesh(wedge, 0.5, min_angle=30)
+    assert np.count_nonzero(sharp.quality("min-angle") < 30) == 1 and "sharp corner" in str(sharp.notes[0])
+    with pytest.raises(ff.MeshError, match="at most 33"):
+        ff.mesh(wedge, 0.5, min_angle=40)
     for option, value in (("method", "slow"), ("improve", "much"), ("elements", "hexagons"), ("grid", "round")):
         with pytest.raises(ValueError, match=f"{option}: expected .*, got '{value}'"):
             ff.mesh(rectangle, 0.2, **{option: value})

@@ -97,6 +97,10 @@ Result<Document> scaleDocument(const Document &document, Vec2 fixed, double fact
     }
     next.curveTolerance *= factor;
     scaleSpacing(next.spacing, map, factor);
+    for (Guide &guide : next.guides) {
+        const double origin = guide.upright ? fixed.x : fixed.y;
+        guide.at = origin + factor * (guide.at - origin);
+    }
     if (next.picture) {
         next.picture = scaledAbout(*next.picture, fixed, factor);
     }

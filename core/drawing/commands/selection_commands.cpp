@@ -1,4 +1,5 @@
 #include "core/drawing/commands/transform.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/picking/selected_handles.hpp"
 #include "core/drawing/shapes/node_sizes.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
@@ -212,6 +213,9 @@ Document deleteSelection(const Document &document, const Selection &selection) {
         if (*k < next.regionMarkers.size()) {
             next.regionMarkers.erase(next.regionMarkers.begin() + *k);
         }
+    }
+    if (!selection.constraints.empty()) {
+        next = removeConstraints(next, selection.constraints);
     }
     return next;
 }

@@ -4,6 +4,7 @@
 #include "core/drawing/shapes/shape_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace forefront {
 namespace {
@@ -108,6 +109,40 @@ std::optional<SketchPart> CarriedParts::node(const SketchPart &part) const {
     return found;
 }
 
+std::optional<SketchPart> CarriedParts::shortened(const SketchPart &part) const {
+    const Shape *const old = findShape(before_, part.shape), *const now = findShape(next_, part.shape);
+    if (old == nullptr || now == nullptr || !changed(part.shape) || part.kind != SketchPartKind::Segment ||
+        !isPath(*old) || !isPath(*now)) {
+        return std::nullopt;
+    }
+    const Outline before = outlineOf(*old), after = outlineOf(*now);
+    if (part.index >= before.segmentCount() || before.isCurved(part.index)) {
+        return std::nullopt;
+    }
+    const Vec2 a = before.from(part.index), way = before.to(part.index) - a;
+    const double size = length(way), slack = 1e-9 * size;
+    const auto isOn = [&](Vec2 p) {
+        const double along = dot(p - a, way) / size;
+        return std::fabs(cross(p - a, way)) <= slack * size && along >= -slack && along <= size + slack;
+    };
+    std::optional<SketchPart> longest;
+    double best = 0.0;
+    for (std::uint32_t k = 0; k < after.segmentCount(); ++k) {
+        const Vec2 from = after.from(k), to = after.to(k);
+        const double reach = dot(to - from, way) / size;
+        if (!after.isCurved(k) && isOn(from) && isOn(to) && reach > best && reach < size - slack) {
+            best = reach;
+            longest = SketchPart{now->id, SketchPartKind::Segment, k};
+        }
+    }
+    return longest;
+}
+
+bool CarriedParts::isShortened(const SketchPart &part) const {
+    const std::optional<SketchPart> rest = shortened(part);
+    return rest && images(part) == std::vector<SketchPart>{*rest};
+}
+
 std::vector<SketchPart> CarriedParts::segment(const SketchPart &part) const {
     const Shape *const old = findShape(before_, part.shape), *const now = findShape(next_, part.shape);
     const bool round = old != nullptr && (old->is<CircleForm>() || old->is<SlotForm>());
@@ -123,7 +158,11 @@ std::vector<SketchPart> CarriedParts::segment(const SketchPart &part) const {
     }
     const std::optional<SketchPart> from = node({part.shape, SketchPartKind::Node, part.index});
     const std::optional<SketchPart> to = node(endOf(part));
-    if (!from || !to || from->shape != to->shape || from->index == to->index) {
+    if (!from || !to) {
+        const std::optional<SketchPart> rest = shortened(part);
+        return rest ? std::vector<SketchPart>{*rest} : std::vector<SketchPart>();
+    }
+    if (from->shape != to->shape || from->index == to->index) {
         return {};
     }
     const Shape &shape = *findShape(next_, from->shape);

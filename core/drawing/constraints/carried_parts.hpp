@@ -23,12 +23,16 @@ class CarriedParts {
     std::vector<SketchPart> images(const SketchPart &part) const;
     /// Returns the first of these; the part itself if it is gone.
     SketchPart image(const SketchPart &part) const;
+    /// Returns true if a straight segment has become a shorter one of the same line, as beside a fillet.
+    bool isShortened(const SketchPart &part) const;
     /// Returns the node at the end of a segment of a path, or of the side of a rectangle.
     SketchPart endOf(const SketchPart &segment) const;
 
   private:
     std::optional<SketchPart> node(const SketchPart &part) const;
     std::vector<SketchPart> segment(const SketchPart &part) const;
+    /// Returns the longest straight segment that a straight one of a path was shortened to.
+    std::optional<SketchPart> shortened(const SketchPart &part) const;
     std::optional<SketchPart> nodeIn(const Shape &shape, const std::vector<Vec2> &old, bool loop,
                                      std::uint32_t index) const;
 

@@ -49,7 +49,9 @@ class ConstraintCarrier {
         carried.parts.clear();
         for (const SketchPart &part : constraint.parts) {
             const std::vector<SketchPart> images = parts_.images(part);
-            if (images.empty()) {
+            const bool ofLength =
+                constraint.kind == ConstraintKind::Equal || constraint.kind == ConstraintKind::Midpoint;
+            if (images.empty() || (ofLength && parts_.isShortened(part))) {
                 return std::nullopt;
             }
             noteForm(part.shape);

@@ -1,6 +1,7 @@
 #include "core/drawing/constraints/constraint_commands.hpp"
 
 #include "core/drawing/constraints/constraint_equations.hpp"
+#include "core/drawing/constraints/constraint_figures.hpp"
 #include "core/drawing/constraints/settle.hpp"
 #include "core/drawing/constraints/sketch_parts.hpp"
 #include "core/drawing/shapes/references.hpp"
@@ -225,6 +226,23 @@ Result<Document> setDimension(const Document &document, std::uint32_t id, double
         return error("bad-constraint", constraint.name + ": " + fault);
     }
     return settle(document, with(document, std::move(constraint)));
+}
+
+Result<Document> placeDimension(const Document &document, std::uint32_t id, std::optional<Vec2> place) {
+    const SketchConstraint *const found = findConstraint(document, id);
+    if (found == nullptr) {
+        return noSuchConstraint();
+    }
+    const std::optional<DimensionFigure> figure = dimensionFigure(document, *found);
+    if (!figure) {
+        return error("bad-constraint", found->name + " has no text that can be placed");
+    }
+    if (place && !(std::isfinite(place->x) && std::isfinite(place->y))) {
+        return error("bad-number", "expected a place with finite co-ordinates");
+    }
+    SketchConstraint constraint = *found;
+    constraint.label = place ? std::optional(figure->offsetOf(*place)) : std::nullopt;
+    return with(document, std::move(constraint));
 }
 
 Result<Document> renameConstraint(const Document &document, std::uint32_t id, std::string name) {

@@ -4,6 +4,7 @@
 #include "core/engine/base/result.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ Result<Document> addConstraint(const Document &document, ConstraintKind kind, st
 
 /// Sets the value of a dimension, a length or an angle in degrees, and moves what it moves.
 Result<Document> setDimension(const Document &document, std::uint32_t id, double value);
+
+/// Places the text of a dimension, see SketchConstraint::label; none: beside what it measures. Nothing moves.
+Result<Document> placeDimension(const Document &document, std::uint32_t id, std::optional<Vec2> place);
 
 Result<Document> renameConstraint(const Document &document, std::uint32_t id, std::string name);
 /// Removes constraints and the formulas of their values; nothing moves.

@@ -85,7 +85,21 @@ class ConstraintMapper {
             }
         }
         constraint = reoriented(document_, std::move(constraint));
+        mapLabel(constraint);
         return holdsIn(document_, constraint) ? std::optional(std::move(constraint)) : std::nullopt;
+    }
+
+    /// Maps the place of the text of a dimension: that of a length scales with the line and changes sides in a mirror.
+    void mapLabel(SketchConstraint &constraint) const {
+        if (!constraint.label) {
+            return;
+        }
+        const Vec2 offset = *constraint.label;
+        const bool central = constraint.kind == ConstraintKind::Angle || constraint.kind == ConstraintKind::Radius ||
+                             constraint.kind == ConstraintKind::Diameter;
+        const double scale = std::sqrt(std::fabs(map_.determinant()));
+        const double side = map_.determinant() < 0.0 ? -scale : scale;
+        constraint.label = central ? offset.x * map_.u + offset.y * map_.v : Vec2{scale * offset.x, side * offset.y};
     }
 
     /// Turns a horizontal or vertical line, whose direction is now that of the first such line.

@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -32,6 +33,7 @@ std::set<std::uint32_t> changedConstraints(const Document &before, const Documen
         const auto found = known.find(constraint->id);
         SketchConstraint same = found != known.end() ? *found->second : SketchConstraint{};
         same.name = constraint->name;
+        same.label = constraint->label;
         if (found == known.end() || (found->second != constraint.get() && same != *constraint)) {
             changed.insert(constraint->id);
         }
@@ -63,7 +65,8 @@ class Settler {
     }
 
   private:
-    /// Takes the solution of a part. Numbers with given values get these exactly, not up to the tolerance.
+    /// Takes the solution of a part. Numbers with given values get these exactly, not up to the tolerance, and numbers
+    /// that must be equal the same bits: coincident nodes are one node of the domain only then.
     void take(const std::vector<std::uint32_t> &part, const std::vector<double> &solved) {
         for (const std::uint32_t k : part) {
             for (const std::uint32_t unknown : sketch_.system.equations[k].used()) {
@@ -74,6 +77,48 @@ class Settler {
             const SketchEquation &equation = sketch_.system.equations[k];
             if (equation.kind == EquationKind::Value && !sketch_.system.held[equation.unknowns[0]]) {
                 values_[equation.unknowns[0]] = equation.value;
+            }
+        }
+        equalise(part);
+    }
+
+    /// Gives the unknowns of each group that equations make equal the value of one of them.
+    void equalise(const std::vector<std::uint32_t> &part) {
+        std::map<std::uint32_t, std::uint32_t> leader;
+        std::set<std::uint32_t> given;
+        const auto leaderOf = [&](std::uint32_t unknown) {
+            for (auto up = leader.find(unknown); up != leader.end(); up = leader.find(unknown)) {
+                unknown = up->second;
+            }
+            return unknown;
+        };
+        for (const std::uint32_t k : part) {
+            const SketchEquation &equation = sketch_.system.equations[k];
+            if (equation.kind == EquationKind::Value) {
+                given.insert(equation.unknowns[0]);
+            }
+        }
+        // What is held or given leads, then what the command put where it is.
+        const auto rank = [&](std::uint32_t unknown) {
+            const bool fixed = sketch_.system.held[unknown] || given.contains(unknown);
+            return fixed ? 0 : moved_[unknown] && values_[unknown] == sketch_.system.values[unknown] ? 1 : 2;
+        };
+        for (const std::uint32_t k : part) {
+            const SketchEquation &equation = sketch_.system.equations[k];
+            if (equation.kind != EquationKind::Equal) {
+                continue;
+            }
+            std::uint32_t a = leaderOf(equation.unknowns[0]), b = leaderOf(equation.unknowns[1]);
+            if (a != b) {
+                if (std::pair(rank(b), b) < std::pair(rank(a), a)) {
+                    std::swap(a, b);
+                }
+                leader[b] = a;
+            }
+        }
+        for (const auto &[unknown, above] : leader) {
+            if (!sketch_.system.held[unknown]) {
+                values_[unknown] = values_[leaderOf(above)];
             }
         }
     }

@@ -42,6 +42,14 @@ struct PartElements {
     friend bool operator==(const PartElements &, const PartElements &) = default;
 };
 
+/// A line across the whole plane that nodes snap to; never part of the domain.
+struct Guide {
+    bool upright = false; ///< x = at, else y = at
+    double at = 0.0;
+
+    friend bool operator==(const Guide &, const Guide &) = default;
+};
+
 /// A named number of a document, such as r = 0.4 or gap = 2*r.
 struct Parameter {
     std::string name;       ///< a letter or _, then letters, digits and _
@@ -73,6 +81,7 @@ struct Document {
     std::vector<Parameter> parameters;
     std::map<NumberAddress, std::string> formulas; ///< of numbers of the document
     std::optional<BackgroundPicture> picture;      ///< below the drawing
+    std::vector<Guide> guides;
 };
 
 } // namespace forefront

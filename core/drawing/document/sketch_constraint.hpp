@@ -2,6 +2,7 @@
 
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/enum_words.hpp"
+#include "core/engine/base/vec2.hpp"
 
 #include <array>
 #include <compare>
@@ -101,6 +102,10 @@ struct SketchConstraint {
     /// Turn in degrees from the first direction to the second: 0 or 180 if parallel, 90 or -90 if perpendicular; for an
     /// angle 0 or 180, to which side·value is added.
     int turn = 0;
+    /// Where the text of a dimension lies; none: beside what it measures. Of a length: from the middle of what is
+    /// measured, first along the direction from the first part to the second, then to the left of it. Of a radius,
+    /// diameter or angle: from the centre or apex.
+    std::optional<Vec2> label{};
 
     friend bool operator==(const SketchConstraint &, const SketchConstraint &) = default;
 };

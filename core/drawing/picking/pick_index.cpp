@@ -111,6 +111,53 @@ std::vector<Curve> PickIndex::curvesNear(Vec2 p, double tolerance, std::size_t m
     return curves;
 }
 
+namespace {
+
+/// Maximum number of items that a search for near ones looks at; more are a cluster at this zoom.
+constexpr std::size_t kMaxSearched = 2000;
+
+/// Sorts hits by their distance and keeps the nearest ones.
+template <class Hit>
+void keepNearest(std::vector<Hit> &hits, std::size_t most) {
+    std::stable_sort(hits.begin(), hits.end(), [](const Hit &a, const Hit &b) { return a.distance < b.distance; });
+    hits.resize(std::min(hits.size(), most));
+}
+
+} // namespace
+
+std::vector<NodeHit> PickIndex::nodesNear(Vec2 p, double reach, std::size_t most, const Filter &filter) const {
+    std::vector<NodeHit> hits;
+    std::size_t searched = 0;
+    handleTree_.search(boxAround(p, reach), [&](std::uint32_t item) {
+        const Entry &entry = handles_[item];
+        const Shape &shape = *document_->shapes[entry.shape];
+        const double away = distance(entry.a, p);
+        if (away <= reach && filter.admitsNode(shape, entry.part)) {
+            hits.push_back({{shape.id, entry.part}, entry.a, away});
+        }
+        return ++searched < kMaxSearched;
+    });
+    keepNearest(hits, most);
+    return hits;
+}
+
+std::vector<SegmentHit> PickIndex::linesNear(Vec2 p, double reach, std::size_t most, const Filter &filter) const {
+    std::vector<SegmentHit> hits;
+    std::size_t searched = 0;
+    lineTree_.search(boxAround(p, reach), [&](std::uint32_t item) {
+        const Entry &entry = lines_[item];
+        const Shape &shape = *document_->shapes[entry.shape];
+        const bool straight = entry.curve == kNoCurve && !shape.is<CircleForm>() && !shape.is<PointForm>();
+        const double away = straight ? lineDistance(entry, p) : 0.0;
+        if (straight && away <= reach && filter.admitsSegment(shape, entry.part)) {
+            hits.push_back({{shape.id, entry.part}, entry.a, entry.b, p, 0.0, away, std::nullopt});
+        }
+        return ++searched < kMaxSearched;
+    });
+    keepNearest(hits, most);
+    return hits;
+}
+
 std::optional<Vec2> PickIndex::centre(Vec2 p, double tolerance, const Filter &filter) const {
     std::optional<Vec2> best;
     double limit = tolerance;

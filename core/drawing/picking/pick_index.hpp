@@ -86,6 +86,11 @@ class PickIndex {
     /// Returns the nearest region marker within the tolerance.
     std::optional<std::uint32_t> marker(Vec2 p, double tolerance) const;
 
+    /// Returns the handles within a distance of p, the nearest ones first, at most `most`.
+    std::vector<NodeHit> nodesNear(Vec2 p, double reach, std::size_t most, const Filter &filter = {}) const;
+    /// Returns the straight segments within a distance of p, the nearest ones first, at most `most`.
+    std::vector<SegmentHit> linesNear(Vec2 p, double reach, std::size_t most, const Filter &filter = {}) const;
+
     /// Returns everything entirely inside a box; with `handles`, nodes instead of shapes.
     Selection inBox(const Box2 &box, bool handles) const;
     /// Returns the same for a closed line drawn by hand, by the even-odd rule; curves count as fine chords.

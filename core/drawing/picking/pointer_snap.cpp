@@ -71,12 +71,15 @@ const char *wordOf(SnapKind kind) {
         return "tangent";
     case SnapKind::Segment:
         return "on line";
+    case SnapKind::Guide:
+        return "guide";
     case SnapKind::Grid:
         return "grid";
     case SnapKind::Angle:
         return "angle";
     case SnapKind::Locked:
         return "locked";
+    case SnapKind::Inferred: // its relations have words
     case SnapKind::None:
         break;
     }
@@ -88,6 +91,24 @@ double steppedDirection(Vec2 a, Vec2 b, double step) {
     const Vec2 arm = b - a;
     const double degrees = std::round(std::atan2(arm.y, arm.x) / kDegree / step) * step;
     return degrees < 0.0 ? degrees + 360.0 : degrees >= 360.0 ? degrees - 360.0 : degrees + 0.0; // not -0
+}
+
+/// Returns the place on the guides near the pointer; the co-ordinate that they leave snaps to the grid.
+std::optional<Vec2> guidePoint(const Document &document, const SnapQuery &query) {
+    std::optional<double> x, y;
+    for (const Guide &guide : document.guides) {
+        const double at = guide.upright ? query.at.x : query.at.y;
+        std::optional<double> &best = guide.upright ? x : y;
+        const double away = std::fabs(guide.at - at);
+        if (away <= query.tolerance && (!best || away < std::fabs(*best - at))) {
+            best = guide.at;
+        }
+    }
+    if (!x && !y) {
+        return std::nullopt;
+    }
+    const std::optional<Vec2> grid = gridPoint(query);
+    return Vec2{x ? *x : grid ? grid->x : query.at.x, y ? *y : grid ? grid->y : query.at.y};
 }
 
 Snapped snapLocked(const PickIndex &index, const SnapQuery &query) {
@@ -120,7 +141,12 @@ std::string wordsOf(const Snapped &snapped) {
         return text.data();
     }
     if (snapped.kind != SnapKind::Locked) {
-        return wordOf(snapped.kind);
+        std::string words = wordOf(snapped.kind);
+        for (const Inference &relation :
+             snapped.kind == SnapKind::Inferred ? snapped.inferred : std::vector<Inference>()) {
+            words += (words.empty() ? "" : ", ") + wordsOf(relation);
+        }
+        return words;
     }
     std::string words;
     const SnapLocks &locks = snapped.locks;
@@ -134,13 +160,10 @@ std::string wordsOf(const Snapped &snapped) {
     return snapped.within == SnapKind::None ? words : words + ", " + wordOf(snapped.within);
 }
 
-Snapped snap(const PickIndex &index, const SnapQuery &query) {
-    if (query.locks.any()) {
-        return snapLocked(index, query);
-    }
-    if (query.off) {
-        return {query.at};
-    }
+namespace {
+
+/// Snaps a point without inferred relations.
+Snapped snapToTargets(const PickIndex &index, const SnapQuery &query) {
     if (query.angle && query.anchor && query.at != *query.anchor) {
         Snapped turned{{}, SnapKind::Angle};
         turned.degrees = steppedDirection(*query.anchor, query.at, query.angleStep);
@@ -160,10 +183,38 @@ Snapped snap(const PickIndex &index, const SnapQuery &query) {
     if (const auto segment = index.segment(query.at, query.tolerance, query.filter)) {
         return {segment->at, SnapKind::Segment, segment};
     }
+    if (const auto point = query.guides ? guidePoint(index.document(), query) : std::nullopt) {
+        return {*point, SnapKind::Guide};
+    }
     if (const auto point = gridPoint(query)) {
         return {*point, SnapKind::Grid};
     }
     return {query.at};
+}
+
+} // namespace
+
+Snapped snap(const PickIndex &index, const SnapQuery &query) {
+    if (query.locks.any()) {
+        return snapLocked(index, query);
+    }
+    if (query.off) {
+        return {query.at};
+    }
+    Snapped snapped = snapToTargets(index, query);
+    if (!query.infer || snapped.kind == SnapKind::Angle) {
+        return snapped;
+    }
+    if (snapped.kind != SnapKind::None) {
+        snapped.inferred = relationsAt(*query.infer, snapped.at);
+        return snapped;
+    }
+    if (auto inferred = inferRelations(index, query.filter, *query.infer, query.at, query.tolerance)) {
+        snapped.at = inferred->at;
+        snapped.kind = SnapKind::Inferred;
+        snapped.inferred = std::move(inferred->relations);
+    }
+    return snapped;
 }
 
 double gridPitch(double unitsPerPixel, double minPixels) {

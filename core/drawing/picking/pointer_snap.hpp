@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/picking/inference.hpp"
 #include "core/drawing/picking/pick_index.hpp"
 
 #include <optional>
@@ -18,9 +19,11 @@ enum class SnapKind : std::uint8_t {
     Perpendicular, ///< where a line from the anchor meets a segment at a right angle
     Tangent,       ///< where a line from the anchor touches a curve
     Segment,
+    Guide, ///< a guide of the document, or the crossing of two
     Grid,
-    Angle, ///< a ray from the anchor at a multiple of the angle step
-    Locked ///< a typed or locked coordinate
+    Angle,   ///< a ray from the anchor at a multiple of the angle step
+    Locked,  ///< a typed or locked coordinate
+    Inferred ///< a relation to other lines or nodes, see inferRelations()
 };
 
 inline constexpr double kSnapAngle = 15.0; ///< default step of directions, degrees
@@ -45,7 +48,9 @@ struct SnapQuery {
     bool angle = false;            ///< shift: directions from the anchor in steps
     double angleStep = kSnapAngle; ///< of these steps, degrees, > 0
     SnapLocks locks;
-    PickIndex::Filter filter; ///< items to snap to
+    bool guides = true;                    ///< snap to the guides of the document
+    PickIndex::Filter filter;              ///< items to snap to
+    std::optional<InferenceQuery> infer{}; ///< none: nothing is inferred
 };
 
 /// The result of snapping.
@@ -55,8 +60,10 @@ struct Snapped {
     std::optional<SegmentHit> segment{}; ///< set if kind is Segment
     /// The start of the line that is perpendicular, tangent or at an angle, or that has a locked length or angle.
     std::optional<Vec2> from{};
-    double degrees = 0.0;             ///< of the direction in [0, 360), if kind is Angle
-    SnapLocks locks{};                ///< set if kind is Locked
+    double degrees = 0.0; ///< of the direction in [0, 360), if kind is Angle
+    SnapLocks locks{};    ///< set if kind is Locked
+    /// The relations that the point fulfils, at most one of a line or length and one of its place, or two of its place.
+    std::vector<Inference> inferred{};
     SnapKind within = SnapKind::None; ///< what a point with some coordinates locked snapped to with the others
 };
 
@@ -67,9 +74,9 @@ Snapped lockedAt(Vec2 place);
 /// it did not snap.
 std::string wordsOf(const Snapped &snapped);
 
-/// Snaps a point to an angle, node, special point (see specialPoint()), segment or the grid, in this order of
-/// preference, within the locks. The grid
-/// attracts only within the smaller of the tolerance and 0.35 of its pitch.
+/// Snaps a point to an angle, node, special point (see specialPoint()), segment, guide or the grid, in this order of
+/// preference, within the locks. The grid attracts only within the smaller of the tolerance and 0.35 of its pitch. What
+/// snaps to none of them is moved by inferred relations; relations that a snapped point fulfils are told, too.
 Snapped snap(const PickIndex &index, const SnapQuery &query);
 
 /// Returns the pitch of the drawing grid: 1, 2 or 5 times a power of ten, with lines at least `minPixels` apart; 0 if

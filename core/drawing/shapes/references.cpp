@@ -76,6 +76,10 @@ void Selection::prune(const Document &document) {
     });
     std::erase_if(sources, [&](std::uint32_t k) { return k >= document.spacing.sources.size(); });
     std::erase_if(markers, [&](std::uint32_t k) { return k >= document.regionMarkers.size(); });
+    std::erase_if(constraints, [&](std::uint32_t id) {
+        return std::none_of(document.constraints.begin(), document.constraints.end(),
+                            [id](const auto &constraint) { return constraint->id == id; });
+    });
 }
 
 bool Selection::touches(std::uint32_t shape) const {

@@ -32,11 +32,13 @@ struct Selection {
     std::set<std::uint32_t> shapes{};
     std::set<NodeRef> nodes{};
     std::set<SegmentRef> segments{};
-    std::set<std::uint32_t> sources{}; ///< index into SpacingSpec::sources
-    std::set<std::uint32_t> markers{}; ///< index into Document::regionMarkers
+    std::set<std::uint32_t> sources{};     ///< index into SpacingSpec::sources
+    std::set<std::uint32_t> markers{};     ///< index into Document::regionMarkers
+    std::set<std::uint32_t> constraints{}; ///< SketchConstraint::id
 
     bool empty() const {
-        return shapes.empty() && nodes.empty() && segments.empty() && sources.empty() && markers.empty();
+        return shapes.empty() && nodes.empty() && segments.empty() && sources.empty() && markers.empty() &&
+               constraints.empty();
     }
     void clear() { *this = {}; }
     /// Removes items that do not exist, and hidden and locked shapes with their nodes and segments.
@@ -47,7 +49,7 @@ struct Selection {
     void drop(const std::set<std::uint32_t> &gone);
     /// Returns the number of selected items.
     std::size_t size() const {
-        return shapes.size() + nodes.size() + segments.size() + sources.size() + markers.size();
+        return shapes.size() + nodes.size() + segments.size() + sources.size() + markers.size() + constraints.size();
     }
 
     friend bool operator==(const Selection &, const Selection &) = default;

@@ -37,6 +37,10 @@ void writeConstraints(const Document &document, JsonText &out) {
         if (constraint.turn != 0) {
             out << ", \"turn\": " << constraint.turn;
         }
+        if (constraint.label) {
+            out << ", \"label\": ";
+            out.point(*constraint.label);
+        }
         out << '}';
     });
     out << "\n  ]";
@@ -70,7 +74,7 @@ class ConstraintReader {
         readNumbers(item, constraint);
         const std::size_t before = check_.faults().size();
         readParts(item, constraint);
-        check_.noteUnknown(item, {"id", "kind", "name", "of", "value", "side", "otherSide", "turn"});
+        check_.noteUnknown(item, {"id", "kind", "name", "of", "value", "side", "otherSide", "turn", "label"});
         if (check_.faults().size() == before) {
             const std::string fault = constraintFault(document_, constraint);
             if (!fault.empty()) {
@@ -88,6 +92,9 @@ class ConstraintReader {
             if (const auto value = check_.member(item, "value", "the dimension")) {
                 constraint.value = check_.positive(*value, "the value of a dimension");
             }
+        }
+        if (const auto label = item.find("label"); label && isDimension(constraint.kind)) {
+            constraint.label = check_.point(*label, "the label of a dimension");
         }
         constraint.side = sign(item, "side");
         constraint.otherSide = sign(item, "otherSide");

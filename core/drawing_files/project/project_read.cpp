@@ -66,6 +66,9 @@ class ProjectReader {
             document_.picture = readPicture(*given, source_.path, check_);
             check_.noteUnknown(*given, {"file", "at", "size", "opacity", "locked"});
         }
+        if (const auto list = root.find("guides"); list && check_.expect(*list, JsonKind::Array, "\"guides\"")) {
+            guides(*list);
+        }
         nextId(root);
         readConstraints(root, renumbered_, document_, check_);
         readElementCounts(root, document_, check_);
@@ -75,7 +78,7 @@ class ProjectReader {
         }
         check_.noteUnknown(root, {"format", "version", "shapes", "regionMarkers", "boundaryNames", "regionNames",
                                   "spacing", "options", "limits", "nextId", "circleTolerance", "curveTolerance",
-                                  "parameters", "formulas", "picture", "elementCounts", "constraints"});
+                                  "parameters", "formulas", "picture", "elementCounts", "constraints", "guides"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -83,6 +86,21 @@ class ProjectReader {
     }
 
   private:
+    void guides(const JsonValue &list) {
+        for (const JsonValue item : list) {
+            if (!check_.expect(item, JsonKind::Object, "a guide")) {
+                continue;
+            }
+            const auto x = item.find("x"), y = item.find("y");
+            if (x.has_value() == y.has_value()) {
+                check_.fault(item, "bad-guide", "a guide must have either \"x\" or \"y\"");
+                continue;
+            }
+            document_.guides.push_back({x.has_value(), check_.number(x ? *x : *y, "the place of a guide")});
+            check_.noteUnknown(item, {"x", "y"});
+        }
+    }
+
     /// Records the places of the parts of the document's domain in the text. The parts of rectangles, circles, ellipses
     /// and slots are placed at the list of nodes.
     void recordOrigins() {
@@ -323,11 +341,14 @@ class ProjectReader {
         }
         elements(object);
         check_.noteUnknown(object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads",
-                                    "maxElements", "elements", "order", "quadNodes", "rules"});
+                                    "maxElements", "elements", "order", "quadNodes", "leastAngle", "rules"});
     }
 
     void elements(const JsonValue &object) {
         MeshingOptions &options = document_.options;
+        if (const auto angle = object.find("leastAngle")) {
+            options.leastAngle = check_.number(*angle, "\"leastAngle\"");
+        }
         if (const auto shapes = object.find("elements")) {
             options.elements = static_cast<Elements>(check_.choice(*shapes, wordsOf<Elements>(), "the elements"));
         }

@@ -47,6 +47,7 @@ class ProjectWriter {
         if (document.picture) {
             writePicture(*document.picture, file_, out_);
         }
+        guides(document.guides);
         out_ << ",\n  \"nextId\": " << document.nextId << "\n}\n";
     }
 
@@ -83,6 +84,19 @@ class ProjectWriter {
                  << (shape->construction ? ", \"construction\": true" : "") << '}';
         });
         out_ << "\n  ]";
+    }
+
+    void guides(const std::vector<Guide> &guides) {
+        if (guides.empty()) {
+            return;
+        }
+        out_ << ",\n  \"guides\": [";
+        out_.list(guides, ", ", [&](const Guide &guide) {
+            out_ << (guide.upright ? "{\"x\": " : "{\"y\": ");
+            out_.number(guide.at);
+            out_ << '}';
+        });
+        out_ << ']';
     }
 
     void regionMarkers(const std::vector<MarkedRegion> &markers) {
@@ -128,6 +142,9 @@ class ProjectWriter {
         }
         if (options.quadNodes != usual.quadNodes) {
             out_ << ", \"quadNodes\": " << wordOf(options.quadNodes);
+        }
+        if (options.leastAngle) {
+            out_ << ", \"leastAngle\": " << *options.leastAngle;
         }
         if (options.maxElements != kDefaultMaxElements) {
             out_ << ", \"maxElements\": " << options.maxElements;

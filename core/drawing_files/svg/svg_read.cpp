@@ -69,7 +69,7 @@ class SvgBuilder {
         addClips();
         for (SvgPath &path : paths_) {
             const auto index = static_cast<std::size_t>(&path - paths_.data());
-            if (source_.options.whiteHoles && white.contains(index)) {
+            if (makesHoles() && white.contains(index)) {
                 addHole(path, white.below(index));
                 continue;
             }
@@ -343,6 +343,7 @@ class SvgBuilder {
     DrawingContents contents(std::size_t whiteShapes) const {
         DrawingContents contents;
         contents.whiteShapes = whiteShapes;
+        contents.whiteHoles = whiteShapes > 0 && makesHoles();
         std::size_t last = kNone;
         for (const SvgPath &path : paths_) {
             const PathRole part = partOf(path);
@@ -388,11 +389,18 @@ class SvgBuilder {
         }
     }
 
-    /// Reports white shapes that are merged with those below them.
+    /// Returns true if white shapes that lie on others are holes in these.
+    bool makesHoles() const { return source_.options.whiteHoles.value_or(true); }
+
+    /// Reports white shapes that are merged with those below them, or that are holes without having been asked for.
     void noteWhite(const SvgWhiteShapes &white) const {
-        for (std::size_t k = 0; k < paths_.size() && !source_.options.whiteHoles; ++k) {
+        const bool asked = source_.options.whiteHoles.value_or(false);
+        for (std::size_t k = 0; k < paths_.size() && !asked; ++k) {
             if (white.contains(k) && (k == 0 || paths_[k - 1].element != paths_[k].element)) {
-                source_.note("svg-white", "white shapes on others are merged with them; --white-holes makes them holes",
+                source_.note(kWhiteNote,
+                             makesHoles()
+                                 ? "white shapes on others are holes; --no-white-holes merges them with these"
+                                 : "white shapes on others are merged with them; --white-holes makes them holes",
                              paths_[k].offset);
             }
         }
@@ -522,7 +530,22 @@ Result<Domain> readSvg(const SourceText &source) {
     if (!drawing) {
         return drawing.faults();
     }
-    return SvgBuilder(std::move(*drawing), source).run();
+    if (source.options.whiteHoles || SvgWhiteShapes(drawing->paths).count() == 0) {
+        return SvgBuilder(std::move(*drawing), source).run();
+    }
+    // White shapes are holes unless nothing remains, so this reading may count only if something does.
+    ImportNotes notes = source.notes != nullptr ? *source.notes : ImportNotes();
+    SourceText trial = source;
+    trial.notes = source.notes != nullptr ? &notes : nullptr;
+    if (Result<Domain> domain = SvgBuilder(*drawing, trial).run(); domain && !domain->segments.empty()) {
+        if (source.notes != nullptr) {
+            *source.notes = std::move(notes);
+        }
+        return domain;
+    }
+    SourceText merged = source;
+    merged.options.whiteHoles = false;
+    return SvgBuilder(std::move(*drawing), merged).run();
 }
 
 Result<Domain> readSvgShapes(const SourceText &source) {

@@ -15,7 +15,7 @@ const char *word(DomainPartKind kind) {
     case DomainPartKind::Segment:
         return "segment";
     case DomainPartKind::ConstraintPoint:
-        return "constraint point";
+        return "inner point";
     case DomainPartKind::HoleMarker:
         return "hole marker";
     case DomainPartKind::RegionMarker:

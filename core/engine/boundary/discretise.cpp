@@ -3,6 +3,7 @@
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/ids.hpp"
 #include "core/engine/base/number_text.hpp"
+#include "core/engine/boundary/changed_boundary.hpp"
 #include "core/engine/boundary/clearly_apart.hpp"
 #include "core/engine/boundary/curve_cuts.hpp"
 #include "core/engine/boundary/meeting_parts.hpp"
@@ -390,27 +391,7 @@ class Discretiser {
     }
 
     void finish() {
-        // Each region has its own origin, so that neither an offset nor the size of the domain costs digits.
-        std::vector<Vec2> origin(result_.regions.size());
-        std::vector<std::uint8_t> known(result_.regions.size(), 0);
-        std::vector<CompensatedSum> twice(result_.regions.size());
-        const auto add = [&](std::uint32_t region, Vec2 a, Vec2 b) {
-            if (region == kOutside) {
-                return;
-            }
-            if (known[region] == 0) {
-                known[region] = 1;
-                origin[region] = a;
-            }
-            twice[region].add(cross(a - origin[region], b - a)); // smaller products than with the other ends
-        };
-        for (const DiscreteSegment &piece : result_.segments) {
-            add(piece.leftRegion, result_.nodes[piece.a], result_.nodes[piece.b]);
-            add(piece.rightRegion, result_.nodes[piece.b], result_.nodes[piece.a]);
-        }
-        for (std::size_t region = 0; region < twice.size(); ++region) {
-            result_.regions[region].area = 0.5 * twice[region].value();
-        }
+        sumAreas(result_);
         if (curves_) {
             result_.straightened = curves_->straightened();
         }

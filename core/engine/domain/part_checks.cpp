@@ -140,11 +140,11 @@ class PartChecker {
             const DomainPart part{DomainPartKind::ConstraintPoint, i};
             if (point.node >= domain_.nodes.size()) {
                 add("bad-index",
-                    "a constraint point refers to node " + std::to_string(point.node) + "; expected an index below " +
+                    "an inner point refers to node " + std::to_string(point.node) + "; expected an index below " +
                         std::to_string(domain_.nodes.size()),
                     "correct the node's index", domain_.bounds().min, {part});
             } else {
-                checkTag("a constraint point", part, point.tag, domain_.nodes[point.node]);
+                checkTag("an inner point", part, point.tag, domain_.nodes[point.node]);
             }
         }
         for (std::uint32_t i = 0; i < domain_.holeMarkers.size(); ++i) {
@@ -179,8 +179,8 @@ class PartChecker {
         }
         for (std::uint32_t n = 0; n < used.size(); ++n) {
             if (used[n] == 0 && isFinite(domain_.nodes[n])) {
-                add("unreferenced-node", "a node belongs to no segment and is not a constraint point",
-                    "remove it, make it a constraint point, or repair the domain", domain_.nodes[n], {aNode(n)});
+                add("unreferenced-node", "a node belongs to no segment and is not an inner point",
+                    "remove it, make it an inner point, or repair the domain", domain_.nodes[n], {aNode(n)});
             }
         }
     }

@@ -140,7 +140,7 @@ class Validator {
                 open_ = true;
                 add("open-chain",
                     std::to_string(degree[n]) + " boundary segments meet at a node; expected an even number",
-                    "close the loop, or turn boundary segments that bound nothing into constraints", domain_.nodes[n],
+                    "close the loop, or turn boundary segments that bound nothing into inner lines", domain_.nodes[n],
                     {aNode(n)});
             }
         }
@@ -163,7 +163,7 @@ class Validator {
             }
             const double gap = ends.gap(k);
             add("open-chain", "the boundary ends at a node" + gapText(gap) + "; expected a closed loop",
-                "close the loop" + weldAdvice(gap) + ", or turn boundary segments that bound nothing into constraints",
+                "close the loop" + weldAdvice(gap) + ", or turn boundary segments that bound nothing into inner lines",
                 domain_.nodes[nodes[k]], {aNode(nodes[k])});
         }
     }
@@ -228,7 +228,7 @@ class Validator {
         const Vec2 place = anyFree ? places.front() : graph.points[graph.edges[0].a];
         const double gap = anyFree ? FreeEnds(std::move(places)).gap(0) : std::numeric_limits<double>::infinity();
         add("empty-domain",
-            "the domain has only constraint lines and no boundary" +
+            "the domain has only inner lines and no boundary" +
                 (anyFree ? "; a line ends" + gapText(gap) : std::string()),
             "draw a closed outline" + weldAdvice(gap) + ", or turn a closed line into a boundary", place,
             {aSegment(graph.segment[anyFree ? edges.front() : 0])});
@@ -269,7 +269,7 @@ class Validator {
             }
             const std::uint32_t face = faces.ofPoint[point];
             if (face != kNoIndex && labels.inside[face] == 0) {
-                add("point-outside", "a constraint point lies outside the domain",
+                add("point-outside", "an inner point lies outside the domain",
                     "move it, remove it, or repair the domain", graph.points[point], {aNode(node)});
             }
         }
@@ -299,7 +299,7 @@ class Validator {
             } else if (const std::uint32_t first = labels.marker[face];
                        domain_.regionMarkers[first].tag != domain_.regionMarkers[i].tag) {
                 add("region-marker-conflict", "two region markers give the same region different tags",
-                    "remove one of them, or divide the region by a constraint", domain_.regionMarkers[i].at,
+                    "remove one of them, or divide the region by an inner line", domain_.regionMarkers[i].at,
                     {{DomainPartKind::RegionMarker, first}, {DomainPartKind::RegionMarker, i}});
             }
         }

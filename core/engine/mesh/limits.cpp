@@ -22,7 +22,7 @@ constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
     {"minimum \xce\xb4", "minDelta", Measure::Conformity, true, 0.0, 1.0,
      "Smallest spacing conformity \xce\xb4 = min(L/\xcf\x81, \xcf\x81/L) allowed; needs a spacing"},
     {"minimum across gaps", "minAcross", Measure::Across, true, 1.0, 1000.0,
-     "Smallest number of elements allowed between facing parts of the boundary, interfaces and constraints"},
+     "Smallest number of elements allowed between facing parts of the boundary, interfaces and inner lines"},
     {"maximum valence", "maxValence", Measure::Valence, false, 3.0, 1000.0,
      "Largest number of elements allowed around a node"},
 }};

@@ -36,7 +36,7 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kMeasureInfos = {{
      "Spacing conformity \xce\xb4 = min(L/\xcf\x81, \xcf\x81/L) of each edge, \xcf\x81 at its middle; 1 if the edge "
      "matches the spacing"},
     {"Elements across", "across", "", MeshPart::Edges, BadEnd::Low, false, 1.0, kUnbounded,
-     "Number of elements between facing parts of the boundary, interfaces and constraints, counted through each edge "
+     "Number of elements between facing parts of the boundary, interfaces and inner lines, counted through each edge "
      "halfway between them"},
     {"Valence", "valence", "", MeshPart::Nodes, BadEnd::High, false, 0.0, kUnbounded,
      "Number of elements around each node; 6 triangles or 4 quadrilaterals are ideal for interior nodes"},

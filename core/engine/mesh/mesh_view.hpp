@@ -40,6 +40,9 @@ class MeshView {
     std::span<const TaggedNode> points;
     std::span<const Curve> curves;
     std::span<const CurveStretch> edgeStretches;
+    /// Elevations of the nodes above the plane, for the formats that hold them; empty: none. Set by the caller of a
+    /// writer.
+    std::span<const double> elevations;
     const std::map<std::int32_t, std::string> &boundaryNames;
     const std::map<std::int32_t, std::string> &regionNames;
 
@@ -72,6 +75,8 @@ class MeshView {
     }
     /// Returns true if an element has nodes in the middles of its edges.
     bool hasSecondOrder() const;
+    /// Returns the elevation of a node; 0 if the mesh has none.
+    double elevation(std::size_t node) const { return elevations.empty() ? 0.0 : elevations[node]; }
     Box2 bounds() const;
 
   private:

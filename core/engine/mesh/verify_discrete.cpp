@@ -147,8 +147,7 @@ void checkPoints(const MeshView &mesh, bool tagged, const DiscreteDomain &domain
                                          [](const TaggedNode &a, NodeId key) { return a.node < key; });
         if (node == kNoNode || (tagged && (it == points.end() || it->node != node))) {
             faults.add("missing-point",
-                       "constraint point " + std::to_string(numbers.nodes.of(point.node)) +
-                           " is not a node of the mesh",
+                       "inner point " + std::to_string(numbers.nodes.of(point.node)) + " is not a node of the mesh",
                        place, {point.node});
         } else if (tagged && it->tag != point.tag) {
             faults.add("wrong-tag",

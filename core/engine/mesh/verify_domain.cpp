@@ -331,7 +331,7 @@ CutDomain cutAsMeshed(const MeshView &mesh, const Domain &domain, const CurveCha
     for (const ConstraintPoint &point : given.points) {
         const NodeId node = finder.find(given.nodes[point.node]);
         if (node == kNoNode) {
-            faults.add("missing-point", "a constraint point of the domain is not a node of the mesh",
+            faults.add("missing-point", "an inner point of the domain is not a node of the mesh",
                        given.nodes[point.node], {point.node}, {partAt(domain, given.nodes[point.node])});
         } else {
             cut.points.push_back({static_cast<std::uint32_t>(node), point.tag});

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace FOREFRONT_API forefront {
@@ -59,6 +60,8 @@ struct MeshingOptions {
     GridKind grid = GridKind::Hierarchical;
     int gridColumns = 0; ///< uniform grid only; 0: automatic
     int gridRows = 0;
+    /// No angle of a triangle may be smaller, degrees, except where the domain forces it; see refineToLeastAngle().
+    std::optional<double> leastAngle{};
     bool keepBoundary = false; ///< the given segments become edges of the mesh and are not subdivided
     /// Improvement once the front is closed. The fast method advances more carefully at higher levels, see FrontCare.
     ImproveLevel improve = ImproveLevel::Default;

@@ -7,6 +7,7 @@
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
 #include "core/engine/quads/quad_mesh.hpp"
+#include "core/engine/refine/least_angle.hpp"
 
 #include <limits>
 
@@ -24,6 +25,7 @@ struct MeshingState {
     QuadMesh quads{};       ///< of the two-coloured front
     WorkCounters work{};    ///< of the front
     ImproveReport improvement{};
+    LeastAngleReport leastAngle{};
     QuadReport quadReport{};
     SecondOrderReport secondOrder{};
     Mesh mesh{}; ///< the result, once the last stage has run

@@ -46,6 +46,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.spacing = std::move(state.prepared.spacing);
     outcome.work = state.work;
     outcome.improvement = state.improvement;
+    outcome.leastAngle = std::move(state.leastAngle);
     outcome.quads = state.quadReport;
     outcome.order = std::move(state.secondOrder);
     outcome.mesh = std::move(state.mesh);

@@ -10,6 +10,7 @@
 #include "core/engine/mesher/options.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/quads/quad_report.hpp"
+#include "core/engine/refine/least_angle.hpp"
 
 #include <limits>
 #include <memory>
@@ -43,6 +44,7 @@ struct MeshingOutcome {
     std::shared_ptr<const SpacingField> spacing;
     WorkCounters work;
     ImproveReport improvement;   ///< of triangles
+    LeastAngleReport leastAngle; ///< of a mesh with a least angle
     QuadReport quads;            ///< of a mesh of quadrilaterals
     SecondOrderReport order;     ///< of a mesh of second order
     double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅

@@ -25,6 +25,9 @@ bool makesQuads(const MeshingOptions &options) {
 bool improvesTriangles(const MeshingOptions &options) {
     return makesTriangles(options) && options.improve != ImproveLevel::None;
 }
+bool hasLeastAngle(const MeshingOptions &options) {
+    return makesTriangles(options) && options.leastAngle.has_value();
+}
 bool improvesQuads(const MeshingOptions &options) {
     return makesQuads(options) && options.improve != ImproveLevel::None;
 }
@@ -45,6 +48,7 @@ std::span<const Stage> stagesOfFront() {
 
 std::span<const Stage> stagesAfterFront() {
     static constexpr std::array kStages = {Stage{StageTime::Improve, improveStage, improvesTriangles},
+                                           Stage{StageTime::Improve, leastAngleStage, hasLeastAngle},
                                            Stage{StageTime::Mesh, blocksStage, makesTriangles},
                                            Stage{StageTime::Improve, quadCleanupStage, improvesQuads},
                                            Stage{StageTime::Mesh, quadBlocksStage, makesQuads},

@@ -30,6 +30,9 @@ Status boundaryStage(MeshingState &state, const Progress &progress);
 Status frontStage(MeshingState &state, const Progress &progress);
 /// Improves the triangles at the level of the job.
 Status improveStage(MeshingState &state, const Progress &progress);
+/// Refines the triangles until no angle is below the least one of the job. Replaces `prepared.boundary`; sets
+/// `leastAngle`. Errors: those of refineToLeastAngle().
+Status leastAngleStage(MeshingState &state, const Progress &progress);
 /// Makes the boundary even and advances the two-coloured front. Replaces `prepared.boundary`; sets `quads` and `work`.
 Status quadFrontStage(MeshingState &state, const Progress &progress);
 /// Cleans up the quadrilaterals at the level of the job.

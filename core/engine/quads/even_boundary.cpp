@@ -1,8 +1,7 @@
 #include "core/engine/quads/even_boundary.hpp"
 
 #include "core/engine/base/ids.hpp"
-#include "core/engine/boundary/misplaced_nodes.hpp"
-#include "core/engine/geometry/plane_sweep.hpp"
+#include "core/engine/boundary/changed_boundary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -179,17 +178,6 @@ class Divider {
     std::vector<Vec2> given_;                 ///< nodes of the domain, sorted
 };
 
-/// Returns true if edges meet only at common ends and have the same faces on either side as before.
-bool isProper(const DiscreteDomain &domain) {
-    std::vector<PlaneEdge> edges;
-    edges.reserve(domain.segments.size());
-    for (const DiscreteSegment &s : domain.segments) {
-        edges.push_back({s.a, s.b});
-    }
-    const PlaneSweepResult sweep = sweepPlane(domain.nodes, edges);
-    return sweep.droppedCount == 0 && misplacedNodes(domain, sweep).empty();
-}
-
 } // namespace
 
 ColouredBoundary colourBoundary(const DiscreteDomain &boundary, const SpacingField &spacing, const EvenRules &rules) {
@@ -211,6 +199,7 @@ ColouredBoundary colourBoundary(const DiscreteDomain &boundary, const SpacingFie
             }
         }
         if (isProper(even.domain)) {
+            sumAreas(even.domain); // the new nodes lie on curves
             even.oneColoured = colour(even.domain, spacing, rules, even.colours);
             return even;
         }

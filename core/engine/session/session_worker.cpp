@@ -57,29 +57,42 @@ void SessionWorker::fail(Diagnostics faults) {
 }
 
 void SessionWorker::execute(const StartCommand &command) {
-    if (!run_) {
+    if (!run_ && !whole_) {
         execute(ClearCommand{});
     }
     const RunState before = state_;
     ++number_;
     diagnostics_.clear();
     quiet_ = command.mode == StartMode::RunQuiet;
+    // A mesh without a timeline is made here as well, so that it replaces the previous one only once it is finished.
     const Progress progress = progressInto(RunState::Preparing, mailbox_.beginBlocking(Blocking::Preparing));
     progress("validating", 0.0);
-    Result<PreparedJob> prepared = prepareStepped(*command.job, progress, command.budget);
+    Result<PreparedJob> prepared = prepare(*command.job, progress, command.budget);
+    std::optional<WholeRun> whole;
+    Diagnostics faults = prepared ? Diagnostics{} : prepared.faults();
+    if (prepared && !canStep(command.job->options)) {
+        quiet_ = quiet_ && prepared->estimatedElements <= kQuietElements;
+        Result<WholeRun> made = WholeRun::make(*command.job, *std::move(prepared), number_, progress);
+        made ? static_cast<void>(whole.emplace(*std::move(made))) : static_cast<void>(faults = made.faults());
+    }
     mailbox_.endBlocking();
-    if (!prepared) {
-        const bool cancelled = progress.cancelled();
-        diagnostics_ = cancelled ? Diagnostics{} : prepared.faults();
-        // The previous run, if any, stays as it was but stops playing.
-        rest(run_ ? (before == RunState::Running ? RunState::Paused : before)
-                  : (cancelled ? RunState::Cancelled : RunState::Failed));
+    if (!faults.empty()) {
+        keepPrevious(before, progress.cancelled(), std::move(faults));
         return;
     }
     forget();
     shownNumber_ = number_;
-    quiet_ = quiet_ && prepared->estimatedElements <= kQuietElements;
-    run_.emplace(command.job, *std::move(prepared), number_);
+    if (whole) {
+        whole_ = std::move(whole);
+        rest(RunState::Finished);
+    } else {
+        startStepped(command, *std::move(prepared));
+    }
+}
+
+void SessionWorker::startStepped(const StartCommand &command, PreparedJob prepared) {
+    quiet_ = quiet_ && prepared.estimatedElements <= kQuietElements;
+    run_.emplace(command.job, std::move(prepared), number_);
     run_->travel().setBreakpoints(breakpoints_);
     stage_ = "advancing the front";
     if (command.mode != StartMode::Pause) {
@@ -103,6 +116,15 @@ void SessionWorker::lookAhead() {
     }
 }
 
+void SessionWorker::keepPrevious(RunState before, bool cancelled, Diagnostics faults) {
+    diagnostics_ = cancelled ? Diagnostics{} : std::move(faults);
+    if (run_ || whole_) {
+        rest(before == RunState::Running ? RunState::Paused : before);
+    } else {
+        rest(cancelled ? RunState::Cancelled : RunState::Failed);
+    }
+}
+
 void SessionWorker::execute(const ClearCommand &) {
     forget();
     rest(RunState::Empty);
@@ -110,6 +132,7 @@ void SessionWorker::execute(const ClearCommand &) {
 
 void SessionWorker::forget() {
     run_.reset();
+    whole_.reset();
     stageProgress_ = 0.0;
     improvementStopped_ = false;
     diagnostics_.clear();
@@ -287,6 +310,9 @@ void SessionWorker::publish(bool resting) {
         if (state_ != RunState::Improving && state_ != RunState::Preparing) {
             snapshot->progress = run_->travel().timeline().complete() ? 1.0 : frontProgress();
         }
+    } else if (whole_) {
+        whole_->fill(*snapshot, layers_);
+        snapshot->progress = state_ == RunState::Preparing ? stageProgress_ : 1.0;
     }
     mailbox_.deliver(std::move(snapshot));
     lastPublish_ = Clock::now();

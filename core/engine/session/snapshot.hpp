@@ -3,9 +3,11 @@
 #include "core/engine/base/api.hpp"
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/quality.hpp"
+#include "core/engine/mesh/second_order.hpp"
 #include "core/engine/mesh/triangulated.hpp"
 #include "core/engine/mesher/statistics.hpp"
 #include "core/engine/mesher/trace.hpp"
+#include "core/engine/refine/least_angle.hpp"
 #include "core/engine/session/breakpoints.hpp"
 
 #include <cstdint>
@@ -109,7 +111,9 @@ struct SessionSnapshot {
     std::uint64_t advance = 0; ///< position on the timeline: advances done
     std::uint64_t known = 0;   ///< furthest advance reached so far
     bool complete = false;     ///< `known` is the end of the run
-    bool improved = false;     ///< the mesh shown is the improved one (only at the end)
+    /// The run has a timeline. Quadrilaterals have none: their mesh appears as a whole, at advance 0 of 0.
+    bool stepped = true;
+    bool improved = false; ///< the mesh shown is the improved one (only at the end)
     /// The moment of the explanation: an index into its events, or eventCount for the whole advance.
     std::size_t eventCursor = 0;
     std::size_t eventCount = 0;
@@ -118,9 +122,11 @@ struct SessionSnapshot {
     double rate = 0.0;          ///< advances per second of the last batch
     bool playing = false;       ///< at a pace that the user set, rather than as fast as possible
     WorkCounters work;
-    MeshQuality quality;            ///< of the mesh shown
-    double requestedElements = 0.0; ///< estimate for the spacing of the job; see prepare()
-    double coarsening = 1.0;        ///< > 1: the mesh shown is a preview with this many times the spacing of the job
+    MeshQuality quality;                                ///< of the mesh shown
+    std::shared_ptr<const SecondOrderReport> order;     ///< of the mesh shown; null: of first order, or not finished
+    std::shared_ptr<const LeastAngleReport> leastAngle; ///< likewise; null: none was asked for
+    double requestedElements = 0.0;                     ///< estimate for the spacing of the job; see prepare()
+    double coarsening = 1.0; ///< > 1: the mesh shown is a preview with this many times the spacing of the job
     std::size_t frontSegments = 0;
     std::uint64_t stateHash = 0;                    ///< of front and mesh at this position; 0 while moving
     std::uint64_t meshHash = 0;                     ///< set when complete

@@ -1,14 +1,14 @@
 #include "core/engine/session/stepped_run.hpp"
 
 #include "core/engine/pipeline/stages.hpp"
+#include "core/engine/session/whole_run.hpp"
 
-#include <limits>
 #include <utility>
 
 namespace forefront {
 
 Result<PreparedJob> prepareStepped(const MeshingJob &job, const Progress &progress, double budget) {
-    if (job.options.elements != Elements::Triangles) {
+    if (!canStep(job.options)) {
         return error("not-stepped", "a mesh of quadrilaterals cannot be stepped; expected triangles",
                      "choose triangles, or make the whole mesh with meshDomain() or forefront mesh --elements");
     }
@@ -31,16 +31,8 @@ Status SteppedRun::improve(const Progress &progress) {
         return faults;
     }
     secondsImprove_ = state.improvement.seconds;
-    keepFinal(std::move(state.mesh));
+    final_ = takeFinished(state, number_);
     return {};
-}
-
-void SteppedRun::keepFinal(Mesh mesh) {
-    finalQuality_ = measureQuality(mesh, prepared_.spacing.get());
-    finalHash_ = meshHash(mesh);
-    std::shared_ptr<MeshSnapshot> view = snapshotOf(std::move(mesh));
-    view->version = std::numeric_limits<std::uint64_t>::max() - number_;
-    finalMesh_ = std::move(view);
 }
 
 void SteppedRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting) {
@@ -59,18 +51,17 @@ void SteppedRun::fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool res
         snapshot.stop = travel_.stop();
         snapshot.birth = travel_.birth();
     }
-    const bool final = finalMesh_ && travel_.atEnd();
+    const bool final = improved() && travel_.atEnd();
     layers.mesh = layers.mesh && !final;
     builder_.fill(snapshot, travel_.timeline(), layers, resting);
     if (final) {
-        snapshot.mesh = finalMesh_;
-        snapshot.quality = finalQuality_;
+        final_.fill(snapshot);
         snapshot.improved = job_->options.improve != ImproveLevel::None;
     }
     snapshot.rate = travel_.rate();
     snapshot.playing = travel_.playing();
     snapshot.secondsMesh = travel_.seconds();
-    snapshot.meshHash = finalHash_;
+    snapshot.meshHash = final_.hash;
 }
 
 } // namespace forefront

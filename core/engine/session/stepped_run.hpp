@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/pipeline/pipeline.hpp"
+#include "core/engine/session/finished_mesh.hpp"
 #include "core/engine/session/snapshot_builder.hpp"
 #include "core/engine/session/timeline_travel.hpp"
 
@@ -26,7 +27,7 @@ class SteppedRun {
     /// low; empty if it has not.
     Diagnostics excess() const;
     /// Returns true once improve() has made the final mesh.
-    bool improved() const { return finalMesh_ != nullptr; }
+    bool improved() const { return final_.view != nullptr; }
     /// Makes the final mesh from the front's, which must be complete. Returns the faults that the stages
     /// after the front found, or "cancelled".
     Status improve(const Progress &progress);
@@ -36,16 +37,12 @@ class SteppedRun {
     void fill(SessionSnapshot &snapshot, SnapshotLayers layers, bool resting);
 
   private:
-    void keepFinal(Mesh mesh);
-
     std::shared_ptr<const MeshingJob> job_;
     PreparedJob prepared_;
     std::uint64_t number_;
     TimelineTravel travel_;
     SnapshotBuilder builder_;
-    std::shared_ptr<const MeshSnapshot> finalMesh_;
-    MeshQuality finalQuality_;
-    std::uint64_t finalHash_ = 0;
+    FinishedMesh final_;
     double secondsImprove_ = 0.0;
 };
 

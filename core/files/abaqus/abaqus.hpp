@@ -9,6 +9,8 @@
 
 namespace forefront {
 
+struct SolidMesh;
+
 /// Reads Abaqus and CalculiX input (.inp). Every fault carries its place in the source.
 Result<Mesh> readAbaqus(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is of this format.
@@ -17,5 +19,8 @@ bool looksLikeAbaqus(std::string_view head);
 void writeAbaqus(const MeshView &mesh, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.
 Diagnostics noteAbaqusChanges(const MeshView &mesh);
+
+/// Writes prisms and hexahedra.
+void writeAbaqusSolid(const SolidMesh &mesh, TextWriter &out);
 
 } // namespace forefront

@@ -1,12 +1,12 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/files/abaqus/abaqus.hpp"
+#include "core/files/abaqus/abaqus_coordinate.hpp"
+#include "core/files/abaqus/abaqus_sets.hpp"
 #include "core/files/common/names.hpp"
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/common/tagged_sides.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -16,43 +16,6 @@
 namespace forefront {
 
 namespace {
-
-constexpr std::size_t kPerLine = 10;
-
-/// Abaqus and CalculiX read at most this many characters of a number.
-constexpr std::size_t kNumberCharacters = 20;
-
-/// The text of a coordinate: the shortest that reads back to the same bits or, if that is too long, that of the number
-/// rounded to as many digits as fit.
-class CoordinateText {
-  public:
-    explicit CoordinateText(double value) {
-        char *const end = text_.data() + text_.size();
-        length_ = lengthTo(std::to_chars(text_.data(), end, value).ptr);
-        for (int digits = 16; length_ > kNumberCharacters; --digits) {
-            length_ = lengthTo(std::to_chars(text_.data(), end, value, std::chars_format::general, digits).ptr);
-            rounded_ = true;
-        }
-    }
-    std::string_view text() const { return {text_.data(), length_}; }
-    bool rounded() const { return rounded_; }
-
-  private:
-    std::size_t lengthTo(const char *end) const { return static_cast<std::size_t>(end - text_.data()); }
-
-    std::array<char, 64> text_;
-    std::size_t length_ = 0;
-    bool rounded_ = false;
-};
-
-/// Writes a node set; the indices ascend.
-void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes, TextWriter &out) {
-    out << "*NSET, NSET=" << name << '\n';
-    std::size_t column = 0;
-    for (const std::uint32_t node : nodes) {
-        out << node + std::uint64_t{1} << (++column % kPerLine == 0 || column == nodes.size() ? "\n" : ", ");
-    }
-}
 
 /// Writes the sides of elements along the edges of one tag. If an edge has two sides, the one in its direction is
 /// taken.
@@ -119,7 +82,7 @@ void writeBoundaries(const MeshView &mesh, const AbaqusNames &names, TextWriter 
                 nodes.insert(static_cast<std::uint32_t>(node));
             }
         }
-        writeNodeSet(names.sets.edges.at(tag), nodes, out);
+        writeAbaqusNodes(names.sets.edges.at(tag), nodes, out);
         out << "** tag " << tag << '\n';
         writeSurface(table, names.surfaces.at(tag), edges, out);
     }
@@ -132,7 +95,7 @@ void writePoints(const MeshView &mesh, const AbaqusNames &names, TextWriter &out
     }
     for (const auto &[tag, nodes] : points) {
         out << "** point " << tag << '\n';
-        writeNodeSet(names.sets.points.at(tag), nodes, out);
+        writeAbaqusNodes(names.sets.points.at(tag), nodes, out);
     }
 }
 
@@ -147,8 +110,8 @@ void writeAbaqus(const MeshView &mesh, TextWriter &out) {
     writeNameComments(mesh, "**", out);
     out << "*NODE, NSET=" << names.allNodes << '\n';
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
-        out << n + 1 << ", " << CoordinateText(mesh.nodes[n].x).text() << ", " << CoordinateText(mesh.nodes[n].y).text()
-            << ", 0\n";
+        out << n + 1 << ", " << AbaqusCoordinate(mesh.nodes[n].x).text() << ", "
+            << AbaqusCoordinate(mesh.nodes[n].y).text() << ", 0\n";
     }
     writeElements(mesh, names, out);
     if (mesh.elementCount() > 0) {
@@ -162,8 +125,8 @@ Diagnostics noteAbaqusChanges(const MeshView &mesh) {
     Diagnostics notes = noteChangedNames(tags, AbaqusNames(tags).sets);
     std::size_t rounded = 0;
     for (const Vec2 node : mesh.nodes) {
-        rounded += CoordinateText(node.x).rounded() ? 1 : 0;
-        rounded += CoordinateText(node.y).rounded() ? 1 : 0;
+        rounded += AbaqusCoordinate(node.x).rounded() ? 1 : 0;
+        rounded += AbaqusCoordinate(node.y).rounded() ? 1 : 0;
     }
     if (rounded > 0) {
         Diagnostic &note = notes.emplace_back();

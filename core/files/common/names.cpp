@@ -226,8 +226,7 @@ void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const
     }
 }
 
-void writeNameComments(const MeshView &mesh, std::string_view prefix, TextWriter &out) {
-    const TagList tags = tagsOf(mesh);
+void writeNameComments(const TagList &tags, std::string_view prefix, TextWriter &out) {
     auto boundaries = tags.points;
     boundaries.insert(tags.edges.begin(), tags.edges.end());
     for (const auto &[tag, name] : boundaries) {

@@ -76,7 +76,10 @@ void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const
 
 /// Writes a comment line `PREFIX boundary TAG "NAME"` or `PREFIX region TAG "NAME"` for every tag in use, for formats
 /// that cannot hold any name. The lines are ASCII: other characters of a name are written as %XX.
-void writeNameComments(const MeshView &mesh, std::string_view prefix, TextWriter &out);
+void writeNameComments(const TagList &tags, std::string_view prefix, TextWriter &out);
+inline void writeNameComments(const MeshView &mesh, std::string_view prefix, TextWriter &out) {
+    writeNameComments(tagsOf(mesh), prefix, out);
+}
 struct TagNames {
     std::map<std::int32_t, std::string> boundary, region;
 };

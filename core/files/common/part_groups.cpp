@@ -50,8 +50,7 @@ std::int32_t takeNumber(std::string_view &text) {
 
 } // namespace
 
-PartGroups::PartGroups(const MeshView &mesh, const GroupLimits &limits) {
-    const TagList tags = tagsOf(mesh);
+PartGroups::PartGroups(const TagList &tags, const GroupLimits &limits) {
     GroupNumbers numbers(limits.number);
     UniqueNames unique;
     const auto add = [&](int dimension, const std::map<std::int32_t, std::string> &names, std::int32_t step,

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/diagnostic.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
+#include "core/files/common/names.hpp"
 #include "core/files/text/text_writer.hpp"
 
 #include <cstddef>
@@ -38,7 +39,8 @@ struct GroupLimits {
 /// appended.
 class PartGroups {
   public:
-    PartGroups(const MeshView &mesh, const GroupLimits &limits);
+    PartGroups(const TagList &tags, const GroupLimits &limits);
+    PartGroups(const MeshView &mesh, const GroupLimits &limits) : PartGroups(tagsOf(mesh), limits) {}
 
     /// By dimension from 1 (edges) to 2 and 0 (points), then tag.
     const std::vector<PartGroup> &groups() const { return groups_; }

@@ -73,10 +73,39 @@ class EsriReader {
     explicit EsriReader(const SourceText &source) : source_(source), scanner_(source) {}
 
     Result<SpacingSpec> read() {
-        if (!header() || !layOut() || !values()) {
+        if (!header() || !layOut(kMaxGridValues) || !values()) {
             return scanner_.faults();
         }
         return spacingOfGrid(grid_, source_);
+    }
+
+    Result<Raster> readRaster() {
+        Raster raster;
+        if (!header() || !layOut(std::numeric_limits<std::size_t>::max())) {
+            return scanner_.faults();
+        }
+        raster.columns = columns_;
+        raster.rows = rows_;
+        raster.pitch = grid_.step;
+        raster.origin = grid_.low + 0.5 * grid_.step;
+        bool any = false;
+        const auto take = [&](std::size_t k, std::optional<double> value, std::size_t) {
+            if (k == 0) {
+                raster.values.resize(columns_ * rows_);
+            }
+            any = any || value.has_value();
+            raster.values[(rows_ - 1 - k / columns_) * columns_ + k % columns_] =
+                value.value_or(std::numeric_limits<double>::quiet_NaN());
+            return true;
+        };
+        if (!eachValue(take)) {
+            return scanner_.faults();
+        }
+        if (!any) {
+            scanner_.fail(0, "no-values", "the grid has no values");
+            return scanner_.faults();
+        }
+        return raster;
     }
 
   private:
@@ -131,13 +160,14 @@ class EsriReader {
         return true;
     }
 
-    bool layOut() {
+    /// Places the cells, averaged to at most `most`.
+    bool layOut(std::size_t most) {
         if (!count(Columns, columns_) || !count(Rows, rows_) ||
             !axis(CornerX, CentreX, StepX, grid_.low.x, grid_.step.x) ||
             !axis(CornerY, CentreY, StepY, grid_.low.y, grid_.step.y)) {
             return false;
         }
-        const GridCounts counts = averagedCounts(columns_, rows_, kMaxGridValues);
+        const GridCounts counts = averagedCounts(columns_, rows_, most);
         grid_.columns = counts.columns;
         grid_.rows = counts.rows;
         grid_.step.x *= static_cast<double>(columns_) / static_cast<double>(grid_.columns);
@@ -145,14 +175,16 @@ class EsriReader {
         return true;
     }
 
-    bool values() {
+    /// Reads the values from the top row on. `take`: gets the index of a value, the value, none where it is missing,
+    /// and its offset; returns false after a failure.
+    template <class Take>
+    bool eachValue(Take take) {
         constexpr std::size_t kBytes = 2; // length of the shortest value and the blank after it
         const std::size_t total = columns_ * rows_;
         if (total > scanner_.remaining() / kBytes + 1) {
             return scanner_.fail(scanner_.offset(), "bad-count",
                                  "the file ends before the last of its " + std::to_string(total) + " values");
         }
-        CellMeans means(columns_, rows_, grid_);
         for (std::size_t k = 0; k < total; ++k) {
             double value = 0.0;
             scanner_.peek(); // skips the blanks, so that the place is that of the number
@@ -164,15 +196,29 @@ class EsriReader {
                 return false;
             }
             missing = missing || (header_[NoData] && value == *header_[NoData]);
-            if (!missing && !(value > 0.0)) {
-                return scanner_.fail(place, "bad-values", "expected a size above 0, got " + numberText(value, 6),
-                                     "set NODATA_value to mark cells without a size");
+            if (!take(k, missing ? std::nullopt : std::optional(value), place)) {
+                return false;
             }
-            means.add(k, missing ? std::nullopt : std::optional(value));
         }
         if (!scanner_.atEnd()) {
             return scanner_.fail(scanner_.offset(), "bad-count",
                                  "expected the end of the file after " + std::to_string(total) + " values");
+        }
+        return true;
+    }
+
+    bool values() {
+        CellMeans means(columns_, rows_, grid_);
+        const auto take = [&](std::size_t k, std::optional<double> value, std::size_t place) {
+            if (value && !(*value > 0.0)) {
+                return scanner_.fail(place, "bad-values", "expected a size above 0, got " + numberText(*value, 6),
+                                     "set NODATA_value to mark cells without a size");
+            }
+            means.add(k, value);
+            return true;
+        };
+        if (!eachValue(take)) {
+            return false;
         }
         means.finish();
         if (grid_.columns < columns_ || grid_.rows < rows_) {
@@ -202,6 +248,10 @@ bool looksLikeEsriGrid(std::string_view head) {
     const std::size_t end = head.find_first_of(" \t\r\n", begin);
     const auto key = keyOf(head.substr(begin, end == std::string_view::npos ? end : end - begin));
     return key == Columns || key == Rows;
+}
+
+Result<Raster> readEsriRaster(const SourceText &source) {
+    return EsriReader(source).readRaster();
 }
 
 Result<SpacingSpec> readEsriGrid(const SourceText &source) {

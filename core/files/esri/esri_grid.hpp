@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/engine/base/result.hpp"
+#include "core/engine/spacing/spec/raster.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "core/files/source/source.hpp"
 
@@ -19,5 +20,9 @@ bool looksLikeEsriGrid(std::string_view head);
 /// Errors: bad-number, bad-count, missing-field, duplicate-field, bad-values (a size that is not above 0), no-values
 /// (no triangle has three values), too-large (see kMaxGridValues).
 Result<SpacingSpec> readEsriGrid(const SourceText &source);
+
+/// Reads an ESRI ASCII grid of values of any sign, such as elevations, none of them averaged. Errors as for
+/// readEsriGrid(), and no-values if all cells have the NODATA value.
+Result<Raster> readEsriRaster(const SourceText &source);
 
 } // namespace forefront

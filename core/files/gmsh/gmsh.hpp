@@ -11,6 +11,8 @@
 
 namespace forefront {
 
+struct SolidMesh;
+
 /// Reads Gmsh MSH 2.2 (ASCII) and 4.1 (ASCII and binary). Every fault carries its place in the source.
 Result<Mesh> readMsh(const SourceText &source);
 /// Reads the first scalar $NodeData as the spacing on a background mesh. Faults: no-values, bad-values.
@@ -28,5 +30,8 @@ void writeMsh4(const MeshView &mesh, TextWriter &out);
 void writeMsh4Binary(const MeshView &mesh, TextWriter &out);
 /// Returns notes on the names and numbers of the mesh that the format changes.
 Diagnostics noteMshChanges(const MeshView &mesh);
+
+/// Writes prisms and hexahedra as MSH 2.2, ASCII.
+void writeMsh2Solid(const SolidMesh &mesh, TextWriter &out);
 
 } // namespace forefront

@@ -35,6 +35,7 @@ void writeMsh2(const MeshView &mesh, TextWriter &out) {
         }
     }
     out << "$EndElements\n";
+    writeMshElevations(mesh, out);
     groups.writeOrigins(out);
 }
 

@@ -156,7 +156,7 @@ void writeElements(const MeshView &mesh, const MshModel &model, Rows &rows) {
 }
 
 template <class Rows>
-void writeSections(const MeshView &mesh, TextWriter &out) {
+void writeSections(const MeshView &mesh, TextWriter &out, void (*writeValues)(const MeshView &, TextWriter &)) {
     const MshGroups groups(mesh);
     const MshModel model(mesh, groups);
     Rows rows(out);
@@ -164,21 +164,35 @@ void writeSections(const MeshView &mesh, TextWriter &out) {
     writeEntities(model, rows);
     writeNodes(mesh, model, rows);
     writeElements(mesh, model, rows);
+    writeValues(mesh, out);
     groups.writeOrigins(out);
+}
+
+/// Writes the elevations of a mesh as writeMshElevations() does, the values in binary.
+void writeBinaryElevations(const MeshView &mesh, TextWriter &out) {
+    if (mesh.elevations.empty()) {
+        return;
+    }
+    out << "$NodeData\n1\n\"elevation\"\n1\n0\n3\n0\n1\n" << mesh.nodes.size() << '\n';
+    for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
+        const auto number = static_cast<std::int32_t>(n + 1);
+        out.bytes(&number, sizeof number).bytes(&mesh.elevations[n], sizeof(double));
+    }
+    out << "\n$EndNodeData\n";
 }
 
 } // namespace
 
 void writeMsh4(const MeshView &mesh, TextWriter &out) {
     out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-    writeSections<TextRows>(mesh, out);
+    writeSections<TextRows>(mesh, out, writeMshElevations);
 }
 
 void writeMsh4Binary(const MeshView &mesh, TextWriter &out) {
     out << "$MeshFormat\n4.1 1 8\n";
     BinaryRows(out).integer(1); // shows the byte order
     out << "\n$EndMeshFormat\n";
-    writeSections<BinaryRows>(mesh, out);
+    writeSections<BinaryRows>(mesh, out, writeBinaryElevations);
 }
 
 } // namespace forefront

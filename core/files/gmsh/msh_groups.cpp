@@ -213,4 +213,15 @@ void restoreTags(const std::vector<MshGroup> &origins, Mesh &mesh) {
     }
 }
 
+void writeMshElevations(const MeshView &mesh, TextWriter &out) {
+    if (mesh.elevations.empty()) {
+        return;
+    }
+    out << "$NodeData\n1\n\"elevation\"\n1\n0\n3\n0\n1\n" << mesh.nodes.size() << '\n';
+    for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
+        out << n + 1 << ' ' << mesh.elevations[n] << '\n';
+    }
+    out << "$EndNodeData\n";
+}
+
 } // namespace forefront

@@ -51,6 +51,9 @@ class MshGroups {
     std::vector<MshGroup> groups_;
 };
 
+/// Writes the elevations of a mesh that has some as nodal values "elevation", as text.
+void writeMshElevations(const MeshView &mesh, TextWriter &out);
+
 /// Reads the content of a $Comments section that writeOrigins wrote; other lines are skipped. Labels stay empty.
 std::vector<MshGroup> readMshOrigins(std::string_view comments);
 

@@ -11,7 +11,14 @@ namespace forefront {
 void writeAdcirc(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
 /// Writes a grid of SCHISM (hgrid.gr3): land is of type 0, islands of type 1.
 void writeSchism(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
-/// Returns a note that all depths are 0.
+/// Writes a mesh of MIKE 21 and MIKE 3 Flow Model FM (.mesh): nodes on land have the code 1, those on open parts 2 and
+/// more in their order.
+void writeMike(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
+/// Writes a mesh of ANUGA (.tsh).
+void writeAnuga(const MeshView &mesh, TextWriter &out);
+/// Returns a note on the names that are changed to identifiers.
+Diagnostics noteAnugaChanges(const MeshView &mesh);
+/// Returns a note that all depths are 0, if the mesh has no elevations.
 Diagnostics noteDepths(const MeshView &mesh);
 
 } // namespace forefront

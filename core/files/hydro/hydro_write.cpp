@@ -34,7 +34,7 @@ void writeStretches(std::span<const ShoreStretch> stretches, bool types, int lan
 void writeGrid(const MeshView &mesh, const ExportOptions &options, int land, int island, TextWriter &out) {
     out << titleOf(mesh) << '\n' << mesh.elementCount() << ' ' << mesh.nodes.size() << '\n';
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
-        out << n + 1 << ' ' << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
+        out << n + 1 << ' ' << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << ' ' << 0.0 - mesh.elevation(n) << '\n';
     }
     for (const MeshView::Block &block : mesh.blocks()) {
         for (std::size_t k = 0; k < block.size() && out.ok(); ++k) {
@@ -64,7 +64,10 @@ void writeSchism(const MeshView &mesh, const ExportOptions &options, TextWriter 
     writeGrid(mesh, options, 0, 1, out);
 }
 
-Diagnostics noteDepths(const MeshView &) {
+Diagnostics noteDepths(const MeshView &mesh) {
+    if (!mesh.elevations.empty()) {
+        return {};
+    }
     Diagnostic note;
     note.severity = Severity::Note;
     note.code = "no-depth";

@@ -9,6 +9,8 @@
 
 namespace forefront {
 
+struct SolidMesh;
+
 /// Reads bulk data of Nastran (.bdf) in small, large and free fields: grid points in basic coordinates, plane elements,
 /// rods and bars. Every fault carries its place in the source.
 Result<Mesh> readNastran(const SourceText &source);
@@ -18,5 +20,8 @@ bool looksLikeNastran(std::string_view head);
 void writeNastran(const MeshView &mesh, TextWriter &out);
 /// Returns a note if coordinates are rounded.
 Diagnostics noteNastranChanges(const MeshView &mesh);
+
+/// Writes prisms and hexahedra.
+void writeNastranSolid(const SolidMesh &mesh, TextWriter &out);
 
 } // namespace forefront

@@ -19,7 +19,7 @@ Result<MeshFields> readTwoDmFields(const SourceText &source);
 bool looksLikeTwoDm(std::string_view head);
 /// Writes a two-dimensional mesh of SMS.
 void writeTwoDm(const MeshView &mesh, TextWriter &out);
-/// Returns a note that all nodes get the elevation 0.
+/// Returns a note that all nodes get the elevation 0, if the mesh has none.
 Diagnostics noteTwoDmChanges(const MeshView &mesh);
 
 } // namespace forefront

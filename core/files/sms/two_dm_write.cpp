@@ -35,8 +35,8 @@ void writeNodeString(const EdgeChain &chain, std::int32_t tag, TextWriter &out) 
 
 } // namespace
 
-/// Writes elements with their region as material, nodes at elevation 0, and node strings with the number of their
-/// boundary part. Comments, lines that begin with '#', keep names and points.
+/// Writes elements with their region as material, nodes with their elevations, and node strings with the number of
+/// their boundary part. Comments, lines that begin with '#', keep names and points.
 void writeTwoDm(const MeshView &mesh, TextWriter &out) {
     out << "MESH2D\nNUM_MATERIALS_PER_ELEM 1\n";
     writeNameComments(mesh, "#", out);
@@ -49,7 +49,7 @@ void writeTwoDm(const MeshView &mesh, TextWriter &out) {
         }
     }
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
-        out << "ND " << n + 1 << ' ' << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
+        out << "ND " << n + 1 << ' ' << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << ' ' << mesh.elevation(n) << '\n';
     }
     for (const auto &[tag, edges] : edgesByTag(mesh)) {
         for (const EdgeChain &chain : joinEdges(mesh, edges)) {
@@ -58,7 +58,10 @@ void writeTwoDm(const MeshView &mesh, TextWriter &out) {
     }
 }
 
-Diagnostics noteTwoDmChanges(const MeshView &) {
+Diagnostics noteTwoDmChanges(const MeshView &mesh) {
+    if (!mesh.elevations.empty()) {
+        return {};
+    }
     Diagnostic note;
     note.severity = Severity::Note;
     note.code = "no-elevation";

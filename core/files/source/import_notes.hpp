@@ -28,8 +28,11 @@ struct DrawingContents {
     bool lines = false;                   ///< lines beside areas, which ImportOptions::dropLines leaves out
     std::size_t filledShapes = 0;         ///< number of those that ImportOptions::shapeRegions makes regions
     std::size_t whiteShapes = 0;          ///< number of those that ImportOptions::whiteHoles makes holes
-    std::vector<std::string> layers = {}; ///< of a TopoJSON file, as ImportOptions::layer takes them
-    std::string layer = {};               ///< the one that was read
+    bool whiteHoles = false;              ///< the white shapes were read as holes
+    std::vector<std::string> layers = {}; ///< of a TopoJSON or DXF file, as ImportOptions::layer takes them
+    std::string layer = {};               ///< the one that was read; several with commas between them
+    bool severalLayers = false;           ///< ImportOptions::layer may name several of them
+    std::string unit = {};                ///< of the coordinates, such as "millimetres"; empty: the file names none
     /// Properties of features with text or a number as value, for ImportOptions::nameProperty; sorted.
     std::vector<std::string> properties = {};
     bool degrees = false; ///< its coordinates are longitudes and latitudes, which ImportOptions::degrees concerns

@@ -18,6 +18,8 @@ namespace FOREFRONT_API forefront {
 inline constexpr char kPageNote[] = "svg-page";
 /// The code of the note that strokes were read as lines.
 inline constexpr char kStrokeNote[] = "svg-stroke";
+/// The code of the note on white shapes that lie on others.
+inline constexpr char kWhiteNote[] = "svg-white";
 
 /// The code of the warning that longitudes and latitudes were read as coordinates in the plane.
 inline constexpr char kDegreesWarning[] = "degrees";
@@ -39,7 +41,8 @@ struct ImportOptions {
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later; ///< between features of a map
     DegreeRule degrees = DegreeRule::Warn;    ///< for longitudes and latitudes of a map
-    /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one.
+    /// The layer ("object") of a TopoJSON file to read; absent: the first one with polygons, or else the first one. Of
+    /// a DXF file, one or more layers with commas between them; absent: all that are shown.
     std::optional<std::string> layer = {};
     /// The property of a map's features to take names of boundaries and regions from, text or numbers; "id" also uses
     /// the own ids of the features. Absent: "name", "Name" or "NAME", or if no feature has one, "NAME_n" with the
@@ -55,9 +58,9 @@ struct ImportOptions {
     /// Every filled shape of an SVG drawing is a region with its name, as far as no later shape covers it; otherwise
     /// all shapes are one region.
     bool shapeRegions = false;
-    /// White filled shapes of an SVG drawing that lie on others are holes in these; otherwise they are merged with
-    /// them.
-    bool whiteHoles = false;
+    /// White filled shapes of an SVG drawing that lie on others are holes in these; false: they are merged with them.
+    /// Absent: they are holes, with a note, unless nothing of the drawing would remain.
+    std::optional<bool> whiteHoles = {};
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     bool regularFile = false;                    ///< refuse pipes and devices, on which reading could wait for ever
     /// Format by its id, such as "geojson"; empty: by content, then by extension.

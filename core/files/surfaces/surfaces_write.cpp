@@ -2,6 +2,10 @@
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/surfaces/surfaces.hpp"
 
+#include <cmath>
+#include <cstdint>
+#include <span>
+
 namespace forefront {
 
 namespace {
@@ -13,7 +17,7 @@ FileNames solidsOf(const TagList &tags) {
 
 void writePlaces(const MeshView &mesh, TextWriter &out) {
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
-        out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
+        out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << ' ' << mesh.elevation(n) << '\n';
     }
 }
 
@@ -31,6 +35,22 @@ void writeFaces(const MeshView &mesh, bool regions, TextWriter &out) {
             out << '\n';
         }
     }
+}
+
+/// Writes the head of a facet with its unit normal.
+void writeNormal(const MeshView &mesh, std::uint32_t element, TextWriter &out) {
+    const std::span<const NodeId> corners = mesh.cornersOf(element);
+    const auto rise = [&](NodeId node) { return mesh.elevation(index(node)) - mesh.elevation(index(corners[0])); };
+    const Vec2 a = mesh.nodes[index(corners[1])] - mesh.nodes[index(corners[0])];
+    const Vec2 b = mesh.nodes[index(corners[2])] - mesh.nodes[index(corners[0])];
+    const double za = rise(corners[1]), zb = rise(corners[2]);
+    const double x = a.y * zb - za * b.y, y = za * b.x - a.x * zb, z = cross(a, b);
+    const double length = std::hypot(x, y, z);
+    if (mesh.elevations.empty() || !(length > 0.0)) {
+        out << "facet normal 0 0 1\nouter loop\n";
+        return;
+    }
+    out << "facet normal " << x / length << ' ' << y / length << ' ' << z / length << "\nouter loop\n";
 }
 
 } // namespace
@@ -54,9 +74,10 @@ void writeStl(const MeshView &mesh, TextWriter &out) {
     for (const auto &[tag, elements] : elementsByRegion(mesh)) {
         out << "solid " << names.regions.at(tag) << '\n';
         for (std::size_t k = 0; k < elements.size() && out.ok(); ++k) {
-            out << "facet normal 0 0 1\nouter loop\n";
+            writeNormal(mesh, elements[k], out);
             for (const NodeId node : mesh.cornersOf(elements[k])) {
-                out << "vertex " << mesh.nodes[index(node)].x << ' ' << mesh.nodes[index(node)].y << " 0\n";
+                out << "vertex " << mesh.nodes[index(node)].x << ' ' << mesh.nodes[index(node)].y << ' '
+                    << mesh.elevation(index(node)) << '\n';
             }
             out << "endloop\nendfacet\n";
         }

@@ -22,7 +22,10 @@ Status nothingReplaced(Status faults, std::size_t files) {
 } // namespace
 
 FileSet::FileSet() = default;
-FileSet::~FileSet() = default;
+FileSet::~FileSet() {
+    files_.clear(); // with their temporary files
+    removeFolders();
+}
 
 bool FileSet::write(const std::filesystem::path &path, const std::function<void(TextWriter &)> &fill,
                     const Progress &progress, std::size_t expectedBytes) {
@@ -40,6 +43,32 @@ bool FileSet::write(const std::filesystem::path &path, const std::function<void(
     return status_.empty();
 }
 
+bool FileSet::makeFolder(const std::filesystem::path &folder) {
+    std::vector<std::filesystem::path> missing;
+    std::error_code problem;
+    for (std::filesystem::path each = folder; !each.empty() && !std::filesystem::is_directory(each, problem);
+         each = each.parent_path()) {
+        missing.push_back(each);
+    }
+    for (; status_.empty() && !missing.empty(); missing.pop_back()) {
+        if (std::filesystem::create_directory(missing.back(), problem)) {
+            folders_.push_back(missing.back());
+        } else {
+            status_ = error("cannot-write",
+                            "cannot make the folder: " + (problem ? problem.message() : "a file has its name"));
+            status_.front().file = missing.back().string();
+        }
+    }
+    return status_.empty();
+}
+
+void FileSet::removeFolders() {
+    for (; !folders_.empty(); folders_.pop_back()) {
+        std::error_code none;
+        std::filesystem::remove(folders_.back(), none); // fails, rightly, if others have put files there
+    }
+}
+
 bool FileSet::write(const std::filesystem::path &path, std::string_view bytes) {
     return write(path, [bytes](TextWriter &out) { out << bytes; });
 }
@@ -53,6 +82,7 @@ Status FileSet::commit() {
             files_[k]->withdraw();
         }
         files_.clear(); // with their temporary files
+        removeFolders();
         return status_;
     }
     std::set<std::filesystem::path> folders;
@@ -62,6 +92,7 @@ Status FileSet::commit() {
     }
     std::for_each(folders.begin(), folders.end(), syncFolder);
     files_.clear();
+    folders_.clear();
     return status_;
 }
 

@@ -30,6 +30,9 @@ class FileSet {
     bool write(const std::filesystem::path &path, const std::function<void(TextWriter &)> &fill,
                const Progress &progress = {}, std::size_t expectedBytes = 0);
     bool write(const std::filesystem::path &path, std::string_view bytes);
+    /// Makes a folder and those above it. A set destroyed without commit removes the ones that it made. Does nothing
+    /// after a fault; returns false if there is one.
+    bool makeFolder(const std::filesystem::path &folder);
     bool ok() const { return status_.empty(); }
     /// Returns the faults so far.
     const Status &status() const { return status_; }
@@ -38,7 +41,10 @@ class FileSet {
     Status commit();
 
   private:
+    void removeFolders();
+
     std::vector<std::unique_ptr<AtomicFile>> files_;
+    std::vector<std::filesystem::path> folders_; ///< made by this set, each after those that it lies in
     Status status_;
 };
 

@@ -4,6 +4,7 @@
 #include "core/engine/base/result.hpp"
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/files/common/domain_file.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/file_set.hpp"
 
@@ -21,7 +22,8 @@ Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elemen
 inline constexpr std::array<const char *, 3> kTriangleExtensions{".node", ".ele", ".edge"};
 /// Adds PATH.node, PATH.ele and PATH.edge to a set of files. A comment in each names the mesh, so that files of
 /// different meshes are not read as one.
-void writeTriangle(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, const Progress &progress);
+Status writeTriangle(FileSet &files, const std::filesystem::path &path, const MeshView &mesh,
+                     const ExportOptions &options, const Progress &progress);
 
 /// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes, and maximum areas.
 Result<DomainFile> readPoly(const SourceText &source);

@@ -88,7 +88,8 @@ void writeEdges(const MeshView &mesh, TextWriter &out) {
 
 /// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the
 /// tagged edges.
-void writeTriangle(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, const Progress &progress) {
+Status writeTriangle(FileSet &files, const std::filesystem::path &path, const MeshView &mesh, const ExportOptions &,
+                     const Progress &progress) {
     using Write = void (*)(const MeshView &, TextWriter &);
     static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};
     const std::string id = numberingOf(mesh);
@@ -101,6 +102,7 @@ void writeTriangle(FileSet &files, const std::filesystem::path &path, const Mesh
         };
         files.write(file, fill, progress, 1 + mesh.elementCount() * 32);
     }
+    return files.status();
 }
 
 namespace {

@@ -9,6 +9,8 @@
 
 namespace forefront {
 
+struct SolidMesh;
+
 /// Reads a universal file of I-DEAS (.unv), ASCII: nodes (dataset 2411), elements (2412), groups (2467 and the earlier
 /// 2435, 2452 and 2477 of the same layout). Every fault carries its place in the source.
 Result<Mesh> readUnv(const SourceText &source);
@@ -18,5 +20,8 @@ bool looksLikeUnv(std::string_view head);
 void writeUnv(const MeshView &mesh, TextWriter &out);
 /// Returns notes on the names of the mesh that the format changes.
 Diagnostics noteUnvChanges(const MeshView &mesh);
+
+/// Writes prisms and hexahedra.
+void writeUnvSolid(const SolidMesh &mesh, TextWriter &out);
 
 } // namespace forefront

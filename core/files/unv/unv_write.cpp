@@ -4,10 +4,8 @@
 #include "core/files/text/columns.hpp"
 #include "core/files/unv/unv.hpp"
 #include "core/files/unv/unv_cells.hpp"
+#include "core/files/unv/unv_records.hpp"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <span>
 #include <string>
 
@@ -15,55 +13,8 @@ namespace forefront {
 
 namespace {
 
-constexpr std::string_view kDelimiter = "    -1\n";
-
-/// Names have 40 characters, and readers stop at blanks; numbers have columns of 10, with a blank between them.
-constexpr GroupLimits kUnvGroups = {999'999'999, 40, asIdentifier};
-
-/// Writes integers in columns of 10, eight on a line.
-class UnvRecord {
-  public:
-    explicit UnvRecord(TextWriter &out) : out_(out) {}
-    template <class Integer>
-    void add(Integer value) {
-        writeColumn(out_, value, 10);
-        if (++count_ % 8 == 0) {
-            out_ << '\n';
-        }
-    }
-    void end() {
-        if (count_ % 8 != 0) {
-            out_ << '\n';
-        }
-        count_ = 0;
-    }
-
-  private:
-    TextWriter &out_;
-    std::size_t count_ = 0;
-};
-
-void writeUnvRow(TextWriter &out, std::initializer_list<std::uint64_t> values) {
-    UnvRecord record(out);
-    for (const std::uint64_t value : values) {
-        record.add(value);
-    }
-    record.end();
-}
-
-/// Writes a number with 17 digits, which read back to the same bits, and Fortran's exponent of double precision.
-void writeUnvReal(TextWriter &out, double value) {
-    std::array<char, 32> text;
-    char *const end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 16).ptr;
-    std::replace(text.data(), end, 'e', 'D');
-    const auto length = static_cast<std::size_t>(end - text.data());
-    out << std::string_view("         ").substr(0, 25 - std::min<std::size_t>(length, 25))
-        << std::string_view(text.data(), length);
-}
-
 void writeUnvNodes(const MeshView &mesh, TextWriter &out) {
-    out << kDelimiter << "  2411\n";
+    out << kUnvDelimiter << "  2411\n";
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         writeUnvRow(out, {n + 1, 1, 1, 11});
         writeUnvReal(out, mesh.nodes[n].x);
@@ -71,7 +22,7 @@ void writeUnvNodes(const MeshView &mesh, TextWriter &out) {
         writeUnvReal(out, 0.0);
         out << '\n';
     }
-    out << kDelimiter;
+    out << kUnvDelimiter;
 }
 
 void writeUnvCell(std::uint64_t label, CellKind kind, std::int32_t group, std::span<const NodeId> nodes,
@@ -90,7 +41,7 @@ void writeUnvCell(std::uint64_t label, CellKind kind, std::int32_t group, std::s
 
 /// Numbers elements from 1 on, then edges.
 void writeUnvCells(const MeshView &mesh, const PartGroups &groups, TextWriter &out) {
-    out << kDelimiter << "  2412\n";
+    out << kUnvDelimiter << "  2412\n";
     std::uint64_t label = 0;
     for (const MeshView::Block &block : mesh.blocks()) {
         for (std::size_t k = 0; k < block.size() && out.ok(); ++k) {
@@ -102,30 +53,14 @@ void writeUnvCells(const MeshView &mesh, const PartGroups &groups, TextWriter &o
         writeUnvCell(++label, cellKindOf(edge), groups.of(1, edge.tag).number, std::span(nodes.begin(), nodes.end()),
                      out);
     }
-    out << kDelimiter;
-}
-
-/// Writes a permanent group. `type`: of its entities, 7 nodes or 8 elements.
-template <class Label>
-void writeUnvGroup(const PartGroup &group, int type, const std::vector<std::uint32_t> &entities, Label label,
-                   TextWriter &out) {
-    writeUnvRow(out, {static_cast<std::uint64_t>(group.number), 0, 0, 0, 0, 0, 0, entities.size()});
-    out << group.label << '\n';
-    UnvRecord record(out);
-    for (const std::uint32_t entity : entities) {
-        record.add(type);
-        record.add(label(entity));
-        record.add(0);
-        record.add(0);
-    }
-    record.end();
+    out << kUnvDelimiter;
 }
 
 void writeUnvGroups(const MeshView &mesh, const PartGroups &groups, TextWriter &out) {
     if (groups.groups().empty()) {
         return;
     }
-    out << kDelimiter << "  2467\n";
+    out << kUnvDelimiter << "  2467\n";
     for (const auto &[tag, elements] : elementsByRegion(mesh)) {
         writeUnvGroup(
             groups.of(2, tag), 8, elements, [](std::uint32_t e) { return e + std::uint64_t{1}; }, out);
@@ -139,7 +74,7 @@ void writeUnvGroups(const MeshView &mesh, const PartGroups &groups, TextWriter &
             groups.of(0, tag), 7, points,
             [&](std::uint32_t k) { return index(mesh.points[k].node) + std::uint64_t{1}; }, out);
     }
-    out << kDelimiter;
+    out << kUnvDelimiter;
 }
 
 } // namespace

@@ -10,6 +10,8 @@
 
 namespace forefront {
 
+struct SolidMesh;
+
 /// Reads a VTK XML unstructured grid (.vtu). Every fault carries its place in the source.
 Result<Mesh> readVtu(const SourceText &source);
 /// Reads the mesh and its scalar point and cell data.
@@ -27,5 +29,8 @@ Result<MeshFields> readVtkFields(const SourceText &source);
 bool looksLikeVtk(std::string_view head);
 /// Writes a VTK legacy file, ASCII.
 void writeVtk(const MeshView &mesh, TextWriter &out);
+
+/// Writes prisms and hexahedra as VTU.
+void writeVtuSolid(const SolidMesh &mesh, TextWriter &out);
 
 } // namespace forefront

@@ -2,62 +2,13 @@
 #include "core/files/common/tagged_cells.hpp"
 #include "core/files/vtk/vtk.hpp"
 #include "core/files/vtk/vtk_cells.hpp"
+#include "core/files/vtk/vtu_arrays.hpp"
 
-#include <bit>
 #include <span>
 
 namespace forefront {
 
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "VTU files are written in the byte order of the machine");
-
-std::string xmlEscaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
-
-/// Writes the headers of the arrays in the appended data, then the arrays in the same order.
-class AppendedArrays {
-  public:
-    explicit AppendedArrays(TextWriter &out) : out_(out) {}
-
-    void announce(const char *type, const char *name, std::size_t components, std::size_t bytes) {
-        out_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
-             << "\" format=\"appended\" offset=\"" << offset_ << "\"/>\n";
-        offset_ += bytes + sizeof(std::uint64_t);
-        sizes_.push_back(bytes);
-    }
-    /// Writes the length in front of the next array.
-    void begin() { put(static_cast<std::uint64_t>(sizes_[next_++])); }
-    template <class T>
-    void put(T value) {
-        out_.bytes(&value, sizeof value);
-    }
-
-  private:
-    TextWriter &out_;
-    std::size_t offset_ = 0, next_ = 0;
-    std::vector<std::size_t> sizes_;
-};
 
 void writeData(const MeshView &mesh, AppendedArrays &arrays, const TextWriter &out) {
     arrays.begin();
@@ -102,6 +53,12 @@ void writeData(const MeshView &mesh, AppendedArrays &arrays, const TextWriter &o
            [&](const TaggedEdge &) { put(std::int32_t{0}); }, [&](const TaggedNode &) { put(std::int32_t{0}); });
     column([&](const Block &, std::size_t) { put(std::int32_t{0}); }, [&](const TaggedEdge &edge) { put(edge.tag); },
            [&](const TaggedNode &point) { put(point.tag); });
+    if (!mesh.elevations.empty()) {
+        arrays.begin();
+        for (const double elevation : mesh.elevations) {
+            put(elevation);
+        }
+    }
 }
 
 } // namespace
@@ -132,7 +89,13 @@ void writeVtu(const MeshView &mesh, TextWriter &out) {
     out << "</Cells>\n<CellData Scalars=\"region\">\n";
     arrays.announce("Int32", "region", 1, kInt * cells);
     arrays.announce("Int32", "boundary", 1, kInt * cells);
-    out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    out << "</CellData>\n";
+    if (!mesh.elevations.empty()) {
+        out << "<PointData>\n";
+        arrays.announce("Float64", "elevation", 1, sizeof(double) * mesh.nodes.size());
+        out << "</PointData>\n";
+    }
+    out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
     writeData(mesh, arrays, out);
     out << "\n</AppendedData>\n</VTKFile>\n";
 }

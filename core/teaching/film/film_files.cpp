@@ -5,6 +5,7 @@
 #include "core/files/text/file_set.hpp"
 #include "core/teaching/film/film_picture.hpp"
 #include "core/teaching/film/gif_writer.hpp"
+#include "core/teaching/film/pdf_writer.hpp"
 #include "core/teaching/film/png_writer.hpp"
 #include "core/teaching/page/run_page.hpp"
 
@@ -49,7 +50,7 @@ class Filming {
         last_ = std::min(end, plan_.steps ? from_ + std::min(*plan_.steps, end) : end);
         return plan_.output.extension() == ".gif" ? writeGif() : plan_.numbered() ? writeSequence() : writeMoment();
     }
-    WrittenFilm written() const { return {written_, from_, last_}; }
+    WrittenFilm written() const { return {written_, from_, last_, labelled_}; }
 
     static Status cancelled() { return error("cancelled", "the film was cancelled"); }
 
@@ -111,12 +112,17 @@ class Filming {
     }
     /// Returns the bytes of a frame in the format of an output.
     static std::string pictureOf(const std::filesystem::path &output, const FilmScene &scene) {
-        return output.extension() == ".png" ? pngOf(paintScene(scene)) : svgOf(scene);
+        return output.extension() == ".png"   ? pngOf(paintScene(scene))
+               : output.extension() == ".pdf" ? pdfOf(scene)
+                                              : svgOf(scene);
     }
 
     FilmScene sceneAt(std::uint64_t advance) {
         stepper_.seek(advance, quiet());
-        return sceneOf(*stepper_.snapshot(plan_.layers.needed()), sheet_, plan_.layers, last_);
+        FilmScene scene = sceneOf(*stepper_.snapshot(plan_.layers.needed()), sheet_, plan_.layers, last_);
+        labelled_ = labelled_ || std::any_of(scene.texts.begin(), scene.texts.end(),
+                                             [](const FilmText &text) { return text.place.has_value(); });
+        return scene;
     }
 
     const FilmPlan &plan_;
@@ -124,6 +130,7 @@ class Filming {
     FilmSheet sheet_;
     std::uint64_t from_ = 0, last_ = 0; ///< the first and last advance of the film
     int written_ = 0;
+    bool labelled_ = false;
     MeshStepper stepper_;
 };
 
@@ -139,7 +146,7 @@ Result<WrittenFilm> writePage(const MeshingJob &job, const FilmPlan &plan, const
     if (Status status = file.commit(); !status.empty()) {
         return status;
     }
-    return WrittenFilm{0, 0, written->advances};
+    return WrittenFilm{0, 0, written->advances, false};
 }
 
 } // namespace
@@ -152,8 +159,9 @@ std::filesystem::path frameName(const std::filesystem::path &pattern, int frame)
 
 std::string outputFault(const FilmPlan &plan) {
     const std::string extension = plan.output.extension().string();
-    if (extension != ".gif" && extension != ".html" && extension != ".png" && extension != ".svg") {
-        return "unknown extension '" + extension + "'; expected .gif, .html, .png or .svg";
+    if (extension != ".gif" && extension != ".html" && extension != ".png" && extension != ".svg" &&
+        extension != ".pdf") {
+        return "unknown extension '" + extension + "'; expected .gif, .html, .png, .svg or .pdf";
     }
     if (plan.isPage() && plan.numbered()) {
         return "a page holds the whole run; leave out %d";

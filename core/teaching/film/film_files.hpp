@@ -14,7 +14,8 @@ namespace forefront {
 
 /// The content of a film of a run, and its output file.
 struct FilmPlan {
-    /// .gif: an animation; .html: a page that plays the run; NAME-%d.png or .svg: numbered frames; else one moment.
+    /// .gif: an animation; .html: a page that plays the run; NAME-%d.png, .svg or .pdf: numbered frames; else one
+    /// moment.
     std::filesystem::path output;
     std::string title;                  ///< of a page
     std::uint64_t from = 0;             ///< number of advances done at the first frame
@@ -43,6 +44,7 @@ std::string outputFault(const FilmPlan &plan);
 struct WrittenFilm {
     int frames = 0;                    ///< 0: a page
     std::uint64_t first = 0, last = 0; ///< numbers of advances done at its start and end
+    bool labelled = false;             ///< at least one frame has labels of an advance
 };
 
 /// Runs a job and writes its film, reporting progress by frame. The film is shorter than the plan if the run ends

@@ -50,6 +50,17 @@ class SamplePicture {
         dot(line.b, half, line.ink); // round ends hide the gaps at corners
     }
 
+    void circle(const FilmCircle &circle) {
+        constexpr int kCorners = 96;
+        const auto corner = [&](int k) {
+            const double angle = 2.0 * std::numbers::pi * k / kCorners;
+            return circle.centre + circle.radius * Vec2{std::cos(angle), std::sin(angle)};
+        };
+        for (int k = 0; k < kCorners; ++k) {
+            line({corner(k), corner(k + 1), circle.ink, circle.width});
+        }
+    }
+
     /// Returns the mean colour of the samples of a pixel.
     Rgb pixel(int x, int y) const {
         std::array<int, 3> sum{};
@@ -127,7 +138,10 @@ FilmPicture paintScene(const FilmScene &scene) {
     for (const FilmLine &line : scene.lines) {
         picture.line(line);
     }
-    for (const FilmLine &line : captionStrokes(scene)) {
+    for (const FilmCircle &circle : scene.circles) {
+        picture.circle(circle);
+    }
+    for (const FilmLine &line : textStrokes(scene)) {
         picture.line(line);
     }
     const double right = scene.progress * scene.width, top = scene.height - 4.0, bottom = scene.height;

@@ -1,6 +1,7 @@
 #include "core/teaching/film/film_scene.hpp"
 
 #include "core/engine/base/number_text.hpp"
+#include "core/teaching/film/film_labels.hpp"
 #include "core/teaching/film/stroke_font.hpp"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace forefront {
 namespace {
 
 constexpr double kMargin = 12.0, kBand = 30.0; ///< pixels around the drawing, and of the band below it
-constexpr double kTextUnit = 1.6;              ///< pixels per unit of the stroke font
+constexpr double kCaptionSize = 13.0;          ///< font size of a caption, in pixels
+constexpr double kTextUnit = 1.6 / 13.0;       ///< units of the stroke font, in font sizes
 constexpr double kLineHeight = 18.0;           ///< pixels between the baselines of a caption
 constexpr double kWidestCaption = 1000.0;      ///< pixels; about as wide as the longest captions
 
@@ -72,6 +74,17 @@ class SceneBuilder {
         }
         line(advance.a, advance.b, Ink::Base, 3.6);
     }
+    /// Adds C, the circle of the search and the labels.
+    void addNames() {
+        constexpr double kArm = 4.5; // pixels, of the cross at C
+        const AdvanceExplanation &advance = *moment_.explanation;
+        const Vec2 c = at(advance.ideal);
+        scene_.lines.push_back({c - Vec2{kArm, kArm}, c + Vec2{kArm, kArm}, Ink::Base, 1.4});
+        scene_.lines.push_back({c - Vec2{kArm, -kArm}, c + Vec2{kArm, -kArm}, Ink::Base, 1.4});
+        scene_.circles.push_back({c, scale_ * advance.searchRadius, Ink::Candidate, 1.0});
+        addLabels(
+            advance, [this](Vec2 p) { return at(p); }, scale_ * sheet_.box.size().y + 2.0 * kMargin, scene_);
+    }
 
   private:
     Vec2 at(Vec2 p) const {
@@ -120,7 +133,7 @@ std::vector<std::string> wrapped(const std::string &text, double width) {
         std::string &line = lines.back();
         if (line.empty()) {
             line = word;
-        } else if (kTextUnit * strokeTextWidth(line + ' ' + word) <= width) {
+        } else if (filmTextWidth(line + ' ' + word, kCaptionSize) <= width) {
             line += ' ' + word;
         } else {
             lines.push_back(word);
@@ -135,9 +148,24 @@ int captionLines(int width) {
     return static_cast<int>(std::ceil(kWidestCaption / (width - 2.0 * kMargin)));
 }
 
-/// Returns the y of the baseline of a line of the caption, in pixels.
-double baseLine(const FilmScene &scene, std::size_t line) {
-    return scene.height - 14.0 - kLineHeight * static_cast<double>(scene.captionRoom - 1 - static_cast<int>(line));
+/// Adds the lines of a caption below the drawing; those that do not fit are left out.
+void addCaption(const std::string &text, FilmScene &scene) {
+    const int room = captionLines(scene.width);
+    const std::vector<std::string> lines = wrapped(text, scene.width - 2.0 * kMargin);
+    for (int k = 0; k < std::min(room, static_cast<int>(lines.size())); ++k) {
+        const Vec2 at{kMargin, scene.height - 14.0 - kLineHeight * static_cast<double>(room - 1 - k)};
+        scene.texts.push_back({at, lines[static_cast<std::size_t>(k)], Ink::Text, kCaptionSize, {}});
+    }
+}
+
+/// Appends a text. A label also says which point it names, in the units of the drawing.
+void appendText(const FilmText &text, std::string &svg) {
+    svg += "<text x=\"" + pixels(text.at.x) + "\" y=\"" + pixels(text.at.y) +
+           "\" font-family=\"sans-serif\" font-size=\"" + pixels(text.size) + "\" fill=\"" + colourText(text.ink) + '"';
+    if (text.place) {
+        svg += " data-x=\"" + exactText(text.place->x) + "\" data-y=\"" + exactText(text.place->y) + '"';
+    }
+    svg += '>' + escaped(text.text) + "</text>\n";
 }
 
 /// Appends the lines as one path for each stretch of equal ink and width.
@@ -158,7 +186,7 @@ SnapshotLayers FilmLayers::needed() const {
     return {.mesh = true, // carries the boundary, too
             .front = has(FilmLayer::Front),
             .cells = has(FilmLayer::Grid),
-            .explanation = has(FilmLayer::Candidates) || has(FilmLayer::Caption)};
+            .explanation = has(FilmLayer::Candidates) || has(FilmLayer::Caption) || has(FilmLayer::Labels)};
 }
 
 std::array<std::uint8_t, 3> rgbOf(Ink ink) {
@@ -205,26 +233,31 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
     if (layers.has(FilmLayer::Candidates) && explained) {
         builder.addCandidates();
     }
+    if (layers.has(FilmLayer::Labels) && explained) {
+        builder.addNames();
+    }
     if (layers.has(FilmLayer::Caption)) {
         std::string text = "Advance " + std::to_string(moment.advance) + ", " + std::to_string(moment.frontSegments) +
                            " segments on the front";
         if (explained) {
             text += ". " + caption(*moment.explanation, moment.explanation->events.size());
         }
-        scene.caption = wrapped(text, sheet.width - 2.0 * kMargin);
-        scene.captionRoom = captionLines(sheet.width);
-        scene.caption.resize(std::min(scene.caption.size(), static_cast<std::size_t>(scene.captionRoom)));
+        text += moment.improved ? "; the mesh is improved" : "";
+        addCaption(text, scene);
     }
     return scene;
 }
 
-std::vector<FilmLine> captionStrokes(const FilmScene &scene) {
+double filmTextWidth(std::string_view text, double size) {
+    return size * kTextUnit * strokeTextWidth(text);
+}
+
+std::vector<FilmLine> textStrokes(const FilmScene &scene) {
     std::vector<FilmLine> lines;
-    for (std::size_t line = 0; line < scene.caption.size(); ++line) {
-        const Vec2 start{kMargin, baseLine(scene, line)};
-        const auto at = [&](Vec2 p) { return start + kTextUnit * Vec2{p.x, -p.y}; };
-        for (const auto &[a, b] : strokeText(scene.caption[line])) {
-            lines.push_back({at(a), at(b), Ink::Text, 1.3});
+    for (const FilmText &text : scene.texts) {
+        const auto at = [&](Vec2 p) { return text.at + text.size * kTextUnit * Vec2{p.x, -p.y}; };
+        for (const auto &[a, b] : strokeText(text.text)) {
+            lines.push_back({at(a), at(b), text.ink, 0.1 * text.size});
         }
     }
     return lines;
@@ -244,10 +277,13 @@ std::string svgOf(const FilmScene &scene) {
         svg += "\"/>\n";
     }
     appendLines(scene.lines, svg);
-    for (std::size_t line = 0; line < scene.caption.size(); ++line) {
-        svg += "<text x=\"12\" y=\"" + pixels(baseLine(scene, line)) +
-               "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"" + colourText(Ink::Text) + "\">" +
-               escaped(scene.caption[line]) + "</text>\n";
+    for (const FilmCircle &circle : scene.circles) {
+        svg += "<circle cx=\"" + pixels(circle.centre.x) + "\" cy=\"" + pixels(circle.centre.y) + "\" r=\"" +
+               pixels(circle.radius) + "\" stroke=\"" + colourText(circle.ink) + "\" stroke-width=\"" +
+               pixels(circle.width) + "\"/>\n";
+    }
+    for (const FilmText &text : scene.texts) {
+        appendText(text, svg);
     }
     svg += "<rect y=\"" + pixels(scene.height - 4.0) + "\" width=\"" + pixels(scene.progress * scene.width) +
            "\" height=\"4\" fill=\"" + colourText(Ink::Front) + "\"/>\n</svg>\n";

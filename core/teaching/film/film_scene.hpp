@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,17 +14,17 @@
 namespace forefront {
 
 /// A layer of a film.
-enum class FilmLayer : std::uint8_t { Mesh, Boundary, Front, Candidates, Grid, Caption };
+enum class FilmLayer : std::uint8_t { Mesh, Boundary, Front, Candidates, Grid, Caption, Labels };
 template <>
 struct EnumWords<FilmLayer> {
-    static constexpr auto kLast = FilmLayer::Caption;
-    static constexpr std::array<std::string_view, 6> kList = {"mesh",       "boundary", "front",
-                                                              "candidates", "grid",     "caption"};
+    static constexpr auto kLast = FilmLayer::Labels;
+    static constexpr std::array<std::string_view, 7> kList = {"mesh", "boundary", "front", "candidates",
+                                                              "grid", "caption",  "labels"};
 };
 
 /// The layers that a film shows.
 struct FilmLayers {
-    std::array<bool, wordsOf<FilmLayer>().size()> shown{true, true, true, true, false, true};
+    std::array<bool, wordsOf<FilmLayer>().size()> shown{true, true, true, true, false, true, false};
 
     bool has(FilmLayer layer) const { return shown[static_cast<std::size_t>(layer)]; }
     /// Returns the parts of a snapshot that these layers need.
@@ -44,14 +45,32 @@ struct FilmLine {
     double width = 1.0;
 };
 
-/// A moment of a run as simple shapes in pixels, y down, to be drawn in this order: elements, lines, caption.
+/// A circle of a scene, in pixels.
+struct FilmCircle {
+    Vec2 centre;
+    double radius = 0.0;
+    Ink ink = Ink::Candidate;
+    double width = 1.0; ///< of its line
+};
+
+/// A text of a scene.
+struct FilmText {
+    Vec2 at; ///< start of its baseline
+    std::string text;
+    Ink ink = Ink::Text;
+    double size = 13.0;        ///< of the font, in pixels
+    std::optional<Vec2> place; ///< of a label: the point of the plane that it names
+};
+
+/// A moment of a run as simple shapes in pixels, y down, to be drawn in this order: elements, lines, circles, texts.
+/// Every format of pictures draws these.
 struct FilmScene {
     int width = 0, height = 0;
     std::vector<std::array<Vec2, 3>> elements;
     std::vector<FilmLine> lines;
-    std::vector<std::string> caption; ///< its lines; empty: none
-    int captionRoom = 1;              ///< number of lines that fit
-    double progress = 0.0;            ///< fraction of the run, in [0, 1], shown as a bar at the bottom
+    std::vector<FilmCircle> circles;
+    std::vector<FilmText> texts; ///< labels, and the lines of the caption
+    double progress = 0.0;       ///< fraction of the run, in [0, 1], shown as a bar at the bottom; 0: no bar
 };
 
 /// The sheet that all scenes of a film share.
@@ -66,8 +85,10 @@ struct FilmSheet {
 /// Returns the scene of a moment of a run. `last` is the number of advances of the whole run, for the progress.
 FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last);
 
-/// Returns the caption of a scene as strokes, for pictures without fonts.
-std::vector<FilmLine> captionStrokes(const FilmScene &scene);
+/// Returns the width of a text in a font of a size, both in pixels.
+double filmTextWidth(std::string_view text, double size);
+/// Returns the texts of a scene as strokes, for pictures without fonts.
+std::vector<FilmLine> textStrokes(const FilmScene &scene);
 
 /// Returns a scene as an SVG drawing.
 std::string svgOf(const FilmScene &scene);

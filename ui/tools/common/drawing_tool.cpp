@@ -18,6 +18,13 @@
 namespace forefront {
 namespace {
 
+constexpr double kInferenceReach = 200.0; ///< of lines and nodes that relations are found to, design pixels
+
+bool showsLayer(const Shell &context, std::string_view id) {
+    return std::any_of(context.layers.begin(), context.layers.end(),
+                       [&](const LayerSlot &slot) { return slot.visible && slot.layer->id() == id; });
+}
+
 /// Moves a place that is out of view to where a label beside it can be read.
 Vec2 intoView(const Shell &context, Vec2 place) {
     const PixelRect &room = context.view.room;
@@ -42,6 +49,12 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
         query.lines = {*query.anchor};
     }
     query.locks = entry_.locks();
+    query.guides = query.guides && showsLayer(context, "guides");
+    InferenceQuery infer;
+    if (context.snapping.infers && snaps() && describePath(infer)) {
+        infer.reach = EditState::reach(context, kInferenceReach);
+        query.infer = std::move(infer);
+    }
     if (const std::optional<TypedPair> pair = entry_.pair()) {
         pointer_ = lockedAt(fitted(typedPlace(*pair)));
     } else {
@@ -123,6 +136,7 @@ void DrawingTool::placeTyped(Shell &context) {
     const std::uint64_t revision = context.document.revision();
     const Vec2 at = pointer_.at;
     ++state_->placed;
+    keepRelations(context);
     place(at, context);
     entry_.clear();
     if (!inProgress()) {
@@ -130,6 +144,17 @@ void DrawingTool::placeTyped(Shell &context) {
     }
     if (typedNumbers) {
         reveal(at, revision != context.document.revision(), context);
+    }
+}
+
+void DrawingTool::keepRelations(const Shell &context) {
+    if (!inProgress()) {
+        inferredNodes_.clear();
+    }
+    if (context.snapping.addsConstraints && !pointer_.inferred.empty()) {
+        InferenceQuery query;
+        describePath(query);
+        inferredNodes_.push_back({pointer_.at, pointer_.inferred, std::move(query.path)});
     }
 }
 
@@ -308,8 +333,18 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
             }
         });
     }
+    std::size_t added = 0;
+    if (next && context.snapping.addsConstraints) {
+        InferredConstraints constrained = addInferred(*std::move(next), before->nextId, inferredNodes_);
+        added = constrained.added;
+        next = std::move(constrained.document);
+    }
+    inferredNodes_.clear();
     if (!context.applyCommand(std::move(next), label)) {
         return false;
+    }
+    if (added > 0) {
+        context.log.announce("Added " + countText(added, "sketch constraint"));
     }
     context.selection.clear();
     context.selection.shapes.insert(before->nextId);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/commands/inferred_constraints.hpp"
 #include "core/drawing/formulas/place_formulas.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/tools/common/numeric_entry.hpp"
@@ -73,6 +74,9 @@ class DrawingTool : public Tool {
     virtual bool snaps() const { return true; }
     /// Returns false while nodes do not snap to the grid, even if that is on.
     virtual bool snapsToGrid() const { return true; }
+    /// Describes the path being drawn, so that relations of the next node to it are found. Returns false if relations
+    /// say nothing about the next place.
+    virtual bool describePath(InferenceQuery &) const { return false; }
     /// Returns the quantities that can be typed now, in Tab order: coordinates before the first node, then distance and
     /// angle.
     virtual std::span<const EntryField> entryFields() const;
@@ -118,11 +122,14 @@ class DrawingTool : public Tool {
         Vec2 at;
         std::string x, y;
     };
-    std::vector<TypedNode> typedNodes_; ///< of the unfinished shape
+    std::vector<TypedNode> typedNodes_;       ///< of the unfinished shape
+    std::vector<InferredNode> inferredNodes_; ///< of the unfinished shape, whose relations become constraints
 
   private:
     bool press(const CanvasEvent &event, Shell &context);
     void placeTyped(Shell &context);
+    /// Keeps the relations at the pointer for the shape, if they are to become constraints.
+    void keepRelations(const Shell &context);
     void reveal(Vec2 node, bool completed, Shell &context) const;
     bool typed(const CanvasEvent &event, Shell &context);
     void follow(const CanvasEvent &event, Shell &context);

@@ -185,7 +185,7 @@ void ArcTool::drawOptions(Shell &context, ui::Flow &flow) {
     }
     ui::tooltip(context, "Three points: both ends, then a point between them. Centre: the centre, then both ends; move "
                          "around the centre in the direction of the arc.");
-    drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next constraint");
+    drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next inner line");
     state_->drawSnapOptions(context, flow);
 }
 

@@ -14,7 +14,7 @@ class ArcTool final : public DrawingTool {
     using DrawingTool::DrawingTool;
 
     const char *id() const override { return "arc"; }
-    const char *name() const override { return "Constraint arc"; }
+    const char *name() const override { return "Inner arc"; }
     const char *icon() const override;
     int key() const override { return 'A'; }
     void drawOptions(Shell &context, ui::Flow &flow) override;

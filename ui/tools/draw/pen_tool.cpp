@@ -54,6 +54,25 @@ std::optional<Vec2> PenTool::ownSnap(Vec2 at, const Shell &context) const {
     return near ? std::optional(path_.front().at) : std::nullopt;
 }
 
+bool PenTool::describePath(InferenceQuery &query) const {
+    if (mode_ != PenMode::Corners || drawsArc()) {
+        return false;
+    }
+    for (std::size_t k = 0; k < path_.size(); ++k) {
+        query.path.push_back(path_[k].at);
+        if (k > 0) {
+            query.straight.push_back(!curved(path_[k - 1], path_[k]));
+        }
+    }
+    if (!path_.empty() && path_.back().arm == Vec2{}) { // with an arm, the next segment is a curve
+        query.starts = {path_.back().at};
+        if (path_.size() > 1 && !query.straight.back()) {
+            query.arrival = heading();
+        }
+    }
+    return true;
+}
+
 std::vector<Curve> PenTool::splineOf(bool closed) const {
     std::vector<Vec2> points;
     for (const Node &node : path_) {
@@ -135,10 +154,12 @@ void PenTool::release(Vec2 at, bool away, Shell &context) {
         finishFreehand(at, context);
     } else {
         cancel();
+        clicked_ = true; // drawSketch() says what to do
     }
 }
 
 void PenTool::place(Vec2 at, Shell &context) {
+    clicked_ = false;
     if (mode_ == PenMode::Freehand) {
         cancel();
         path_ = {{at, {}}};
@@ -208,7 +229,7 @@ void PenTool::announceTooFew(Shell &context) const {
                                               : "A polyline needs at least two nodes");
 }
 
-void PenTool::commit(Shell &context, bool closed) {
+Shape PenTool::shapeOf(bool closed) const {
     Shape shape;
     PathForm &path = shape.path();
     path.closed = closed;
@@ -223,7 +244,20 @@ void PenTool::commit(Shell &context, bool closed) {
             path.curves.push_back(curved(path_[k], next) ? segment(path_[k], next) : Curve());
         }
     }
-    commit(context, std::move(shape));
+    return shape;
+}
+
+void PenTool::commit(Shell &context, bool closed) {
+    commit(context, shapeOf(closed));
+}
+
+std::optional<Shape> PenTool::unfinished() const {
+    if (path_.size() < 2 || !hand_.empty()) {
+        return std::nullopt;
+    }
+    Shape shape = shapeOf(false);
+    shape.use = ShapeUse::Constraint; // an open path cannot bound the domain
+    return shape;
 }
 
 void PenTool::commit(Shell &context, Shape shape) {
@@ -239,6 +273,12 @@ void PenTool::cancel() {
     undone_.clear();
     middle_.reset();
     segment_ = PenSegment::Line;
+    clicked_ = false;
+}
+
+void PenTool::forget(Shell &context) {
+    DrawingTool::forget(context);
+    mode_ = PenMode::Corners;
 }
 
 bool PenTool::removeLast() {
@@ -329,6 +369,10 @@ void PenTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     if (path_.empty()) {
         drawMeasure(painter, context, {});
+        if (clicked_ && over_) {
+            painter.label(place_, {16.0, -30.0}, "drag to draw freehand; Corners, above, takes clicks", theme.text,
+                          fade(theme.popup, 0.95), context.fonts.small);
+        }
         return;
     }
     drawPath(painter, context);
@@ -387,7 +431,7 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
     if (kind_ == ShapeKind::Polygon) {
         drawTagOption(context, flow, *state_, ShapeUse::Boundary, "Tag of the next boundary");
     } else {
-        drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next constraint");
+        drawTagOption(context, flow, *state_, ShapeUse::Constraint, "Tag of the next inner line");
     }
     state_->drawSnapOptions(context, flow);
 }

@@ -31,7 +31,7 @@ class PenTool final : public DrawingTool {
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
 
     const char *id() const override { return kind_ == ShapeKind::Polygon ? "polygon" : "polyline"; }
-    const char *name() const override { return kind_ == ShapeKind::Polygon ? "Polygon" : "Constraint polyline"; }
+    const char *name() const override { return kind_ == ShapeKind::Polygon ? "Polygon" : "Inner polyline"; }
     const char *icon() const override;
     int key() const override { return kind_ == ShapeKind::Polygon ? 'P' : 'L'; }
     void drawOptions(Shell &context, ui::Flow &flow) override;
@@ -39,6 +39,9 @@ class PenTool final : public DrawingTool {
     std::string statusText(const Shell &context) const override;
     /// Makes a shape of the path if it has enough nodes; otherwise undo brings it back, with the tool.
     void deactivate(Shell &context) override;
+    /// Draws corners again in another document.
+    void forget(Shell &context) override;
+    std::optional<Shape> unfinished() const override;
     bool undo(Shell &context) override;
     bool redo(Shell &context) override;
     std::string undoLabel(const Shell &context) const override;
@@ -55,6 +58,7 @@ class PenTool final : public DrawingTool {
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
     /// An outline drawn freehand would get a corner where it begins and ends.
     bool snapsToGrid() const override { return mode_ != PenMode::Freehand || kind_ != ShapeKind::Polygon; }
+    bool describePath(InferenceQuery &query) const override;
     void pull(Vec2 to) override;
     void release(Vec2 at, bool away, Shell &context) override;
     Vec2 fitted(Vec2 at) override;
@@ -90,6 +94,8 @@ class PenTool final : public DrawingTool {
     bool canFinish() const { return kind_ == ShapeKind::Polygon ? canClose() : path_.size() >= 2; }
     bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
     bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
+    /// Returns the path so far as a shape.
+    Shape shapeOf(bool closed) const;
     void commit(Shell &context, bool closed);
     /// Returns true if undo brings a discarded path back.
     bool bringsBack(const Shell &context) const;
@@ -110,6 +116,7 @@ class PenTool final : public DrawingTool {
     std::optional<Vec2> middle_;            ///< a point on the next arc
     std::vector<Node> path_;
     PenMode mode_ = PenMode::Corners; ///< of this tool alone: a freehand outline says nothing about lines
+    bool clicked_ = false;            ///< freehand, a click has drawn nothing
     std::vector<Vec2> hand_;          ///< pointer positions while drawing freehand
     std::vector<Node> undone_;        ///< nodes removed by undo, newest last
     std::vector<Node> discarded_;     ///< path dropped by Esc, which undo brings back until anything is drawn

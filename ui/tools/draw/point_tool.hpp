@@ -10,7 +10,7 @@ class PointTool final : public DrawingTool {
     using DrawingTool::DrawingTool;
 
     const char *id() const override { return "point"; }
-    const char *name() const override { return "Constraint point"; }
+    const char *name() const override { return "Inner point"; }
     const char *icon() const override;
     int key() const override { return 'O'; }
     void drawOptions(Shell &context, ui::Flow &flow) override;

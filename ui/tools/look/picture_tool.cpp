@@ -24,7 +24,7 @@ bool drawPlaceField(Shell &context, ui::Flow &flow, const char *name, const char
                     const char *tooltip) {
     flow.item(name);
     flow.label(label);
-    const bool changed = ui::inputNumber(context, name, value, 84.0F);
+    const bool changed = ui::inputNumber(context, name, value, 66.0F);
     ui::tooltip(context, tooltip);
     return changed;
 }
@@ -219,7 +219,7 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
     }
     const Vec2 first = place(picture, 0);
     double length = distance(first, place(picture, 1));
-    if (drawPlaceField(context, flow, "options/picture/distance", "Distance between the points", length,
+    if (drawPlaceField(context, flow, "options/picture/distance", "Distance", length,
                        "Real distance between the two points") &&
         ui::checkPositive(context, "options/picture/distance", length)) {
         calibrate(context, length);
@@ -233,7 +233,7 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
         ui::tooltip(context, "The drawing and its element sizes keep their place on the picture");
     }
     Vec2 wanted = first;
-    bool moved = drawPlaceField(context, flow, "options/picture/x1", "First point: x", wanted.x,
+    bool moved = drawPlaceField(context, flow, "options/picture/x1", "First point x", wanted.x,
                                 "Where the first point is in the drawing: x");
     moved = drawPlaceField(context, flow, "options/picture/y1", "y", wanted.y,
                            "Where the first point is in the drawing: y") ||
@@ -250,7 +250,7 @@ void PictureTool::drawLook(Shell &context, ui::Flow &flow) {
     flow.item("picture/opacity");
     flow.label("Opacity");
     double percent = 100.0 * picture.opacity;
-    if (ui::slider(context, "options/picture/opacity", percent, 0.0, 100.0, "%.0f %%", false, 140.0F)) {
+    if (ui::slider(context, "options/picture/opacity", percent, 0.0, 100.0, "%.0f %%", false, 84.0F)) {
         stroke_ = stroke_.empty() ? state_->newStroke() : stroke_;
         picture.opacity = percent / 100.0;
         change(context, picture, "Change opacity of background picture", stroke_);
@@ -273,6 +273,9 @@ void PictureTool::drawLook(Shell &context, ui::Flow &flow) {
         change(context, picture, picture.locked ? "Lock background picture" : "Unlock background picture");
     }
     ui::tooltip(context, "A locked picture is neither moved nor scaled");
+    if (mode_ == PictureMode::Calibrate && points_.size() == 2) {
+        return; // the row is full of what belongs to the points
+    }
     flow.item("picture/replace");
     if (ui::button(context, "options/picture/replace", "Replace\xe2\x80\xa6")) {
         context.actions.run("file.addPicture", context);
@@ -297,7 +300,7 @@ void PictureTool::drawOptions(Shell &context, ui::Flow &flow) {
     }
     if (movable(context) != nullptr) {
         flow.item("picture/mode");
-        if (ui::segmented(context, "options/picture/mode", mode_, 170.0F)) {
+        if (ui::segmented(context, "options/picture/mode", mode_, 150.0F)) {
             points_.clear();
         }
         ui::tooltip(context, "Move: drag the picture. Calibrate: click two points and enter their real distance.");

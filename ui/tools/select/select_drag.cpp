@@ -1,8 +1,11 @@
+#include "core/drawing/commands/inferred_constraints.hpp"
 #include "core/drawing/commands/join_segments.hpp"
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/formulas/spacing_commands.hpp"
 #include "core/drawing/picking/dragged_parts.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
+#include "core/engine/base/number_text.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/source_parts.hpp"
 #include "ui/tools/select/select_tool.hpp"
@@ -10,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,6 +28,12 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
         }
         return;
     }
+    if (mode_ == Mode::Guiding) {
+        if (glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
+            guide_.update(context, event.pixel, event.modifiers.control());
+        }
+        return;
+    }
     if (mode_ == Mode::Transforming) {
         transform_.drag(event, context);
         return;
@@ -34,15 +44,33 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
         if (!asShape && !isSelected(grabbed_, context.selection)) {
             return; // Shift removed it from the selection
         }
+        if (grabbed_.kind == Hit::Kind::Constraint) {
+            const SketchConstraint *const constraint = findConstraint(*start_, grabbed_.constraint);
+            if (constraint != nullptr && isDimension(constraint->kind)) {
+                mode_ = Mode::Labelling;
+                stroke_ = state_->newStroke();
+                placeLabel(event, context);
+            }
+            return;
+        }
         mode_ = Mode::Moving;
         stroke_ = state_->newStroke();
         entry_.clear();
         beginMove(context);
     }
+    if (mode_ == Mode::Labelling) {
+        placeLabel(event, context);
+    }
     if (mode_ == Mode::Moving) {
         last_ = event;
         updateMove(context);
     }
+}
+
+void SelectTool::placeLabel(const CanvasEvent &event, Shell &context) {
+    const SketchConstraint *const constraint = findConstraint(*start_, grabbed_.constraint);
+    context.applyCommand(placeDimension(*start_, grabbed_.constraint, grabbed_.at + (event.place - pressPlace_)),
+                         "Place " + constraint->name, stroke_);
 }
 
 /// Takes the selection to move and finds out once what it can snap to, so that every step is cheap.
@@ -70,6 +98,10 @@ void SelectTool::updateMove(Shell &context) {
     query.anchor = grabbed_.at;
     query.locks = entry_.locks();
     query.lines = linesTo_;
+    if (context.snapping.infers && grabbed_.kind == Hit::Kind::Node && moving_.nodes.size() == 1 &&
+        moving_.shapes.empty()) {
+        query.infer = InferenceQuery{.starts = linesTo_, .reach = EditState::reach(context, 200.0)};
+    }
     if (context.snapping.toDrawing) {
         query.filter = alone_ ? aloneTargets_ : targets_;
     }
@@ -96,6 +128,18 @@ void SelectTool::updateMove(Shell &context) {
     fault_ = fault.advice.empty() ? fault.message : fault.message + "; " + fault.advice;
     if (context.document.current() != start_) {
         context.document.abandonStroke(stroke_); // the result depends on where the pointer is, not on its way
+    }
+}
+
+void SelectTool::addRelations(Shell &context) {
+    if (!context.snapping.addsConstraints || snapped_.inferred.empty() || grabbed_.kind != Hit::Kind::Node ||
+        context.document.current() == start_) {
+        return;
+    }
+    const InferredNode node{snapped_.at, snapped_.inferred, {}};
+    InferredConstraints constrained = addInferred(*context.document.current(), grabbed_.shape, std::span(&node, 1));
+    if (constrained.added > 0 && context.applyCommand(std::move(constrained.document), moveLabel(), stroke_)) {
+        context.log.announce("Added " + countText(constrained.added, "sketch constraint"));
     }
 }
 

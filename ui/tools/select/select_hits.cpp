@@ -1,9 +1,12 @@
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/common/source_parts.hpp"
 #include "ui/tools/select/select_tool.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 
 namespace forefront {
 
@@ -30,6 +33,24 @@ std::optional<NodeHit> SelectTool::nodeAt(Vec2 place, const PickIndex::Filter &p
     return shown ? shown : index.node(place, EditState::reach(context, 4.0), pickable);
 }
 
+std::optional<SelectTool::Hit> SelectTool::constraintAt(Vec2 place, Shell &context) const {
+    constexpr std::string_view kPrefix = "sketch/";
+    const Pixel pixel = context.view.camera.toPixel(place);
+    const WidgetRegistry::Map &all = context.widgets.all();
+    for (auto widget = all.lower_bound(kPrefix); widget != all.end() && widget->first.starts_with(kPrefix); ++widget) {
+        const std::string_view name = widget->first;
+        Hit hit;
+        std::from_chars(name.data() + kPrefix.size(), name.data() + name.size(), hit.constraint);
+        const PixelRect &rect = widget->second.rect;
+        if (rect.contains(pixel) && findConstraint(*context.document.current(), hit.constraint) != nullptr) {
+            hit.kind = Hit::Kind::Constraint;
+            hit.at = context.view.camera.toPlane({rect.x + 0.5 * rect.width, rect.y + 0.5 * rect.height});
+            return hit;
+        }
+    }
+    return std::nullopt;
+}
+
 SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
     const PickIndex &index = *state_->index(context);
     const SelectionFilter &picks = state_->picks;
@@ -42,6 +63,9 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.control = control->ref;
         hit.shape = control->ref.shape;
         hit.at = control->at;
+    } else if (const auto constraint = picks.constraints ? constraintAt(place, context) : std::nullopt;
+               constraint && !index.node(place, EditState::reach(context, 4.0), hasNodes)) {
+        return *constraint;
     } else if (const auto node = nodeAt(place, hasNodes, context)) {
         hit.kind = Hit::Kind::Node;
         hit.node = node->ref;
@@ -64,6 +88,9 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.segment = segment;
         hit.shape = segment->ref.shape;
         hit.at = segment->at;
+    } else if (const auto guide = guideAt(context, place, EditState::reach(context, 4.0))) {
+        hit.kind = Hit::Kind::Guide;
+        hit.guide = *guide;
     } else if (const std::uint32_t shape = index.shape(place, 0.0); shape != kNoIndex && picks.shapes) {
         hit.kind = Hit::Kind::Inside;
         hit.shape = shape;
@@ -96,12 +123,15 @@ bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {
         return selection.nodes.contains(hit.node);
     case Hit::Kind::Source:
         return selection.sources.contains(hit.source.source);
+    case Hit::Kind::Constraint:
+        return selection.constraints.contains(hit.constraint);
     case Hit::Kind::Marker:
         return selection.markers.contains(hit.marker);
     case Hit::Kind::Segment:
         return selection.shapes.contains(hit.shape) || selection.segments.contains(hit.segment->ref);
     case Hit::Kind::Inside:
         return selection.shapes.contains(hit.shape);
+    case Hit::Kind::Guide:
     case Hit::Kind::Nothing:
         break;
     }

@@ -1,3 +1,4 @@
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/spacing/spec/source_box.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -236,6 +237,7 @@ void SelectTool::drawFilter(Shell &context) {
     changed = ui::checkbox(context, "picks/nodes", "Nodes", picks.nodes) || changed;
     changed = ui::checkbox(context, "picks/sources", "Sources", picks.sources) || changed;
     changed = ui::checkbox(context, "picks/markers", "Region markers", picks.markers) || changed;
+    changed = ui::checkbox(context, "picks/constraints", "Sketch constraints", picks.constraints) || changed;
     if (changed) {
         picks.apply(context.selection);
     }
@@ -252,9 +254,23 @@ std::string SelectTool::statusText(const Shell &context) const {
     case Mode::Boxing:
         return lasso_.empty() ? "Selects the shapes inside the box, or the nodes if no whole shape is inside"
                               : "Selects the shapes inside the lasso, or the nodes if no whole shape is inside";
+    case Mode::Labelling:
+        return "Drag the value to where it is to lie. Esc: cancel";
+    case Mode::Guiding:
+        return "Drag the guide, or back to its ruler to remove it. Ctrl: no snapping, Esc: cancel";
     case Mode::Grabbed:
     case Mode::Idle:
         break;
+    }
+    if (over_ && hover_.kind == Hit::Kind::Guide) {
+        return "Drag the guide, or back to its ruler to remove it";
+    }
+    if (over_ && hover_.kind == Hit::Kind::Constraint) {
+        const SketchConstraint *const constraint = findConstraint(*context.document.current(), hover_.constraint);
+        const std::string name = constraint != nullptr ? constraint->name + ": " : "";
+        return constraint != nullptr && isDimension(constraint->kind)
+                   ? name + "double-click to change the value, drag to place it, click and Delete to remove it"
+                   : name + "click to select it, Delete to remove it";
     }
     if (over_ && hover_.kind == Hit::Kind::Control) {
         return "Drag the control point. Alt: without the opposite one, Shift: angle steps";

@@ -1,5 +1,6 @@
 #include "ui/tools/select/select_tool.hpp"
 
+#include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "ui/parts/shell.hpp"
@@ -78,6 +79,9 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     case Hit::Kind::Marker:
         choose(selection.markers, hit.marker, adds);
         break;
+    case Hit::Kind::Constraint:
+        choose(selection.constraints, hit.constraint, adds);
+        break;
     case Hit::Kind::Segment:
         if (segment) {
             choose(selection.segments, hit.segment->ref, adds);
@@ -90,6 +94,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         break;
     case Hit::Kind::Control:
     case Hit::Kind::Transform:
+    case Hit::Kind::Guide:
     case Hit::Kind::Nothing:
         break;
     }
@@ -142,6 +147,10 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
         mode_ = Mode::Idle;
         return;
     }
+    if (event.clicks == 2 && editDimension(event, context)) {
+        mode_ = Mode::Idle;
+        return;
+    }
     if (event.clicks == 2 && grabbed_.kind == Hit::Kind::Segment) {
         insertAt(grabbed_, context);
         return;
@@ -149,6 +158,11 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     if (grabbed_.kind == Hit::Kind::Transform) {
         transform_.begin(grabbed_.transform, event, context, joints(context));
         mode_ = Mode::Transforming;
+        return;
+    }
+    if (grabbed_.kind == Hit::Kind::Guide) {
+        guide_.begin(context, grabbed_.guide);
+        mode_ = Mode::Guiding;
         return;
     }
     wasSelected_ = isSelected(grabbed_, context.selection);
@@ -165,6 +179,19 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
         select(grabbed_, adds_, context.selection);
     }
     mode_ = Mode::Grabbed;
+}
+
+bool SelectTool::editDimension(const CanvasEvent &event, Shell &context) {
+    const SketchConstraint *const constraint =
+        grabbed_.kind == Hit::Kind::Constraint ? findConstraint(*start_, grabbed_.constraint) : nullptr;
+    if (constraint == nullptr || !isDimension(constraint->kind)) {
+        return false;
+    }
+    context.selection.clear();
+    context.selection.constraints.insert(grabbed_.constraint);
+    context.dimensionEntry.open(*start_, context.document.revision(), grabbed_.constraint, event.pixel);
+    context.animate();
+    return true;
 }
 
 /// Handles a click on the label of a boundary part or region: the first selects what it names, unless something else is
@@ -229,8 +256,11 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
     const bool moved = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
     if (mode_ == Mode::Boxing && moved) {
         selectInside(event.place, context);
+    } else if (mode_ == Mode::Guiding) {
+        guide_.finish(context, event.pixel);
     } else if (mode_ == Mode::Moving) {
         joinMoved(context);
+        addRelations(context);
     } else if (mode_ == Mode::Boxing) {
         select(grabbed_, adds_, context.selection);
     } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {
@@ -255,8 +285,12 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
 
 bool SelectTool::key(const CanvasEvent &event, Shell &context) {
     if (mode_ != Mode::Idle) {
-        if (event.key == key::kEscape) {
-            context.document.abandonStroke(mode_ == Mode::Moving ? stroke_ : std::string());
+        if (event.key == key::kEscape && mode_ == Mode::Guiding) {
+            guide_.cancel(context);
+            mode_ = Mode::Idle;
+        } else if (event.key == key::kEscape) {
+            const bool strokes = mode_ == Mode::Moving || mode_ == Mode::Labelling;
+            context.document.abandonStroke(strokes ? stroke_ : std::string());
             mode_ = Mode::Idle;
         }
         return true; // no command removes what is being dragged
@@ -292,8 +326,8 @@ bool SelectTool::key(const CanvasEvent &event, Shell &context) {
 }
 
 void SelectTool::nudge(Vec2 direction, bool far, bool repeated, Shell &context) {
-    if (context.selection.empty()) {
-        return;
+    if (context.selection.size() == context.selection.constraints.size()) {
+        return; // constraints have no place
     }
     if (!repeated || nudgeStroke_.empty()) {
         nudgeStroke_ = state_->newStroke();

@@ -3,6 +3,7 @@
 #include "core/drawing/commands/carry_joints.hpp"
 #include "core/drawing/commands/path_commands.hpp"
 #include "core/drawing/constraints/constraint_drag.hpp"
+#include "ui/parts/guide_drag.hpp"
 #include "ui/parts/naming.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/tools/common/numeric_entry.hpp"
@@ -39,17 +40,19 @@ class SelectTool final : public Tool {
     std::string statusText(const Shell &context) const override;
 
   private:
-    enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Transforming, Boxing };
+    enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Transforming, Boxing, Labelling, Guiding };
     /// The item under the pointer; smaller items take precedence.
     struct Hit {
         enum class Kind : std::uint8_t {
             Nothing,
             Control,
+            Constraint,
             Node,
             Source,
             Marker,
             Transform,
             Segment,
+            Guide,
             Inside
         } kind = Kind::Nothing;
         TransformHandles::Handle transform;
@@ -58,12 +61,20 @@ class SelectTool final : public Tool {
         std::optional<SegmentHit> segment;
         PickIndex::SourceHit source;
         std::uint32_t marker = 0;
+        std::size_t guide = 0;        ///< index into Document::guides
+        std::uint32_t constraint = 0; ///< SketchConstraint::id
         std::uint32_t shape = kNoIndex;
         Vec2 at;
     };
     Hit hitAt(Vec2 place, Shell &context) const;
     /// Returns the region marker under the pointer, or whose label is there.
     std::optional<std::uint32_t> markerAt(Vec2 place, Shell &context) const;
+    /// Returns the constraint whose glyph or value is under the pointer.
+    std::optional<Hit> constraintAt(Vec2 place, Shell &context) const;
+    /// Opens the field for the value of the dimension under a double-click. Returns false if there is none.
+    bool editDimension(const CanvasEvent &event, Shell &context);
+    /// Moves the text of the dimension that is dragged.
+    void placeLabel(const CanvasEvent &event, Shell &context);
     /// Highlights the face of the region marker under the pointer.
     void pointAtFace(Shell &context) const;
     /// Returns the node near a place. Nodes of shapes that are not selected are not drawn, so they are found only right
@@ -80,6 +91,8 @@ class SelectTool final : public Tool {
     void beginMove(Shell &context);
     /// Moves the selection to where the pointer or the typed numbers say.
     void updateMove(Shell &context);
+    /// Adds the relations that the dragged node has snapped to, if they are to become constraints.
+    void addRelations(Shell &context);
     /// Joins what was dragged by a node to the segments on which its nodes now lie, as drawing does.
     void joinMoved(Shell &context);
     /// Handles numbers typed during a drag. Returns true if the event was used.
@@ -132,6 +145,7 @@ class SelectTool final : public Tool {
     mutable std::map<std::uint32_t, std::vector<bool>> marks_; ///< by shape, of marked_
     mutable std::shared_ptr<const Joints> marked_, joints_;
     TransformHandles transform_;
+    GuideDrag guide_;
 };
 
 } // namespace forefront

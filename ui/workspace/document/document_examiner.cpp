@@ -80,6 +80,9 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Request &
     const std::shared_ptr<const MeshingJob> job = drawn.job();
     const std::shared_ptr<const Domain> domain = drawn.get();
     preview->domain = domain;
+    if (!drawn.document()->constraints.empty()) {
+        preview->sketch = std::make_shared<const SketchState>(sketchState(*drawn.document()));
+    }
     if (domain->nodes.empty()) {
         return preview;
     }

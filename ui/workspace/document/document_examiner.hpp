@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/drawing/constraints/sketch_state.hpp"
 #include "core/drawing/domain/shared_domain.hpp"
 #include "core/drawing/picking/face_map.hpp"
 #include "core/engine/base/diagnostic.hpp"
@@ -24,6 +25,7 @@ struct DocumentPreview {
     std::shared_ptr<const SpacingField> spacing; ///< null if it cannot be built
     Diagnostics faults;                          ///< in the domain and the spacing
     std::shared_ptr<const FaceMap> faces;        ///< of the domain; null: none, or it has too many segments
+    std::shared_ptr<const SketchState> sketch;   ///< null: the document has no constraints
     double estimatedElements = 0.0;              ///< see estimateElements(); 0: unknown
     double largestSpacing = 0.0;                 ///< found in the faces of the domain; 0: unknown
 };

@@ -17,6 +17,7 @@ constexpr OptionHint kHints[] = {{"--allow-degrees", "\"Keep degrees\""},
                                  {"--name-property", "\"Names from\""},
                                  {"--shape-regions", "\"Make every filled shape a region\""},
                                  {"--stroke-areas", "\"Mesh what the strokes paint\""},
+                                 {"--no-white-holes", "without \"White shapes are holes\""},
                                  {"--white-holes", "\"White shapes are holes\""},
                                  {"--weld", "a weld tolerance of"}};
 

@@ -1,8 +1,10 @@
 #include "ui/workspace/run/run_control.hpp"
 
 #include "core/drawing/document/equality.hpp"
+#include "core/engine/session/whole_run.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/document/document_store.hpp"
+#include "ui/workspace/mesh/element_words.hpp"
 #include "ui/workspace/messages/message_log.hpp"
 
 #include <algorithm>
@@ -36,15 +38,40 @@ void RunControl::refresh() {
 namespace {
 
 std::string resultText(const SessionSnapshot &s) {
-    return ui::format("%llu triangles, %llu nodes in %.3g s; minimum \xce\xb1 %.3f, mean %.3f",
-                      static_cast<unsigned long long>(s.quality.elements),
-                      static_cast<unsigned long long>(s.quality.nodes), s.secondsMesh + s.secondsImprove,
-                      s.quality.alphaMin, s.quality.alphaMean);
+    const std::string counts = s.stepped && !s.order
+                                   ? ui::format("%llu triangles", static_cast<unsigned long long>(s.quality.elements))
+                                   : elementsInWords(s.quality.kinds);
+    return counts + ui::format(", %llu nodes in %.3g s; minimum \xce\xb1 %.3f, mean %.3f",
+                               static_cast<unsigned long long>(s.quality.nodes), s.secondsMesh + s.secondsImprove,
+                               s.quality.alphaMin, s.quality.alphaMean);
 }
 
-/// Returns the rules of the specified spacing that the mesh does not follow.
+/// Returns one note on all edges of second order that are straight though they lie along curves.
+Diagnostics straightEdgesOf(const SessionSnapshot &s) {
+    if (!s.order || s.order->straight.empty()) {
+        return {};
+    }
+    const std::size_t count = s.order->straight.size();
+    return {{.severity = Severity::Note,
+             .code = "straight-edge",
+             .message = (count == 1 ? std::string("1 edge along a curve is straight")
+                                    : ui::count(count) + " edges along curves are straight") +
+                        ", since the curve would fold an element or meet another edge",
+             .advice = "choose smaller elements there to follow the curve",
+             .at = s.order->straight.front().at}};
+}
+
+/// Returns the rules of the specified spacing, the curves that the mesh does not follow, and the places with
+/// smaller angles than the least one.
 Diagnostics notesOf(const SessionSnapshot &s) {
-    return s.spacing ? s.spacing->notes() : Diagnostics();
+    Diagnostics notes = s.spacing ? s.spacing->notes() : Diagnostics();
+    for (Diagnostic &note : straightEdgesOf(s)) {
+        notes.push_back(std::move(note));
+    }
+    for (Diagnostic &note : s.leastAngle ? forcedAngles(*s.leastAngle) : Diagnostics()) {
+        notes.push_back(std::move(note));
+    }
+    return notes;
 }
 
 std::string previewText(const SessionSnapshot &s) {
@@ -127,7 +154,8 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
     const auto last = starts_.find(lastStart_);
     const bool follows = last != starts_.end() && last->second.live && last->second.extent == Extent::Full;
     const bool large =
-        newest.run == lastStart_ && (newest.state == RunState::Running || newest.state == RunState::Improving);
+        newest.run == lastStart_ && (newest.state == RunState::Running || newest.state == RunState::Improving ||
+                                     (newest.state == RunState::Preparing && !steps()));
     return follows || (large && gestureOver);
 }
 
@@ -273,6 +301,21 @@ bool RunControl::startIfNeeded() {
     return true;
 }
 
+bool RunControl::steps() const {
+    return canStep(document_.current()->options);
+}
+
+bool RunControl::beginMove() {
+    if (!steps()) {
+        log_.refuse(kNotStepped);
+        return false;
+    }
+    if (!hasRun() || !snapshot_->stepped) {
+        start(StartMode::Pause);
+    }
+    return true;
+}
+
 void RunControl::mesh() {
     start(StartMode::Run);
 }
@@ -282,27 +325,31 @@ void RunControl::togglePlay() {
         session_.pause();
         return;
     }
+    if (!steps()) {
+        log_.refuse(kNotStepped);
+        return;
+    }
     startIfNeeded();
     session_.play(speed_ * kAdvancesPerSecond);
 }
 
 void RunControl::step(Granularity granularityOfStep, std::int64_t n) {
-    if (!hasRun()) {
-        start(StartMode::Pause);
+    if (!beginMove()) {
+        return;
     }
     session_.step(granularityOfStep, n);
 }
 
 void RunControl::seek(std::uint64_t advance) {
-    if (!hasRun()) {
-        start(StartMode::Pause);
+    if (!beginMove()) {
+        return;
     }
     session_.seek(advance);
 }
 
 void RunControl::seekEnd() {
-    if (!hasRun()) {
-        start(StartMode::Pause);
+    if (!beginMove()) {
+        return;
     }
     if (snapshot_->complete) {
         session_.seek(snapshot_->known);
@@ -312,11 +359,19 @@ void RunControl::seekEnd() {
 }
 
 void RunControl::seekStop(bool forward) {
+    if (!steps()) {
+        log_.refuse(kNotStepped);
+        return;
+    }
     startIfNeeded();
     session_.seekStop(forward);
 }
 
 void RunControl::seekBirth(Vec2 place, double tolerance) {
+    if (!steps()) {
+        log_.refuse(kNotStepped);
+        return;
+    }
     startIfNeeded();
     session_.seekBirth(place, tolerance);
 }

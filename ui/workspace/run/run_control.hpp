@@ -80,6 +80,12 @@ class RunControl final : public BackgroundActivity {
     bool showsAdapted() const { return showsFile() && adapted_; }
     void want(SnapshotLayers layers);
 
+    /// Returns true if runs of the document can be stepped. If not, moves along the timeline are refused in the log.
+    bool steps() const;
+    /// Why runs of other elements than triangles cannot be stepped, and what to do.
+    static constexpr const char *kNotStepped =
+        "Quadrilaterals cannot be stepped; to step, set Elements to Triangles in the panel Meshing";
+
     /// Returns the meshing job of the document as it is now.
     MeshingJob job() const;
     /// Meshes the document at full speed.
@@ -162,6 +168,8 @@ class RunControl final : public BackgroundActivity {
     bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
     bool needsFullMesh() const;
     bool startIfNeeded();
+    /// Prepares a move along the timeline, for which it starts a run if there is none. Returns false if it is refused.
+    bool beginMove();
     void log(const SessionSnapshot &snapshot);
     void logLive(bool faulty);
     /// Logs notes unless they are the last ones logged.

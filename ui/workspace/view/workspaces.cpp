@@ -13,8 +13,8 @@ constexpr std::array<Ids, 4> kDrawPanels{"shapes", "parameters", "inspector", "n
 constexpr std::array<Ids, 1> kDrawFolded{"names"};
 constexpr std::array<Ids, 14> kDrawTools{"select", "polygon", "polyline", "rectangle", "circle", "ellipse", "regular",
                                          "slot",   "arc",     "point",    "trim",      "region", "measure", "picture"};
-constexpr std::array<Ids, 9> kDrawLayers{"domain",  "boundary", "faults",  "marks", "mesh",
-                                         "lattice", "picture",  "regions", "labels"};
+constexpr std::array<Ids, 11> kDrawLayers{"domain",  "boundary", "faults", "marks",  "mesh",  "lattice",
+                                          "picture", "regions",  "labels", "sketch", "guides"};
 
 constexpr std::array<Ids, 3> kSizePanels{"spacing", "parameters", "inspector"};
 constexpr std::array<Ids, 1> kSizeFolded{"parameters"};

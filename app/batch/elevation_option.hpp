@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/batch/outputs.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// Adds --elevation.
+void addElevationOption(CLI::App &app, std::optional<std::string> &elevation);
+
+/// Returns the error of an elevation that no output can hold; empty if there is none.
+std::string checkElevation(const std::optional<std::string> &elevation, const std::vector<Output> &outputs);
+
+/// Returns true if the value of --elevation names a file: one that exists, or a name that ends in .asc.
+bool isElevationFile(const std::string &elevation);
+
+/// Returns the elevations of the nodes of a mesh by the value of --elevation; prints the notes of its file.
+Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh, bool quiet);
+
+} // namespace forefront

@@ -1,0 +1,88 @@
+#include "core/drawing/commands/inferred_constraints.hpp"
+
+#include "core/drawing/constraints/constraint_commands.hpp"
+#include "core/drawing/constraints/orient.hpp"
+#include "core/drawing/shapes/references.hpp"
+#include "core/drawing/shapes/shape_geometry.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+/// Finds the parts of a path by their places.
+class PathParts {
+  public:
+    PathParts(const Document &document, std::uint32_t shape)
+        : shape_(findShape(document, shape)), near_(1e-9 * drawingScale(document)) {}
+
+    std::optional<SketchPart> node(Vec2 at) const {
+        for (std::uint32_t k = 0; shape_ != nullptr && isPath(*shape_) && k < shape_->nodes.size(); ++k) {
+            if (distance(shape_->nodes[k], at) <= near_) {
+                return SketchPart{shape_->id, SketchPartKind::Node, k};
+            }
+        }
+        return std::nullopt;
+    }
+    /// Returns the segment between two places.
+    std::optional<SketchPart> segment(Vec2 a, Vec2 b) const {
+        const Outline outline = shape_ != nullptr && isPath(*shape_) ? outlineOf(*shape_) : Outline();
+        for (std::uint32_t k = 0; k < outline.segmentCount(); ++k) {
+            const Vec2 from = outline.from(k), to = outline.to(k);
+            if ((distance(from, a) <= near_ && distance(to, b) <= near_) ||
+                (distance(from, b) <= near_ && distance(to, a) <= near_)) {
+                return SketchPart{shape_->id, SketchPartKind::Segment, k};
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    const Shape *shape_;
+    double near_;
+};
+
+/// Returns the parts that a relation ties; empty if one of them does not exist.
+std::vector<SketchPart> partsOf(const PathParts &parts, const InferredNode &node, const Inference &relation) {
+    const std::optional<SketchPart> own =
+        relation.ofLine ? parts.segment(relation.start, node.at) : parts.node(node.at);
+    if (!own) {
+        return {};
+    }
+    const bool alone =
+        relation.ofLine && (relation.kind == ConstraintKind::Horizontal || relation.kind == ConstraintKind::Vertical);
+    if (alone) {
+        return {*own};
+    }
+    std::optional<SketchPart> other = relation.with;
+    if (relation.withOwn) {
+        const std::size_t k = *relation.withOwn;
+        const bool line = relation.ofLine && k + 1 < node.path.size();
+        other = line                                       ? parts.segment(node.path[k], node.path[k + 1])
+                : !relation.ofLine && k < node.path.size() ? parts.node(node.path[k])
+                                                           : std::nullopt;
+    }
+    return other && *other != *own ? std::vector<SketchPart>{*other, *own} : std::vector<SketchPart>();
+}
+
+} // namespace
+
+InferredConstraints addInferred(Document document, std::uint32_t shape, std::span<const InferredNode> nodes) {
+    InferredConstraints result{std::move(document)};
+    for (const InferredNode &node : nodes) {
+        for (const Inference &relation : node.relations) {
+            std::vector<SketchPart> parts = partsOf(PathParts(result.document, shape), node, relation);
+            if (parts.empty()) {
+                continue;
+            }
+            if (Result<Document> next = addConstraint(result.document, relation.kind, std::move(parts))) {
+                result.document = *std::move(next);
+                ++result.added;
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace forefront

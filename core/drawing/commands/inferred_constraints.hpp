@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/drawing/document/document.hpp"
+#include "core/drawing/picking/inference.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace forefront {
+
+/// A node of a shape whose place was taken with relations.
+struct InferredNode {
+    Vec2 at;
+    std::vector<Inference> relations;
+    std::vector<Vec2> path; ///< nodes of the path that was drawn up to it, which Inference::withOwn counts
+};
+
+/// A document with constraints that were inferred.
+struct InferredConstraints {
+    Document document;
+    std::size_t added = 0;
+};
+
+/// Adds the relations of nodes of a shape as constraints, in order. Left out are those whose node or line does not
+/// exist, such as where a line was divided, and those that the others imply.
+InferredConstraints addInferred(Document document, std::uint32_t shape, std::span<const InferredNode> nodes);
+
+} // namespace forefront

@@ -1,0 +1,26 @@
+#include "core/engine/pipeline/stages.hpp"
+#include "core/engine/refine/least_angle.hpp"
+
+#include <memory>
+#include <utility>
+
+namespace forefront {
+
+Status leastAngleStage(MeshingState &state, const Progress &progress) {
+    const MeshingJob &job = state.job;
+    progress("raising the least angle", 0.0);
+    DiscreteDomain boundary = *state.prepared.boundary;
+    const SegmentElements counts = job.spacing.placed.elements;
+    LeastAngleRules rules{*job.options.leastAngle, elementsToStopAt(job.options), {}};
+    rules.mayDivide = [&, &segments = state.prepared.boundary->segments](std::uint32_t edge) {
+        return !job.options.keepBoundary && counts[segments[edge].source] == 0;
+    };
+    if (Status faults = refineToLeastAngle(state.triangles, boundary, rules, state.leastAngle, progress);
+        !faults.empty()) {
+        return faults;
+    }
+    state.prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(boundary));
+    return {};
+}
+
+} // namespace forefront

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/files/text/text_writer.hpp"
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+namespace forefront {
+
+/// Writes a node set; the indices ascend.
+inline void writeAbaqusNodes(const std::string &name, const std::set<std::uint32_t> &nodes, TextWriter &out) {
+    out << "*NSET, NSET=" << name << '\n';
+    constexpr std::size_t kPerLine = 10;
+    std::size_t column = 0;
+    for (const std::uint32_t node : nodes) {
+        out << node + std::uint64_t{1} << (++column % kPerLine == 0 || column == nodes.size() ? "\n" : ", ");
+    }
+}
+
+} // namespace forefront

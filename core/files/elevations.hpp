@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/engine/base/api.hpp"
+#include "core/engine/base/result.hpp"
+#include "core/engine/mesh/mesh_view.hpp"
+#include "core/engine/spacing/spec/raster.hpp"
+#include "core/files/source/import_notes.hpp"
+#include "core/files/source/import_options.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace FOREFRONT_API forefront {
+
+/// Reads the values of an ESRI ASCII grid, which may have any sign. Faults as for a grid of sizes, see
+/// FormatList::readSpacing().
+Result<Raster> readRaster(const std::filesystem::path &path, const ImportOptions &options = {},
+                          ImportNotes *notes = nullptr);
+
+/// Returns the values of a raster at the nodes of a mesh, for MeshView::elevations. Fault: no-elevation, with the
+/// number of nodes without a value and the place of the first.
+Result<std::vector<double>> elevationsOf(const MeshView &mesh, const Raster &raster);
+/// Does the same with an expression in x and y. Faults also: expression-syntax, with `column`.
+Result<std::vector<double>> elevationsOf(const MeshView &mesh, const std::string &expression);
+
+/// Completes the elevations of the first nodes of a mesh: nodes in the middles of edges and elements that follow get
+/// the mean of the corners around them.
+void addMiddleElevations(const MeshView &mesh, std::vector<double> &elevations);
+
+} // namespace forefront

@@ -1,0 +1,129 @@
+#include "core/teaching/film/film_labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kLabelSize = 13.0; ///< font size in pixels
+constexpr double kLabelGap = 7.0;   ///< pixels between a point and its label
+constexpr int kDirections = 8, kRings = 6;
+
+std::string fixedText(double value, int decimals) {
+    std::array<char, 64> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    return {text.data(), end.ptr};
+}
+
+/// Returns the number of decimals, from 2 to 6, that tells different scores apart.
+int scoreDecimals(const AdvanceExplanation &advance) {
+    constexpr int kMin = 2, kMax = 6;
+    constexpr double kEqual = 1e-8; // within rounding
+    std::vector<double> scores;
+    for (const CandidateTrace &candidate : advance.candidates) {
+        scores.push_back(candidate.score);
+    }
+    std::sort(scores.begin(), scores.end());
+    const auto equal = [](double a, double b) { return b - a <= kEqual * std::abs(b); };
+    scores.erase(std::unique(scores.begin(), scores.end(), equal), scores.end());
+    for (int decimals = kMin; decimals < kMax; ++decimals) {
+        std::set<std::string> texts;
+        for (const double score : scores) {
+            texts.insert(fixedText(score, decimals));
+        }
+        if (texts.size() == scores.size()) {
+            return decimals;
+        }
+    }
+    return kMax;
+}
+
+/// Places labels one after another, each clear of the points and of the labels before it.
+class LabelPlacer {
+  public:
+    LabelPlacer(FilmScene &scene, double bottom) : scene_(scene), bottom_(bottom) {}
+
+    void avoid(Vec2 point) { points_.push_back(point); }
+
+    /// Adds a label of a point; `away` is the preferred direction.
+    void add(Vec2 point, Vec2 place, std::string text, Ink ink, Vec2 away) {
+        const Vec2 size{filmTextWidth(text, kLabelSize), 0.75 * kLabelSize};
+        const double first = std::atan2(away.y, away.x);
+        Box2 chosen = boxAt(point, size, first, kLabelGap);
+        for (int k = 0; k < kDirections * kRings; ++k) {
+            const int turn = k % kDirections; // 0, 1, -1, 2, -2, ... eighths
+            const double eighths = (turn % 2 == 1 ? 1.0 : -1.0) * ((turn + 1) / 2);
+            const Box2 box =
+                boxAt(point, size, first + eighths * std::numbers::pi / 4.0, kLabelGap + size.y * (k / kDirections));
+            if (isFree(box)) {
+                chosen = box;
+                break;
+            }
+        }
+        boxes_.push_back(chosen);
+        scene_.texts.push_back({{chosen.min.x, chosen.max.y}, std::move(text), ink, kLabelSize, place});
+    }
+
+  private:
+    static Box2 boxAt(Vec2 point, Vec2 size, double angle, double gap) {
+        const Vec2 half = 0.5 * size;
+        const Vec2 middle = point + Vec2{std::cos(angle) * (gap + half.x), std::sin(angle) * (gap + half.y)};
+        return {middle - half, middle + half};
+    }
+    bool isFree(const Box2 &box) const {
+        constexpr double kApart = 2.0;
+        const auto hits = [&](const Box2 &other) {
+            return box.min.x < other.max.x + kApart && other.min.x < box.max.x + kApart &&
+                   box.min.y < other.max.y + kApart && other.min.y < box.max.y + kApart;
+        };
+        return box.min.x >= 0.0 && box.min.y >= 0.0 && box.max.x <= scene_.width && box.max.y <= bottom_ &&
+               std::none_of(boxes_.begin(), boxes_.end(), hits) &&
+               std::none_of(points_.begin(), points_.end(), [&](Vec2 point) {
+                   return hits({point, point});
+               });
+    }
+
+    FilmScene &scene_;
+    double bottom_;
+    std::vector<Vec2> points_;
+    std::vector<Box2> boxes_;
+};
+
+} // namespace
+
+void addLabels(const AdvanceExplanation &advance, const std::function<Vec2(Vec2)> &at, double bottom,
+               FilmScene &scene) {
+    const Vec2 a = at(advance.a), b = at(advance.b), c = at(advance.ideal);
+    LabelPlacer labels(scene, bottom);
+    for (const Vec2 point : {a, b, c}) {
+        labels.avoid(point);
+    }
+    for (const CandidateTrace &candidate : advance.candidates) {
+        labels.avoid(at(candidate.position));
+    }
+    const Vec2 middle = 0.5 * (a + b);
+    labels.add(a, advance.a, "A", Ink::Base, a - c);
+    labels.add(b, advance.b, "B", Ink::Base, b - c);
+    labels.add(c, advance.ideal, "C", Ink::Text, c - middle);
+    const int decimals = scoreDecimals(advance);
+    for (std::size_t k = 0; k < advance.candidates.size(); ++k) {
+        const CandidateTrace &candidate = advance.candidates[k];
+        const std::string text = candidate.verdict == Verdict::Withdrawn
+                                     ? std::string("withdrawn")
+                                     : std::to_string(k + 1) + ": " + fixedText(candidate.score, decimals);
+        const Vec2 point = at(candidate.position);
+        labels.add(point, candidate.position, text, Ink::Text, point - middle);
+    }
+}
+
+} // namespace forefront

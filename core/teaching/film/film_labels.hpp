@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/engine/mesher/trace.hpp"
+#include "core/teaching/film/film_scene.hpp"
+
+#include <functional>
+
+namespace forefront {
+
+/// Adds the labels of an advance to a scene: A, B and C, each alone in its text, and the rank and score of each
+/// candidate. Labels are kept apart and inside the drawing, whose lower edge is `bottom`, in pixels. `at`: maps the
+/// plane to pixels.
+void addLabels(const AdvanceExplanation &advance, const std::function<Vec2(Vec2)> &at, double bottom, FilmScene &scene);
+
+} // namespace forefront

@@ -1,0 +1,158 @@
+#include "core/engine/base/number_text.hpp"
+#include "core/engine/domain/add_loop.hpp"
+#include "core/engine/session/mesh_stepper.hpp"
+#include "core/teaching/film/film_picture.hpp"
+#include "core/teaching/film/film_scene.hpp"
+#include "core/teaching/film/pdf_writer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace moment_pictures {
+
+FilmLayers labelled() {
+    FilmLayers layers;
+    layers.shown[static_cast<std::size_t>(FilmLayer::Labels)] = true;
+    return layers;
+}
+
+MeshStepper run(Method method) {
+    MeshingJob job;
+    addLoop(job.domain, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    addLoop(job.domain, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}, 2);
+    job.spacing.size = 0.7;
+    job.options.method = method;
+    Result<MeshStepper> stepper = MeshStepper::create(std::move(job));
+    REQUIRE(stepper);
+    return *std::move(stepper);
+}
+
+FilmScene sceneAt(MeshStepper &stepper, std::uint64_t advance) {
+    stepper.seek(advance);
+    const FilmSheet sheet{stepper.mesh().bounds(), 800};
+    return sceneOf(*stepper.snapshot(labelled().needed()), sheet, labelled(), stepper.known());
+}
+
+std::vector<FilmText> named(const FilmScene &scene, const std::string &name) {
+    std::vector<FilmText> found;
+    std::copy_if(scene.texts.begin(), scene.texts.end(), std::back_inserter(found),
+                 [&](const FilmText &text) { return text.place && text.text == name; });
+    return found;
+}
+
+Box2 boxOf(const FilmText &text) {
+    return {{text.at.x, text.at.y - 0.75 * text.size}, {text.at.x + filmTextWidth(text.text, text.size), text.at.y}};
+}
+
+} // namespace moment_pictures
+
+TEST_CASE("Film: the labels of a moment name A, B and C of its advance, and every candidate") {
+    for (const Method method : {Method::Classic, Method::Fast}) {
+        MeshStepper stepper = moment_pictures::run(method);
+        for (std::uint64_t advance = 1; advance <= 20; ++advance) {
+            CAPTURE(advance);
+            const FilmScene scene = moment_pictures::sceneAt(stepper, advance);
+            const std::shared_ptr<const AdvanceExplanation> told = stepper.explanation();
+            const std::vector<std::pair<std::string, Vec2>> expected = {
+                {"A", told->a}, {"B", told->b}, {"C", told->ideal}};
+            for (const auto &[name, place] : expected) {
+                const std::vector<FilmText> labels = moment_pictures::named(scene, name);
+                REQUIRE(labels.size() == 1);
+                CHECK(*labels.front().place == place);
+            }
+            const auto count = std::count_if(scene.texts.begin(), scene.texts.end(),
+                                             [](const FilmText &text) { return text.place.has_value(); });
+            CHECK(static_cast<std::size_t>(count) == 3 + told->candidates.size());
+            REQUIRE(scene.circles.size() == 1);
+            const double scale = (800.0 - 24.0) / 4.0; // pixels per unit of length
+            CHECK(scene.circles.front().radius == doctest::Approx(scale * told->searchRadius));
+        }
+    }
+}
+
+TEST_CASE("Film: labels of a moment do not overlap") {
+    MeshStepper stepper = moment_pictures::run(Method::Classic);
+    for (std::uint64_t advance = 1; advance <= 20; ++advance) {
+        CAPTURE(advance);
+        const FilmScene scene = moment_pictures::sceneAt(stepper, advance);
+        std::vector<Box2> boxes;
+        for (const FilmText &text : scene.texts) {
+            if (text.place) {
+                boxes.push_back(moment_pictures::boxOf(text));
+            }
+        }
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                const Box2 &a = boxes[i], &b = boxes[k];
+                CHECK_FALSE((a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y));
+            }
+        }
+    }
+}
+
+TEST_CASE("Film: an SVG and a PDF of a moment keep its labels as text") {
+    MeshStepper stepper = moment_pictures::run(Method::Classic);
+    const FilmScene scene = moment_pictures::sceneAt(stepper, 9);
+    const std::string svg = svgOf(scene), pdf = pdfOf(scene);
+    const Vec2 a = stepper.explanation()->a;
+    CHECK(svg.find("data-x=\"" + exactText(a.x) + "\" data-y=\"" + exactText(a.y) + "\">A</text>") !=
+          std::string::npos);
+    for (const FilmText &text : scene.texts) {
+        if (text.place) {
+            CHECK(svg.find('>' + text.text + "</text>") != std::string::npos);
+            CHECK(pdf.find('(' + text.text + ") Tj") != std::string::npos);
+        }
+    }
+    FilmScene empty;
+    empty.width = 100;
+    empty.height = 100;
+    empty.texts.push_back({{10, 50}, "\xce\xb1 (\\)", Ink::Text, 13.0, {}});
+    CHECK(pdfOf(empty).find("/F2 13 Tf (a) Tj\n/F1 13 Tf ( \\(\\\\\\)) Tj") != std::string::npos);
+}
+
+TEST_CASE("Film: the objects of a PDF begin where its table says") {
+    MeshStepper stepper = moment_pictures::run(Method::Fast);
+    const std::string pdf = pdfOf(moment_pictures::sceneAt(stepper, 5));
+    const std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
+    REQUIRE(pdf.substr(table, 9) == "xref\n0 7\n");
+    for (std::size_t k = 1; k < 7; ++k) {
+        const std::size_t offset = std::stoul(pdf.substr(table + 9 + 20 * k, 10));
+        CHECK(pdf.substr(offset, 7) == std::to_string(k) + " 0 obj");
+    }
+    const std::size_t length = std::stoul(pdf.substr(pdf.find("/Length ") + 8));
+    CHECK(pdf.find("endstream") == pdf.find("stream\n") + 7 + length);
+}
+
+TEST_CASE("Film: a PNG of a moment has the circle of the search, and the last moment says that it is improved") {
+    MeshStepper stepper = moment_pictures::run(Method::Classic);
+    FilmScene scene = moment_pictures::sceneAt(stepper, 9);
+    REQUIRE(scene.circles.size() == 1);
+    FilmCircle &circle = scene.circles.front();
+    circle = {{400.0, 300.0}, 50.5, Ink::Rejected, 3.0};
+    scene.lines.clear();
+    scene.texts.clear();
+    const FilmPicture picture = paintScene(scene);
+    for (const int x : {350, 450}) {
+        CHECK(picture.row(300)[x] == static_cast<std::uint8_t>(Ink::Rejected));
+    }
+    CHECK(picture.row(300)[400] != static_cast<std::uint8_t>(Ink::Rejected));
+    REQUIRE(stepper.finish());
+    const FilmScene last = moment_pictures::sceneAt(stepper, stepper.known());
+    CHECK(std::none_of(last.texts.begin(), last.texts.end(),
+                       [](const FilmText &text) { return text.place.has_value(); }));
+    REQUIRE_FALSE(last.texts.empty());
+    CHECK(last.texts.front().text.find("the mesh is improved") != std::string::npos);
+}
+
+} // namespace forefront

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/drawing/constraints/constraint_figures.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+
+#include <optional>
+#include <string>
+
+namespace forefront {
+
+struct DimensionStyle {
+    Colour colour;          ///< of the lines and the text
+    Colour plate;           ///< behind the text
+    ImFont *font = nullptr; ///< of the text
+    bool chosen = false;    ///< drawn even where it is small
+};
+
+/// Draws a dimension: extension lines, a line or an arc with arrows, and its text, at `label` if that is given (see
+/// SketchConstraint::label), else where it covers nothing. Returns false, and draws nothing, if it is out of view, too
+/// small, or there is no room.
+bool drawDimension(CanvasPainter &painter, const DimensionFigure &figure, std::optional<Vec2> label,
+                   const std::string &text, const DimensionStyle &style);
+
+} // namespace forefront
