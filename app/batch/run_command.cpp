@@ -3,13 +3,16 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
+#include "app/batch/report.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/documents.hpp"
 #include "core/drawing_files/project/project.hpp"
 #include "core/drawing_files/script/script_player.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/engine/mesh/large_elements.hpp"
 #include "core/engine/mesh/limits.hpp"
 #include "core/engine/mesh/verify.hpp"
 #include "core/engine/pipeline/pipeline.hpp"
@@ -19,14 +22,15 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
 namespace {
 
 constexpr const char *kRunHelp = R"help(
-A script is a text of JSON objects, one command each, usually one a line. The editor writes one of what you do with
-File > Record script. Paths are relative to the folder of the script.
+A script is a text of JSON objects, one command each, usually one a line. Paths are relative to the folder of the
+script, or to the current folder if it is read from standard input.
 
   {"command": "new"}                                             an empty drawing; "project": with this content
   {"command": "open", "file": "plate.json"}                      a project or any file that the editor opens
@@ -46,13 +50,13 @@ File > Record script. Paths are relative to the folder of the script.
 Shapes and the members of "change" are written as in project files; a shape without "id" gets the next free one.
 
 Examples:
-  forefront run session.jsonl
-        do again what was recorded
-  forefront run - < session.jsonl
+  forefront run plate.jsonl
+        carry out the commands of a file in order, up to the first that fails
+  forefront run - < plate.jsonl
         read the script from standard input
 
 Exit codes: 0 done, 1 script refused or a check failed (faults on stderr with line and column), 2 usage error,
-3 cancelled.)help";
+3 cancelled)help";
 
 constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 30;
 
@@ -67,12 +71,17 @@ class ScriptRun {
     ScriptRun(const RunScriptArguments &arguments, const SourceText &source, InterruptWatch &interrupt)
         : arguments_(arguments), source_(source), interrupt_(interrupt), bar_(!arguments.quiet) {}
 
-    /// Returns the faults of the first command that fails.
+    /// Returns the faults of the first command that fails. Prints the warnings and notes of those before it.
     Status run(const Script &script) {
         for (const ScriptCommand &command : script.commands()) {
-            if (Status faults = perform(command); hasErrors(faults)) {
-                return placedAt(std::move(faults), command, source_);
+            Status faults = placedAt(perform(command), command, source_);
+            if (hasErrors(faults)) {
+                return faults;
             }
+            if (arguments_.quiet) {
+                std::erase_if(faults, [](const Diagnostic &fault) { return fault.severity == Severity::Note; });
+            }
+            printFaults(faults);
             if (interrupt_.interrupted()) {
                 return error("cancelled", "cancelled");
             }
@@ -99,7 +108,18 @@ class ScriptRun {
         }
     }
 
-    std::filesystem::path pathOf(const std::string &file) const { return source_.path.parent_path() / file; }
+    /// Returns the path of the member "file".
+    Result<std::filesystem::path> pathOf(const ScriptCommand &command) const {
+        const Result<std::string> file = requiredText(command, "file", source_);
+        if (!file) {
+            return file.faults();
+        }
+        if (isStandardStream(*file)) {
+            return error("bad-value", "expected the name of a file, got '-'",
+                         "scripts read and write files alone; ./- is a file of that name");
+        }
+        return source_.path.parent_path() / *file;
+    }
 
     void print(const ScriptCommand &command, const std::string &text) const {
         if (!arguments_.quiet) {
@@ -108,19 +128,18 @@ class ScriptRun {
     }
 
     Status open(const ScriptCommand &command) {
-        const Result<std::string> file = requiredText(command, "file", source_);
-        if (!file) {
-            return file.faults();
+        const Result<std::filesystem::path> path = pathOf(command);
+        if (!path) {
+            return path.faults();
         }
         ImportNotes notes;
-        Result<Document> document = readDocument(pathOf(*file), {}, &notes);
+        Result<Document> document = readDocument(*path, {}, &notes);
         if (!document) {
             return document.faults();
         }
-        printNotes(notes, arguments_.quiet);
         player_.load(*std::move(document));
         meshed_.reset();
-        return {};
+        return notes.diagnostics();
     }
 
     Status mesh(const ScriptCommand &command) {
@@ -129,8 +148,8 @@ class ScriptRun {
             return expected.faults();
         }
         const Progress progress = bar_.progress(interrupt_.token());
-        Result<MeshingOutcome> outcome =
-            bar_.during({}, [&] { return meshDomain(jobOf(player_.document()), progress); });
+        const MeshingJob job = jobOf(player_.document());
+        Result<MeshingOutcome> outcome = bar_.during({}, [&] { return meshDomain(job, progress); });
         if (!outcome) {
             return outcome.faults();
         }
@@ -142,7 +161,20 @@ class ScriptRun {
         }
         print(command, "mesh of " + std::to_string(meshed_->mesh.elementCount()) + " elements and " +
                            std::to_string(meshed_->mesh.nodes.size()) + " nodes, hash " + hash);
-        return {};
+        return remarksOn(job);
+    }
+
+    /// Returns the notes and warnings on the mesh, those of the command mesh.
+    Diagnostics remarksOn(const MeshingJob &job) const {
+        const RunReport report = reportOf(*meshed_, job.options);
+        Diagnostics remarks = meshed_->spacing->notes();
+        for (const Diagnostics &more :
+             {violatedLimits(meshed_->mesh, player_.document().limits, meshed_->spacing.get()),
+              largeElements(meshed_->mesh, job.domain, job.spacing.placed.regions), flatElements(report.quality),
+              notConvex(report.quads), straightEdges(report.order)}) {
+            remarks.insert(remarks.end(), more.begin(), more.end());
+        }
+        return remarks;
     }
 
     Status needsMesh() const {
@@ -168,43 +200,41 @@ class ScriptRun {
     }
 
     Status exportMesh(const ScriptCommand &command) {
-        const Result<std::string> file = requiredText(command, "file", source_),
-                                  format = optionalText(command, "format", source_);
-        if (!file || !format) {
-            return !file ? file.faults() : format.faults();
+        const Result<std::filesystem::path> path = pathOf(command);
+        const Result<std::string> format = optionalText(command, "format", source_);
+        if (!path || !format) {
+            return !path ? path.faults() : format.faults();
         }
         if (Status faults = needsMesh(); !faults.empty()) {
             return faults;
         }
-        const std::filesystem::path path = pathOf(*file);
-        if (const std::string wrong = checkFormat(path, *format); !wrong.empty()) {
+        if (const std::string wrong = checkFormat(*path, *format); !wrong.empty()) {
             return error("bad-value", wrong);
         }
-        const std::vector<Output> outputs = {{path, *format}};
+        const std::vector<Output> outputs = {{*path, *format}};
         if (Status faults = checkOutputs(outputs, {source_.path}); !faults.empty()) {
             return faults;
         }
         const Diagnostics written = bar_.during(
             {}, [&] { return writeAndCommit(outputs, meshed_->mesh, {}, bar_.progress(interrupt_.token())); });
         if (!hasErrors(written)) {
-            if (!arguments_.quiet) {
-                printFaults(written);
-            }
-            print(command, "wrote " + path.string());
+            print(command, "wrote " + path->string());
         }
         return written;
     }
 
     Status save(const ScriptCommand &command) {
-        const Result<std::string> file = requiredText(command, "file", source_);
-        if (!file) {
-            return file.faults();
+        const Result<std::filesystem::path> path = pathOf(command);
+        if (!path) {
+            return path.faults();
         }
-        const std::filesystem::path path = pathOf(*file);
-        if (Status faults = writeProject(path, player_.document()); !faults.empty()) {
+        if (Status faults = checkOutputs({{*path, {}}}, {source_.path}); !faults.empty()) {
             return faults;
         }
-        print(command, "wrote " + path.string());
+        if (Status faults = writeProject(*path, player_.document()); !faults.empty()) {
+            return faults;
+        }
+        print(command, "wrote " + path->string());
         return {};
     }
 

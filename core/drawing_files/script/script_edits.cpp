@@ -84,7 +84,7 @@ class ScriptEdit {
         if (!check_.expect(*project, JsonKind::Object, "\"project\"")) {
             return document_;
         }
-        return parseProject(text(*project), {});
+        return readProjectValue(*project, source_);
     }
 
     /// Adds the shapes of an array to the parts, in place of those with the same ids if `replaces`.
@@ -102,9 +102,9 @@ class ScriptEdit {
             const auto same = std::find_if(parts.shapes.begin(), parts.shapes.end(),
                                            [&](const auto &shape) { return id != 0 && shape.id == id; });
             if (same == parts.shapes.end()) {
-                parts.shapes.push_back({id, std::string(text(item))});
+                parts.shapes.push_back({id, std::string(text(item)), item.offset()});
             } else if (replaces) {
-                same->text = text(item);
+                *same = {id, std::string(text(item)), item.offset()};
             } else {
                 check_.fault(*given, "duplicate-id", "another shape has the id " + std::to_string(id),
                              "leave \"id\" out for the next free one");
@@ -117,7 +117,7 @@ class ScriptEdit {
         if (const auto shapes = required("shapes")) {
             take(*shapes, "shapes", false, parts);
         }
-        return check_.faults().empty() ? parts.read() : Result<Document>(document_);
+        return check_.faults().empty() ? parts.read(source_) : Result<Document>(document_);
     }
 
     std::set<std::uint32_t> shapeIds(const JsonValue &list, std::string_view member) {
@@ -321,20 +321,17 @@ class ScriptEdit {
         if (const auto replaced = find("replace")) {
             take(*replaced, "replace", true, parts);
         }
-        return check_.faults().empty() ? parts.read() : Result<Document>(document_);
+        return check_.faults().empty() ? parts.read(source_) : Result<Document>(document_);
     }
 
     void setMember(const std::string &name, const JsonValue &value, const JsonValue &key, ProjectParts &parts) {
-        static constexpr std::string_view kKnown[] = {
-            "regionMarkers",   "boundaryNames",  "regionNames", "spacing",  "options", "limits",        "nextId",
-            "circleTolerance", "curveTolerance", "parameters",  "formulas", "picture", "elementCounts", "constraints"};
         if (name == "shapes") {
             parts.shapes.clear();
             take(value, name, false, parts);
-        } else if (std::find(std::begin(kKnown), std::end(kKnown), name) == std::end(kKnown)) {
-            check_.fault(key, "unknown-member", "projects have no member " + inQuotes(name));
+        } else if (value.is(JsonKind::Null) && parts.member(name).empty()) {
+            check_.fault(key, "unknown-member", "the project has no member " + inQuotes(name) + " to remove");
         } else {
-            parts.set(name, value.is(JsonKind::Null) ? std::string() : std::string(text(value)));
+            parts.set({name, value.is(JsonKind::Null) ? std::string() : std::string(text(value)), value.offset()});
         }
     }
 

@@ -29,15 +29,25 @@ Result<std::string> readText(const ScriptCommand &command, std::string_view memb
 
 Diagnostics placedAt(Diagnostics faults, const ScriptCommand &command, const SourceText &source) {
     const TextPlace place = placeOf(source.text, command.value.offset());
+    bool elsewhere = false;
     for (Diagnostic &fault : faults) {
-        if (fault.file.empty() || fault.line == 0) {
+        if (fault.file.empty()) {
             fault.file = source.name;
-        }
-        if (fault.line == 0) {
             fault.line = place.line;
             fault.column = place.column;
             fault.message = std::string(wordOf(command.word)) + ": " + fault.message;
         }
+        elsewhere = elsewhere || fault.file != source.name;
+    }
+    if (elsewhere && hasErrors(faults)) {
+        Diagnostic note;
+        note.severity = Severity::Note;
+        note.code = "failed-command";
+        note.message = "the command " + std::string(wordOf(command.word)) + " failed";
+        note.file = source.name;
+        note.line = place.line;
+        note.column = place.column;
+        faults.push_back(std::move(note));
     }
     return faults;
 }

@@ -4,7 +4,7 @@
 #include "core/drawing_files/script/script.hpp"
 #include "core/engine/base/result.hpp"
 
-#include <filesystem>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -32,7 +32,8 @@ class ScriptPlayer {
 /// Returns true for a command that ScriptPlayer::play() carries out.
 bool editsDocument(ScriptWord word);
 
-/// Gives faults without a place that of a command.
+/// Gives faults without a file the place of a command. Faults of another file keep their own; the last of them is then
+/// followed by a note that names the command.
 Diagnostics placedAt(Diagnostics faults, const ScriptCommand &command, const SourceText &source);
 
 /// Returns the text of a member of a command that must be there, such as the file of an export.

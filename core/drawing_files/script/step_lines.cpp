@@ -56,19 +56,19 @@ std::string commandLine(const char *word, const std::string &members) {
 }
 
 /// The difference of two documents.
-class Step {
+class DocumentDifference {
   public:
-    Step(const Document &before, const Document &after)
+    DocumentDifference(const Document &before, const Document &after)
         : before_(before), after_(after), from_(ProjectParts::of(before)), to_(ProjectParts::of(after)) {
         findShapes();
-        for (const auto &[name, text] : to_.members) {
-            if (name != "nextId" && from_.member(name) != text) {
-                members_.emplace_back(name, inOneLine(text));
+        for (const ProjectParts::MemberText &member : to_.members) {
+            if (member.name != "nextId" && from_.member(member.name) != member.text) {
+                members_.emplace_back(member.name, inOneLine(member.text));
             }
         }
-        for (const auto &[name, text] : from_.members) {
-            if (to_.member(name).empty()) {
-                members_.emplace_back(name, "null");
+        for (const ProjectParts::MemberText &member : from_.members) {
+            if (to_.member(member.name).empty()) {
+                members_.emplace_back(member.name, "null");
             }
         }
     }
@@ -257,7 +257,7 @@ class Step {
 } // namespace
 
 std::vector<std::string> linesBetween(const Document &before, const Document &after) {
-    return Step(before, after).lines();
+    return DocumentDifference(before, after).lines();
 }
 
 std::string newLine(const Document &document) {
