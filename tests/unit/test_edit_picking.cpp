@@ -253,7 +253,7 @@ TEST_CASE("snap: midpoints, centres and crossings of all kinds of segments") {
     CHECK(snapped({13.1, 2.1}).kind == SnapKind::Segment);
     CHECK(wordsOf(onArc) == "intersection");
     CHECK(wordsOf({{}, SnapKind::Grid}) == "grid");
-    CHECK(wordsOf({}).empty());
+    CHECK(wordsOf(Snapped{}).empty());
 }
 
 TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is drawn") {
