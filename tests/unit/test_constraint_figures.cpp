@@ -95,7 +95,10 @@ TEST_CASE("Figures of dimensions: other constraints and parts that are gone have
 TEST_CASE("Glyphs: each line of a relation has one, a joint has one, and axes have none") {
     const Document document = triangleAndCircle();
     const auto anchorsOf = [&](ConstraintKind kind, std::vector<SketchPart> parts) {
-        return glyphAnchors(document, SketchConstraint{.kind = kind, .parts = std::move(parts)});
+        SketchConstraint constraint;
+        constraint.kind = kind;
+        constraint.parts = std::move(parts);
+        return glyphAnchors(document, constraint);
     };
     const std::vector<GlyphAnchor> right = anchorsOf(ConstraintKind::Perpendicular, {side(0), side(2)});
     REQUIRE(right.size() == 2);
