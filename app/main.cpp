@@ -32,6 +32,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront formats            list the file formats          (forefront formats --help)
   forefront film IN -o GIF     film a run step by step        (forefront film --help)
   forefront trace IN -o JSON   write every advance of a run   (forefront trace --help)
+  forefront run SCRIPT         carry out a script of commands (forefront run --help)
   forefront rules              list the classic method's rules (forefront rules --help)
   forefront tables             reproduce the published tables (forefront tables --help)
   forefront --version          print the version
@@ -78,7 +79,7 @@ using Command = int (*)(int, const char *const *);
 constexpr std::pair<std::string_view, Command> kCommands[] = {
     {"mesh", meshCommand},   {"check", checkCommand},     {"adapt", adaptCommand}, {"convert", convertCommand},
     {"info", infoCommand},   {"formats", formatsCommand}, {"film", filmCommand},   {"trace", traceCommand},
-    {"rules", rulesCommand}, {"tables", tablesCommand}};
+    {"rules", rulesCommand}, {"tables", tablesCommand},   {"run", runCommand}};
 
 /// Returns the batch command of this name; null if there is none.
 Command batchCommand(std::string_view name) {

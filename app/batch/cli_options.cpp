@@ -397,10 +397,14 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
     app.add_flag("--shape-regions", arguments.shapeRegions,
                  "make every filled SVG shape a region named by its id or label, as far as no later shape covers it; "
                  "by default, all shapes are one region");
-    app.add_flag(
-        "--white-holes,!--no-white-holes", arguments.whiteHoles,
-        "white filled SVG shapes that lie on others are holes in these (default, unless nothing would remain), "
-        "or are merged with them");
+    // A flag of CLI11 with a negative form counts as given even where it is not.
+    auto *const holes = app.add_flag_callback(
+        "--white-holes", [&arguments] { arguments.whiteHoles = true; },
+        "white filled SVG shapes that lie on others are holes in these (default, unless nothing would remain)");
+    app.add_flag_callback(
+           "--no-white-holes", [&arguments] { arguments.whiteHoles = false; },
+           "white filled SVG shapes that lie on others are merged with them")
+        ->excludes(holes);
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

@@ -32,4 +32,7 @@ int rulesCommand(int argc, const char *const *argv);
 /// Runs `forefront trace ...` and returns the exit code; argv[0] is the word "trace".
 int traceCommand(int argc, const char *const *argv);
 
+/// Runs `forefront run ...` and returns the exit code; argv[0] is the word "run".
+int runCommand(int argc, const char *const *argv);
+
 } // namespace forefront

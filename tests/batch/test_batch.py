@@ -1697,6 +1697,91 @@ class Adapting(Case):
         self.assertIn("Examples:", self.call("adapt", "--help").stdout)
 
 
+class Scripts(Case):
+    PLATE = """{"command": "parameter", "name": "r", "expression": "0.5"}
+{"command": "add", "shapes": [{"kind": "rectangle", "nodes": [[0, 0], [4, 2]]}]}
+{"command": "add", "shapes": [{"kind": "circle", "tag": 2, "nodes": [[2, 1], [2.4, 1]]}]}
+{"command": "constrain", "kind": "radius", "parts": ["shape/2/segment/0"], "value": "r"}
+{"command": "name", "boundary": 2, "name": "hole"}
+{"command": "size", "size": 0.25}
+{"command": "move", "shapes": [2], "by": [0.5, 0]}
+{"command": "mesh"}
+{"command": "check"}
+{"command": "export", "file": "plate.msh"}
+{"command": "save", "file": "plate.json"}
+"""
+
+    def run_script(self, *commands, code=0, words=()):
+        self.write("script.jsonl", "\n".join(commands) + "\n")
+        return self.call("run", "script.jsonl", *words, code=code)
+
+    def test_a_plate_with_a_hole_is_drawn_meshed_checked_and_written(self):
+        printed = self.run_script(self.PLATE).stdout
+        self.assertIn("line 9: the mesh fits its domain", printed)
+        hash = re.search(r"line 8: mesh of \d+ elements and \d+ nodes, hash (\w+)", printed)[1]
+        stats = self.stats("plate.json", "-o", "again.msh")
+        self.assertEqual(stats["hash"], hash)
+        self.assertAlmostEqual(stats["area"], 8 - math.pi / 4, delta=0.03)
+        self.assertEqual(self.read("again.msh"), self.read("plate.msh"))
+        self.assertIn("valid for the domain", self.call("check", "plate.msh", "--domain", "plate.json").stdout)
+        project = json.loads(self.read("plate.json"))
+        self.assertEqual(project["boundaryNames"], {"2": "hole"})
+        wider = self.PLATE.replace('"0.5"', '"0.75"').replace("plate.", "wide.")
+        self.assertNotIn(hash, self.run_script(wider).stdout)
+        self.assertLess(self.stats("wide.json", "-o", "again.msh")["area"], stats["area"] - 0.5)
+        same = self.PLATE.replace('"mesh"', f'"mesh", "hash": "{hash}"')
+        self.assertIn(hash, self.run_script(same).stdout)
+        other = same.replace('"size": 0.25', '"size": 0.5')
+        self.assertIn("script.jsonl:8:1: error: mesh: the mesh has the hash", self.run_script(other, code=1).stderr)
+
+    def test_paths_are_relative_to_the_script(self):
+        (self.path / "inner").mkdir()
+        self.write("inner/a.jsonl", '{"command": "open", "file": "../plate.poly"}\n{"command": "mesh"}\n'
+                                    '{"command": "export", "file": "a.vtu"}\n')
+        self.call("run", "inner/a.jsonl")
+        self.assertTrue((self.path / "inner" / "a.vtu").exists())
+
+    def test_standard_input_and_quiet(self):
+        done = subprocess.run([PROGRAM, "run", "-", "-q"], cwd=self.path, capture_output=True, text=True, timeout=300,
+                              input=self.PLATE)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        self.assertTrue((self.path / "plate.msh").exists())
+
+    def test_faults_have_their_place(self):
+        mesh = '{"command": "mesh"}'
+        for commands, expected in ((["nonsense"], "script.jsonl:1:1: error: "),
+                                   ([""], "expected a value, found the end of the file"),
+                                   (['{"command": "new"}', '{"command": "mesh", "hsah": 1}'],
+                                    "script.jsonl:2:21: error: unknown member 'hsah'"),
+                                   (['{"command": "check"}'], "script.jsonl:1:1: error: check: the document has no mesh"),
+                                   ([mesh], "script.jsonl:1:1: error: mesh: "),
+                                   (['{"command": "export"}'], "script.jsonl:1:1: error: "),
+                                   (['{"command": "save", "file": "-"}'], "expected the name of a file"),
+                                   (['{"command": "save", "file": "script.jsonl"}'], "it is an input"),
+                                   (['{"command": "open", "file": "plate.poly"}', mesh,
+                                     '{"command": "export", "file": "a.unknown"}'], "script.jsonl:3:1: error: export: ")):
+            self.assertIn(expected, self.run_script(*commands, code=1).stderr, commands)
+        self.call("run", code=2)
+        self.call("run", "missing.jsonl", code=1)
+
+    def test_faults_of_another_file_keep_their_place(self):
+        self.write("bad.json", PROJECT.replace('"polygon"', '"polyhedron"'))
+        for file, place in (("bad.json", "bad.json:1:"), ("missing.json", "missing.json: error: ")):
+            lines = self.run_script('{"command": "new"}', f'{{"command": "open", "file": "{file}"}}',
+                                    code=1).stderr.splitlines()
+            self.assertTrue(lines[0].startswith(place), lines)
+            self.assertEqual(lines[-1], "script.jsonl:2:1: note: the command open failed [failed-command]")
+
+    def test_notes_and_warnings_are_printed(self):
+        self.write("kind.json", PROJECT.replace('"version": 1', '"version": 1, "colour": "red"'))
+        opened = '{"command": "open", "file": "kind.json"}'
+        self.assertIn("kind.json:1:39: note: unknown member 'colour' is ignored", self.run_script(opened).stderr)
+        self.assertEqual(self.run_script(opened, words=["-q"]).stderr, "")
+        limited = '{"command": "change", "members": {"limits": {"minAngle": 59}}}'
+        refused = self.run_script(opened, limited, '{"command": "mesh"}', '{"command": "check"}', code=1).stderr
+        self.assertIn("script.jsonl:4:1: error: check: minimum angle 59°: violated", refused)
+
+
 class Telling(Case):
     def info(self, *arguments):
         return json.loads(self.call("info", *arguments, "--json").stdout)

@@ -224,6 +224,20 @@ const char *const kTriangle =
     "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# region 2 \"r\"\n# point 1 4\n%%\n1 3 1\n1 1 2 3 2\n"
     "%%\n2 1\n1 1 2 5\n2 2 3 0\n";
 
+const char *const kScript =
+    R"({"command":"new"}
+{"command":"add","shapes":[{"kind":"polygon","tag":1,"nodes":[[0,0],[4,0],[4,2]]}]}
+{"command":"add","shapes":[{"id":3,"kind":"circle","tag":2,"nodes":[[2,1],[3,1]]}]}
+{"command":"parameter","name":"r","expression":"0.5"}
+{"command":"constrain","kind":"radius","parts":["shape/3/segment/0"],"value":"2*r"}
+{"command":"move","shapes":[3],"by":[1,0]}
+{"command":"name","boundary":2,"name":"a"}
+{"command":"size","size":"r"}
+{"command":"change","remove":[1],"members":{"guides":[{"x":1}]}}
+{"command":"undo","steps":2}
+{"command":"redo"}
+)";
+
 const char *const kLesson = "{\"format\":\"forefront-lesson\",\"version\":1,\"title\":\"T\",\"about\":\"a\",\"pages\":["
                             "{\"title\":\"P\",\"text\":[\"{front} "
                             "b\"],\"document\":\"d.json\",\"method\":\"fast\",\"grid\":\"none\",\"improve\":\"best\","
@@ -326,7 +340,10 @@ std::string tinyEdge() {
 std::vector<std::string> seeds(const Target &target) {
     if (target.format == nullptr) {
         using List = std::vector<std::string>;
-        return std::string_view(target.name) == "lesson" ? List{std::string(kLesson)} : List{anyBytes(1), tinyEdge()};
+        const std::string_view name = target.name;
+        return name == "lesson"   ? List{std::string(kLesson)}
+               : name == "script" ? List{std::string(kScript)}
+                                  : List{anyBytes(1), tinyEdge()};
     }
     std::vector<std::string> list = handMade(target.name);
     if (target.format->writeMesh != nullptr) {

@@ -5,6 +5,7 @@
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/drawing_files/project/project.hpp"
+#include "core/drawing_files/script/script_player.hpp"
 #include "core/drawing_files/svg/svg.hpp"
 #include "core/engine/domain/validate.hpp"
 #include "core/engine/mesh/mesh_domain.hpp"
@@ -293,6 +294,26 @@ void runLesson(std::string_view bytes) {
     }
 }
 
+/// Plays the commands of a script that edit a drawing.
+void runScript(std::string_view bytes) {
+    const SourceText source = sourceOf(bytes);
+    const auto script = Script::read(source);
+    if (!script) {
+        checkFaults(script.faults());
+        return;
+    }
+    ScriptPlayer player;
+    for (const ScriptCommand &command : script->commands()) {
+        if (!editsDocument(command.word)) {
+            continue;
+        }
+        if (const Status faults = player.play(command, source); !faults.empty()) {
+            checkFaults(faults);
+        }
+    }
+    checkDocument(player.document());
+}
+
 /// Lists one target for each format that has its own readers. Triangle's files share one input, since the reader
 /// looks for the others only beside the file that it reads.
 std::vector<Target> listTargets() {
@@ -305,6 +326,7 @@ std::vector<Target> listTargets() {
         }
     }
     list.push_back({"lesson", nullptr, runLesson});
+    list.push_back({"script", nullptr, runScript});
     list.push_back({"repair", nullptr, runRepair});
     return list;
 }

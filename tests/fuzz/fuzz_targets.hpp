@@ -8,7 +8,7 @@
 
 namespace forefront::fuzz {
 
-/// Feeds bytes to the readers of one format, to the reader of lessons, or to the repair of domains.
+/// Feeds bytes to the readers of one format, to those of lessons and scripts, or to the repair of domains.
 struct Target {
     const char *name;
     const Format *format;                               ///< null: not a format
@@ -18,7 +18,7 @@ struct Target {
     /// that does not survive being written, a repair that is not complete.
     void run(std::string_view bytes) const;
 };
-/// Returns the targets in the order of the list of formats, then the lessons and the repair.
+/// Returns the targets in the order of the list of formats, then the lessons, the scripts and the repair.
 const std::vector<Target> &targets();
 const Target *find(std::string_view name);
 

@@ -14,7 +14,7 @@ ORDERS = {
     "core/files": ["source", "text", "common", "json", "*", "."],
     "core/drawing": ["arrangement", "sketch", "document", "shapes", "colour_outline", "names", "constraints", "formulas", "domain", "picking", "commands recovery"],
     "core/drawing/arrangement": [".", "snapping", "curves", "repeated_lines", "cover", "assembly repair"],
-    "core/drawing_files": ["common", "*", "clipboard", "."],
+    "core/drawing_files": ["common", "*", "clipboard script", "."],
     "core/drawing_files/svg": ["xml", "values", "style", "drawing", "areas", "."],
     "core/teaching": ["lesson page trace", "film", "tables"],
     "ui/tools": ["common", "draw select size look", "."],

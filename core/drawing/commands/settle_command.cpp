@@ -2,7 +2,11 @@
 
 #include "core/drawing/constraints/carry_constraints.hpp"
 #include "core/drawing/constraints/settle.hpp"
+#include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
+#include "core/drawing/shapes/segment_sizes.hpp"
+
+#include <utility>
 
 namespace forefront {
 
@@ -17,6 +21,12 @@ Result<Document> settleCommand(const Document &before, Document next) {
         carryFormulas(next, *settled);
     }
     return settled;
+}
+
+Result<Document> completeCommand(const Document &before, Document next) {
+    carrySegmentSizes(before, next);
+    carryElementCounts(before, next);
+    return settleCommand(before, std::move(next));
 }
 
 } // namespace forefront

@@ -10,4 +10,8 @@ namespace forefront {
 /// constraints that could not follow, see lostConstraints().
 Result<Document> settleCommand(const Document &before, Document next);
 
+/// Completes a command as settleCommand() does, after the sizes of segments have stayed at their places and divided
+/// segments have shared their number of elements.
+Result<Document> completeCommand(const Document &before, Document next);
+
 } // namespace forefront

@@ -3,9 +3,7 @@
 #include "core/drawing/commands/settle_command.hpp"
 #include "core/drawing/document/history.hpp"
 #include "core/drawing/domain/shared_domain.hpp"
-#include "core/drawing/formulas/element_counts.hpp"
 #include "core/drawing/formulas/formulas.hpp"
-#include "core/drawing/shapes/segment_sizes.hpp"
 #include "core/engine/spacing/shared_spacing.hpp"
 #include "core/files/source/file_stamp.hpp"
 
@@ -37,7 +35,7 @@ class DocumentStore {
     /// their number of elements, numbers that were edited directly lose their formulas, and constraints follow and move
     /// what they must. Error: constraint-conflict, see settleCommand(); the document then stays as it is.
     Status tryApply(Document next, std::string label, std::string_view stroke = {}) {
-        Result<Document> completed = complete(std::move(next));
+        Result<Document> completed = completeCommand(*current(), std::move(next));
         if (!completed) {
             return completed.faults();
         }
@@ -126,12 +124,6 @@ class DocumentStore {
     void observe(std::function<void(const Document &)> observer) { observer_ = std::move(observer); }
 
   private:
-    /// Returns a document in which what belongs to the shapes of the current one has followed.
-    Result<Document> complete(Document next) const {
-        carrySegmentSizes(*current(), next);
-        carryElementCounts(*current(), next);
-        return settleCommand(*current(), std::move(next));
-    }
     static constexpr int kMaxReserved = 1000;
 
     static std::string untitledName(int number) {
