@@ -175,8 +175,8 @@ def flap():
     p.add("polygon", naca_0012(80, 1, 0, 0, 0), 2, "airfoil")
     p.add("polygon", naca_0012(48, 0.35, -0.35, 0.98, -0.035), 3, "flap")
     p.spacing.update({"maximum": 1.5, "gradation": 0.2})
-    p.source("line", (0, 0), 0.015, 0.2, "chord", b=(1, 0))
-    p.source("line", (0.98, -0.035), 0.008, 0.2, "flap", b=(1.31, -0.155))
+    p.source("line", (0, 0), 0.018, 0.22, "chord", b=(1, 0))
+    p.source("line", (0.98, -0.035), 0.01, 0.22, "flap", b=(1.31, -0.155))
     p.layers = [{"tag": 2, "first": 2e-5, "growth": 1.2}, {"tag": 3, "first": 2e-5, "growth": 1.2}]
     p.write("flap.json")
 

@@ -254,7 +254,8 @@ void addLeastAngle(double asked, const LeastAngleReport &angles, JsonWriter &jso
     json.key("forced").beginArray();
     for (const ForcedAngle &place : angles.forced) {
         json.beginObject().member("x", place.at.x).member("y", place.at.y).member("angle", place.angle);
-        json.member("by", wordOf(place.reason)).member("elements", place.elements).endObject();
+        json.member("by", wordOf(place.reason)).member("elements", place.elements);
+        json.member("reach", place.reach).endObject();
     }
     json.endArray().endObject();
 }
@@ -410,13 +411,12 @@ std::string leastAngleLines(const RunReport &report) {
     const LeastAngleReport &angles = report.angles;
     char text[60];
     std::snprintf(text, sizeof text, "least angle: %.2f degrees, ", angles.reached);
-    std::string lines = text + std::to_string(angles.addedNodes) + " nodes added, " +
-                        std::to_string(angles.dividedEdges) + " of them on lines\n";
+    std::string lines = (angles.reached > 0.0 ? text : "least angle: every element is forced, ") +
+                        std::to_string(angles.addedNodes) + " nodes added, " + std::to_string(angles.dividedEdges) +
+                        " of them on lines\n";
     for (std::size_t i = 0; i < std::min(kShown, angles.forced.size()); ++i) {
         const ForcedAngle &place = angles.forced[i];
-        lines += "  smaller at " + placeText(place.at) + ": " + numberText(place.angle, 3) + "°, " +
-                 (place.reason == ForcedBy::Corner ? "a sharp corner" : "beside a segment that may not be divided") +
-                 " (" + std::to_string(place.elements) + (place.elements == 1 ? " element)\n" : " elements)\n");
+        lines += "  smaller at " + placeText(place.at) + ": " + toString(place) + '\n';
     }
     if (angles.forced.size() > kShown) {
         lines += "  and " + std::to_string(angles.forced.size() - kShown) + " more places\n";

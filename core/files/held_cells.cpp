@@ -129,6 +129,17 @@ Status checkExport(const FileFormat &format, const MeshView &mesh, const ExportO
                      "only elements of first order can be extruded, but the mesh has some of second order",
                      "make elements of first order");
     }
+    if (options.extrusion) {
+        // Programs number nodes and faces with 31 bits; a hexahedron has three faces of its own and its upper one.
+        constexpr std::uint64_t kMost = 0x7fffffff;
+        const std::uint64_t layers = options.extrusion->layers;
+        if (mesh.nodes.size() * (layers + 1) > kMost || 5 * mesh.elementCount() * layers > kMost) {
+            return error("too-many-elements",
+                         std::to_string(mesh.elementCount()) + " elements in " + std::to_string(layers) +
+                             " layers are more than files can number",
+                         "extrude the mesh in fewer layers");
+        }
+    }
     return checkElements(format, mesh);
 }
 

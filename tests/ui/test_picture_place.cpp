@@ -56,8 +56,8 @@ TEST_CASE("Picture: two points with coordinates turn and scale it; kept in proje
     driver.key(key::kEscape); // the field of the distance has the focus
     driver.fill("options/picture/x1", "1000");
     driver.fill("options/picture/y1", "2000");
-    driver.fill("options/picture/x2", "1000");
     driver.fill("options/picture/y2", "2400");
+    driver.fill("options/picture/x2", "1000");
     const BackgroundPicture placed = *driver.document().picture;
     CHECK(placed.angle == doctest::Approx(90.0).epsilon(0.01));
     CHECK(placed.size.x == doctest::Approx(800.0).epsilon(0.02));
@@ -74,6 +74,7 @@ TEST_CASE("Picture: two points with coordinates turn and scale it; kept in proje
 
     driver.fill("options/picture/y2", "2000"); // the first point
     CHECK(*driver.document().picture == placed);
+    driver.key(key::kEscape);
     driver.key('V');
     driver.key('Z');
     driver.fill("options/picture/angle", "0");

@@ -111,10 +111,10 @@ TEST_CASE("Keys: the brush takes another key for its radius; a conflict is shown
     driver.frames(2);
     CHECK_FALSE(driver.has("dialog/preferences/conflict/brush.larger"));
     driver.click("dialog/preferences/key/brush.larger");
-    driver.key('Y');
+    driver.key('X');
     driver.key(key::kEscape);
     driver.moveToPlace({5, 5});
-    driver.key('Y');
+    driver.key('X');
     driver.frames(3);
     const auto &labels = driver.editor().canvas().labels();
     CHECK(std::any_of(labels.begin(), labels.end(),

@@ -189,8 +189,8 @@ TEST_CASE("Run: each layer changes the canvas, and hiding it restores the canvas
     for (const LayerSlot &slot : driver.context().layers) {
         const std::string id = slot.layer->id();
         CAPTURE(id);
-        // The tint covers the fill of the domain. There are no marks, faults or background picture here.
-        if (id != "domain" && id != "marks" && id != "faults" && id != "picture") {
+        // The tint covers the fill of the domain. There are no marks, faults, guides, constraints or picture here.
+        if (id != "domain" && id != "marks" && id != "faults" && id != "picture" && id != "guides" && id != "sketch") {
             CHECK(shown.count(id) == 1);
         }
     }

@@ -246,7 +246,7 @@ TEST_CASE("Tooltips: appear once the pointer rests; at the lower edge they appea
 
 TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
     Draughtsman driver;
-    driver.platform().resize({1280, 900}, 1.0); // high enough for both panels without scrolling
+    driver.platform().resize({1280, 1000}, 1.0); // high enough for both panels without scrolling
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
     driver.showPanel("spacing");

@@ -93,11 +93,11 @@ void show(Shell &context, const std::shared_ptr<const Picture> &picture,
     const std::optional<BackgroundPicture> old = next.picture;
     if (!old || old->file != picture->file) { // else only its pixels are new
         next.picture = placed(context, *picture);
-        if (world && *world) {
+        if (!old && world && *world) { // a replaced picture keeps its place
             placeByWorldFile(*next.picture, **world);
         }
     }
-    const bool placedByFile = world && *world && next.picture != old;
+    const bool placedByFile = !old && world && *world;
     const bool alone = next.shapes.empty() && !old;
     context.pictures.accept(picture);
     context.document.apply(std::move(next), old ? "Replace background picture" : "Add background picture");

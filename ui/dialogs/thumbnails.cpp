@@ -58,7 +58,7 @@ std::shared_ptr<const Thumbnail> thumbnailOf(const Result<Document> &document, c
     if (!prepared) {
         return thumbnail;
     }
-    const std::unique_ptr<Mesher> mesher = Mesher::create(prepared->boundary, prepared->spacing, job.options);
+    const std::unique_ptr<Mesher> mesher = Mesher::create(prepared->frontBoundary(), prepared->spacing, job.options);
     if (hasErrors(advanceToEnd(*mesher, *prepared, job.options, "", progress))) {
         return thumbnail;
     }

@@ -129,34 +129,59 @@ void drawMeshedRow(Shell &context, SegmentRef segment, double count) {
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + line));
 }
 
-/// Draws the bias of segments with a number of elements of their own: its ratio, whether it is at both ends, and a
-/// button that turns it around.
+/// Returns the ratio that biases share; none if they differ, or none has one.
+std::optional<double> sharedRatio(const std::vector<ElementBias> &biases) {
+    const double first = biases.front().ratio;
+    const bool same = std::all_of(biases.begin(), biases.end(), [&](const ElementBias &b) { return b.ratio == first; });
+    return same && biases.front().any() ? std::optional(first) : std::nullopt;
+}
+
+/// Changes the biases of segments one by one; each keeps what `change` leaves.
+template <class Change>
+void changeBiases(Shell &context, const std::set<SegmentRef> &segments, const Change &change) {
+    Result<Document> next = *context.document.current();
+    for (auto segment = segments.begin(); segment != segments.end() && next; ++segment) {
+        ElementBias bias = segmentSize(*next, *segment)->bias;
+        change(bias);
+        next = setElementBias(*std::move(next), {*segment}, bias);
+    }
+    context.applyCommand(std::move(next), "Set bias of elements");
+}
+
+/// Draws the bias of segments with a number of elements of their own: its ratio, a button that turns it around, and
+/// whether it is at both ends.
 void biasRow(Shell &context, const std::set<SegmentRef> &segments) {
     const Document &document = *context.document.current();
-    ElementBias bias = segmentSize(document, *segments.begin())->bias;
-    const bool same = std::all_of(segments.begin(), segments.end(), [&](const SegmentRef &segment) {
-        return segmentSize(document, segment)->bias == bias;
-    });
-    std::optional<double> ratio = same && bias.any() ? std::optional(bias.ratio) : std::nullopt;
+    std::vector<ElementBias> biases;
+    for (const SegmentRef &segment : segments) {
+        biases.push_back(segmentSize(document, segment)->bias);
+    }
+    const bool any = std::any_of(biases.begin(), biases.end(), [](const ElementBias &bias) { return bias.any(); });
+    std::optional<double> ratio = sharedRatio(biases);
     form::label(context, "Bias");
-    const bool changed = form::optionalField(context, "inspector/bias", ratio, same ? "none" : "several",
+    const bool changed = form::optionalField(context, "inspector/bias", ratio, any ? "several" : "none",
                                              form::halfWidth(context) - 20.0F);
     ui::rowTooltip(context, "Length of the last element over that of the first, in the direction of the outline; at "
                             "both ends, of the elements in the middle over those at the ends. The lengths change by "
                             "equal factors. Leave empty to follow the element size. Single curves only; a boundary "
                             "part as a whole and the sides of rounded rectangles have no bias.");
     ImGui::SameLine(0, context.px(6));
-    const bool switched = ui::checkbox(context, "inspector/biasends", "Both ends", bias.bothEnds);
-    ImGui::SameLine(0, context.px(6));
-    if (ui::button(context, "inspector/biasflip", "Flip", ui::ButtonKind::Plain, !same || bias.any())) {
+    const bool flipped = ui::button(context, "inspector/biasflip", "Flip", ui::ButtonKind::Plain, any);
+    bool atBothEnds = biases.front().bothEnds, switched = false;
+    if (any) {
+        form::label(context, "");
+        switched = ui::checkbox(context, "inspector/biasends", "At both ends", atBothEnds);
+    }
+    if (flipped) {
         context.applyCommand(flipElementBias(document, segments), "Flip bias of elements");
     } else if (changed && ratio && !ElementBias{*ratio}.isValid()) {
         const std::string fault = "expected a ratio from 0.0001 to 10000";
         ui::refuseEntry(context, "inspector/bias", error("bad-number", fault + ", got " + ui::number(*ratio, 6)),
                         fault);
-    } else if (changed || (switched && bias.any())) {
-        bias.ratio = ratio.value_or(1.0);
-        context.applyCommand(setElementBias(document, segments, bias), "Set bias of elements");
+    } else if (changed) {
+        changeBiases(context, segments, [&](ElementBias &bias) { bias.ratio = ratio.value_or(1.0); });
+    } else if (switched) {
+        changeBiases(context, segments, [&](ElementBias &bias) { bias.bothEnds = atBothEnds; });
     }
 }
 

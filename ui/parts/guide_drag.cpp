@@ -39,6 +39,11 @@ void GuideDrag::update(Shell &context, Pixel pointer, bool off) {
     if (!index_) {
         return;
     }
+    if (*index_ >= context.document.current()->guides.size()) { // undone, or another document
+        index_.reset();
+        targets_.reset();
+        return;
+    }
     SnapQuery query = EditState().query(context, context.view.camera.toPlane(pointer), false, off);
     query.guides = false; // it would hold itself where it is
     const Vec2 at = snap(*targets_, query).at;
@@ -47,7 +52,8 @@ void GuideDrag::update(Shell &context, Pixel pointer, bool off) {
 }
 
 void GuideDrag::finish(Shell &context, Pixel pointer) {
-    if (!index_) {
+    if (!index_ || *index_ >= context.document.current()->guides.size()) {
+        index_.reset();
         return;
     }
     const PixelRect &canvas = context.view.camera.viewport;
@@ -57,6 +63,7 @@ void GuideDrag::finish(Shell &context, Pixel pointer) {
     } else if (back) {
         context.applyCommand(removeGuide(*context.document.current(), *index_), "Remove guide", stroke_);
     }
+    context.document.endStroke();
     index_.reset();
     targets_.reset();
     context.animate();
@@ -71,10 +78,7 @@ void GuideDrag::cancel(Shell &context) {
 }
 
 std::optional<std::size_t> guideAt(const Shell &context, Vec2 place, double reach) {
-    const auto slot = std::find_if(context.layers.begin(), context.layers.end(), [](const LayerSlot &each) {
-        return std::string_view(each.layer->id()) == "guides";
-    });
-    if (slot == context.layers.end() || !slot->visible) {
+    if (!showsLayer(context.layers, "guides")) {
         return std::nullopt;
     }
     const std::vector<Guide> &guides = context.document.current()->guides;

@@ -1,5 +1,7 @@
 #include "ui/parts/layer.hpp"
 
+#include <algorithm>
+
 namespace forefront {
 
 bool LayerFrame::visible(std::string_view id) const {
@@ -14,6 +16,11 @@ bool LayerFrame::visible(std::string_view id) const {
 Colour LayerFrame::area(Colour colour) const {
     constexpr double kOverPicture = 0.35;
     return picture && visible("picture") ? fade(colour, kOverPicture) : colour;
+}
+
+bool showsLayer(const std::vector<LayerSlot> &layers, std::string_view id) {
+    return std::any_of(layers.begin(), layers.end(),
+                       [&](const LayerSlot &slot) { return slot.visible && slot.layer->id() == id; });
 }
 
 void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible) {

@@ -108,5 +108,7 @@ struct LayerSlot {
 
 /// Shows or hides a layer. Showing one that colours by value hides the others that do.
 void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible);
+/// Returns true if a layer is there and visible.
+bool showsLayer(const std::vector<LayerSlot> &layers, std::string_view id);
 
 } // namespace forefront

@@ -243,9 +243,9 @@ bool isCurrent(const Shell &context, const MessageLog::Entry &entry) {
 /// counts the others in `more`.
 const MessageLog::Entry *newsOf(Shell &context, std::size_t &more) {
     const auto &entries = context.log.entries();
-    const auto last = std::find_if(entries.rbegin(), entries.rend(),
-                                   [&context](const auto &entry) { return isCurrent(context, entry); });
-    if (last == entries.rend()) {
+    // A later message takes the place of earlier ones, such as a success of a failure.
+    const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.announced; });
+    if (last == entries.rend() || !isCurrent(context, *last)) {
         return nullptr;
     }
     const bool fault = last->diagnostic.severity != Severity::Note;

@@ -174,6 +174,7 @@ void followRulerDrag(Shell &context) {
 } // namespace
 
 void drawRulers(Shell &context, const Layout &layout) {
+    followRulerDrag(context); // which may have hidden the rulers
     if (!context.settings.rulers) {
         return;
     }
@@ -182,7 +183,6 @@ void drawRulers(Shell &context, const Layout &layout) {
     beginRegion("##rulerCorner", {layout.rulerY.x, layout.rulerX.y, layout.rulerY.width, layout.rulerX.height},
                 context.theme.panel, 0, 0);
     ImGui::End();
-    followRulerDrag(context);
 }
 
 } // namespace forefront::shell

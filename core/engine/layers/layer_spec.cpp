@@ -33,6 +33,24 @@ std::optional<Diagnostic> layerFault(const LayerSpec &spec, std::string_view own
         return fault("expected a thickness of at least the first height" + got(*spec.thickness),
                      "choose a larger thickness or a smaller first height");
     }
+    if (spec.thickness) {
+        double height = spec.first, top = spec.first;
+        std::uint32_t layers = 1;
+        while (layers <= kMaxLayers && top + 0.5 * (height *= spec.growth) <= *spec.thickness) {
+            top += height;
+            ++layers;
+        }
+        if (layers > kMaxLayers) {
+            return fault("a thickness of " + numberText(*spec.thickness, 6) + " takes more than " +
+                             std::to_string(kMaxLayers) + " layers",
+                         "choose a larger first height or growth, or a smaller thickness");
+        }
+    }
+    if (spec.count && !std::isfinite(spec.first * std::pow(spec.growth, *spec.count))) {
+        return fault(std::to_string(*spec.count) + " layers that grow by " + numberText(spec.growth, 6) +
+                         " are higher than numbers reach",
+                     "choose a smaller count or growth");
+    }
     if (!spec.count && !spec.thickness && spec.growth < kMinGrowthToIsotropic) {
         return fault("layers that grow by " + numberText(spec.growth, 6) + " do not become isotropic",
                      "add a count or a thickness, or choose a growth of at least 1.01");

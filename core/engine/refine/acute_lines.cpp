@@ -69,12 +69,12 @@ void AcuteLines::trace(const TriMesh &mesh) {
         return cosineBetween(chordFrom(mesh, edge, through), chordFrom(mesh, other, through)) < kStraight ? other
                                                                                                           : kNoIndex;
     };
+    std::uint32_t lines = 0;
     for (std::uint32_t first = 0; first < mesh.edges.size(); ++first) {
         if (lineOfEdge_[first] != kNoIndex) {
             continue;
         }
-        const auto line = static_cast<std::uint32_t>(lines_.size());
-        lines_.emplace_back();
+        const std::uint32_t line = lines++;
         lineOfEdge_[first] = line;
         for (const bool forward : {true, false}) {
             std::uint32_t edge = first;
@@ -87,7 +87,6 @@ void AcuteLines::trace(const TriMesh &mesh) {
                 }
                 lineOfEdge_[on] = line;
             }
-            lines_[line].ends[forward ? 1 : 0] = end;
         }
     }
 }
@@ -133,21 +132,25 @@ void AcuteLines::divided(std::uint32_t edge, NodeId node) {
     lineAt_[index(node)] = line;
 }
 
-std::optional<AcuteLines::Corner> AcuteLines::between(NodeId p, NodeId q) const {
+std::optional<AcuteLines::Corner> AcuteLines::between(const TriMesh &mesh, NodeId p, NodeId q) const {
     const std::uint32_t line = lineOf(p), other = lineOf(q);
     if (line == kNoIndex || other == kNoIndex) {
         return std::nullopt;
     }
-    const auto found = std::lower_bound(
+    const auto first = std::lower_bound(
         corners_.begin(), corners_.end(), std::pair(line, other),
         [](const Corner &c, std::pair<std::uint32_t, std::uint32_t> key) { return std::pair(c.line, c.other) < key; });
-    return found != corners_.end() && found->line == line && found->other == other ? std::optional(*found)
-                                                                                   : std::nullopt;
+    std::optional<Corner> nearest; // two lines may meet at both ends
+    const auto away = [&](const Corner &c) { return distanceSquared(mesh.nodes[index(c.node)], mesh.nodes[index(p)]); };
+    for (auto c = first; c != corners_.end() && c->line == line && c->other == other; ++c) {
+        nearest = !nearest || away(*c) < away(*nearest) ? *c : *nearest;
+    }
+    return nearest;
 }
 
-NodeId AcuteLines::enclosingCorner(const Element &element, double cosine) const {
+NodeId AcuteLines::enclosingCorner(const TriMesh &mesh, const Element &element, double cosine) const {
     for (unsigned k = 0; k < 3; ++k) {
-        const std::optional<Corner> corner = between(element[k], element[(k + 1) % 3]);
+        const std::optional<Corner> corner = between(mesh, element[k], element[(k + 1) % 3]);
         const NodeId third = element[(k + 2) % 3];
         if (corner && corner->cosine >= cosine &&
             (third == corner->node || lineOf(third) == corner->line || lineOf(third) == corner->other)) {
@@ -166,7 +169,7 @@ NodeId AcuteLines::spannedCorner(const TriMesh &mesh, const Element &element, do
         shortest = side(k) < side(shortest) ? k : shortest;
     }
     const NodeId p = element[shortest], q = element[(shortest + 1) % 3], r = element[(shortest + 2) % 3];
-    const std::optional<Corner> corner = between(p, q);
+    const std::optional<Corner> corner = between(mesh, p, q);
     if (!corner || corner->cosine < cosine) {
         return kNoNode;
     }

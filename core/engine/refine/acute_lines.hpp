@@ -2,7 +2,6 @@
 
 #include "core/engine/mesh/tri_mesh.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,18 +26,15 @@ class AcuteLines {
     /// Takes over a division: `node` divides `edge`, whose other half is the last tagged edge of the mesh.
     void divided(std::uint32_t edge, NodeId node);
     /// Returns the corner where two lines meet at less than the angle whose cosine is given, if an element lies between
-    /// them with its shortest side across from one to the other at equal distances from there, so that no mesh avoids
-    /// its angle; else kNoNode.
+    /// them with its shortest side across from one to the other at equal distances from there. To divide it would call
+    /// for ever nearer nodes. Else kNoNode.
     NodeId spannedCorner(const TriMesh &mesh, const Element &element, double cosine) const;
 
     /// Returns the corner where two lines meet at less than an angle, if all nodes of an element lie on these lines;
     /// else kNoNode. Curves that touch where they meet leave no room between them.
-    NodeId enclosingCorner(const Element &element, double cosine) const;
+    NodeId enclosingCorner(const TriMesh &mesh, const Element &element, double cosine) const;
 
   private:
-    struct Line {
-        std::array<NodeId, 2> ends{kNoNode, kNoNode};
-    };
     struct Corner {
         NodeId node;
         std::uint32_t line, other;
@@ -47,13 +43,13 @@ class AcuteLines {
     void trace(const TriMesh &mesh);
     void findCorners(const TriMesh &mesh);
     std::uint32_t lineOf(NodeId n) const { return index(n) < lineAt_.size() ? lineAt_[index(n)] : kNoIndex; }
-    std::optional<Corner> between(NodeId p, NodeId q) const;
+    /// Returns the corner nearest to p where the lines that two nodes lie inside meet.
+    std::optional<Corner> between(const TriMesh &mesh, NodeId p, NodeId q) const;
 
     std::vector<std::uint32_t> lineOfEdge_; ///< per tagged edge
     std::vector<std::uint32_t> lineAt_;     ///< per node: the line that it lies inside, or kNoIndex
-    std::vector<Line> lines_;
-    std::vector<Corner> corners_; ///< by line, then the other
-    std::vector<NodeId> acute_;   ///< ends of lines at less than 60 degrees, ascending
+    std::vector<Corner> corners_;           ///< by line, then the other
+    std::vector<NodeId> acute_;             ///< ends of lines at less than 60 degrees, ascending
     // While lines are traced:
     std::vector<std::uint32_t> offsets_, at_; ///< per node: its tagged edges
 };

@@ -25,6 +25,7 @@ constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kTolerance = 1e-10; ///< relative, for cosines; checks of limits tolerate more
 // Beyond this number of elements, refinement would not come to an end.
 constexpr std::size_t kMaxGrowth = 30, kMaxGrowthOfSmall = 50'000;
+constexpr double kNoAngle = 360.0;  ///< of no element
 constexpr std::size_t kListed = 20; ///< faults
 constexpr unsigned kTries = 12;     ///< for one element, each of which divides an edge near it
 
@@ -117,7 +118,7 @@ class Refinement {
     Status judge(LeastAngleReport &report) {
         report.addedNodes = added_;
         report.dividedEdges = divided_;
-        report.reached = 60.0;
+        report.reached = kNoAngle;
         std::vector<std::pair<NodeId, ForcedAngle>> forced;
         std::vector<std::pair<double, Diagnostic>> faults;
         std::sort(kept_.begin(), kept_.end());
@@ -132,12 +133,13 @@ class Refinement {
             const Vec2 centre = (1.0 / 3.0) * (c.p + c.q + c.r);
             NodeId corner = forcingCorner(e);
             if (corner == kNoNode) {
-                corner = lines_.enclosingCorner(nodes, cosine_);
+                corner = lines_.enclosingCorner(mesh_, nodes, cosine_);
             }
             if (corner != kNoNode) {
-                forced.push_back({corner, {ForcedBy::Corner, mesh_.nodes[index(corner)], angle, 1}});
+                const Vec2 tip = mesh_.nodes[index(corner)];
+                forced.push_back({corner, {ForcedBy::Corner, tip, angle, 1, distance(tip, centre)}});
             } else if (std::binary_search(kept_.begin(), kept_.end(), nodes)) {
-                forced.push_back({kNoNode, {ForcedBy::KeptEdge, centre, angle, 1}});
+                forced.push_back({kNoNode, {ForcedBy::KeptEdge, centre, angle, 1, 0.0}});
             } else {
                 report.reached = std::min(report.reached, angle);
                 faults.emplace_back(angle, faultOf(e, angle, centre));
@@ -145,6 +147,7 @@ class Refinement {
         }
         gather(forced, report.forced);
         std::stable_sort(faults.begin(), faults.end(), [](const auto &p, const auto &q) { return p.first < q.first; });
+        report.reached = report.reached == kNoAngle ? 0.0 : report.reached;
         Status status;
         for (std::size_t i = 0; i < std::min(faults.size(), kListed); ++i) {
             status.push_back(std::move(faults[i].second));
@@ -187,6 +190,7 @@ class Refinement {
             if (i > 0 && found[i].first != kNoNode && found[i].first == found[i - 1].first) {
                 forced.back().angle = std::min(forced.back().angle, found[i].second.angle);
                 ++forced.back().elements;
+                forced.back().reach = std::max(forced.back().reach, found[i].second.reach);
             } else {
                 forced.push_back(found[i].second);
             }
@@ -365,16 +369,21 @@ Status refineToLeastAngle(TriMesh &mesh, DiscreteDomain &boundary, const LeastAn
     return refine(mesh, boundary, keeping, report, progress);
 }
 
+std::string toString(const ForcedAngle &place) {
+    std::string text =
+        numberText(place.angle, 3) + "° " +
+        (place.reason == ForcedBy::Corner ? "at a sharp corner" : "beside a segment that may not be divided") + " (" +
+        std::to_string(place.elements) + (place.elements == 1 ? " element" : " elements");
+    if (place.elements > 1) {
+        text += " between its lines, up to " + numberText(place.reach, 3) + " away";
+    }
+    return text + ')';
+}
+
 Diagnostics forcedAngles(const LeastAngleReport &report) {
     Diagnostics notes;
     for (const ForcedAngle &place : report.forced) {
-        Diagnostic note =
-            error("forced-angle", "an angle of " + numberText(place.angle, 3) + "° " +
-                                      (place.reason == ForcedBy::Corner ? "at a sharp corner"
-                                                                        : "beside a segment that may not be divided") +
-                                      " (" + std::to_string(place.elements) +
-                                      (place.elements == 1 ? " element)" : " elements)"))
-                .front();
+        Diagnostic note = error("forced-angle", "an angle of " + toString(place)).front();
         note.severity = Severity::Note;
         note.at = place.at;
         notes.push_back(std::move(note));

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,20 +42,23 @@ struct ForcedAngle {
     Vec2 at;                  ///< the corner, or the centre of the sharpest element there
     double angle = 0.0;       ///< the least angle there, degrees
     std::size_t elements = 0; ///< number of elements with angles below the least one
+    double reach = 0.0;       ///< greatest distance of one of these elements from the corner
 
     friend bool operator==(const ForcedAngle &, const ForcedAngle &) = default;
 };
 
 /// How a mesh got its least angle.
 struct LeastAngleReport {
-    std::size_t addedNodes = 0;      ///< all, with those on tagged edges
-    std::size_t dividedEdges = 0;    ///< tagged edges that were divided
-    double reached = 0.0;            ///< least angle of the elements that are not in the forced places, degrees
+    std::size_t addedNodes = 0;   ///< all, with those on tagged edges
+    std::size_t dividedEdges = 0; ///< tagged edges that were divided
+    double reached = 0.0; ///< least angle of the elements that are not in the forced places, degrees; 0: all are
     std::vector<ForcedAngle> forced; ///< by reason, then the sharpest first
 
     friend bool operator==(const LeastAngleReport &, const LeastAngleReport &) = default;
 };
 
+/// Returns "5° at a sharp corner (1 element)".
+std::string toString(const ForcedAngle &place);
 /// Returns a note for each place that has smaller angles: "an angle of 5° at a sharp corner (1 element)".
 Diagnostics forcedAngles(const LeastAngleReport &report);
 

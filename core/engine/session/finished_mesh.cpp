@@ -7,6 +7,7 @@ namespace forefront {
 
 void FinishedMesh::fill(SessionSnapshot &snapshot) const {
     snapshot.mesh = view;
+    snapshot.boundary = boundary;
     snapshot.quality = quality;
     snapshot.order = order;
     snapshot.leastAngle = leastAngle;
@@ -16,6 +17,7 @@ FinishedMesh takeFinished(MeshingState &state, std::uint64_t number) {
     FinishedMesh finished;
     finished.quality = measureQuality(state.mesh, state.prepared.spacing.get());
     finished.hash = meshHash(state.mesh);
+    finished.boundary = state.prepared.boundary;
     if (state.job.options.order == ElementOrder::Second) {
         finished.order = std::make_shared<const SecondOrderReport>(std::move(state.secondOrder));
     }

@@ -11,6 +11,7 @@ namespace forefront {
 /// The mesh that a run ends with, and its figures.
 struct FinishedMesh {
     std::shared_ptr<const MeshSnapshot> view;
+    std::shared_ptr<const DiscreteDomain> boundary; ///< of this mesh, whose edges a least angle may have divided
     MeshQuality quality;
     std::uint64_t hash = 0;
     std::shared_ptr<const SecondOrderReport> order;     ///< null: of first order

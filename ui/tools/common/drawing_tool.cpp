@@ -20,11 +20,6 @@ namespace {
 
 constexpr double kInferenceReach = 200.0; ///< of lines and nodes that relations are found to, design pixels
 
-bool showsLayer(const Shell &context, std::string_view id) {
-    return std::any_of(context.layers.begin(), context.layers.end(),
-                       [&](const LayerSlot &slot) { return slot.visible && slot.layer->id() == id; });
-}
-
 /// Moves a place that is out of view to where a label beside it can be read.
 Vec2 intoView(const Shell &context, Vec2 place) {
     const PixelRect &room = context.view.room;
@@ -49,7 +44,7 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
         query.lines = {*query.anchor};
     }
     query.locks = entry_.locks();
-    query.guides = query.guides && showsLayer(context, "guides");
+    query.guides = query.guides && showsLayer(context.layers, "guides");
     InferenceQuery infer;
     if (context.snapping.infers && snaps() && describePath(infer)) {
         infer.reach = EditState::reach(context, kInferenceReach);

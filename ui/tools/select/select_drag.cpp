@@ -95,6 +95,7 @@ void SelectTool::updateMove(Shell &context) {
     alone_ = last_.modifiers.alt();
     SnapQuery query = state_->query(context, grabbed_.at + (last_.place - pressPlace_),
                                     last_.modifiers.shift() && !adds_, last_.modifiers.control());
+    query.guides = query.guides && showsLayer(context.layers, "guides");
     query.anchor = grabbed_.at;
     query.locks = entry_.locks();
     query.lines = linesTo_;

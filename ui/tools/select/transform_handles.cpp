@@ -130,6 +130,7 @@ void TransformHandles::update(Shell &context) {
     const Vec2 corner = cornerOf(startBox_, handle_.x, handle_.y) + (last_.place - pressPlace_);
     angleStep_ = context.snapping.angleStep;
     SnapQuery query = state_->query(context, corner, false, handle_.rotates || last_.modifiers.alt());
+    query.guides = query.guides && showsLayer(context.layers, "guides");
     if (context.snapping.toDrawing) {
         query.filter = [this](const Shape &shape) { return !following_.touches(shape.id); };
     }

@@ -111,18 +111,21 @@ void RunControl::log(const SessionSnapshot &s) {
     }
 }
 
-/// Limits and the background picture do not change the mesh, so a revision that differs in nothing else counts as the
-/// one before.
+/// Limits, the background picture, guides and sketch constraints do not change the mesh, so a revision that differs in
+/// nothing else counts as the one before.
 std::uint64_t RunControl::meshRevision() const {
     const std::uint64_t revision = document_.revision();
     if (revision != seenRevision_) {
         const std::shared_ptr<const Document> document = document_.current();
         const auto known = meshRevisions_.find(revision);
         bool same = false;
-        if (seen_ && !(seen_->limits == document->limits && seen_->picture == document->picture)) {
+        if (seen_ && !(seen_->limits == document->limits && seen_->picture == document->picture &&
+                       seen_->guides == document->guides && seen_->constraints == document->constraints)) {
             Document before = *seen_;
             before.limits = document->limits;
             before.picture = document->picture;
+            before.guides = document->guides;
+            before.constraints = document->constraints; // what they move is in the shapes
             same = sameContent(before, *document);
         }
         meshRevision_ = known != meshRevisions_.end() ? known->second : same ? meshRevision_ : revision;
@@ -351,7 +354,7 @@ void RunControl::seekEnd() {
     if (!beginMove()) {
         return;
     }
-    if (snapshot_->complete) {
+    if (snapshot_->stepped && snapshot_->complete) { // else it shows a mesh that was made whole
         session_.seek(snapshot_->known);
     } else {
         session_.finish();
