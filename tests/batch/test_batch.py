@@ -916,7 +916,7 @@ class Imports(Case):
         self.assertEqual(self.call("mesh", "atlas.json", "-o", "c.msh", "--layer", "states", code=1).stderr,
                          "atlas.json:2:24: error: unknown layer 'states' [unknown-layer]; expected one of 'counties', "
                          "'nation'\n")
-        self.assertIn("--layer: only TopoJSON files have layers",
+        self.assertIn("--layer: only TopoJSON and DXF drawing files have layers",
                       self.call("mesh", "plate.poly", "-o", "c.msh", "--layer", "a", code=2).stderr)
 
     def test_names_of_a_map_can_come_from_any_property(self):
@@ -1483,7 +1483,8 @@ class Refusing(Case):
                       ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
             line = self.call(*words, code=2).stderr.splitlines()[0]
             self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
-                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm, .14, .gr3, .node, .obj, .ply, .stl, .off")
+                             ".dxf, .msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .foam, .2dm, .14, .gr3, .slf, .nc, .tsh, "
+                             ".node, .obj, .ply, .stl, .off")
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
     def test_help_and_version(self):
@@ -1495,7 +1496,8 @@ class Refusing(Case):
         for command in ("check", "convert", "adapt"):
             self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
         text = " ".join(self.call("mesh", "--help").stdout.split())
-        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .poly, .svg, " + meshes, text)
+        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .wkt, .poly, .fem, .fee, .feh, .fec, "
+                      ".csv, .xy, .dat, .svg, .dxf, " + meshes, text)
         self.assertIn("a background mesh (.msh), a grid of sizes (.asc) or a picture (.png)", text)
 
 
