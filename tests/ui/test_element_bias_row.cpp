@@ -38,7 +38,12 @@ TEST_CASE("Bias: set, flipped, at both ends and removed in the inspector, for a 
     CHECK(biasOf(driver, side) == ElementBias{0.125, true});
     driver.fill("inspector/bias", "-3");
     CHECK(biasOf(driver, side) == ElementBias{0.125, true});
-    driver.fill("inspector/bias", "");
+    driver.key(key::kEscape);
+    driver.click("inspector/bias");
+    driver.key('A', {Modifiers::kControl});
+    driver.key(key::kBackspace);
+    driver.key(key::kEnter);
+    driver.settle();
     CHECK_FALSE(biasOf(driver, side).any());
 }
 

@@ -243,9 +243,14 @@ bool isCurrent(const Shell &context, const MessageLog::Entry &entry) {
 /// counts the others in `more`.
 const MessageLog::Entry *newsOf(Shell &context, std::size_t &more) {
     const auto &entries = context.log.entries();
-    // A later message takes the place of earlier ones, such as a success of a failure.
-    const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.announced; });
-    if (last == entries.rend() || !isCurrent(context, *last)) {
+    // A warning comes back when later messages have passed; an error does not, since a success may have followed it.
+    bool followed = false;
+    const auto last = std::find_if(entries.rbegin(), entries.rend(), [&](const auto &entry) {
+        const bool shown = isCurrent(context, entry) && !(followed && entry.diagnostic.severity == Severity::Error);
+        followed = followed || entry.announced;
+        return shown;
+    });
+    if (last == entries.rend()) {
         return nullptr;
     }
     const bool fault = last->diagnostic.severity != Severity::Note;
