@@ -41,7 +41,7 @@ std::string formatIds() {
 }
 
 std::string checkFormat(const std::filesystem::path &output, const std::string &id) {
-    std::vector<const FileFormat *> named = allFormats().withExtensionOf(output);
+    const std::vector<const FileFormat *> named = allFormats().withExtensionOf(output);
     if (id.empty()) {
         if (isStandardStream(output)) {
             return "-o -: standard output needs a format; add --format with one of " + formatIds();
@@ -58,8 +58,6 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
     if (isStandardStream(output) && filesOfMesh("x", id).size() > 1) {
         return "-o -: format " + id + " needs several files; name a file, or choose another format";
     }
-    // An extension of formats that are only read does not say what is written.
-    std::erase_if(named, [](const FileFormat *f) { return !f->writesMesh; });
     if (!named.empty() && std::find(named.begin(), named.end(), chosen) == named.end()) {
         return "-o " + output.string() + ": the extension belongs to " + named.front()->name + ", but --format " + id +
                " is " + chosen->name + " (" + chosen->extension + "); formats apply to outputs in order";

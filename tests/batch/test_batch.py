@@ -333,9 +333,9 @@ class Meshing(Case):
         self.assertIn("14.0 degrees at (1, 2)", done.stdout)
 
     def test_several_outputs_and_formats(self):
-        self.call("mesh", "plate.poly", "-o", "a.dat", "-o", "b.msh", "-o", "c.vtu", "-o", "d.svg", "--format", "msh41",
+        self.call("mesh", "plate.poly", "-o", "a.out", "-o", "b.msh", "-o", "c.vtu", "-o", "d.svg", "--format", "msh41",
                   "--size", "0.5")
-        self.assertIn("4.1", self.read("a.dat")[:40])
+        self.assertIn("4.1", self.read("a.out")[:40])
         self.assertIn("2.2", self.read("b.msh")[:40])
         self.assertIn("<svg", self.read("d.svg")[:400])
         for name in ("b.msh", "c.vtu"):
