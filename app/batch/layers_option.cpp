@@ -93,7 +93,7 @@ void addLayersOption(CLI::App &app, std::vector<std::string> &texts) {
 std::string parseLayers(const std::vector<std::string> &texts, std::vector<LayersArgument> &layers) {
     for (const std::string &text : texts) {
         if (const std::string wrong = parseOne(text, layers.emplace_back()); !wrong.empty()) {
-            return "--layers " + text + ": " + wrong;
+            return std::string("--layers ").append(text).append(": ").append(wrong);
         }
     }
     return {};
@@ -108,7 +108,9 @@ Diagnostics applyLayers(const std::vector<LayersArgument> &layers, MeshingJob &j
     for (const LayersArgument &argument : layers) {
         bool found = false;
         for (const auto &[tag, name] : parts) {
-            if (name == argument.name || "boundary_" + std::to_string(tag) == argument.name) {
+            const bool named =
+                std::any_of(parts.begin(), parts.end(), [&](const auto &part) { return part.second == argument.name; });
+            if (named ? name == argument.name : "boundary_" + std::to_string(tag) == argument.name) {
                 given.push_back(argument.spec);
                 given.back().tag = tag;
                 found = true;
@@ -116,6 +118,7 @@ Diagnostics applyLayers(const std::vector<LayersArgument> &layers, MeshingJob &j
         }
         if (!found) {
             std::vector<std::string> known;
+            known.reserve(parts.size());
             for (const auto &[tag, name] : parts) {
                 known.push_back(name);
             }
