@@ -215,7 +215,7 @@ class ScriptRun {
         if (Status faults = checkOutputs(outputs, {source_.path}); !faults.empty()) {
             return faults;
         }
-        const Diagnostics written = bar_.during(
+        Diagnostics written = bar_.during(
             {}, [&] { return writeAndCommit(outputs, meshed_->mesh, {}, bar_.progress(interrupt_.token())); });
         if (!hasErrors(written)) {
             print(command, "wrote " + path->string());
