@@ -68,7 +68,7 @@ MeshLimits limitsOf(const std::map<std::string, double> &given) {
             throw py::value_error("check: expected " + wordList<MeshLimit>() + ", got '" + word + "'");
         }
         if (const std::string fault = limitFault(*limit, value); !fault.empty()) {
-            throw py::value_error(word + ": " + fault);
+            throw py::value_error(std::string(word).append(": ").append(fault));
         }
         limits[*limit] = value;
     }
