@@ -1,11 +1,17 @@
+#include "core/drawing/commands/inferred_constraints.hpp"
 #include "core/drawing/commands/mesh_constraints.hpp"
+#include "core/drawing/commands/path_commands.hpp"
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing/shapes/shape_commands.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <span>
+
 using namespace forefront;
+using namespace forefront::edit_test;
 
 namespace {
 
@@ -47,4 +53,23 @@ TEST_CASE("keepEdge: an edge becomes a constraint segment that shares its ends w
     const Document touching = keepEdge(outlineDocument(), {2, 1}, {2, 0}, 7).value();
     CHECK(touching.shapes[0]->nodes.size() == 5);
     CHECK(toDomain(touching).nodes.size() == 6); // 4 corners, the shared end, the other end
+}
+
+TEST_CASE("Inferred constraints: a relation follows its line where that has got another number since") {
+    Document found = documentOf({square({0, 0}, 4)});
+    const std::uint32_t drawn = found.nextId;
+    Result<Document> next = addShape(found, makeShape(ShapeKind::Polyline, {{6, 1}, {6, 3}}));
+    REQUIRE(next);
+    next = insertNode(*next, {1, 0}, {2, 0}); // the right side was segment 1, and is segment 2 now
+    REQUIRE(next);
+    Inference parallel;
+    parallel.kind = ConstraintKind::Parallel;
+    parallel.start = {6, 1};
+    parallel.with = SketchPart{1, SketchPartKind::Segment, 1};
+    const InferredNode node{{6, 3}, {parallel}, {{6, 1}}};
+    const InferredConstraints made = addInferred(*next, drawn, std::span(&node, 1), found);
+    REQUIRE(made.added == 1);
+    const std::vector<SketchPart> &parts = made.document.constraints.back()->parts;
+    CHECK(std::ranges::count(parts, SketchPart{1, SketchPartKind::Segment, 2}) == 1);
+    CHECK(std::ranges::count(parts, SketchPart{drawn, SketchPartKind::Segment, 0}) == 1);
 }

@@ -1,5 +1,6 @@
 #include "core/drawing/commands/inferred_constraints.hpp"
 
+#include "core/drawing/constraints/carried_parts.hpp"
 #include "core/drawing/constraints/constraint_commands.hpp"
 #include "core/drawing/constraints/orient.hpp"
 #include "core/drawing/shapes/references.hpp"
@@ -66,11 +67,37 @@ std::vector<SketchPart> partsOf(const PathParts &parts, const InferredNode &node
     return other && *other != *own ? std::vector<SketchPart>{*other, *own} : std::vector<SketchPart>();
 }
 
+/// Returns nodes with their relations to parts of one document as relations to the parts that these are in another.
+std::vector<InferredNode> carriedNodes(std::span<const InferredNode> nodes, const Document &found,
+                                       const Document &document) {
+    std::vector<InferredNode> carried(nodes.begin(), nodes.end());
+    std::vector<SketchPart> others;
+    for (const InferredNode &node : nodes) {
+        for (const Inference &relation : node.relations) {
+            if (relation.with) {
+                others.push_back(*relation.with);
+            }
+        }
+    }
+    const CarriedParts parts(found, document, others);
+    for (InferredNode &node : carried) {
+        for (Inference &relation : node.relations) {
+            if (relation.with) {
+                const std::vector<SketchPart> images = parts.images(*relation.with);
+                relation.with = images.empty() ? std::nullopt : std::optional(images.front());
+            }
+        }
+    }
+    return carried;
+}
+
 } // namespace
 
-InferredConstraints addInferred(Document document, std::uint32_t shape, std::span<const InferredNode> nodes) {
+InferredConstraints addInferred(Document document, std::uint32_t shape, std::span<const InferredNode> nodes,
+                                const Document &found) {
+    const std::vector<InferredNode> carried = carriedNodes(nodes, found, document);
     InferredConstraints result{std::move(document)};
-    for (const InferredNode &node : nodes) {
+    for (const InferredNode &node : carried) {
         for (const Inference &relation : node.relations) {
             std::vector<SketchPart> parts = partsOf(PathParts(result.document, shape), node, relation);
             if (parts.empty()) {

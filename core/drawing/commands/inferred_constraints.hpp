@@ -23,8 +23,10 @@ struct InferredConstraints {
     std::size_t added = 0;
 };
 
-/// Adds the relations of nodes of a shape as constraints, in order. Left out are those whose node or line does not
-/// exist, such as where a line was divided, and those that the others imply.
-InferredConstraints addInferred(Document document, std::uint32_t shape, std::span<const InferredNode> nodes);
+/// Adds the relations of nodes of a shape as constraints, in order. `found`: the document in which they were found,
+/// whose parts they refer to. Of a line that was divided since, its first part counts. Left out are relations whose
+/// node or line does not exist, and those that the others imply.
+InferredConstraints addInferred(Document document, std::uint32_t shape, std::span<const InferredNode> nodes,
+                                const Document &found);
 
 } // namespace forefront

@@ -47,15 +47,29 @@ std::size_t sharedPlaces(const std::vector<Vec2> &a, const std::vector<Vec2> &b)
 
 CarriedParts::CarriedParts(const Document &before, const Document &next) : before_(before), next_(next) {
     for (const auto &constraint : next.constraints) {
-        for (const SketchPart &part : constraint->parts) {
-            const Shape *const old = findShape(before, part.shape), *const now = findShape(next, part.shape);
-            if (part.shape != 0 && old != now && (now == nullptr || (old != nullptr && hasOtherParts(*old, *now)))) {
-                changed_.insert(part.shape);
-            }
+        follow(constraint->parts);
+    }
+    findAdded();
+}
+
+CarriedParts::CarriedParts(const Document &before, const Document &next, std::span<const SketchPart> parts)
+    : before_(before), next_(next) {
+    follow(parts);
+    findAdded();
+}
+
+void CarriedParts::follow(std::span<const SketchPart> parts) {
+    for (const SketchPart &part : parts) {
+        const Shape *const old = findShape(before_, part.shape), *const now = findShape(next_, part.shape);
+        if (part.shape != 0 && old != now && (now == nullptr || (old != nullptr && hasOtherParts(*old, *now)))) {
+            changed_.insert(part.shape);
         }
     }
-    for (const auto &shape : next.shapes) {
-        if (!changed_.empty() && findShape(before, shape->id) == nullptr) {
+}
+
+void CarriedParts::findAdded() {
+    for (const auto &shape : next_.shapes) {
+        if (!changed_.empty() && findShape(before_, shape->id) == nullptr) {
             added_.push_back(shape->id);
         }
     }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,10 @@ namespace forefront {
 /// their neighbours, and segments by their ends. Keeps references to both documents.
 class CarriedParts {
   public:
+    /// Follows the parts of the constraints of `next`.
     CarriedParts(const Document &before, const Document &next);
+    /// Follows these parts of `before`.
+    CarriedParts(const Document &before, const Document &next, std::span<const SketchPart> parts);
 
     /// Returns true if a shape was removed, or its parts have other indices now.
     bool changed(std::uint32_t shape) const { return changed_.contains(shape); }
@@ -29,6 +33,8 @@ class CarriedParts {
     SketchPart endOf(const SketchPart &segment) const;
 
   private:
+    void follow(std::span<const SketchPart> parts);
+    void findAdded();
     std::optional<SketchPart> node(const SketchPart &part) const;
     std::vector<SketchPart> segment(const SketchPart &part) const;
     /// Returns the longest straight segment that a straight one of a path was shortened to.

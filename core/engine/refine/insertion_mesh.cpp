@@ -87,6 +87,12 @@ void InsertionMesh::tagsAround(std::size_t element, Vec2 point, std::vector<std:
     }
 }
 
+bool InsertionMesh::failsCircleTest(HalfEdge h) const {
+    const HalfEdge g = across_[h];
+    return tagged_[h] == kNoIndex && g != kNoHalfEdge &&
+           inCircle(place(startOf(h)), place(endOf(h)), place(apexOf(h)), place(apexOf(g))) > 0;
+}
+
 void InsertionMesh::swapAround(std::size_t element) {
     changed_.clear();
     for (unsigned k = 0; k < 3; ++k) {
@@ -95,12 +101,10 @@ void InsertionMesh::swapAround(std::size_t element) {
     while (!open_.empty()) {
         const HalfEdge h = open_.back();
         open_.pop_back();
-        const HalfEdge g = across_[h];
-        if (tagged_[h] != kNoIndex || g == kNoHalfEdge ||
-            inCircle(place(startOf(h)), place(endOf(h)), place(apexOf(h)), place(apexOf(g))) <= 0) {
+        if (!failsCircleTest(h)) {
             continue;
         }
-        const auto e = static_cast<HalfEdge>(3 * elementOf(h)), f = static_cast<HalfEdge>(3 * elementOf(g));
+        const auto e = static_cast<HalfEdge>(3 * elementOf(h)), f = static_cast<HalfEdge>(3 * elementOf(across_[h]));
         swap(h);
         for (const HalfEdge side : {e, e + 2, f, f + 1}) { // the rim of both; see swap()
             open_.push_back(side);
@@ -156,12 +160,10 @@ void InsertionMesh::swapWhereNeeded() {
     while (!open_.empty()) {
         const HalfEdge h = open_.back(); // the new node is the apex
         open_.pop_back();
-        const HalfEdge g = across_[h];
-        if (tagged_[h] != kNoIndex || g == kNoHalfEdge ||
-            inCircle(place(startOf(h)), place(endOf(h)), place(apexOf(h)), place(apexOf(g))) <= 0) {
+        if (!failsCircleTest(h)) {
             continue;
         }
-        const auto e = static_cast<HalfEdge>(3 * elementOf(h)), f = static_cast<HalfEdge>(3 * elementOf(g));
+        const auto e = static_cast<HalfEdge>(3 * elementOf(h)), f = static_cast<HalfEdge>(3 * elementOf(across_[h]));
         swap(h); // the new node is the last of both
         open_.push_back(e);
         open_.push_back(f);

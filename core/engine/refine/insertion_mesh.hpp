@@ -71,6 +71,8 @@ class InsertionMesh {
     bool positive(NodeId a, NodeId b, Vec2 point) const;
     std::uint32_t newElement(std::size_t like);
     void set(std::size_t element, const Element &nodes, const std::array<Side, 3> &sides);
+    /// Returns true if a half-edge may be swapped and fails the test of Delaunay's circle.
+    bool failsCircleTest(HalfEdge h) const;
     void swap(HalfEdge h);
     void swapWhereNeeded();
     bool insertOnEdge(HalfEdge h, Vec2 point);

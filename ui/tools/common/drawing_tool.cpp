@@ -330,7 +330,7 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
     }
     std::size_t added = 0;
     if (next && context.snapping.addsConstraints) {
-        InferredConstraints constrained = addInferred(*std::move(next), before->nextId, inferredNodes_);
+        InferredConstraints constrained = addInferred(*std::move(next), before->nextId, inferredNodes_, *before);
         added = constrained.added;
         next = std::move(constrained.document);
     }

@@ -138,7 +138,8 @@ void SelectTool::addRelations(Shell &context) {
         return;
     }
     const InferredNode node{snapped_.at, snapped_.inferred, {}};
-    InferredConstraints constrained = addInferred(*context.document.current(), grabbed_.shape, std::span(&node, 1));
+    InferredConstraints constrained =
+        addInferred(*context.document.current(), grabbed_.shape, std::span(&node, 1), *start_);
     if (constrained.added > 0 && context.applyCommand(std::move(constrained.document), moveLabel(), stroke_)) {
         context.log.announce("Added " + countText(constrained.added, "sketch constraint"));
     }
