@@ -28,7 +28,10 @@ class PathParts {
     }
     /// Returns the segment between two places.
     std::optional<SketchPart> segment(Vec2 a, Vec2 b) const {
-        const Outline outline = shape_ != nullptr && isPath(*shape_) ? outlineOf(*shape_) : Outline();
+        if (shape_ == nullptr || !isPath(*shape_)) {
+            return std::nullopt;
+        }
+        const Outline outline = outlineOf(*shape_);
         for (std::uint32_t k = 0; k < outline.segmentCount(); ++k) {
             const Vec2 from = outline.from(k), to = outline.to(k);
             if ((distance(from, a) <= near_ && distance(to, b) <= near_) ||
