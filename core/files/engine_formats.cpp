@@ -57,8 +57,7 @@ constexpr const char *kVtkData =
 
 /// Returns the common description of all Gmsh formats.
 constexpr Format gmsh(const char *id, const char *name, const char *program,
-                      void (*write)(const MeshView &, TextWriter &),
-                      void (*solids)(const SolidMesh &, TextWriter &) = nullptr) {
+                      void (*write)(const MeshView &, TextWriter &)) {
     return {.about = {.id = id,
                       .name = name,
                       .extension = ".msh",
@@ -68,7 +67,6 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
                       .readsSpacing = true,
                       .readsFields = true,
                       .holds = kAllCells,
-                      .holdsSolids = solids != nullptr,
                       .holdsElevations = true,
                       .program = program,
                       .keeps = kGroups},
@@ -77,8 +75,14 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
             .readSpacing = readMshSpacing,
             .readFields = readMshFields,
             .writeMesh = write,
-            .noteChanges = noteMshChanges,
-            .writeSolid = solids};
+            .noteChanges = noteMshChanges};
+}
+
+/// Returns `format` as one that holds extruded meshes too, written by `write`.
+constexpr Format withSolids(Format format, void (*write)(const SolidMesh &, TextWriter &)) {
+    format.about.holdsSolids = true;
+    format.writeSolid = write;
+    return format;
 }
 
 // Every format with its name, its capabilities and its functions.
@@ -139,7 +143,7 @@ constexpr std::array kFormats = {
                               "elements are left out."},
            .writeMesh = writeDxfOutline,
            .noteChanges = noteDxfChanges},
-    gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2, writeMsh2Solid),
+    withSolids(gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2), writeMsh2Solid),
     gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4),
     gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4Binary),
     Format{.about = {.id = "vtu",
