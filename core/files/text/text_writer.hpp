@@ -48,7 +48,7 @@ class TextWriter {
             return *this;
         }
         reserve(text.size());
-        std::memcpy(buffer_.data() + used_, text.data(), text.size());
+        text.copy(buffer_.data() + used_, text.size()); // unlike memcpy, also for an empty text without data
         used_ += text.size();
         return *this;
     }
