@@ -236,20 +236,24 @@ void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::o
            "edge lengths at black and at white in a picture given as --spacing-file, linear in between; transparent "
            "pixels set none")
         ->type_name("BLACK:WHITE");
-    app.add_option_function<std::string>(
-           "--picture-box",
-           [&box](const std::string &text) {
-               const std::vector<double> numbers = numbersIn(text, ',', 4);
-               if (numbers.empty() || !(numbers[0] < numbers[2] && numbers[1] < numbers[3])) {
-                   throw CLI::ValidationError("--picture-box", "expected the lower left and upper right corner such as "
-                                                               "0,0,20,10, got '" +
-                                                                   text + '\'');
-               }
-               box = Box2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
-           },
-           "rectangle that the picture fills; default: where the project places it as its background picture, else "
-           "around the domain, keeping its proportions")
-        ->type_name("X0,Y0,X1,Y1");
+    addBoxOption(
+        app, "--picture-box",
+        "rectangle that the picture fills; default: where the project places it as its background picture, else "
+        "around the domain, keeping its proportions",
+        box);
+}
+
+CLI::Option *addBoxOption(CLI::App &app, const std::string &name, const std::string &meaning,
+                          std::optional<Box2> &box) {
+    const auto read = [&box, name](const std::string &text) {
+        const std::vector<double> numbers = numbersIn(text, ',', 4);
+        if (numbers.empty() || !(numbers[0] < numbers[2] && numbers[1] < numbers[3])) {
+            throw CLI::ValidationError(name, "expected the lower left and upper right corner such as 0,0,20,10, got '" +
+                                                 text + '\'');
+        }
+        box = Box2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+    };
+    return app.add_option_function<std::string>(name, read, meaning)->type_name("X0,Y0,X1,Y1");
 }
 
 void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId) {

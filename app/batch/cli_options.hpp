@@ -42,6 +42,8 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
 bool applySpacingOptions(std::optional<double> size, const std::optional<std::string> &expression,
                          SpacingSpec &spacing);
 
+/// Adds an option for a rectangle, given by its lower left and upper right corner.
+CLI::Option *addBoxOption(CLI::App &app, const std::string &name, const std::string &meaning, std::optional<Box2> &box);
 /// Adds the options --picture-sizes and --picture-box of a picture that is read as spacing.
 void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box);
 

@@ -25,6 +25,8 @@ Examples:
         30 pictures from the start to the finished mesh: frames-1.png to frames-30.png
   forefront film plate.json -o moment.pdf --at 121 --labels
         the moment after advance 121, with A, B, C, the search circle, and the candidates with their ranks and scores
+  forefront film plate.json -o steps.gif --method classic --from 40 --steps 6 --events --follow --labels
+        six advances event by event, with the view close to the front
   forefront film plate.json -o run.html --method classic
         a page that plays the run in a browser, forward and back, with the ten steps and the candidates; needs no network
 
@@ -71,23 +73,26 @@ FilmPlan planOf(const FilmArguments &arguments) {
 
 /// Returns the error for an option that does not apply to this kind of output; empty if there is none.
 std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
-    const bool gif = plan.output.extension() == ".gif";
-    for (const char *option : {"--frames", "--width", "--layers", "--labels"}) {
+    const bool animation = plan.isAnimation();
+    for (const char *option : {"--frames", "--width", "--layers", "--labels", "--view", "--follow", "--events"}) {
         if (plan.isPage() && app.count(option) > 0) {
             return std::string(option) + ": a page has no such setting; the reader of the page chooses";
         }
     }
-    if (app.count("--speed") > 0 && !gif) {
-        return "--speed: applies only to a GIF";
+    if (app.count("--speed") > 0 && !animation) {
+        return "--speed: applies only to an animation";
     }
-    if (app.count("--at") > 0 && (gif || plan.isPage() || plan.numbered())) {
+    if (app.count("--at") > 0 && (animation || plan.isPage() || plan.numbered())) {
         return "--at: applies only to a single picture; use --from and --steps";
     }
-    if (gif || plan.isPage() || plan.numbered()) {
+    if (animation || plan.isPage() || plan.numbered()) {
         return {};
     }
+    if (app.count("--events") > 0) {
+        return "--events: a single picture shows a whole advance; write an animation, or number the pictures with %d";
+    }
     if (app.count("--frames") > 0) {
-        return "--frames: a single picture has only one frame; write a GIF, or number the pictures with %d";
+        return "--frames: a single picture has only one frame; write an animation, or number the pictures with %d";
     }
     if (app.count("--from") > 0 && app.count("--steps") == 0) {
         return "--from: a single picture shows the end of the range; also give --steps, such as --steps 1, or use --at";
@@ -99,7 +104,8 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
 void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
     addRunOptions(app, arguments.run);
     app.add_option("-o,--output", arguments.plan.output,
-                   "FILE.gif: animation; FILE.html: page that plays the run; NAME-%d.png, .svg or .pdf: one "
+                   "FILE.gif, .mp4 or .webm: animation, videos by the program ffmpeg; FILE.html: page that plays the "
+                   "run; NAME-%d.png, .svg or .pdf: one "
                    "picture per frame; FILE.png, .svg or .pdf: one moment, the last unless --at is given")
         ->type_name("FILE")
         ->required();
@@ -118,19 +124,22 @@ void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
         ->check(wholeNumberWithin(1, FilmPlan::kMaxFrames));
     app.add_option("--width", arguments.plan.width, "width in pixels, default 800")
         ->check(wholeNumberWithin(FilmPlan::kMinWidth, FilmPlan::kMaxWidth));
-    app.add_option("--speed", arguments.plan.speed, "frames per second of a GIF, default 10")
+    app.add_option("--speed", arguments.plan.speed, "frames per second of an animation, default 10")
         ->check(numberWithin(FilmPlan::kSlowest, FilmPlan::kFastest));
     app.add_option("--layers", arguments.layers,
                    "comma-separated: mesh, boundary, front, candidates, grid, caption, labels")
         ->delimiter(',')
         ->check(oneOf(wordsOf<FilmLayer>()));
+    addBoxOption(app, "--view", "part of the plane shown; default: the whole domain", arguments.plan.view);
+    app.add_flag("--follow", arguments.plan.follow, "the view follows the front: the base takes a tenth of the width");
+    app.add_flag("--events", arguments.plan.events, "a frame for each event of an advance, not one for each advance");
 }
 
 } // namespace
 
 int filmCommand(int argc, const char *const *argv) {
     FilmArguments arguments;
-    CLI::App app("Writes a film of a meshing run: an animated GIF, a page, numbered PNG or SVG frames, or one moment.",
+    CLI::App app("Writes a film of a meshing run: an animated GIF, a video, a page, numbered frames, or one moment.",
                  "forefront film");
     app.footer(kFilmExamples);
     addFilmOptions(app, arguments);
@@ -166,7 +175,9 @@ int filmCommand(int argc, const char *const *argv) {
                      static_cast<unsigned long long>(written->last), static_cast<unsigned long long>(*plan.steps));
     }
     if (plan.layers.has(FilmLayer::Labels) && !plan.isPage() && !written->labelled) {
-        std::fprintf(stderr, "note: no labels: at the start and in the improved mesh there is no advance to show\n");
+        std::fprintf(stderr, "note: no labels: %s\n",
+                     plan.view ? "no advance of the film lies in --view"
+                               : "at the start and in the improved mesh there is no advance to show");
     }
     const unsigned long long count = plan.isPage() ? written->last : static_cast<unsigned long long>(written->frames);
     std::printf("wrote %s: %llu %s%s\n", plan.output.c_str(), count, plan.isPage() ? "advance" : "frame",

@@ -22,6 +22,7 @@ import tempfile
 import time
 import unittest
 import zlib
+from unittest import mock
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "delta_area_mean",
@@ -1563,6 +1564,50 @@ class Films(Case):
         self.assertIn("only to a single picture", self.call("film", *run, "-o", "a.gif", "--at", "3", code=2).stderr)
         self.call("film", *run, "-o", "a.svg", "--at", "3", "--from", "2", code=2)
 
+    def test_a_film_zooms_follows_and_steps_by_events(self):
+        film = ["film", "plate.poly", "--method", "classic", "--size", "1"]
+        self.call(*film, "-o", "whole.svg", "--at", "9")
+        self.call(*film, "-o", "part.svg", "--at", "9", "--view", "0,0,2,2")
+        self.call(*film, "-o", "near.svg", "--at", "9", "--follow", "--labels")
+        counts = {name: (self.path / f"{name}.svg").read_text().count("Z\n") for name in ("whole", "part", "near")}
+        self.assertGreater(counts["whole"], counts["part"])
+        self.assertGreater(counts["whole"], counts["near"])
+        self.assertIn(">A</text>", (self.path / "near.svg").read_text())
+        events = self.call(*film, "-o", "e-%d.svg", "--from", "8", "--steps", "1", "--events", "--labels").stdout
+        frames = int(re.search(r": (\d+) frames", events)[1])
+        self.assertGreater(frames, 5)
+        texts = [(self.path / f"e-{k}.svg").read_text() for k in range(1, frames + 1)]
+        self.assertIn("Advance 8,", texts[0])
+        self.assertIn("Advance 9,", texts[-1])
+        self.assertGreater(len(set(texts)), frames / 2)  # an event that only looks into cells leaves the picture as it is
+        gif = self.call(*film, "-o", "e.gif", "--steps", "3", "--events", "--follow", "--width", "200").stdout
+        self.assertGreater(int(re.search(r": (\d+) frames", gif)[1]), 15)
+        self.assertIn("expected the lower left", self.call(*film, "-o", "a.svg", "--view", "3,0,2,2", code=2).stderr)
+        self.call(*film, "-o", "a.svg", "--at", "3", "--events", code=2)
+        self.call(*film, "-o", "a.html", "--follow", code=2)
+
+    def test_a_video_goes_through_the_encoder(self):
+        film = ["film", "plate.poly", "--method", "classic", "--size", "1", "--steps", "3", "--width", "201"]
+        tools = self.path / "tools"
+        tools.mkdir()
+        with mock.patch.dict(os.environ, PATH=str(tools)):
+            missing = self.call(*film, "-o", "run.mp4", code=1).stderr
+            self.assertIn("no-encoder", missing)
+            self.assertIn("install the package ffmpeg", missing)
+            encoder = tools / "ffmpeg"  # keeps what it is given: its words, and the raw frames as its output
+            encoder.write_text('#!/bin/sh\nfor last; do :; done\necho "$*" > words\n/bin/cat > "${last#file:}"\n')
+            encoder.chmod(0o755)
+            self.call(*film, "-o", "run.mp4", "--speed", "5")
+            words = self.read("words")
+            width, height = map(int, re.search(r"-video_size (\d+)x(\d+)", words).groups())
+            self.assertEqual(width, 201)
+            self.assertIn("-framerate 5 ", words)
+            self.assertEqual((self.path / "run.mp4").stat().st_size, 4 * 3 * width * height)
+            encoder.write_text('#!/bin/sh\necho "no room for frames" >&2\nexit 1\n')
+            self.assertIn("no room for frames", self.call(*film, "-o", "other.webm", code=1).stderr)
+        self.assertFalse(list(self.path.glob("other*")))
+        self.assertFalse(list(self.path.glob("*.part")))
+
     def test_a_film_that_is_shorter_than_asked_for_says_so(self):
         film = ["film", "plate.poly", "-o", "run.gif", "--size", "1", "--width", "100"]
         self.assertIn("before --steps 1000000 are shown", self.call(*film, "--steps", "1000000").stderr)
@@ -1581,10 +1626,10 @@ class Films(Case):
         self.assertNotIn("<text", self.read("m.svg"))
 
     def test_wrong_usage_is_refused(self):
-        for words, part in ((("-o", "run.mp4"), "expected .gif, .html, .png, .svg or .pdf"), (("-o", "f-%d.gif"), "leave out %d"),
+        for words, part in ((("-o", "run.avi"), "expected .gif, .mp4, .webm, .html, .png, .svg or .pdf"), (("-o", "f-%d.gif"), "leave out %d"),
                             (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames"),
                             (("-o", "m.svg", "--frames", "3"), "one frame"), (("-o", "m.svg", "--from", "3"), "--steps"),
-                            (("-o", "m-%d.png", "--speed", "3"), "only to a GIF")):
+                            (("-o", "m-%d.png", "--speed", "3"), "only to an animation")):
             self.assertIn(part, self.call("film", "plate.poly", *words, code=2).stderr)
         self.assertIn("bad-range", self.call("film", "plate.poly", "-o", "m.gif", "--size", "1", "--from", "99999", code=1).stderr)
         self.assertIn("cannot-write", self.call("film", "plate.poly", "-o", "gone/m.svg", "--size", "1", code=1).stderr)

@@ -34,6 +34,7 @@ std::vector<ActionCase> fileCases() {
             {"file.addPicture", [](D &) {}, [](D &d, const B &) { return dialogIs(d, "picture"); }},
             {"file.export", drawMesh, [](D &d, const B &) { return dialogIs(d, "export"); }},
             {"file.exportPicture", drawMesh, [](D &d, const B &) { return dialogIs(d, "export"); }},
+            {"file.exportMoment", drawMesh, [](D &d, const B &) { return dialogIs(d, "moment"); }},
             {"file.exportFilm", drawMesh, [](D &d, const B &) { return dialogIs(d, "film"); }},
             {"file.quit", [](D &) {}, [](D &d, const B &) { return d.context().quit; }}};
 }

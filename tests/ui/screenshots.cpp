@@ -225,6 +225,7 @@ std::vector<Shot> scenes() {
             {"gallery", action("file.samples")},
             {"export", action("file.export")},
             {"film", action("file.exportFilm")},
+            {"moment", action("file.exportMoment")},
             {"picturespacing", importRings},
             {"glossary", action("glossary.candidates")},
             {"open", action("file.open")},

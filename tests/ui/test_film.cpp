@@ -153,4 +153,35 @@ TEST_CASE("Film: a cancelled film leaves no file") {
     CHECK(folder.fileCount() == 0);
 }
 
+TEST_CASE("Moment: its picture shows the canvas with labels, and the run stays where it is") {
+    const testing::TemporaryFolder folder;
+    Filmmaker driver;
+    showLayer(driver.context().layers, "candidates", true);
+    driver.context().run.seek(10);
+    driver.settle();
+    REQUIRE(driver.run().advance == 10);
+    const std::uint64_t run = driver.run().run, hash = driver.run().stateHash;
+    for (const char *name : {"moment.svg", "moment.pdf", "moment.png"}) {
+        CAPTURE(name);
+        const std::filesystem::path file = folder / name;
+        driver.script("click menu/File\nclick menu/file.exportMoment\nsettle");
+        REQUIRE(driver.has("dialog/moment/name"));
+        driver.click("dialog/moment/name");
+        driver.key('A', {Modifiers::kControl});
+        driver.type(file.string());
+        driver.click("dialog/moment/ok");
+        driver.until([&] { return !driver.context().dialogs.any(); });
+        CHECK(std::filesystem::file_size(file) > 1000);
+    }
+    const std::string svg = textOf(folder / "moment.svg");
+    for (const char *label : {">A</text>", ">B</text>", ">C</text>", ">Advance 10, "}) {
+        CAPTURE(label);
+        CHECK(svg.find(label) != std::string::npos);
+    }
+    driver.settle();
+    CHECK(driver.run().run == run);
+    CHECK(driver.run().advance == 10);
+    CHECK(driver.run().stateHash == hash);
+}
+
 } // namespace forefront::test

@@ -1,7 +1,8 @@
 #include "core/engine/boundary/discretise.hpp"
+#include "core/teaching/moment/moment.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/workspace/view/chosen_candidate.hpp"
 #include "ui/workspace/view/follow_camera.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 

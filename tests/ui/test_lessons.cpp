@@ -1,9 +1,9 @@
+#include "core/teaching/moment/moment.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/lessons/highlight_names.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/workspace/view/follow_camera.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 

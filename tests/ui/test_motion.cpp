@@ -1,6 +1,6 @@
+#include "core/teaching/moment/moment.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/canvas/glide.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 

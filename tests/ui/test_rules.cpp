@@ -1,7 +1,7 @@
 #include "core/engine/mesher/front_rules.hpp"
+#include "core/teaching/moment/moment.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/edit_driver.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 

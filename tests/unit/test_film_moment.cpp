@@ -155,4 +155,48 @@ TEST_CASE("Film: a PNG of a moment has the circle of the search, and the last mo
     CHECK(last.texts.front().text.find("the mesh is improved") != std::string::npos);
 }
 
+TEST_CASE("Film: a view shows a part of the plane, and its shapes end at the band of the caption") {
+    MeshStepper stepper = moment_pictures::run(Method::Classic);
+    stepper.finish();
+    stepper.seek(30);
+    const FilmLayers layers = moment_pictures::labelled();
+    const std::shared_ptr<const SessionSnapshot> moment = stepper.snapshot(layers.needed());
+    const FilmSheet whole{stepper.mesh().bounds(), 800};
+    const Vec2 a = moment->explanation->a;
+    const FilmSheet part{boxAround(a, 0.5), 800, true}, elsewhere{boxAround(a + Vec2{3.0, 3.0}, 0.1), 800, true};
+    const FilmScene far = sceneOf(*moment, whole, layers, 60), near = sceneOf(*moment, part, layers, 60);
+    CHECK_FALSE(far.paperFrom);
+    REQUIRE(near.paperFrom);
+    CHECK(*near.paperFrom == doctest::Approx(part.bandTop()));
+    CHECK(near.elements.size() < far.elements.size());
+    CHECK(near.elements.size() > 0);
+    CHECK(moment_pictures::named(near, "A").size() == 1);
+    CHECK(moment_pictures::named(sceneOf(*moment, elsewhere, layers, 60), "A").empty()); // A is not on the sheet
+    CHECK(svgOf(near).find("<rect y=") != std::string::npos);
+}
+
+TEST_CASE("Film: within an advance, a scene shows only what its events have told so far") {
+    MeshStepper stepper = moment_pictures::run(Method::Classic);
+    const FilmLayers layers = moment_pictures::labelled();
+    stepper.seek(12);
+    std::size_t before = 0, events = 0;
+    while (stepper.position() < 13) {
+        stepper.step(Granularity::Event, 1);
+        const std::shared_ptr<const SessionSnapshot> moment = stepper.snapshot(layers.needed());
+        const FilmScene scene = sceneOf(*moment, {stepper.mesh().bounds(), 800}, layers, 60);
+        const std::size_t labels = static_cast<std::size_t>(std::count_if(
+            scene.texts.begin(), scene.texts.end(), [](const FilmText &text) { return text.place.has_value(); }));
+        CHECK(labels >= before);
+        CHECK(labels >= 2); // A and B
+        if (events == 0) {
+            CHECK(moment_pictures::named(scene, "C").empty());
+            CHECK(scene.circles.empty());
+        }
+        before = labels;
+        ++events;
+    }
+    CHECK(events >= 5);
+    CHECK(before == 3 + stepper.explanation()->candidates.size());
+}
+
 } // namespace forefront

@@ -136,6 +136,11 @@ void addFileActions(ActionRegistry &actions) {
                  .title = "Export picture of the mesh\xe2\x80\xa6",
                  .run = [](Shell &c) { exportMesh(c, "svg"); },
                  .enabled = hasShapes});
+    actions.add({.id = "file.exportMoment",
+                 .menu = "File",
+                 .title = "Export picture of the moment\xe2\x80\xa6",
+                 .run = exportMoment,
+                 .enabled = hasShapes});
     actions.add({.id = "file.exportFilm",
                  .menu = "File",
                  .title = "Export film\xe2\x80\xa6",

@@ -66,6 +66,8 @@ void openRules(Shell &context);
 void saveRules(Shell &context);
 /// Writes the run of the document as a film: an animation, numbered frames or one moment.
 void exportFilm(Shell &context);
+/// Writes the moment of the run that the canvas shows as a picture; the run stays where it is.
+void exportMoment(Shell &context);
 /// Returns the folder that a file dialog starts in: the folder of the document or of the last file.
 std::filesystem::path startFolder(const Shell &context);
 /// Makes a document read from `file` the open one, without asking. Only projects are saved back to their file.

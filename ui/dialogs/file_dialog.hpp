@@ -54,7 +54,8 @@ struct FileRequest {
     /// Draws extra lines between the list and the buttons, for the chosen filter; returns false to disable the button.
     /// May be empty.
     std::function<bool(Shell &, const FileFilter &)> extra;
-    int extraLines = 1; ///< number of lines that `extra` draws
+    int extraLines = 1;                                  ///< number of lines that `extra` draws
+    SnapshotLayers needs{.mesh = false, .front = false}; ///< parts of the run's snapshot that `chosen` uses
 };
 
 /// Lets the user choose a file.
@@ -68,6 +69,12 @@ class FileDialog : public Dialog {
     float height() const override { return browses_ ? 560.0F : 0.0F; }
     /// While a file is read, Esc cancels that.
     bool closesOnEscape() const override { return !reading_; }
+    void request(SnapshotLayers &wanted) const override {
+        wanted.mesh |= request_.needs.mesh;
+        wanted.front |= request_.needs.front;
+        wanted.cells |= request_.needs.cells;
+        wanted.explanation |= request_.needs.explanation;
+    }
     bool draw(Shell &context) override;
     /// Returns the chosen filter.
     const FileFilter &filter() const { return request_.filters[request_.filter]; }

@@ -2,6 +2,7 @@
 #include "ui/dialogs/export_dialog.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
+#include "ui/dialogs/film_fields.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -30,7 +31,7 @@ struct FilmSettings {
     std::optional<double> to; ///< last advance; not set: the end of the run
 };
 
-constexpr double kFields = 72.0, kSecond = 290.0; ///< columns, design pixels
+constexpr double kSecond = 290.0; ///< second column, design pixels
 
 /// Draws the label of the second field of a row.
 void secondLabel(Workspace &context, const char *text) {
@@ -40,24 +41,6 @@ void secondLabel(Workspace &context, const char *text) {
 }
 
 constexpr double kMaxAdvance = 1e9;
-
-/// Draws a field for a number within a range.
-void numberField(Workspace &context, const char *name, double &value, double minimum, double maximum) {
-    const std::string field = std::string(kName) + name;
-    double number = value;
-    if (ui::inputNumber(context, field, number, 70.0F) && ui::checkRange(context, field, number, minimum, maximum)) {
-        value = number;
-    }
-}
-
-template <class Whole>
-void wholeField(Workspace &context, const char *name, Whole &value, double minimum, double maximum) {
-    const std::string field = std::string(kName) + name;
-    auto number = static_cast<double>(value);
-    if (ui::inputNumber(context, field, number, 70.0F) && ui::checkWhole(context, field, number, minimum, maximum)) {
-        value = static_cast<Whole>(number);
-    }
-}
 
 /// Draws the field for the last advance; empty: the end of the run.
 void drawEnd(Workspace &context, FilmSettings &settings) {
@@ -71,8 +54,8 @@ void drawEnd(Workspace &context, FilmSettings &settings) {
 
 /// `page`: the output has no frames.
 void drawRange(Workspace &context, FilmSettings &settings, bool page) {
-    ui::rowLabel(context, "From", kFields);
-    wholeField(context, "from", settings.plan.from, 0.0, kMaxAdvance);
+    ui::rowLabel(context, "From", film_fields::kFields);
+    film_fields::whole(context, std::string(kName) + "from", settings.plan.from, 0.0, kMaxAdvance);
     ui::tooltip(context, "Number of advances done at the first frame");
     ImGui::SameLine();
     ui::muted(context, "to");
@@ -83,33 +66,35 @@ void drawRange(Workspace &context, FilmSettings &settings, bool page) {
         return;
     }
     secondLabel(context, "at most");
-    wholeField(context, "frames", settings.plan.frames, 1, FilmPlan::kMaxFrames);
+    film_fields::whole(context, std::string(kName) + "frames", settings.plan.frames, 1, FilmPlan::kMaxFrames);
     ImGui::SameLine();
     ui::muted(context, "frames; long runs skip advances");
 }
 
 void drawLook(Workspace &context, FilmPlan &plan) {
-    ui::rowLabel(context, "Width", kFields);
-    wholeField(context, "width", plan.width, FilmPlan::kMinWidth, FilmPlan::kMaxWidth);
+    ui::rowLabel(context, "Width", film_fields::kFields);
+    film_fields::whole(context, std::string(kName) + "width", plan.width, FilmPlan::kMinWidth, FilmPlan::kMaxWidth);
     ImGui::SameLine();
     ui::muted(context, "pixels");
     secondLabel(context, "Speed");
-    numberField(context, "speed", plan.speed, FilmPlan::kSlowest, FilmPlan::kFastest);
+    film_fields::number(context, std::string(kName) + "speed", plan.speed, FilmPlan::kSlowest, FilmPlan::kFastest);
     ImGui::SameLine();
-    ui::muted(context, "frames per second (GIF)");
+    ui::muted(context, "frames per second");
 }
 
-void drawLayers(Workspace &context, FilmLayers &layers) {
-    constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh", "Boundary", "Front", "Candidates",
-                                                                            "Grid", "Caption",  "Labels"};
-    ui::rowLabel(context, "Show", kFields);
-    for (std::size_t k = 0; k < kLabels.size(); ++k) {
-        if (k > 0) {
-            ImGui::SameLine(0, context.px(14));
-        }
-        const std::string name = std::string(kName) + "layer/" + std::string(wordsOf<FilmLayer>()[k]);
-        ui::checkbox(context, name, kLabels[k], layers.shown[k]);
+void drawView(Workspace &context, FilmPlan &plan) {
+    ui::rowLabel(context, "View", film_fields::kFields);
+    bool part = plan.view.has_value();
+    if (ui::checkbox(context, std::string(kName) + "view", "As on the canvas", part)) {
+        plan.view = part ? std::optional(context.view.camera.visible()) : std::nullopt;
     }
+    ui::tooltip(context, "Show the part of the plane that the canvas shows; else the whole domain");
+    ImGui::SameLine(0, context.px(14));
+    ui::checkbox(context, std::string(kName) + "follow", "Follow the front", plan.follow);
+    ui::tooltip(context, "The view stays close to the base of each advance");
+    ImGui::SameLine(0, context.px(14));
+    ui::checkbox(context, std::string(kName) + "events", "Every event", plan.events);
+    ui::tooltip(context, "Show each event of an advance, not only its end");
 }
 
 /// What is written by default to files of a kind.
@@ -121,8 +106,11 @@ struct FilmFile {
     FilmFrames frames;
 };
 
-constexpr std::array<FilmFile, 5> kFilmFiles{
+constexpr std::array<FilmFile, 7> kFilmFiles{
     {{"gif", "Animated GIF (.gif)", ".gif", "Loops; plays in browsers and slides.", FilmFrames::Together},
+     {"mp4", "MP4 video (.mp4)", ".mp4", "Plays in presentations; written by the program ffmpeg.",
+      FilmFrames::Together},
+     {"webm", "WebM video (.webm)", ".webm", "Plays in browsers; written by the program ffmpeg.", FilmFrames::Together},
      {"html", "Page that plays the run (.html)", ".html",
       "Opens in any browser, without a network: play, step, zoom, candidates.", FilmFrames::Together},
      {"png", "PNG frames (.png)", ".png", "One picture per frame: NAME-1.png, NAME-2.png and so on.",
@@ -213,14 +201,15 @@ void exportFilm(Shell &context) {
     request.chosen = [settings](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         return film(c, planFor(*settings, file, filter));
     };
-    request.extraLines = 3;
+    request.extraLines = 4;
     settings->plan.title = document.empty() ? context.document.title() : document.stem().string();
     request.extra = [settings](Shell &c, const FileFilter &filter) {
         const bool page = std::string_view(filter.id) == "html";
         drawRange(c, *settings, page);
         if (!page) {
             drawLook(c, settings->plan);
-            drawLayers(c, settings->plan.layers);
+            film_fields::layers(c, kName, settings->plan.layers);
+            drawView(c, settings->plan);
         }
         return true;
     };

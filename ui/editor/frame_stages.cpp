@@ -1,4 +1,5 @@
 #include "core/files/files.hpp"
+#include "core/teaching/moment/moment.hpp"
 #include "ui/dialogs/changed_file.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/editor/apply_settings.hpp"
@@ -8,7 +9,6 @@
 #include "ui/shell/main_window.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 
@@ -51,6 +51,9 @@ void Editor::Parts::takeResults(bool cancels) {
     }
     wanted.mesh = true; // the panels show its figures
     wanted.explanation = wanted.explanation || context.view.following || context.lessons.open;
+    if (const Dialog *const dialog = context.dialogs.top()) {
+        dialog->request(wanted);
+    }
     context.run.want(wanted);
     const auto before = context.run.snapshot();
     if (newsDue() && !cancels) {

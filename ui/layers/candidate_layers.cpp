@@ -1,8 +1,8 @@
+#include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/candidate_text.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
+#include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/line_density.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "core/engine/mesh/placed_cell.hpp"
+#include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 

@@ -9,7 +9,7 @@
 #include "ui/platform/assets.hpp"
 #include "ui/widgets/parse_number.hpp"
 #include "ui/workspace/judging.hpp"
-#include "ui/workspace/view/moment.hpp"
+#include "ui/workspace/view/chosen_candidate.hpp"
 
 #include <algorithm>
 #include <functional>

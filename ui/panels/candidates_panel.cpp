@@ -1,8 +1,9 @@
+#include "core/teaching/moment/moment.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/candidate_text.hpp"
-#include "ui/workspace/view/moment.hpp"
+#include "ui/workspace/view/chosen_candidate.hpp"
 
 #include <imgui.h>
 

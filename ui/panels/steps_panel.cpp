@@ -1,9 +1,9 @@
+#include "core/teaching/moment/moment.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/candidate_text.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/engine/session/snapshot.hpp"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +21,8 @@ class Dialog {
     virtual float width() const { return 480.0F; }
     virtual float height() const { return 0.0F; }
     virtual bool closesOnEscape() const { return true; }
+    /// Adds the parts of the run's snapshot that it needs while it is open.
+    virtual void request(SnapshotLayers & /*wanted*/) const {}
     /// Draws the content. Returns false to close the dialog.
     virtual bool draw(Shell &context) = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "core/drawing/shapes/shape_geometry.hpp"
 #include "core/engine/base/hash.hpp"
+#include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/glide.hpp"
 #include "ui/canvas/legend.hpp"
@@ -16,7 +17,7 @@
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/ranks.hpp"
-#include "ui/workspace/view/moment.hpp"
+#include "ui/workspace/view/chosen_candidate.hpp"
 
 #include <glad/gl.h>
 #include <imgui.h>

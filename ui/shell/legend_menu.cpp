@@ -75,7 +75,7 @@ bool openLegendMenu(Shell &context, Pixel pixel) {
     }
     groups.push_back(
         {commandOf("hideLayer", "Hide this layer", [layer](Shell &c) { showLayer(c.layers, layer, false); })});
-    groups.push_back(actionsOf({"file.exportPicture", "file.export", "file.exportFilm"}));
+    groups.push_back(actionsOf({"file.exportPicture", "file.exportMoment", "file.export", "file.exportFilm"}));
     context.menu.open(std::move(groups));
     return true;
 }

@@ -1,3 +1,4 @@
+#include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/shell/figure_table.hpp"
@@ -5,7 +6,6 @@
 #include "ui/shell/mesh_beside.hpp"
 #include "ui/shell/small_mesh.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 

@@ -105,7 +105,7 @@ class Run:
 
         path: FILE.gif, an animation; NAME-%d.png, .svg or .pdf, a picture for each frame; FILE.png, .svg or .pdf, the last
         moment; FILE.html, a page. start: number of advances done at the first frame. steps: number of advances shown; None: to
-        the end. frames: at most. width: pixels. speed: frames per second of a GIF. layers: of 'mesh', 'boundary',
+        the end. frames: at most. width: pixels. speed: frames per second of an animation. layers: of 'mesh', 'boundary',
         'front', 'candidates', 'grid', 'caption', 'labels'.
         """
         given = {"start": start, "steps": steps, "frames": frames, "width": width, "speed": speed, "layers": layers}

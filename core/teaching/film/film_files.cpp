@@ -7,27 +7,21 @@
 #include "core/teaching/film/gif_writer.hpp"
 #include "core/teaching/film/pdf_writer.hpp"
 #include "core/teaching/film/png_writer.hpp"
+#include "core/teaching/film/video_writer.hpp"
+#include "core/teaching/moment/moment.hpp"
 #include "core/teaching/page/run_page.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace forefront {
 
 namespace {
-
-/// Widens a tall box on both sides, so that no film is much taller than wide.
-Box2 shownBox(Box2 box) {
-    constexpr double kTallest = 1.5; // height over width
-    const double missing = box.size().y / kTallest - box.size().x;
-    if (missing > 0.0) {
-        box.min.x -= 0.5 * missing;
-        box.max.x += 0.5 * missing;
-    }
-    return box;
-}
 
 /// Writes the frames of a run.
 class Filming {
@@ -36,8 +30,10 @@ class Filming {
         : plan_(plan), progress_(progress), stepper_(std::move(stepper)) {}
 
     Status film() {
-        sheet_.box = shownBox(stepper_.mesh().bounds());
+        home_ = sheetBox(plan_.view.value_or(stepper_.mesh().bounds()));
+        sheet_.box = home_;
         sheet_.width = plan_.width;
+        sheet_.cut = plan_.view || plan_.follow;
         if (!stepper_.finish(quiet())) {
             return cancelled();
         }
@@ -48,7 +44,15 @@ class Filming {
         }
         from_ = plan_.from;
         last_ = std::min(end, plan_.steps ? from_ + std::min(*plan_.steps, end) : end);
-        return plan_.output.extension() == ".gif" ? writeGif() : plan_.numbered() ? writeSequence() : writeMoment();
+        if (plan_.events && last_ - from_ > FilmPlan::kMaxEventAdvances) {
+            return error("bad-range",
+                         std::to_string(last_ - from_) + " advances are too many to be shown event by event",
+                         "choose at most " + std::to_string(FilmPlan::kMaxEventAdvances) + " of them");
+        }
+        return isVideo(plan_.output) ? writeVideo()
+               : plan_.isAnimation() ? writeGif()
+               : plan_.numbered()    ? writeSequence()
+                                     : writeMoment();
     }
     WrittenFilm written() const { return {written_, from_, last_, labelled_}; }
 
@@ -61,13 +65,13 @@ class Filming {
     /// Calls write(scene, number) for each frame, numbered from 1, until it fails.
     template <class Write>
     Status forFrames(Write write) {
-        const std::uint64_t steps = last_ - from_;
+        const std::uint64_t steps = plan_.events ? countEvents() : last_ - from_;
         const auto frames = static_cast<int>(std::min(steps + 1, static_cast<std::uint64_t>(plan_.frames)));
         for (int k = 0; k < frames; ++k) {
             const std::uint64_t at =
-                frames == 1 ? last_
-                            : from_ + steps * static_cast<std::uint64_t>(k) / static_cast<std::uint64_t>(frames - 1);
-            const FilmScene scene = sceneAt(at);
+                frames == 1 ? steps : steps * static_cast<std::uint64_t>(k) / static_cast<std::uint64_t>(frames - 1);
+            moveTo(at);
+            const FilmScene scene = sceneHere();
             if (progress_.cancelled()) {
                 return cancelled();
             }
@@ -93,6 +97,15 @@ class Filming {
         gif.finish();
         return file.commit();
     }
+    Status writeVideo() {
+        Result<VideoWriter> video = VideoWriter::open(plan_.output, sheet_.width, sheet_.height(), plan_.speed);
+        if (!video) {
+            return video.faults();
+        }
+        const Status status = forFrames(
+            [&](const FilmScene &scene, int) { return video->add(paintScene(scene)) ? Status() : video->finish(); });
+        return status.empty() ? video->finish() : status;
+    }
     /// Writes the frames as a set, so that those of an earlier film never mix with new ones.
     Status writeSequence() {
         FileSet files;
@@ -103,31 +116,73 @@ class Filming {
         return status.empty() ? files.commit() : status;
     }
     Status writeMoment() {
-        const FilmScene scene = sceneAt(last_);
+        stepper_.seek(last_, quiet());
+        const FilmScene scene = sceneHere();
         if (progress_.cancelled()) {
             return cancelled();
         }
         written_ = 1;
         return writeFileAtomically(plan_.output, pictureOf(plan_.output, scene));
     }
-    /// Returns the bytes of a frame in the format of an output.
-    static std::string pictureOf(const std::filesystem::path &output, const FilmScene &scene) {
-        return output.extension() == ".png"   ? pngOf(paintScene(scene))
-               : output.extension() == ".pdf" ? pdfOf(scene)
-                                              : svgOf(scene);
+    /// Returns the number of events from the first to the last advance; 0 if it was cancelled.
+    std::uint64_t countEvents() {
+        stepper_.seek(from_, quiet());
+        std::uint64_t count = 0;
+        while (stepper_.position() < last_) {
+            if (progress_.cancelled()) {
+                return 0;
+            }
+            stepper_.step(Granularity::Event, 1);
+            ++count;
+        }
+        stepper_.seek(from_, quiet());
+        return count;
     }
-
-    FilmScene sceneAt(std::uint64_t advance) {
-        stepper_.seek(advance, quiet());
-        FilmScene scene = sceneOf(*stepper_.snapshot(plan_.layers.needed()), sheet_, plan_.layers, last_);
+    /// Moves to a number of steps after the first advance; it only grows.
+    void moveTo(std::uint64_t step) {
+        if (plan_.events) {
+            stepper_.step(Granularity::Event, static_cast<std::int64_t>(step - step_));
+            step_ = step;
+        } else {
+            stepper_.seek(from_ + step, quiet());
+        }
+    }
+    FilmScene sceneHere() {
+        SnapshotLayers needed = plan_.layers.needed();
+        needed.explanation = needed.explanation || plan_.follow;
+        const std::shared_ptr<const SessionSnapshot> moment = stepper_.snapshot(needed);
+        if (plan_.follow) {
+            sheet_.box = followed(momentOf(*moment));
+        }
+        FilmScene scene = sceneOf(*moment, sheet_, plan_.layers, last_);
         labelled_ = labelled_ || std::any_of(scene.texts.begin(), scene.texts.end(),
                                              [](const FilmText &text) { return text.place.has_value(); });
         return scene;
+    }
+    /// Returns the part of the plane around a base, with the proportions of the part shown at first, which is shown
+    /// again where there is no advance. Each frame goes a part of the way, so that the view glides.
+    Box2 followed(const Moment &moment) {
+        constexpr double kBases = 10.0, kGlide = 0.4; // width in bases; part of the way that a frame goes
+        if (!moment) {
+            followed_.reset();
+            return home_;
+        }
+        const Vec2 a = moment.advance->a, b = moment.advance->b;
+        const double width = std::min(kBases * distance(a, b), home_.size().x);
+        const Vec2 half = (0.5 * width / home_.size().x) * home_.size();
+        const Box2 target{midpoint(a, b) - half, midpoint(a, b) + half};
+        const Box2 before = followed_.value_or(target);
+        followed_ =
+            Box2{before.min + kGlide * (target.min - before.min), before.max + kGlide * (target.max - before.max)};
+        return *followed_;
     }
 
     const FilmPlan &plan_;
     const Progress &progress_;
     FilmSheet sheet_;
+    Box2 home_;                         ///< the part of the plane shown at first
+    std::optional<Box2> followed_;      ///< the part shown last, while it follows the base
+    std::uint64_t step_ = 0;            ///< events since the first advance, in a film that steps by events
     std::uint64_t from_ = 0, last_ = 0; ///< the first and last advance of the film
     int written_ = 0;
     bool labelled_ = false;
@@ -151,23 +206,43 @@ Result<WrittenFilm> writePage(const MeshingJob &job, const FilmPlan &plan, const
 
 } // namespace
 
+std::string pictureOf(const std::filesystem::path &output, const FilmScene &scene) {
+    return output.extension() == ".png"   ? pngOf(paintScene(scene))
+           : output.extension() == ".pdf" ? pdfOf(scene)
+                                          : svgOf(scene);
+}
+
+Box2 sheetBox(Box2 box) {
+    constexpr double kTallest = 1.5; // height over width
+    const double missing = box.size().y / kTallest - box.size().x;
+    if (missing > 0.0) {
+        box.min.x -= 0.5 * missing;
+        box.max.x += 0.5 * missing;
+    }
+    return box;
+}
+
 std::filesystem::path frameName(const std::filesystem::path &pattern, int frame) {
     std::string name = pattern.filename().string();
     name.replace(name.find("%d"), 2, std::to_string(frame));
     return pattern.parent_path() / name;
 }
 
+bool FilmPlan::isAnimation() const {
+    return output.extension() == ".gif" || isVideo(output);
+}
+
 std::string outputFault(const FilmPlan &plan) {
     const std::string extension = plan.output.extension().string();
-    if (extension != ".gif" && extension != ".html" && extension != ".png" && extension != ".svg" &&
+    if (!plan.isAnimation() && extension != ".html" && extension != ".png" && extension != ".svg" &&
         extension != ".pdf") {
-        return "unknown extension '" + extension + "'; expected .gif, .html, .png, .svg or .pdf";
+        return "unknown extension '" + extension + "'; expected .gif, .mp4, .webm, .html, .png, .svg or .pdf";
     }
     if (plan.isPage() && plan.numbered()) {
         return "a page holds the whole run; leave out %d";
     }
-    if (extension == ".gif" && plan.numbered()) {
-        return "a GIF holds all frames; leave out %d";
+    if (plan.isAnimation() && plan.numbered()) {
+        return "an animation holds all frames; leave out %d";
     }
     return {};
 }

@@ -14,25 +14,36 @@ namespace forefront {
 
 /// The content of a film of a run, and its output file.
 struct FilmPlan {
-    /// .gif: an animation; .html: a page that plays the run; NAME-%d.png, .svg or .pdf: numbered frames; else one
-    /// moment.
+    /// .gif, .mp4, .webm: an animation; .html: a page that plays the run; NAME-%d.png, .svg or .pdf: numbered frames;
+    /// else one moment.
     std::filesystem::path output;
     std::string title;                  ///< of a page
     std::uint64_t from = 0;             ///< number of advances done at the first frame
     std::optional<std::uint64_t> steps; ///< number of advances shown; not set: to the end of the run
     int frames = 120;                   ///< maximum number of frames; long runs skip advances
     int width = 800;                    ///< pixels
-    double speed = 10.0;                ///< frames per second of a GIF
+    double speed = 10.0;                ///< frames per second of an animation
     FilmLayers layers;
+    std::optional<Box2> view; ///< part of the plane shown; not set: the whole domain
+    bool follow = false;      ///< the view follows the base of the advance, which takes a tenth of the width
+    bool events = false;      ///< steps by the events of the advances; else by whole advances
 
     static constexpr int kMaxFrames = 5000, kMinWidth = 100, kMaxWidth = 4000;
     static constexpr double kSlowest = 0.1, kFastest = 50.0;
+    static constexpr std::uint64_t kMaxEventAdvances = 20'000; ///< of a film that steps by events
 
-    /// Returns true if the output is a page, which has no frames, layers, width or speed.
+    /// Returns true if the output is a page, which has no frames, layers, width, speed or view.
     bool isPage() const { return output.extension() == ".html"; }
+    bool isAnimation() const;
     /// Returns true if each frame is a file of its own.
     bool numbered() const { return output.filename().string().find("%d") != std::string::npos; }
 };
+
+/// Returns the bytes of a scene in the format of an output: .png, .pdf, or else SVG.
+std::string pictureOf(const std::filesystem::path &output, const FilmScene &scene);
+
+/// Returns a part of the plane widened so that no picture is much taller than wide.
+Box2 sheetBox(Box2 box);
 
 /// Returns the name of a frame, counted from 1; `pattern` contains %d.
 std::filesystem::path frameName(const std::filesystem::path &pattern, int frame);
@@ -48,8 +59,8 @@ struct WrittenFilm {
 };
 
 /// Runs a job and writes its film, reporting progress by frame. The film is shorter than the plan if the run ends
-/// before. Faults: those of the job, bad-range (the run ends before the film begins), too-large (of a page),
-/// cannot-write, cancelled, out-of-memory.
+/// before. Faults: those of the job, bad-range (the run ends before the film begins, or has too many advances to be
+/// shown by events), too-large (of a page), no-encoder (of a video), cannot-write, cancelled, out-of-memory.
 Result<WrittenFilm> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
 
 } // namespace forefront

@@ -55,8 +55,11 @@ class LabelPlacer {
 
     void avoid(Vec2 point) { points_.push_back(point); }
 
-    /// Adds a label of a point; `away` is the preferred direction.
+    /// Adds a label of a point, unless the point is not on the sheet; `away` is the preferred direction.
     void add(Vec2 point, Vec2 place, std::string text, Ink ink, Vec2 away) {
+        if (!Box2{{0.0, 0.0}, {static_cast<double>(scene_.width), bottom_}}.contains(point)) {
+            return;
+        }
         const Vec2 size{filmTextWidth(text, kLabelSize), 0.75 * kLabelSize};
         const double first = std::atan2(away.y, away.x);
         Box2 chosen = boxAt(point, size, first, kLabelGap);
@@ -101,26 +104,28 @@ class LabelPlacer {
 
 } // namespace
 
-void addLabels(const AdvanceExplanation &advance, const std::function<Vec2(Vec2)> &at, double bottom,
-               FilmScene &scene) {
+void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double bottom, FilmScene &scene) {
+    const AdvanceExplanation &advance = *moment.advance;
     const Vec2 a = at(advance.a), b = at(advance.b), c = at(advance.ideal);
     LabelPlacer labels(scene, bottom);
     for (const Vec2 point : {a, b, c}) {
         labels.avoid(point);
     }
-    for (const CandidateTrace &candidate : advance.candidates) {
-        labels.avoid(at(candidate.position));
+    for (std::size_t k = 0; k < moment.candidates; ++k) {
+        labels.avoid(at(advance.candidates[k].position));
     }
     const Vec2 middle = 0.5 * (a + b);
     labels.add(a, advance.a, "A", Ink::Base, a - c);
     labels.add(b, advance.b, "B", Ink::Base, b - c);
-    labels.add(c, advance.ideal, "C", Ink::Text, c - middle);
+    if (moment.idealKnown) {
+        labels.add(c, advance.ideal, "C", Ink::Text, c - middle);
+    }
     const int decimals = scoreDecimals(advance);
-    for (std::size_t k = 0; k < advance.candidates.size(); ++k) {
+    for (std::size_t k = 0; k < moment.candidates && moment.scoresKnown; ++k) {
         const CandidateTrace &candidate = advance.candidates[k];
-        const std::string text = candidate.verdict == Verdict::Withdrawn
-                                     ? std::string("withdrawn")
-                                     : std::to_string(k + 1) + ": " + fixedText(candidate.score, decimals);
+        const bool withdrawn = candidate.verdict == Verdict::Withdrawn && moment.judged[k];
+        const std::string text =
+            withdrawn ? std::string("withdrawn") : std::to_string(k + 1) + ": " + fixedText(candidate.score, decimals);
         const Vec2 point = at(candidate.position);
         labels.add(point, candidate.position, text, Ink::Text, point - middle);
     }

@@ -2,6 +2,7 @@
 
 #include "core/engine/mesher/trace.hpp"
 #include "core/teaching/film/film_scene.hpp"
+#include "core/teaching/moment/moment.hpp"
 
 #include <functional>
 
@@ -10,6 +11,6 @@ namespace forefront {
 /// Adds the labels of an advance to a scene: A, B and C, each alone in its text, and the rank and score of each
 /// candidate. Labels are kept apart and inside the drawing, whose lower edge is `bottom`, in pixels. `at`: maps the
 /// plane to pixels.
-void addLabels(const AdvanceExplanation &advance, const std::function<Vec2(Vec2)> &at, double bottom, FilmScene &scene);
+void addLabels(const Moment &moment, const std::function<Vec2(Vec2)> &at, double bottom, FilmScene &scene);
 
 } // namespace forefront

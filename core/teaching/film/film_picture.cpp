@@ -61,6 +61,11 @@ class SamplePicture {
         }
     }
 
+    void rectangle(Vec2 a, Vec2 b, Ink ink) {
+        triangle(a, {b.x, a.y}, b, ink);
+        triangle(a, b, {a.x, b.y}, ink);
+    }
+
     /// Returns the mean colour of the samples of a pixel.
     Rgb pixel(int x, int y) const {
         std::array<int, 3> sum{};
@@ -132,6 +137,7 @@ std::vector<std::uint8_t> filmPalette() {
 
 FilmPicture paintScene(const FilmScene &scene) {
     SamplePicture picture(scene.width, scene.height);
+    const Vec2 corner{static_cast<double>(scene.width), static_cast<double>(scene.height)};
     for (const auto &[a, b, c] : scene.elements) {
         picture.triangle(a, b, c, Ink::Face);
     }
@@ -141,12 +147,13 @@ FilmPicture paintScene(const FilmScene &scene) {
     for (const FilmCircle &circle : scene.circles) {
         picture.circle(circle);
     }
+    if (scene.paperFrom) {
+        picture.rectangle({0.0, *scene.paperFrom}, corner, Ink::Paper);
+    }
     for (const FilmLine &line : textStrokes(scene)) {
         picture.line(line);
     }
-    const double right = scene.progress * scene.width, top = scene.height - 4.0, bottom = scene.height;
-    picture.triangle({0.0, top}, {right, top}, {right, bottom}, Ink::Front);
-    picture.triangle({0.0, top}, {right, bottom}, {0.0, bottom}, Ink::Front);
+    picture.rectangle({0.0, scene.height - 4.0}, {scene.progress * scene.width, corner.y}, Ink::Front);
     FilmPicture result{scene.width, scene.height, {}};
     result.pixels.reserve(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
     for (int y = 0; y < scene.height; ++y) {

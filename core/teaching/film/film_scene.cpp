@@ -3,6 +3,7 @@
 #include "core/engine/base/number_text.hpp"
 #include "core/teaching/film/film_labels.hpp"
 #include "core/teaching/film/stroke_font.hpp"
+#include "core/teaching/moment/moment.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,10 +24,13 @@ constexpr double kWidestCaption = 1000.0;      ///< pixels; about as wide as the
 class SceneBuilder {
   public:
     SceneBuilder(const SessionSnapshot &moment, const FilmSheet &sheet, FilmScene &scene)
-        : moment_(moment), sheet_(sheet), scene_(scene) {
+        : moment_(moment), told_(momentOf(moment)), sheet_(sheet), scene_(scene) {
         const Vec2 size = sheet.box.size();
         scale_ = (sheet.width - 2.0 * kMargin) / (size.x > 0.0 ? size.x : 1.0);
     }
+
+    /// The advance shown, as far as it is known; empty: there is none.
+    const Moment &told() const { return told_; }
 
     void addMesh() {
         const TriMesh &mesh = moment_.mesh->mesh;
@@ -34,6 +38,9 @@ class SceneBuilder {
             std::array<Vec2, 3> corners;
             std::transform(element.begin(), element.end(), corners.begin(),
                            [&](NodeId node) { return at(mesh.nodes[index(node)]); });
+            if (!onSheet(corners)) {
+                continue;
+            }
             scene_.elements.push_back(corners);
             for (std::size_t k = 0; k < 3; ++k) {
                 scene_.lines.push_back({corners[k], corners[(k + 1) % 3], Ink::Edge, 0.8});
@@ -61,10 +68,11 @@ class SceneBuilder {
         }
     }
     void addCandidates() {
-        const AdvanceExplanation &advance = *moment_.explanation;
-        for (const CandidateTrace &candidate : advance.candidates) {
-            const bool accepted = candidate.verdict == Verdict::Accepted;
-            const bool open = candidate.verdict == Verdict::NotTried;
+        const AdvanceExplanation &advance = *told_.advance;
+        for (std::size_t k = 0; k < told_.candidates; ++k) {
+            const CandidateTrace &candidate = advance.candidates[k];
+            const bool accepted = candidate.verdict == Verdict::Accepted && told_.judged[k];
+            const bool open = candidate.verdict == Verdict::NotTried || !told_.judged[k];
             const Ink ink = accepted ? Ink::Accepted : open ? Ink::Candidate : Ink::Rejected;
             if (!open) {
                 line(advance.a, candidate.position, ink, 1.4);
@@ -77,22 +85,42 @@ class SceneBuilder {
     /// Adds C, the circle of the search and the labels.
     void addNames() {
         constexpr double kArm = 4.5; // pixels, of the cross at C
-        const AdvanceExplanation &advance = *moment_.explanation;
+        const AdvanceExplanation &advance = *told_.advance;
         const Vec2 c = at(advance.ideal);
-        scene_.lines.push_back({c - Vec2{kArm, kArm}, c + Vec2{kArm, kArm}, Ink::Base, 1.4});
-        scene_.lines.push_back({c - Vec2{kArm, -kArm}, c + Vec2{kArm, -kArm}, Ink::Base, 1.4});
-        scene_.circles.push_back({c, scale_ * advance.searchRadius, Ink::Candidate, 1.0});
+        if (told_.idealKnown) {
+            scene_.lines.push_back({c - Vec2{kArm, kArm}, c + Vec2{kArm, kArm}, Ink::Base, 1.4});
+            scene_.lines.push_back({c - Vec2{kArm, -kArm}, c + Vec2{kArm, -kArm}, Ink::Base, 1.4});
+        }
+        if (told_.candidatesKnown) {
+            scene_.circles.push_back({c, scale_ * advance.searchRadius, Ink::Candidate, 1.0});
+        }
         addLabels(
-            advance, [this](Vec2 p) { return at(p); }, scale_ * sheet_.box.size().y + 2.0 * kMargin, scene_);
+            told_, [this](Vec2 p) { return at(p); }, scale_ * sheet_.box.size().y + 2.0 * kMargin, scene_);
     }
 
   private:
     Vec2 at(Vec2 p) const {
         return {kMargin + scale_ * (p.x - sheet_.box.min.x), kMargin + scale_ * (sheet_.box.max.y - p.y)};
     }
-    void line(Vec2 a, Vec2 b, Ink ink, double width) { scene_.lines.push_back({at(a), at(b), ink, width}); }
+    /// Returns false for points of which no line or triangle can be seen.
+    template <std::size_t Count>
+    bool onSheet(const std::array<Vec2, Count> &points) const {
+        Box2 box;
+        for (const Vec2 p : points) {
+            box.add(p);
+        }
+        const Box2 sheet{{0.0, 0.0}, {static_cast<double>(scene_.width), static_cast<double>(scene_.height)}};
+        return !sheet_.cut || box.overlaps(sheet);
+    }
+    void line(Vec2 a, Vec2 b, Ink ink, double width) {
+        const FilmLine drawn{at(a), at(b), ink, width};
+        if (onSheet(std::array{drawn.a, drawn.b})) {
+            scene_.lines.push_back(drawn);
+        }
+    }
 
     const SessionSnapshot &moment_;
+    const Moment told_;
     const FilmSheet &sheet_;
     FilmScene &scene_;
     double scale_ = 1.0;
@@ -204,11 +232,16 @@ std::array<std::uint8_t, 3> rgbOf(Ink ink) {
     return kColours[static_cast<std::size_t>(ink)];
 }
 
-int FilmSheet::height() const {
+double FilmSheet::bandTop() const {
     const Vec2 size = box.size();
     const double scale = (width - 2.0 * kMargin) / (size.x > 0.0 ? size.x : 1.0);
+    return scale * size.y + 2.0 * kMargin;
+}
+
+int FilmSheet::height() const {
     const double text = kLineHeight * (captionLines(width) - 1);
-    return static_cast<int>(std::ceil(scale * size.y + 2.0 * kMargin + kBand + text));
+    constexpr double kRounding = 1e-6; // boxes of equal proportions must give equal heights
+    return static_cast<int>(std::ceil(bandTop() + kBand + text - kRounding));
 }
 
 FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last) {
@@ -216,6 +249,9 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
     scene.width = sheet.width;
     scene.height = sheet.height();
     scene.progress = last == 0 ? 1.0 : std::min(1.0, static_cast<double>(moment.advance) / static_cast<double>(last));
+    if (sheet.cut) {
+        scene.paperFrom = sheet.bandTop();
+    }
     SceneBuilder builder(moment, sheet, scene);
     if (layers.has(FilmLayer::Mesh) && moment.mesh) {
         builder.addMesh();
@@ -229,7 +265,7 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
     if (layers.has(FilmLayer::Front) && moment.front) {
         builder.addFront();
     }
-    const bool explained = moment.explanation && moment.advance > 0 && !moment.improved;
+    const bool explained = static_cast<bool>(builder.told());
     if (layers.has(FilmLayer::Candidates) && explained) {
         builder.addCandidates();
     }
@@ -240,7 +276,7 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
         std::string text = "Advance " + std::to_string(moment.advance) + ", " + std::to_string(moment.frontSegments) +
                            " segments on the front";
         if (explained) {
-            text += ". " + caption(*moment.explanation, moment.explanation->events.size());
+            text += ". " + caption(*builder.told().advance, builder.told().cursor);
         }
         text += moment.improved ? "; the mesh is improved" : "";
         addCaption(text, scene);
@@ -281,6 +317,10 @@ std::string svgOf(const FilmScene &scene) {
         svg += "<circle cx=\"" + pixels(circle.centre.x) + "\" cy=\"" + pixels(circle.centre.y) + "\" r=\"" +
                pixels(circle.radius) + "\" stroke=\"" + colourText(circle.ink) + "\" stroke-width=\"" +
                pixels(circle.width) + "\"/>\n";
+    }
+    if (scene.paperFrom) {
+        svg += "<rect y=\"" + pixels(*scene.paperFrom) + "\" width=\"" + width + "\" height=\"" +
+               pixels(scene.height - *scene.paperFrom) + "\" fill=\"" + colourText(Ink::Paper) + "\"/>\n";
     }
     for (const FilmText &text : scene.texts) {
         appendText(text, svg);

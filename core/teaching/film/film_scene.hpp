@@ -69,20 +69,25 @@ struct FilmScene {
     std::vector<std::array<Vec2, 3>> elements;
     std::vector<FilmLine> lines;
     std::vector<FilmCircle> circles;
-    std::vector<FilmText> texts; ///< labels, and the lines of the caption
-    double progress = 0.0;       ///< fraction of the run, in [0, 1], shown as a bar at the bottom; 0: no bar
+    std::vector<FilmText> texts;     ///< labels, and the lines of the caption
+    std::optional<double> paperFrom; ///< y of the top of a band of paper, which covers shapes and circles but no texts
+    double progress = 0.0;           ///< fraction of the run, in [0, 1], shown as a bar at the bottom; 0: no bar
 };
 
 /// The sheet that all scenes of a film share.
 struct FilmSheet {
     Box2 box; ///< part of the plane shown
     int width = 800;
+    bool cut = false; ///< what is drawn may reach beyond the box, and is cut off there
 
+    /// Returns where the band for the caption begins, in pixels from the top.
+    double bandTop() const;
     /// Returns the height that shows the whole box with a band for the caption below.
     int height() const;
 };
 
-/// Returns the scene of a moment of a run. `last` is the number of advances of the whole run, for the progress.
+/// Returns the scene of a moment of a run: within an advance, only what its events have shown so far. `last` is the
+/// number of advances of the whole run, for the progress.
 FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last);
 
 /// Returns the width of a text in a font of a size, both in pixels.

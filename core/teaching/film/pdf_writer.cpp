@@ -90,6 +90,10 @@ class PdfPage {
         for (const FilmCircle &each : scene.circles) {
             circle(each);
         }
+        if (scene.paperFrom) {
+            fill(Ink::Paper);
+            rectangle({0.0, *scene.paperFrom}, {static_cast<double>(scene.width), scene.height - *scene.paperFrom});
+        }
         for (const FilmText &each : scene.texts) {
             text(each);
         }

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/engine/session/snapshot.hpp"
-#include "ui/workspace/view/view.hpp"
 
 #include <array>
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 namespace forefront {
@@ -34,8 +33,5 @@ struct Moment {
 /// Returns the moment of a snapshot; it is empty while the front runs fast, at the start, and when the improved mesh
 /// is shown.
 Moment momentOf(const SessionSnapshot &snapshot);
-
-/// Returns the candidate chosen in the view if it belongs to the advance that the snapshot explains.
-std::optional<std::size_t> chosenCandidate(const View &view, const SessionSnapshot &snapshot);
 
 } // namespace forefront

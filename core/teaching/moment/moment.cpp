@@ -1,4 +1,4 @@
-#include "ui/workspace/view/moment.hpp"
+#include "core/teaching/moment/moment.hpp"
 
 #include <algorithm>
 
@@ -65,14 +65,6 @@ Moment momentOf(const SessionSnapshot &snapshot) {
     moment.updated = moment.step >= Step::Update && !advance.deferred;
     addWork(moment);
     return moment;
-}
-
-std::optional<std::size_t> chosenCandidate(const View &view, const SessionSnapshot &snapshot) {
-    const Moment moment = momentOf(snapshot);
-    const auto &choice = view.candidate;
-    const bool valid = choice && moment && choice->run == snapshot.shownRun &&
-                       choice->advance == moment.advance->advance && choice->candidate < moment.candidates;
-    return valid ? std::optional(choice->candidate) : std::nullopt;
 }
 
 } // namespace forefront

@@ -1,0 +1,29 @@
+#include "ui/dialogs/film_fields.hpp"
+
+#include <imgui.h>
+
+#include <array>
+#include <cstddef>
+
+namespace forefront::film_fields {
+
+void number(Workspace &context, const std::string &field, double &value, double minimum, double maximum) {
+    double entered = value;
+    if (ui::inputNumber(context, field, entered, 70.0F) && ui::checkRange(context, field, entered, minimum, maximum)) {
+        value = entered;
+    }
+}
+
+void layers(Workspace &context, const std::string &prefix, FilmLayers &layers) {
+    constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh", "Boundary", "Front", "Candidates",
+                                                                            "Grid", "Caption",  "Labels"};
+    ui::rowLabel(context, "Show", kFields);
+    for (std::size_t k = 0; k < kLabels.size(); ++k) {
+        if (k > 0) {
+            ImGui::SameLine(0, context.px(14));
+        }
+        ui::checkbox(context, prefix + "layer/" + std::string(wordsOf<FilmLayer>()[k]), kLabels[k], layers.shown[k]);
+    }
+}
+
+} // namespace forefront::film_fields

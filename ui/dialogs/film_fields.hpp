@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/teaching/film/film_scene.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
+
+#include <string>
+
+/// Fields of the dialogs that export films and pictures of moments.
+namespace forefront::film_fields {
+
+inline constexpr double kFields = 72.0; ///< left edge of the fields, design pixels
+
+/// Draws a field for a number within a range.
+void number(Workspace &context, const std::string &field, double &value, double minimum, double maximum);
+
+/// Draws a field for a whole number within a range.
+template <class Whole>
+void whole(Workspace &context, const std::string &field, Whole &value, double minimum, double maximum) {
+    auto entered = static_cast<double>(value);
+    if (ui::inputNumber(context, field, entered, 70.0F) && ui::checkWhole(context, field, entered, minimum, maximum)) {
+        value = static_cast<Whole>(entered);
+    }
+}
+
+/// Draws a row with a box for each layer, named "PREFIXlayer/WORD".
+void layers(Workspace &context, const std::string &prefix, FilmLayers &layers);
+
+} // namespace forefront::film_fields
