@@ -1,9 +1,10 @@
+#include "core/teaching/moment/moment.hpp"
 #include "tests/ui/meshed_square.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -64,6 +65,33 @@ TEST_CASE("Guess: a wrong click is explained, and the following click moves to t
     driver.settle();
     CHECK(driver.waits());
     CHECK(driver.run().explanation->advance == 2);
+}
+
+TEST_CASE("Guess: Next base leaves a base that was not guessed, and clicks are guesses again") {
+    Guessing driver;
+    for (std::uint64_t k = 2; k <= 5; ++k) {
+        CAPTURE(k);
+        REQUIRE(driver.click("options/guess/next"));
+        driver.settle();
+        CHECK(driver.waits());
+        CHECK(driver.advance().advance == k);
+    }
+    driver.clickPlace(driver.chosen());
+    driver.settle();
+    CHECK(driver.context().log.entries().back().diagnostic.message.starts_with("Right: "));
+}
+
+TEST_CASE(
+    "Guess: the camera shows each base at a size that can be guessed on, and a guess without points has no tick") {
+    Guessing driver;
+    CHECK(driver.context().view.following);
+    const AdvanceExplanation &advance = driver.advance();
+    const Pixel a = driver.pixel(advance.a), b = driver.pixel(advance.b);
+    CHECK(std::hypot(b.x - a.x, b.y - a.y) >= 50.0);
+    const Vec2 along = advance.b - advance.a, left{-along.y, along.x};
+    driver.clickPlace(midpoint(advance.a, advance.b) + 3.0 * left);
+    driver.settle();
+    CHECK(driver.context().log.entries().back().diagnostic.code == "information");
 }
 
 TEST_CASE("Guess: another tool shows the end again that was shown before") {

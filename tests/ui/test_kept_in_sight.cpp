@@ -150,6 +150,21 @@ TEST_CASE("Messages: warnings stay until they are dismissed or the drawing has c
     CHECK_FALSE(driver.has("canvas/error"));
 }
 
+TEST_CASE("Messages: an outcome lets the pointer through to what lies below it, and pales there") {
+    Draughtsman driver;
+    driver.key('R');
+    driver.context().log.announce("a long outcome of a command that lies over the middle of the canvas");
+    driver.settle();
+    const PixelRect plate = driver.context().widgets.find("canvas/news")->rect;
+    const Pixel middle = plate.centre();
+    driver.moveTo(middle);
+    driver.settle();
+    REQUIRE(driver.has("canvas/news")); // still there
+    CHECK(driver.document().shapes.empty());
+    driver.drag(middle, {middle.x + 60.0, middle.y - 200.0});
+    CHECK(driver.document().shapes.size() == 1);
+}
+
 TEST_CASE("Title: a long name is shortened in its middle, and the dot of unsaved changes stays") {
     const TemporaryFolder place;
     const std::filesystem::path file =

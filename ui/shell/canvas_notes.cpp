@@ -24,10 +24,11 @@ constexpr ImGuiWindowFlags kFloating = ImGuiWindowFlags_NoDecoration | ImGuiWind
 /// top, 1 is right or bottom.
 class Plate {
   public:
-    Plate(Shell &context, const char *name, double x, double y, float pivotX, float pivotY)
+    Plate(Shell &context, const char *name, double x, double y, float pivotX, float pivotY,
+          ImGuiWindowFlags more = ImGuiWindowFlags_None)
         : style_(context, 12, 8, 8, 0.96) {
         ImGui::SetNextWindowPos({static_cast<float>(x), static_cast<float>(y)}, ImGuiCond_Always, {pivotX, pivotY});
-        ImGui::Begin(name, nullptr, kFloating);
+        ImGui::Begin(name, nullptr, kFloating | more);
     }
     ~Plate() { ImGui::End(); }
     Plate(const Plate &) = delete;
@@ -280,6 +281,20 @@ bool unites(const Shell &context, const Diagnostic &diagnostic) {
     return combine != nullptr && combine->enabled(context);
 }
 
+bool mends(const Shell &context, const Diagnostic &diagnostic) {
+    return repairable(diagnostic) && anyRepairable(context.preview->faults);
+}
+
+bool leadsToLog(const Shell &context, const Diagnostic &diagnostic, std::size_t more) {
+    return (more > 0 || diagnostic.code == "left-out") && !context.plates.log;
+}
+
+/// Returns true if a message has no button.
+bool isPlain(const Shell &context, const Diagnostic &diagnostic, std::size_t more) {
+    return isPassing(diagnostic) && !diagnostic.at && !unites(context, diagnostic) && !mends(context, diagnostic) &&
+           !leadsToLog(context, diagnostic, more);
+}
+
 /// Draws the buttons of a message; `more` counts the faults that followed it.
 void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnostic, std::size_t more) {
     if (diagnostic.at) {
@@ -294,13 +309,13 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
             context.actions.run("edit.combine", context);
         }
     }
-    if (repairable(diagnostic) && anyRepairable(context.preview->faults)) {
+    if (mends(context, diagnostic)) {
         flow.item("repair");
         if (ui::button(context, "canvas/error/repair", "Repair")) {
             context.actions.run("edit.repair", context);
         }
     }
-    if ((more > 0 || diagnostic.code == "left-out") && !context.plates.log) {
+    if (leadsToLog(context, diagnostic, more)) {
         flow.item("log");
         if (ui::button(context, "canvas/error/log", "Log")) {
             context.actions.run("view.log", context);
@@ -320,11 +335,12 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
 /// Draws a message at most `room` pixels wide; `more` counts the faults that followed it.
 void drawMessage(WidgetContext &context, const Diagnostic &diagnostic, float room, std::size_t more) {
     const bool fault = diagnostic.severity == Severity::Error, note = diagnostic.severity == Severity::Note;
+    const bool success = note && diagnostic.code != "information";
     const Theme &theme = context.theme;
     ImGui::AlignTextToFramePadding();
     const float left = ImGui::GetCursorPosX();
-    ImGui::PushStyleColor(ImGuiCol_Text, fault ? theme.bad : note ? theme.good : theme.warn);
-    ImGui::TextUnformatted(fault ? icon::kError : note ? icon::kCheck : icon::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, fault ? theme.bad : success ? theme.good : note ? theme.muted : theme.warn);
+    ImGui::TextUnformatted(fault ? icon::kError : success ? icon::kCheck : note ? icon::kInfo : icon::kWarning);
     ImGui::PopStyleColor();
     ImGui::SameLine(0, context.px(8));
     const float words = room - (ImGui::GetCursorPosX() - left);
@@ -343,7 +359,15 @@ void drawMessage(WidgetContext &context, const Diagnostic &diagnostic, float roo
     ui::mark(context, note ? "canvas/note" : "canvas/error");
 }
 
-/// Shows the newest message, with buttons to go to the place of a fault and to repair it.
+/// Returns true if the pointer is on the plate of the news, as it was in the last frame.
+bool pointerOnNews(const WidgetContext &context) {
+    const WidgetRegistry::Widget *const plate = context.widgets.find("canvas/news");
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    return plate != nullptr && plate->rect.contains({static_cast<double>(pointer.x), static_cast<double>(pointer.y)});
+}
+
+/// Shows the newest message, with buttons to go to the place of a fault and to repair it. A passing note without
+/// buttons lets the pointer through and pales under it: the user may be about to click what lies there.
 void drawNews(Shell &context, const PixelRect &canvas) {
     std::size_t more = 0;
     const MessageLog::Entry *const entry = newsOf(context, more);
@@ -357,14 +381,18 @@ void drawNews(Shell &context, const PixelRect &canvas) {
     }
     const double scale = static_cast<double>(context.scale);
     const double below = bandsOf(context, canvas).bottom;
-    const Plate plate(context, "##news", canvas.centre().x, canvas.y + canvas.height - below * scale, 0.5F, 1.0F);
+    const bool plain = isPlain(context, entry->diagnostic, more);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, plain && pointerOnNews(context) ? 0.2F : 1.0F);
     {
+        const Plate plate(context, "##news", canvas.centre().x, canvas.y + canvas.height - below * scale, 0.5F, 1.0F,
+                          plain ? ImGuiWindowFlags_NoInputs : ImGuiWindowFlags_None);
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("message");
         drawMessage(context, diagnostic, std::min(context.px(520), flow.room()), more);
         drawNewsButtons(context, flow, diagnostic, more);
+        ui::markWindow(context, "canvas/news");
     }
-    ui::markWindow(context, "canvas/news");
+    ImGui::PopStyleVar();
 }
 
 } // namespace

@@ -43,14 +43,31 @@ const std::shared_ptr<const PickIndex> &EditState::index(const Workspace &contex
     return index_;
 }
 
+namespace {
+
+constexpr std::int32_t kBoundary = 1, kConstraint = 2; // tags of shapes drawn where nobody has chosen one
+
+} // namespace
+
 std::int32_t EditState::tagOfNext(ShapeUse use, const Document &document) const {
     const bool boundary = use == ShapeUse::Boundary;
     const std::optional<std::int32_t> &chosen = boundary ? boundaryTag : constraintTag;
-    constexpr std::int32_t kBoundary = 1, kConstraint = 2;
     const std::int32_t usual = boundary ? kBoundary : kConstraint;
     const bool special = document.boundaryNames.contains(usual) || document.elementCounts.contains(usual) ||
                          document.spacing.partSizes.contains(usual);
     return chosen.value_or(special ? std::max(freeBoundaryTag(document), kConstraint + 1) : usual);
+}
+
+std::int32_t EditState::tagOfDrawn(const Shape &shape, const Document &document) const {
+    const Box2 box = boundsOf(shape);
+    const bool inside = shape.use == ShapeUse::Boundary && isClosed(shape) &&
+                        std::any_of(document.shapes.begin(), document.shapes.end(), [&](const auto &other) {
+                            const Box2 around = boundsOf(*other);
+                            return other->use == ShapeUse::Boundary && around.contains(box.min) &&
+                                   around.contains(box.max) && contains(*other, box.centre());
+                        });
+    return inside && !boundaryTag ? std::max(freeBoundaryTag(document), kConstraint + 1)
+                                  : tagOfNext(shape.use, document);
 }
 
 void EditState::forgetNumbers() {

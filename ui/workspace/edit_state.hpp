@@ -91,6 +91,9 @@ struct EditState {
     /// Returns the tag of the next shape drawn: the one that the user has chosen, else 1 for boundaries and 2 for
     /// constraints, or a free one where that part has a name, a size or a number of elements.
     std::int32_t tagOfNext(ShapeUse use, const Document &document) const;
+    /// Returns the tag of a shape that is drawn now: like tagOfNext(), but if the user has chosen none, a boundary that
+    /// lies inside another, such as a hole, gets a tag of its own, so that it can be named alone.
+    std::int32_t tagOfDrawn(const Shape &shape, const Document &document) const;
     /// Resets tags of the next shapes and sizes in domain units, which belong to one drawing.
     void forgetNumbers();
     /// Sets a number in domain units to the one that a tool has used, so that it stays for the next use. It counts as

@@ -333,9 +333,9 @@ bool inputName(Workspace &context, std::string_view name, std::string &value, st
 }
 
 std::optional<std::string> inputChecked(Workspace &context, std::string_view name, const std::string &shown,
-                                        float width) {
+                                        std::string_view hint, float width) {
     std::string typed = shown;
-    const bool committed = entry(context, name, typed, "", width, true);
+    const bool committed = entry(context, name, typed, hint, width, true);
     drawFault(context, name);
     return committed ? std::optional(typed) : std::nullopt;
 }

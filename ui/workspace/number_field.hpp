@@ -68,9 +68,9 @@ bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float 
 bool inputName(Workspace &context, std::string_view name, std::string &value, std::string_view hint = {},
                float width = -1.0F, bool selectAll = false);
 /// Draws a field for a text that the caller checks and may refuse, see refuseEntry(). Returns the new text when one was
-/// committed.
+/// committed. An empty field shows the hint.
 std::optional<std::string> inputChecked(Workspace &context, std::string_view name, const std::string &shown,
-                                        float width);
+                                        std::string_view hint, float width);
 
 } // namespace ui
 } // namespace forefront

@@ -33,12 +33,28 @@ using Ink = FigureInk;
 
 const double kHeight = std::sqrt(3.0) / 2.0; ///< of an equilateral triangle of side 1
 
+/// Adds the head of an arrow in the middle of a segment.
+void arrow(Figure &figure, Vec2 a, Vec2 b, Ink ink) {
+    constexpr double kHead = 0.11;
+    const double length = distance(a, b);
+    const Vec2 along = (kHead / length) * (b - a), left{-along.y, along.x}, tip = midpoint(a, b) + 0.5 * along;
+    figure.lines.push_back({tip, tip - along + 0.6 * left, ink});
+    figure.lines.push_back({tip, tip - along - 0.6 * left, ink});
+}
+
+/// Adds lines; those of the front and its base have a direction, which they show.
 void add(Figure &figure, Ink ink, const std::vector<Vec2> &points, bool closed = false) {
+    const auto line = [&](Vec2 a, Vec2 b) {
+        figure.lines.push_back({a, b, ink});
+        if (ink == Ink::Front || ink == Ink::Base) {
+            arrow(figure, a, b, ink);
+        }
+    };
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-        figure.lines.push_back({points[k], points[k + 1], ink});
+        line(points[k], points[k + 1]);
     }
     if (closed) {
-        figure.lines.push_back({points.back(), points.front(), ink});
+        line(points.back(), points.front());
     }
 }
 
@@ -213,7 +229,7 @@ Figure neighbours() {
 Figure rejection() {
     Figure figure;
     valley(figure);
-    add(figure, Ink::Front, {{-0.9, 1.5}, {0.1, 0.55}, {0.6, 1.6}});
+    add(figure, Ink::Front, {{0.6, 1.6}, {0.1, 0.55}, {-0.9, 1.5}});
     add(figure, Ink::Rejected, {{-0.5, 0}, {0, kHeight}, {0.5, 0}});
     dot(figure, {0, kHeight}, Ink::Rejected);
     return figure;
@@ -222,7 +238,7 @@ Figure rejection() {
 Figure deferral() {
     Figure figure;
     valley(figure);
-    add(figure, Ink::Front, {{-1.4, 1.6}, {0.0, 0.22}, {1.4, 1.6}});
+    add(figure, Ink::Front, {{1.4, 1.6}, {0.0, 0.22}, {-1.4, 1.6}});
     add(figure, Ink::Rejected, {{-0.5, 0}, {0, 0.5}, {0.5, 0}});
     figure.labels.push_back({{0, -0.55}, "back to the list", Ink::Text});
     return figure;

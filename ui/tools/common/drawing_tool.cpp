@@ -315,7 +315,7 @@ void showFirst(Shell &context, const Document &before, const Box2 &box) {
 
 bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &label) {
     const std::shared_ptr<const Document> before = context.document.current();
-    shape.tag = state_->tagOfNext(shape.use, *before);
+    shape.tag = state_->tagOfDrawn(shape, *before);
     Result<Document> next = addShape(*before, std::move(shape));
     if (next) {
         next = joinToSegments(*next, before->nextId);

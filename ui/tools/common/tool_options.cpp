@@ -47,15 +47,22 @@ std::optional<std::int32_t> typedTag(Workspace &context, const std::string &type
 void drawTagOption(Workspace &context, ui::Flow &flow, EditState &state, ShapeUse use, const char *tooltip) {
     flow.item("tag");
     flow.label("Tag");
-    std::int32_t tag = state.tagOfNext(use, *context.document.current());
-    const std::optional<std::string> typed = ui::inputChecked(context, "options/tag", std::to_string(tag), 64.0F);
-    ui::tooltip(context, std::string(tooltip) + ": a number, a name in use, or a new name");
-    if (const std::optional<std::int32_t> entered = typed ? typedTag(context, *typed) : std::nullopt) {
-        tag = *entered;
-        (use == ShapeUse::Boundary ? state.boundaryTag : state.constraintTag) = tag;
+    const bool boundary = use == ShapeUse::Boundary;
+    std::optional<std::int32_t> &chosen = boundary ? state.boundaryTag : state.constraintTag;
+    const std::string automatic = std::to_string(state.tagOfNext(use, *context.document.current()));
+    const std::optional<std::string> typed =
+        ui::inputChecked(context, "options/tag", chosen ? std::to_string(*chosen) : "", automatic, 64.0F);
+    ui::tooltip(context, std::string(tooltip) + ": a number, a name in use, or a new name" +
+                             (boundary ? "; while it is empty, each hole gets a tag of its own" : ""));
+    if (typed && trimmed(*typed).empty()) {
+        chosen.reset();
+    } else if (const std::optional<std::int32_t> entered = typed ? typedTag(context, *typed) : std::nullopt) {
+        chosen = entered;
     }
     ImGui::SameLine();
-    ui::muted(context, boundaryName(context.document.current()->boundaryNames, tag));
+    ui::muted(context, boundaryName(context.document.current()->boundaryNames,
+                                    state.tagOfNext(use, *context.document.current())) +
+                           (boundary && !chosen ? ", holes apart" : ""));
 }
 
 namespace {

@@ -1,10 +1,10 @@
 #include "ui/tools/look/guess_tool.hpp"
 
+#include "core/teaching/moment/moment.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
-#include "ui/workspace/view/moment.hpp"
 
 #include <imgui.h>
 
@@ -26,13 +26,17 @@ bool GuessTool::reviewed(const Shell &context) const {
     return moment && context.run.now().shownRun == run_ && moment.advance->advance == advance_;
 }
 
-/// Shows the base of the next advance, but not its candidates or result.
+/// Shows the base of the next advance, but not its candidates or result. An advance that has begun is left, whether it
+/// was guessed or not.
 void GuessTool::nextBase(Shell &context) {
     if (!context.run.hasRun() || context.run.showsFile()) {
         return;
     }
     const SessionSnapshot &run = context.run.now();
-    if (run.complete && run.advance == run.known) {
+    const Moment moment = momentOf(run);
+    if (moment && moment.cursor < moment.advance->events.size()) {
+        context.run.step(Granularity::Advance, 1);
+    } else if (run.complete && run.advance == run.known) {
         context.run.seek(0);
     }
     context.run.step(Granularity::Event, 1);
@@ -51,12 +55,14 @@ void GuessTool::activate(Shell &context) {
     for (const char *layer : {"front", "candidates"}) {
         showLayer(context.layers, layer, true);
     }
+    followed_ = std::exchange(context.view.following, true); // a base of few pixels leaves nothing to guess
     if (!asks(context)) {
         nextBase(context);
     }
 }
 
 void GuessTool::deactivate(Shell &context) {
+    context.view.following = context.view.following && followed_;
     const std::uint64_t run = std::exchange(endedRun_, 0);
     if (run != 0 && context.run.hasRun() && !context.run.showsFile() && context.run.now().shownRun == run) {
         context.run.seekEnd();
@@ -74,7 +80,7 @@ void GuessTool::guess(Vec2 place, Shell &context) {
         ++guesses_;
         points_ += review_.points;
     }
-    context.log.announce(review_.words);
+    review_.points > 0 ? context.log.announce(review_.words) : context.log.inform(review_.words);
     context.run.step(Granularity::Advance, 1); // completes this advance
 }
 

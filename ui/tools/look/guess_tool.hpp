@@ -39,6 +39,7 @@ class GuessTool final : public Tool {
     Vec2 place_;                          ///< of the last guess
     std::uint64_t run_ = 0, advance_ = 0; ///< that it belongs to
     int guesses_ = 0, points_ = 0;
+    bool followed_ = false;      ///< the camera followed the front when the tool was chosen
     std::uint64_t endedRun_ = 0; ///< whose end was shown when the tool was chosen, and is shown again; 0: none
 };
 

@@ -49,6 +49,10 @@ class MessageLog {
     }
     /// Logs the outcome of a command and shows it on the canvas, where the user could not see it otherwise.
     void announce(std::string message) { push({.severity = Severity::Note, .message = std::move(message)}, true, {}); }
+    /// Like announce(), for what is neither a success nor a refusal: shown without a tick.
+    void inform(std::string message) {
+        push({.severity = Severity::Note, .code = "information", .message = std::move(message)}, true, {});
+    }
     /// Logs why a command did nothing and shows it on the canvas, as a warning.
     void refuse(std::string message) {
         add(Diagnostic{.severity = Severity::Warning, .code = "refused", .message = std::move(message)});
