@@ -54,7 +54,7 @@ TEST_CASE("Inspector: the role of a shape and the kind of a node are switches") 
     const std::uint32_t id = draw(driver, triangle());
     driver.context().selection.shapes = {id};
     driver.settle();
-    driver.click("inspector/use/Constraint");
+    driver.click("inspector/use/Inner line");
     driver.settle();
     CHECK(driver.document().shapes[0]->use == ShapeUse::Constraint);
     CHECK(driver.undoLabel() == "Change role");

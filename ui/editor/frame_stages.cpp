@@ -7,6 +7,7 @@
 #include "ui/panels/adapted_rounds.hpp"
 #include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/presentation.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -20,7 +21,8 @@
 namespace forefront {
 
 void Editor::Parts::refreshLook() {
-    const double scale = context.platform.contentScale() * context.settings.scale;
+    const double scale = context.platform.contentScale() * context.settings.scale *
+                         (context.presentedFrom ? shell::kPresentedScale : 1.0);
     const auto wanted = static_cast<float>(std::round(scale * 64.0) / 64.0);
     const bool fonts = context.fonts.body == nullptr || wanted != context.scale;
     if (fonts) {
@@ -181,20 +183,29 @@ void Editor::Parts::buildInterface() {
         context.view.following = following;
     }
     ui::markRect(context, "canvas", layout.canvas);
-    shell::drawMenuBar(context, layout.menu);
-    shell::drawOptionsBar(context, layout.options);
-    shell::drawToolStrip(context, layout.tools);
+    const bool presents = context.presentedFrom.has_value();
+    if (!presents) {
+        shell::drawMenuBar(context, layout.menu);
+        shell::drawOptionsBar(context, layout.options);
+        shell::drawToolStrip(context, layout.tools);
+    }
     shell::drawLessons(context, layout.lessons);
     shell::drawSides(context, layout.sides, layout.figures);
     shell::drawBelow(context, layout.below);
     shell::drawTimeline(context, layout.timeline);
-    shell::drawStatusBar(context, layout.status);
+    if (!presents) {
+        shell::drawStatusBar(context, layout.status);
+    }
     shell::drawRulers(context, layout);
     shell::drawCanvasNotes(context, layout.open);
     shell::drawLegendLimit(context);
     startPage.draw(context, layout.open);
-    shell::drawPlates(context, layout);
-    shell::drawColumn(context, layout.column); // may lie over the canvas
+    if (presents) {
+        shell::drawPresentedSteps(context, layout.column);
+    } else {
+        shell::drawPlates(context, layout);
+        shell::drawColumn(context, layout.column); // may lie over the canvas
+    }
     shell::drawContextMenu(context);
     shell::drawNameField(context, layout.canvas);
     shell::drawDimensionField(context, layout.canvas);

@@ -25,6 +25,7 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <span>
 
 namespace forefront {
 namespace {
@@ -108,9 +109,12 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
 }
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
+    constexpr std::array<const char *, wordsOf<ShapeUse>().size()> kRoles{"Boundary", "Inner line"};
     form::label(context, "Role");
-    if (ui::segmented(context, "inspector/use", use)) {
-        context.applyCommand(setShapeUse(*context.document.current(), ids, use), "Change role");
+    if (int choice = static_cast<int>(use);
+        ui::segmented(context, "inspector/use", std::span<const char *const>(kRoles), choice)) {
+        context.applyCommand(setShapeUse(*context.document.current(), ids, static_cast<ShapeUse>(choice)),
+                             "Change role");
     }
 }
 

@@ -4,85 +4,19 @@
 #include "ui/widgets/shortened.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/view/candidate_text.hpp"
+#include "ui/workspace/view/step_text.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace forefront {
 
 namespace {
-
-constexpr std::array<const char *, kStepCount> kShort{
-    "Boundary becomes front \xce\x93",
-    "Take base segment AB",
-    "Evaluate \xcf\x81 at AB",
-    "Place ideal point C",
-    "Find candidate nodes",
-    "Score \xce\xb1 \xc2\xb7 \xce\xb4(AC) \xc2\xb7 \xce\xb4(CB)",
-    "Sort; drop C if too near",
-    "Test AC, CB against \xce\x93",
-    "Store ABC, update \xce\x93",
-    "Stop when \xce\x93 = \xe2\x88\x85",
-};
-
-/// Returns the candidate whose score is shown: the accepted one once it is known, else the one scored last.
-const CandidateTrace *scored(const Moment &moment) {
-    const AdvanceExplanation &e = *moment.advance;
-    for (std::size_t i = 0; i < moment.candidates; ++i) {
-        if (moment.judged[i] && e.candidates[i].verdict == Verdict::Accepted) {
-            return &e.candidates[i];
-        }
-    }
-    const CandidateTrace *found = nullptr;
-    for (std::size_t i = 0; i < e.events.size() && i <= moment.cursor + 1; ++i) { // sorted right after it is scored
-        const TraceEvent &event = e.events[i];
-        found = event.step == Step::Sort && event.candidate != kNoIndex ? &e.candidates[event.candidate] : found;
-    }
-    return found;
-}
-
-/// Returns the work of the background grid in a step: " of 23 in 4 cells".
-std::string workText(const Moment &moment, Step step) {
-    const StepWork &work = moment.work[static_cast<std::size_t>(step)];
-    return work.segments == 0 ? std::string()
-                              : " of " + ui::count(work.segments) + " in " + ui::count(work.cells) +
-                                    (work.cells == 1 ? " cell" : " cells");
-}
-
-/// Returns the result of a step, shown at the right of its line; empty while unknown.
-std::string finding(const Moment &moment, int step) {
-    if (!moment || static_cast<int>(moment.step) < step) {
-        return {};
-    }
-    const AdvanceExplanation &e = *moment.advance;
-    switch (static_cast<Step>(step)) {
-    case Step::TakeBase:
-        return e.nodeA == kNoNode ? std::string()
-                                  : std::to_string(index(e.nodeA)) + "\xe2\x80\x93" + std::to_string(index(e.nodeB));
-    case Step::EvaluateSpacing:
-        return ui::number(e.rho, 3);
-    case Step::IdealPoint:
-        return "(" + ui::number(e.ideal.x) + ", " + ui::number(e.ideal.y) + ")";
-    case Step::FindCandidates:
-        return ui::count(moment.candidates) + workText(moment, Step::FindCandidates);
-    case Step::Score: {
-        const CandidateTrace *best = scored(moment);
-        return best == nullptr
-                   ? std::string()
-                   : ui::format("%.3f \xc2\xb7 %.2f \xc2\xb7 %.2f", best->alpha, best->deltaAC, best->deltaCB);
-    }
-    case Step::Test:
-        return ui::count(moment.tests) + workText(moment, Step::Test);
-    case Step::Update:
-        return e.deferred ? "deferred" : std::string();
-    default:
-        return {};
-    }
-}
 
 /// Returns how ρ of the field was found, and how it was clamped.
 std::string spacingText(const AdvanceExplanation &e) {
@@ -196,17 +130,6 @@ std::string tip(const Moment &moment, Step step, const FrontRules *rules) {
     return rules == nullptr ? text : text + rulesText(*rules, step);
 }
 
-/// Returns the line of a step; that of the base and of the score follow the rules. `rules`: null for the fast method.
-std::string lineOf(Step step, const FrontRules *rules) {
-    if (step == Step::TakeBase && rules != nullptr) {
-        return "Take " + std::string(wordOf(rules->base)) + " segment AB";
-    }
-    if (step == Step::Score && rules != nullptr && !(rules->shapeWeight == 1.0 && rules->spacingWeight == 1.0)) {
-        return "Score " + scoreFormula(*rules);
-    }
-    return kShort[static_cast<std::size_t>(step) - 1];
-}
-
 class StepsPanel final : public Panel {
   public:
     const char *id() const override { return "steps"; }
@@ -215,7 +138,7 @@ class StepsPanel final : public Panel {
     void draw(Shell &context) override {
         const SessionSnapshot &run = context.run.now();
         const Moment moment = momentOf(run);
-        const int live = liveStep(run, moment);
+        const std::optional<Step> live = liveStep(run, moment);
         const FrontRules rules = moment ? moment.advance->rules : context.document.current()->options.rules;
         const FrontRules *const shown = context.run.method() == Method::Classic ? &rules : nullptr;
         const float width = ImGui::GetContentRegionAvail().x, height = context.px(24);
@@ -226,7 +149,7 @@ class StepsPanel final : public Panel {
             const ImVec2 at = ImGui::GetCursorScreenPos();
             ImGui::Dummy({width, height});
             ui::mark(context, "steps/" + std::to_string(step));
-            const bool here = step == live;
+            const bool here = live == static_cast<Step>(step);
             if (here) {
                 list.AddRectFilled(at, {at.x + width, at.y + height}, context.theme.selectedRow, context.px(4));
                 list.AddRectFilled(at, {at.x + context.px(3), at.y + height}, context.theme.accent, context.px(2));
@@ -236,11 +159,11 @@ class StepsPanel final : public Panel {
             const float numberWidth = ImGui::CalcTextSize(number.c_str()).x;
             const Colour colour = here ? context.theme.text : context.theme.muted;
             list.AddText({at.x + context.px(22) - numberWidth, y}, colour, number.c_str());
-            const std::string found = finding(moment, step);
+            const std::string found = stepFinding(moment, static_cast<Step>(step));
             const float right = at.x + width - context.px(6) - ImGui::CalcTextSize(found.c_str()).x;
             list.AddText({right, y}, context.theme.text, found.c_str());
             ui::shortened(context, Pixel(at.x + context.px(31), y), right - context.px(6),
-                          lineOf(static_cast<Step>(step), shown), colour);
+                          stepLine(static_cast<Step>(step), shown), colour);
             if (ImGui::IsItemHovered()) {
                 ui::tooltip(context, tip(moment, static_cast<Step>(step), shown));
             }
@@ -250,20 +173,6 @@ class StepsPanel final : public Panel {
         }
         ImGui::PopStyleVar();
         ImGui::PopFont();
-    }
-
-  private:
-    static int liveStep(const SessionSnapshot &run, const Moment &moment) {
-        if (moment) {
-            return static_cast<int>(moment.step);
-        }
-        if (run.state == RunState::Empty || run.state == RunState::Failed) {
-            return 0;
-        }
-        if (run.complete && run.advance == run.known) {
-            return static_cast<int>(Step::Finish);
-        }
-        return run.advance == 0 ? static_cast<int>(Step::BoundaryToFront) : 0;
     }
 };
 

@@ -80,8 +80,10 @@ struct Shell : Workspace {
     DimensionEntry dimensionEntry;
     GuideDrag rulerDrag;          ///< of a guide out of a ruler
     SideBySide sides{background}; ///< runs with other grids or the other method
-    bool quit = false;            ///< end the program after this frame
-    bool closeRequested = false;  ///< the user closed the window; "file.quit" decides
+    /// The workspace to go back to while the canvas and the ten steps are presented alone; absent: they are not.
+    std::optional<WorkspaceKind> presentedFrom;
+    bool quit = false;           ///< end the program after this frame
+    bool closeRequested = false; ///< the user closed the window; "file.quit" decides
     Adaptation adaptation{background};
     BackgroundTask task{background}; ///< reading a file
     FileWatch fileWatch{background}; ///< on the file of the document

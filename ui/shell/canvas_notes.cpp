@@ -62,7 +62,8 @@ float widthOf(const WidgetContext &context, const Hint &hint) {
 /// Draws as many hints as fit beside the legends, but at least two.
 void drawHints(Shell &context, const PixelRect &canvas) {
     constexpr double kLeastHeight = 280.0; // design pixels; on a lower canvas they would cover the drawing
-    if (!context.settings.hints || canvas.height < static_cast<double>(context.px(kLeastHeight))) {
+    if (!context.settings.hints || context.presentedFrom ||
+        canvas.height < static_cast<double>(context.px(kLeastHeight))) {
         return;
     }
     static constexpr std::array<Hint, 5> kMeshing{

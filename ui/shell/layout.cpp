@@ -52,24 +52,25 @@ Layout layOut(const Shell &context) {
     const PixelSize size = context.platform.framebufferSize();
     const double width = size.width, height = size.height;
     const auto px = [&](double design) { return std::round(static_cast<double>(context.px(design))); };
+    const bool presents = context.presentedFrom.has_value(); // then only the canvas, the timeline and a column
     Layout layout;
-    layout.menu = {0, 0, width, px(kMenuHeight)};
-    const double status = px(kStatusHeight);
+    layout.menu = {0, 0, width, presents ? 0.0 : px(kMenuHeight)};
+    const double status = presents ? 0.0 : px(kStatusHeight);
     const bool steps = context.settings.workspace == WorkspaceKind::Step;
     const double timeline = steps ? px(kTimelineHeight + (context.view.runPlot ? kPlotHeight : 0.0)) : 0.0;
     layout.status = {0, height - status, width, status};
     layout.timeline = {0, height - status - timeline, width, timeline};
-    layout.options = {0, layout.menu.height, width, px(kOptionsHeight)};
+    layout.options = {0, layout.menu.height, width, presents ? 0.0 : px(kOptionsHeight)};
     const double top = layout.menu.height + layout.options.height;
     const double middle = std::max(0.0, layout.timeline.y - top);
-    const double tools = px(stripOf(context, middle).width());
+    const double tools = presents ? 0.0 : px(stripOf(context, middle).width());
     // In a narrow window the canvas keeps more than half of the remaining width.
     const double widest = std::max(px(kMinColumn), 0.45 * (width - tools));
     const double wanted = px(columnWidth(context.settings, width / static_cast<double>(context.scale)));
-    const bool floats = columnFloats(context);
+    const bool floats = columnFloats(context) && !presents;
     const double shown = floats ? std::min(wanted, 0.9 * (width - tools))
                                 : std::min({wanted, widest, std::max(0.0, 0.6 * (width - tools))});
-    const double beside = columnShown(context) ? shown : 0.0; // the column covers what is behind it
+    const double beside = presents || columnShown(context) ? shown : 0.0; // the column covers what is behind it
     const double column = floats ? 0.0 : beside;
     layout.tools = {0, top, tools, middle};
     const double lessons =

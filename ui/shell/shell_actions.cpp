@@ -8,6 +8,7 @@
 #include "ui/shell/command_palette.hpp"
 #include "ui/shell/help_dialogs.hpp"
 #include "ui/shell/main_window.hpp"
+#include "ui/shell/presentation.hpp"
 #include "ui/shell/tool_actions.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -66,6 +67,19 @@ void addCameraActions(ActionRegistry &actions) {
 }
 
 void addInterfaceActions(ActionRegistry &actions) {
+    actions.add({.id = "view.present",
+                 .menu = "View",
+                 .title = "Presentation",
+                 .shortcuts = {{key::kF11, kNoModifiers}},
+                 .run = shell::togglePresentation,
+                 .checked = [](const Shell &c) { return c.presentedFrom.has_value(); }});
+    actions.add({.id = "view.leavePresentation",
+                 .title = "Leave the presentation",
+                 .shortcuts = {{key::kEscape, kNoModifiers}},
+                 .run = shell::togglePresentation,
+                 .enabled = [](const Shell &c) {
+                     return c.presentedFrom && !c.run.busy() && !c.adaptation.busy() && !c.task.busy();
+                 }});
     actions.add({.id = "view.panels",
                  .menu = "View",
                  .title = "Panels",
