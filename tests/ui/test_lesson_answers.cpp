@@ -1,4 +1,4 @@
-#include "tests/ui/driver.hpp"
+#include "tests/ui/edit_driver.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -157,6 +157,31 @@ TEST_CASE("Lessons: the measure and the colour range of before come back when a 
     reader.settle();
     CHECK(reader.context().view.measure == Measure::MinAngle);
     CHECK(reader.context().view.measureRange == ColourRange{20.0, 50.0});
+}
+
+TEST_CASE("Lessons: the user's drawing comes back when the lesson is closed, and the tool is the one for selecting") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {4, 3});
+    driver.settle();
+    const std::shared_ptr<const Document> mine = driver.context().document.current();
+    listLessons(driver.context());
+    REQUIRE(driver.context().lessons.list.size() >= 2);
+    openLesson(driver.context(), driver.context().lessons.list[0]);
+    driver.settle();
+    if (driver.has("dialog/discard")) {
+        driver.click("dialog/discard");
+        driver.settle();
+    }
+    REQUIRE(driver.context().lessons.open);
+    CHECK(driver.context().tools.current().id() == std::string("select"));
+    CHECK(driver.document().shapes.size() != 1);
+    openLesson(driver.context(), driver.context().lessons.list[1]); // from one lesson to the next
+    driver.settle();
+    closeLesson(driver.context());
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes == mine->shapes);
+    CHECK(driver.context().document.dirty());
 }
 
 } // namespace forefront::test

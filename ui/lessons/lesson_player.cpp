@@ -55,10 +55,36 @@ void showPosition(Shell &context, const LessonPosition &position) {
     }
 }
 
+/// Returns true if the drawing is one that a lesson brought, and was not saved as a file.
+bool showsLessonDrawing(const Shell &context) {
+    return context.document.loads() == context.lessons.drawingLoaded && context.document.path().empty();
+}
+
+/// Keeps the user's drawing, if there is one, to bring it back after the lesson.
+void keepDrawing(Shell &context) {
+    if (!showsLessonDrawing(context) && !context.document.current()->shapes.empty()) {
+        context.lessons.kept = {context.document.current(), context.document.path(), context.document.title(),
+                                context.document.dirty()};
+    }
+}
+
+/// Brings the user's drawing back in place of the lesson's. A lesson's drawing that was saved as a file stays.
+void restoreDrawing(Shell &context) {
+    const std::optional<KeptDrawing> kept = std::exchange(context.lessons.kept, std::nullopt);
+    if (!kept || !showsLessonDrawing(context)) {
+        return;
+    }
+    context.document.load(*kept->document, kept->path, kept->dirty, kept->path.empty() ? kept->title : std::string());
+    context.run.clear();
+    context.examiner.abandon();
+    context.selection.clear();
+    context.view.fitPending = true;
+}
+
 /// Does something that replaces the drawing, after asking about unsaved changes. A drawing that a lesson brought comes
 /// back with its page, so its changes are dropped, unless it was saved as a file.
 void afterLeaving(Shell &context, std::function<void(Shell &)> then) {
-    if (context.document.loads() == context.lessons.drawingLoaded && context.document.path().empty()) {
+    if (showsLessonDrawing(context)) {
         context.dialogs.dismissPreviews(context);
         then(context);
     } else {
@@ -199,6 +225,8 @@ void listLessons(Shell &context) {
 void openLesson(Shell &context, const LessonEntry &entry) {
     afterLeaving(context, [entry](Shell &c) {
         closeLesson(c);
+        keepDrawing(c);
+        c.tools.choose("select", c);
         OpenLesson open{.entry = entry};
         for (const LayerSlot &slot : c.layers) {
             open.layersBefore[slot.layer->id()] = slot.visible;
@@ -255,6 +283,7 @@ void closeLesson(Shell &context) {
         context.view.isolatedBin.reset();
         context.probe.rank.reset();
     }
+    restoreDrawing(context);
     context.animate();
 }
 

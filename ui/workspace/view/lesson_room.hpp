@@ -51,12 +51,21 @@ struct OpenLesson {
     const LessonPage &now() const { return entry.lesson->pages[page]; }
 };
 
+/// The user's drawing while lessons show theirs.
+struct KeptDrawing {
+    std::shared_ptr<const Document> document;
+    std::filesystem::path path; ///< empty: it has no file
+    std::string title;
+    bool dirty = false;
+};
+
 /// The pane of lessons: the list of lessons, or the one being read.
 struct LessonRoom {
     bool visible = false;
     bool listed = false; ///< the lessons have been read
     std::vector<LessonEntry> list;
     std::optional<OpenLesson> open;
+    std::optional<KeptDrawing> kept; ///< comes back when the lesson is closed
     std::uint64_t drawingLoaded = 0; ///< DocumentStore::loads() of the last drawing that a lesson brought; 0: none
 };
 
