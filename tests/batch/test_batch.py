@@ -1483,7 +1483,7 @@ class Refusing(Case):
                       ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
             line = self.call(*words, code=2).stderr.splitlines()[0]
             self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
-                             ".dxf, .msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .foam, .2dm, .14, .gr3, .slf, .nc, .tsh, "
+                             ".dxf, .msh, .vtu, .vtk, .xdmf, .mesh, .inp, .su2, .unv, .bdf, .foam, .2dm, .14, .gr3, .slf, .nc, .tsh, "
                              ".node, .obj, .ply, .stl, .off")
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
@@ -1492,11 +1492,11 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
-        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .node, .ele, .vol, .obj"
+        meshes = ".msh, .vtu, .vtk, .xdmf, .xmf, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .node, .ele, .vol, .obj"
         for command in ("check", "convert", "adapt"):
             self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
         text = " ".join(self.call("mesh", "--help").stdout.split())
-        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .wkt, .poly, .fem, .fee, .feh, .fec, "
+        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .wkt, .shp, .gpkg, .kml, .fgb, .poly, .fem, .fee, .feh, .fec, "
                       ".csv, .xy, .dat, .svg, .dxf, " + meshes, text)
         self.assertIn("a background mesh (.msh), a grid of sizes (.asc) or a picture (.png)", text)
 
