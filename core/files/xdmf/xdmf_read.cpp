@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -62,9 +63,11 @@ struct GridWalker final : pugi::xml_tree_walker {
             lowerCase(node.attribute("GridType").as_string("Uniform")) == "uniform") {
             grids.push_back(node);
         }
+        items += std::string_view(node.name()) == "DataItem" ? 1 : 0;
         return true;
     }
     std::vector<pugi::xml_node> grids;
+    std::size_t items = 0; ///< arrays of numbers
 };
 
 class XdmfReader {
@@ -96,7 +99,21 @@ class XdmfReader {
         pugi::xml_node root = domain;
         root.traverse(walker);
         grids_ = std::move(walker.grids);
+        items_ = walker.items;
         return true;
+    }
+
+    /// Reads the numbers of an element. Reading is reported, and can be cancelled, array by array.
+    bool readItem(const pugi::xml_node &parent, XdmfNumbers &numbers) {
+        const SourceText &source = scanner_.source();
+        if (scanner_.stopped()) {
+            return false;
+        }
+        source.options.progress(
+            "reading " + std::filesystem::path(source.name).filename().string(),
+            std::min(1.0, static_cast<double>(itemsRead_) / static_cast<double>(std::max<std::size_t>(items_, 1))));
+        ++itemsRead_;
+        return readXdmfItem(scanner_, parent, numbers);
     }
 
     /// Reads the first grid with elements: nodes, elements, tags and values.
@@ -130,7 +147,7 @@ class XdmfReader {
                                  geometry ? "expected a geometry of type XY or XYZ, found " + inQuotes(type)
                                           : "the grid has no nodes of its own");
         }
-        if (!readXdmfItem(scanner_, geometry, numbers)) {
+        if (!readItem(geometry, numbers)) {
             return false;
         }
         const std::size_t width = type == "XY" ? 2 : 3;
@@ -167,7 +184,7 @@ class XdmfReader {
                                      " can be read");
         }
         XdmfNumbers numbers;
-        if (!readXdmfItem(scanner_, topology, numbers)) {
+        if (!readItem(topology, numbers)) {
             return false;
         }
         std::vector<std::int64_t> words;
@@ -238,7 +255,7 @@ class XdmfReader {
                 continue;
             }
             XdmfNumbers numbers;
-            if (!readXdmfItem(scanner_, attribute, numbers)) {
+            if (!readItem(attribute, numbers)) {
                 return false;
             }
             if (numbers.values.size() == count) {
@@ -410,7 +427,8 @@ class XdmfReader {
     TextScanner scanner_;
     pugi::xml_document xml_;
     std::vector<pugi::xml_node> grids_;
-    pugi::xml_node mesh_; ///< the grid of the elements
+    std::size_t items_ = 0, itemsRead_ = 0; ///< arrays of numbers
+    pugi::xml_node mesh_;                   ///< the grid of the elements
     VtkGrid grid_;
     std::size_t elements_ = 0;                 ///< cells of that grid
     std::vector<double> regions_, boundaries_; ///< tags of all cells; regions_ is empty if there are none
