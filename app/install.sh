@@ -14,7 +14,7 @@ core='g++ cmake ninja-build pkg-config libcli11-dev libpugixml-dev libpng-dev li
 editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype-dev libxcb1-dev libegl-dev libgl-dev
     libopengl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb0 fonts-inter fonts-dejavu-core'
 tests='doctest-dev nlohmann-json3-dev libboost-dev libmuparser-dev python3 xvfb xauth xdotool xclip x11-utils imagemagick
-    librsvg2-bin ccache clang clang-format clang-tidy desktop-file-utils doxygen gcovr git pybind11-dev
+    librsvg2-bin libhdf5-dev libgdal-dev ccache clang clang-format clang-tidy desktop-file-utils doxygen gcovr git pybind11-dev
     python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-build python3-pip'
 
 wanted="$core $editor"

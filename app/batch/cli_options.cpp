@@ -4,6 +4,7 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/suggestion.hpp"
+#include "core/engine/base/letter_case.hpp"
 #include "core/files/common/names.hpp"
 
 #include <algorithm>
@@ -324,6 +325,8 @@ void DrawingArguments::applyTo(ImportOptions &options) const {
     options.degrees = degrees;
     options.layer = layer;
     options.nameProperty = nameProperty;
+    options.sizeProperty = sizeProperty;
+    options.projection = projection;
     options.beyondPage = beyondPage;
     options.dropLines = dropLines;
     options.strokeAreas = strokeAreas;
@@ -337,7 +340,8 @@ std::string DrawingArguments::firstGiven() const {
         {overlap.has_value(), "--overlap"},
         {layer.has_value(), "--layer"},
         {nameProperty.has_value(), "--name-property"},
-        {degrees == DegreeRule::Local, "--projection"},
+        {sizeProperty.has_value(), "--size-property"},
+        {degrees == DegreeRule::Local || !projection.empty(), "--projection"},
         {degrees == DegreeRule::Keep, "--allow-degrees"},
         {beyondPage, "--beyond-page"},
         {dropLines, "--drop-lines"},
@@ -352,25 +356,36 @@ std::string DrawingArguments::firstGiven() const {
 namespace {
 
 /// Adds the options for maps in longitudes and latitudes.
-void addDegreeOptions(CLI::App &app, DegreeRule &rule) {
-    static constexpr std::string_view kProjections[] = {"local"};
-    auto *const projection =
+void addDegreeOptions(CLI::App &app, DegreeRule &rule, std::string &projection) {
+    const auto take = [&](const std::string &word) {
+        if (word == "local") {
+            rule = DegreeRule::Local;
+        } else if (word.size() > 5 && lowerCase(word.substr(0, 5)) == "epsg:" &&
+                   word.find_first_not_of("0123456789", 5) == std::string::npos) {
+            projection = "EPSG:" + word.substr(5);
+        } else {
+            throw CLI::ValidationError("--projection",
+                                       "expected local or a code such as EPSG:3067, got '" + word + "'");
+        }
+    };
+    auto *const option =
         app.add_option_function<std::string>(
-               "--projection", [&rule](const std::string &) { rule = DegreeRule::Local; },
-               "convert the longitudes and latitudes of a map to metres. local: azimuthal equidistant about the middle "
-               "of the map; distances from there are true")
-            ->check(oneOf(kProjections))
+               "--projection", take,
+               "convert the coordinates of a map. local: longitudes and latitudes to metres, azimuthal "
+               "equidistant about the middle of the map; distances from there are true. EPSG:n: any "
+               "map that names its reference system, and GeoTIFF rasters, to that one (needs "
+               "forefront-gdal)")
             ->type_name("NAME");
     app.add_flag_callback(
            "--allow-degrees", [&rule] { rule = DegreeRule::Keep; },
            "take the longitudes and latitudes of a map for coordinates in the plane, without a warning")
-        ->excludes(projection);
+        ->excludes(option);
 }
 
 } // namespace
 
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
-    addDegreeOptions(app, arguments.degrees);
+    addDegreeOptions(app, arguments.degrees, arguments.projection);
     app.add_option(
            "--weld", arguments.weldTolerance,
            "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps, less "
@@ -382,13 +397,17 @@ void addDrawingOptions(CLI::App &app, DrawingArguments &arguments) {
                                "inside another always keeps its area")
         ->type_name("RULE");
     app.add_option("--layer", arguments.layer,
-                   "layers of a DXF file to read, with commas between them; default: all that are shown. Or "
-                   "the layer of a TopoJSON file, such as counties; default: the first one with polygons")
+                   "layers of a DXF, GeoPackage or KML file to read, with commas between them; default: all that are "
+                   "shown of a drawing, the first one with polygons of a map. Or the layer of a TopoJSON file")
         ->type_name("NAME");
     app.add_option("--name-property", arguments.nameProperty,
                    "property of the features of a map that names regions and boundaries, text or numbers; id also "
                    "uses the own ids of the features; default: name, Name or NAME, else NAME_n of the finest "
                    "administrative level n")
+        ->type_name("KEY");
+    app.add_option("--size-property", arguments.sizeProperty,
+                   "property of the features of a map that gives the element size in areas and at points, a number; "
+                   "default: none")
         ->type_name("KEY");
     app.add_flag("--beyond-page", arguments.beyondPage,
                  "keep the parts of filled SVG shapes that lie outside the page (the view box)");

@@ -79,7 +79,8 @@ struct DrawingArguments {
     std::optional<double> weldTolerance; ///< absent: the default of the input's format
     std::optional<OverlapRule> overlap;  ///< of a map
     DegreeRule degrees = DegreeRule::Warn;
-    std::optional<std::string> layer, nameProperty; ///< of a map
+    std::string projection;                                       ///< such as "EPSG:3067"; empty: none but `degrees`
+    std::optional<std::string> layer, nameProperty, sizeProperty; ///< of a map
     bool beyondPage = false;
     bool dropLines = false;
     bool strokeAreas = false;
@@ -91,7 +92,8 @@ struct DrawingArguments {
     std::string firstGiven() const;
     friend bool operator==(const DrawingArguments &, const DrawingArguments &) = default;
 };
-/// Adds the options --weld, --overlap, --layer, --name-property, --projection, --allow-degrees, --beyond-page,
+/// Adds the options --weld, --overlap, --layer, --name-property, --size-property, --projection, --allow-degrees,
+/// --beyond-page,
 /// --drop-lines, --stroke-areas and --shape-regions.
 void addDrawingOptions(CLI::App &app, DrawingArguments &arguments);
 

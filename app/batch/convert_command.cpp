@@ -9,6 +9,7 @@
 #include "app/batch/option_notes.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
+#include "app/batch/tags_option.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
 #include "core/engine/base/cancelled.hpp"
 #include "core/engine/base/number_text.hpp"
@@ -168,7 +169,7 @@ Diagnostics setElevations(const MeshView &mesh, const ConvertArguments &argument
         }
         return {};
     }
-    Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, arguments.quiet);
+    Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, {}, arguments.quiet);
     if (!read) {
         return read.faults();
     }
@@ -257,6 +258,7 @@ int convertCommand(int argc, const char *const *argv) {
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form)->required();
     addOpenOption(app, arguments.form);
     addExtrudeOption(app, arguments.form);
+    addTagsOption(app, arguments.form);
     addElevationOption(app, arguments.form.elevation);
     app.add_flag("--triangles", arguments.triangles, "split all elements into triangles of 3 nodes");
     app.add_option_function<std::string>(
@@ -278,6 +280,9 @@ int convertCommand(int argc, const char *const *argv) {
     }
     if (wrong.empty()) {
         wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
+    }
+    if (wrong.empty()) {
+        wrong = checkTags(arguments.form, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty()) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));

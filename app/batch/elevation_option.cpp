@@ -2,6 +2,7 @@
 
 #include "app/batch/inputs.hpp"
 #include "core/drawing_files/drawing_formats.hpp"
+#include "core/engine/base/letter_case.hpp"
 #include "core/files/elevations.hpp"
 
 #include <algorithm>
@@ -37,7 +38,8 @@ bool holdsElevations(const Output &output) {
 
 void addElevationOption(CLI::App &app, std::optional<std::string> &elevation) {
     app.add_option("--elevation", elevation,
-                   "elevations of the nodes: an ESRI ASCII grid (.asc), or an expression of x and y such as -5-0.01*x; "
+                   "elevations of the nodes: an ESRI ASCII grid (.asc), a GeoTIFF raster (.tif), or an expression of x "
+                   "and y such as -5-0.01*x; "
                    "depths are the same with the other sign; formats: " +
                        formatsWithElevations())
         ->type_name("FILE|EXPR");
@@ -60,10 +62,13 @@ std::string checkElevation(const std::optional<std::string> &elevation, const st
 
 bool isElevationFile(const std::string &elevation) {
     std::error_code none;
-    return std::filesystem::exists(elevation, none) || elevation.ends_with(".asc") || elevation.ends_with(".ASC");
+    const std::string extension = lowerCase(std::filesystem::path(elevation).extension().string());
+    return std::filesystem::exists(elevation, none) || extension == ".asc" || extension == ".tif" ||
+           extension == ".tiff";
 }
 
-Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh, bool quiet) {
+Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh,
+                                           const std::string &projection, bool quiet) {
     if (!isElevationFile(elevation)) {
         Result<std::vector<double>> values = elevationsOf(mesh, elevation);
         if (values) {
@@ -76,7 +81,9 @@ Result<std::vector<double>> readElevations(const std::string &elevation, const M
         return faults;
     }
     ImportNotes notes;
-    const Result<Raster> raster = readRaster(elevation, {}, &notes);
+    ImportOptions options;
+    options.projection = projection;
+    const Result<Raster> raster = readRaster(elevation, options, &notes);
     if (!raster) {
         return raster.faults();
     }

@@ -18,10 +18,12 @@ void addElevationOption(CLI::App &app, std::optional<std::string> &elevation);
 /// Returns the error of an elevation that no output can hold; empty if there is none.
 std::string checkElevation(const std::optional<std::string> &elevation, const std::vector<Output> &outputs);
 
-/// Returns true if the value of --elevation names a file: one that exists, or a name that ends in .asc.
+/// Returns true if the value of --elevation names a file: one that exists, or a name that ends in .asc or .tif.
 bool isElevationFile(const std::string &elevation);
 
 /// Returns the elevations of the nodes of a mesh by the value of --elevation; prints the notes of its file.
-Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh, bool quiet);
+/// `projection`: the reference system of the mesh, see ImportOptions::projection.
+Result<std::vector<double>> readElevations(const std::string &elevation, const MeshView &mesh,
+                                           const std::string &projection, bool quiet);
 
 } // namespace forefront

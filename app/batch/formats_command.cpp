@@ -62,6 +62,9 @@ std::string formatsTable() {
     for (const FileFormat &format : allFormats().list()) {
         table += column(format.id, 11) + column(extensionsOf(format), 17) + column(joined(readParts(format)), 31) +
                  column(format.writesMesh ? "mesh" : "", 8) + format.name + '\n';
+        if (format.component[0] != '\0') {
+            table += column("", 11) + "Needs the component forefront-" + format.component + ".\n";
+        }
         if (format.keeps[0] != '\0') {
             table += column("", 11) + format.keeps + '\n';
         }
@@ -85,6 +88,8 @@ std::string formatsJson() {
             }
         }
         json.key("elements").values(kinds);
+        json.member("elevations", format.holdsElevations).member("solids", format.holdsSolids);
+        json.member("component", format.component);
         json.endObject();
     }
     return json.endArray().endObject().text();

@@ -71,6 +71,12 @@ std::string checkDrawingOptions(const DrawingArguments &drawing, const Input &in
     if (drawing.nameProperty && !isMap) {
         return "--name-property: only the features of " + mapNames() + " files have properties";
     }
+    if (drawing.sizeProperty && !isMap) {
+        return "--size-property: only the features of " + mapNames() + " files have properties";
+    }
+    if (!drawing.projection.empty() && !isMap) {
+        return "--projection: only " + mapNames() + " files name a coordinate reference system";
+    }
     if (drawing.overlap && !isMap) {
         return "--overlap: applies only to the polygons of " + mapNames() + " files";
     }

@@ -7,6 +7,7 @@
 #include "app/batch/open_boundaries.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/rules_option.hpp"
+#include "app/batch/tags_option.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -149,6 +150,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addOutputOptions(app, arguments.outputs, arguments.formats, arguments.form);
     addOpenOption(app, arguments.form);
     addExtrudeOption(app, arguments.form);
+    addTagsOption(app, arguments.form);
     addElevationOption(app, arguments.form.elevation);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: from the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
@@ -215,6 +217,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     }
     if (wrong.empty()) {
         wrong = checkExtrude(arguments.form, pairFormats(arguments.outputs, arguments.formats), arguments.order);
+    }
+    if (wrong.empty()) {
+        wrong = checkTags(arguments.form, pairFormats(arguments.outputs, arguments.formats));
     }
     if (wrong.empty()) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));

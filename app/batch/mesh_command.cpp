@@ -116,6 +116,7 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
             return placed.faults();
         }
         options.picture = *placed;
+        options.projection = arguments.drawing.projection;
         Result<SpacingSpec> fromFile = allFormats().readSpacing(file->path, options, &notes);
         if (!fromFile) {
             return fromFile.faults();
@@ -211,7 +212,8 @@ Diagnostics writeResults(const MeshArguments &arguments, const Mesh &outcome, co
     MeshView mesh(outcome);
     std::vector<double> elevations;
     if (arguments.form.elevation) {
-        Result<std::vector<double>> read = readElevations(*arguments.form.elevation, mesh, arguments.quiet);
+        Result<std::vector<double>> read =
+            readElevations(*arguments.form.elevation, mesh, arguments.drawing.projection, arguments.quiet);
         if (!read) {
             return read.faults();
         }

@@ -89,6 +89,7 @@ Diagnostics checkOpenNames(const MeshForm &form, const MeshView &mesh) {
 ExportOptions exportOptionsOf(const MeshForm &form, const MeshView &mesh) {
     ExportOptions options;
     options.extrusion = form.extrusion;
+    options.keepTags = form.keepTags;
     const Parts parts = form.open.empty() ? Parts() : tagsOf(mesh).edges;
     for (const std::string &name : form.open) {
         for (const auto &[tag, given] : parts) {

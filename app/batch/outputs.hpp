@@ -50,6 +50,7 @@ struct MeshForm {
     std::optional<Numbering> numbering;   ///< absent: the usual one of the format
     std::vector<std::string> open = {};   ///< names of the open boundary parts
     std::optional<Extrusion> extrusion = {};
+    bool keepTags = false;                     ///< see ExportOptions
     std::optional<std::string> elevation = {}; ///< a file or an expression
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/drawing/domain/document_domain.hpp"
 #include "core/drawing_files/dxf/dxf.hpp"
+#include "core/drawing_files/geojson/gdal_map.hpp"
 #include "core/drawing_files/geojson/geojson.hpp"
 #include "core/drawing_files/geojson/topojson.hpp"
 #include "core/drawing_files/project/project.hpp"
@@ -30,20 +31,27 @@ void reorder(std::vector<PartOrigin> &origins, const std::vector<std::uint32_t> 
 
 /// Reads a drawing or map, and orders its segments by chains as the editor does, so that it meshes the same in the
 /// editor and in batch.
-template <Result<Domain> (*Read)(const SourceText &)>
-Result<DomainFile> readInChainOrder(const SourceText &source) {
-    const Result<Domain> domain = Read(source);
-    if (!domain) {
-        return domain.faults();
-    }
+Result<DomainFile> inDrawnOrder(const SourceText &source, DomainFile file) {
     ChainOrder order;
-    Domain ordered = inChainOrder(*domain, &order);
+    file.domain = inChainOrder(file.domain, &order);
     if (source.origin != nullptr) {
         reorder(source.origin->of(DomainPartKind::Node), order.nodes);
         reorder(source.origin->of(DomainPartKind::Segment), order.segments);
         reorder(source.origin->of(DomainPartKind::ConstraintPoint), order.points);
     }
-    return DomainFile{std::move(ordered), {}}; // none of these formats holds sizes
+    return file; // its sizes belong to places
+}
+
+template <Result<Domain> (*Read)(const SourceText &)>
+Result<DomainFile> readInChainOrder(const SourceText &source) {
+    Result<Domain> domain = Read(source);
+    return domain ? inDrawnOrder(source, DomainFile{std::move(*domain), {}}) : domain.faults();
+}
+
+template <Result<DomainFile> (*Read)(const SourceText &)>
+Result<DomainFile> readMapInChainOrder(const SourceText &source) {
+    Result<DomainFile> file = Read(source);
+    return file ? inDrawnOrder(source, std::move(*file)) : file.faults();
 }
 
 Result<DomainFile> readProjectDomain(const SourceText &source) {
@@ -53,6 +61,21 @@ Result<DomainFile> readProjectDomain(const SourceText &source) {
     }
     MeshingJob job = jobOf(*document);
     return DomainFile{std::move(job.domain), std::move(job.spacing)};
+}
+
+/// Returns the description of a map that the component forefront-gdal reads.
+constexpr Format gdalMap(const char *id, const char *name, const char *extension, bool layers,
+                         bool (*recognise)(std::string_view), Result<DomainFile> (*read)(const SourceText &)) {
+    return {.about = {.id = id,
+                      .name = name,
+                      .extension = extension,
+                      .kind = FileKind::Map,
+                      .readsDomain = true,
+                      .hasLayers = layers,
+                      .arranges = true,
+                      .component = "gdal"},
+            .recognise = recognise,
+            .readDomain = read};
 }
 
 // The formats of drawings with their names, capabilities and functions, in the order of menus.
@@ -76,7 +99,7 @@ constexpr std::array kDrawings = {
                      .arranges = true},
            .recognise = looksLikeGeoJson,
            .mayShowLate = true,
-           .readDomain = readInChainOrder<readGeoJson>},
+           .readDomain = readMapInChainOrder<readGeoJsonMap>},
     Format{.about = {.id = "topojson",
                      .name = "TopoJSON",
                      .extension = ".topojson",
@@ -87,7 +110,7 @@ constexpr std::array kDrawings = {
                      .arranges = true},
            .recognise = looksLikeTopoJson,
            .mayShowLate = true,
-           .readDomain = readInChainOrder<readTopoJson>},
+           .readDomain = readMapInChainOrder<readTopoJsonMap>},
     Format{.about = {.id = "wkt",
                      .name = "well-known text",
                      .extension = ".wkt",
@@ -96,6 +119,10 @@ constexpr std::array kDrawings = {
                      .arranges = true},
            .recognise = looksLikeWkt,
            .readDomain = readInChainOrder<readWkt>},
+    gdalMap("shapefile", "ESRI shapefile", ".shp", false, looksLikeShapefile, readMapInChainOrder<readShapefile>),
+    gdalMap("gpkg", "GeoPackage", ".gpkg", true, looksLikeGeoPackage, readMapInChainOrder<readGeoPackage>),
+    gdalMap("kml", "KML", ".kml", true, looksLikeKml, readMapInChainOrder<readKml>),
+    gdalMap("flatgeobuf", "FlatGeobuf", ".fgb", false, looksLikeFlatGeobuf, readMapInChainOrder<readFlatGeobuf>),
 };
 
 /// Returns the formats of drawings, then those of the engine. SVG and DXF are among both: the drawing library reads

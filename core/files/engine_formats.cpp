@@ -3,6 +3,7 @@
 #include "core/files/esri/esri_grid.hpp"
 #include "core/files/femm/femm.hpp"
 #include "core/files/format.hpp"
+#include "core/files/geotiff/geotiff.hpp"
 #include "core/files/gmsh/gmsh.hpp"
 #include "core/files/hydro/hydro.hpp"
 #include "core/files/hydro/selafin.hpp"
@@ -22,6 +23,7 @@
 #include "core/files/ugrid/ugrid.hpp"
 #include "core/files/unv/unv.hpp"
 #include "core/files/vtk/vtk.hpp"
+#include "core/files/xdmf/xdmf.hpp"
 
 #include <array>
 
@@ -57,7 +59,8 @@ constexpr const char *kVtkData =
 
 /// Returns the common description of all Gmsh formats.
 constexpr Format gmsh(const char *id, const char *name, const char *program,
-                      void (*write)(const MeshView &, TextWriter &)) {
+                      void (*write)(const MeshView &, TextWriter &),
+                      void (*writeWith)(const MeshView &, const ExportOptions &, TextWriter &)) {
     return {.about = {.id = id,
                       .name = name,
                       .extension = ".msh",
@@ -67,6 +70,7 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
                       .readsSpacing = true,
                       .readsFields = true,
                       .holds = kAllCells,
+                      .tellsTagsApart = true,
                       .holdsElevations = true,
                       .program = program,
                       .keeps = kGroups},
@@ -75,7 +79,9 @@ constexpr Format gmsh(const char *id, const char *name, const char *program,
             .readSpacing = readMshSpacing,
             .readFields = readMshFields,
             .writeMesh = write,
-            .noteChanges = noteMshChanges};
+            .writeWith = writeWith,
+            .noteChanges = [](const MeshView &mesh) { return noteMshChanges(mesh, false); },
+            .noteKeptChanges = [](const MeshView &mesh) { return noteMshChanges(mesh, true); }};
 }
 
 /// Returns `format` as one that holds extruded meshes too, written by `write`.
@@ -143,9 +149,9 @@ constexpr std::array kFormats = {
                               "elements are left out."},
            .writeMesh = writeDxfOutline,
            .noteChanges = noteDxfChanges},
-    withSolids(gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2), writeMsh2Solid),
-    gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4),
-    gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4Binary),
+    withSolids(gmsh("msh2", "Gmsh MSH 2.2", "", writeMsh2, writeMsh2With), writeMsh2Solid),
+    gmsh("msh41", "Gmsh MSH 4.1", "Gmsh", writeMsh4, writeMsh4With),
+    gmsh("msh41-binary", "Gmsh MSH 4.1, binary", "", writeMsh4Binary, writeMsh4BinaryWith),
     Format{.about = {.id = "vtu",
                      .name = "VTK unstructured grid",
                      .extension = ".vtu",
@@ -176,6 +182,26 @@ constexpr std::array kFormats = {
            .readMesh = readVtk,
            .readFields = readVtkFields,
            .writeMesh = writeVtk},
+    Format{.about = {.id = "xdmf",
+                     .name = "XDMF with HDF5",
+                     .extension = ".xdmf",
+                     .otherExtensions = ".xmf",
+                     .readsDomain = true,
+                     .readsMesh = true,
+                     .writesMesh = true,
+                     .readsFields = true,
+                     .holds = kAllCells,
+                     .holdsElevations = true,
+                     .files = kXdmfExtensions,
+                     .component = "hdf5",
+                     .program = "FEniCSx",
+                     .keeps = "Writes .xdmf and .h5. Keeps regions, boundary parts and points as numbers in the arrays "
+                              "region, boundary and points of the grids mesh, boundary and points, and their names as "
+                              "information."},
+           .recognise = looksLikeXdmf,
+           .readMesh = readXdmf,
+           .readFields = readXdmfFields,
+           .writeFiles = writeXdmf},
     Format{.about = {.id = "medit",
                      .name = "MEDIT",
                      .extension = ".mesh",
@@ -444,6 +470,16 @@ constexpr std::array kFormats = {
            .recognise = looksLikeEsriGrid,
            .readSpacing = readEsriGrid,
            .readRaster = readEsriRaster},
+    Format{.about = {.id = "geotiff",
+                     .name = "GeoTIFF raster",
+                     .extension = ".tif",
+                     .otherExtensions = ".tiff",
+                     .kind = FileKind::Grid,
+                     .readsSpacing = true,
+                     .component = "gdal"},
+           .recognise = looksLikeTiff,
+           .readSpacing = readGeoTiffSpacing,
+           .readRaster = readGeoTiffRaster},
     Format{
         .about =
             {.id = "png", .name = "PNG picture", .extension = ".png", .kind = FileKind::Picture, .readsSpacing = true},

@@ -123,7 +123,8 @@ Diagnostics exportNotes(const std::filesystem::path &path, const MeshView &mesh,
         return {};
     }
     const bool solid = options.extrusion || format->about.solidsOnly;
-    Diagnostics notes = format->noteChanges != nullptr ? format->noteChanges(mesh) : Diagnostics{};
+    const auto note = options.keepTags && format->about.tellsTagsApart ? format->noteKeptChanges : format->noteChanges;
+    Diagnostics notes = note != nullptr ? note(mesh) : Diagnostics{};
     if (solid && !mesh.points.empty()) {
         notes.push_back(exportNote("points-left-out", countText(mesh.points.size(), "tagged point") +
                                                           (mesh.points.size() == 1 ? " is" : " are") +

@@ -18,26 +18,6 @@ std::string_view withoutBlanks(std::string_view text) {
     return start == std::string_view::npos ? std::string_view() : text.substr(start);
 }
 
-/// Returns the name of the outermost element of XML or HTML, in lower case; empty if there is none.
-std::string rootElement(std::string_view head) {
-    if (!withoutBlanks(head).starts_with('<')) {
-        return {};
-    }
-    for (std::size_t at = head.find('<'); at != std::string_view::npos; at = head.find('<', at + 1)) {
-        const std::string_view rest = head.substr(at);
-        if (rest.starts_with("<!--") || rest.starts_with("<?")) {
-            at = std::min(head.find(rest.starts_with("<?") ? "?>" : "-->", at), head.size());
-            continue;
-        }
-        const std::size_t end = head.find_first_of(" \t\r\n/>"sv, at + 1);
-        const std::string_view name = head.substr(at + 1, end == std::string_view::npos ? end : end - at - 1);
-        if (!name.empty() && name.front() != '!') {
-            return lowerCase(name);
-        }
-    }
-    return {};
-}
-
 std::string_view nextLine(std::string_view &text) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
@@ -92,7 +72,7 @@ bool isUtf16(std::string_view head) {
 ForeignKind kindOf(std::string_view head) {
     constexpr std::pair<std::string_view, ForeignKind> kSignatures[] = {
         {"\0\0\x27\x0a"sv, {"an ESRI shapefile", kToGeoJson}},
-        {"SQLite format 3"sv, {"a database, perhaps a GeoPackage", kToGeoJson}},
+        {"SQLite format 3"sv, {"a database, perhaps of a map", kToGeoJson}},
         {"PK\x03\x04"sv, {"a ZIP archive", "unpack it first, for example with unzip FILE"}},
         {"%PDF-"sv, {"a PDF document", "convert it to SVG, for example with pdftocairo -svg FILE NEW.svg"}},
         {"%!PS-Adobe"sv,
@@ -117,13 +97,38 @@ ForeignKind kindOf(std::string_view head) {
     if (root == "html") {
         return {"a web page", "save the drawing or map itself, not the page that shows it"};
     }
-    if (root == "kml" || root == "gpx" || root.ends_with("featurecollection")) {
-        return {root == "kml" ? "a KML file" : root == "gpx" ? "a GPX file" : "a GML file", kToGeoJson};
+    constexpr std::pair<std::string_view, std::string_view> kMaps[] = {{"kml", "a KML file"}, {"gpx", "a GPX file"}};
+    for (const auto &[name, kind] : kMaps) {
+        if (root == name) {
+            return {kind, kToGeoJson};
+        }
+    }
+    if (root.ends_with("featurecollection")) {
+        return {"a GML file", kToGeoJson};
     }
     return {};
 }
 
 } // namespace
+
+std::string rootElement(std::string_view head) {
+    if (!withoutBlanks(head).starts_with('<')) {
+        return {};
+    }
+    for (std::size_t at = head.find('<'); at != std::string_view::npos; at = head.find('<', at + 1)) {
+        const std::string_view rest = head.substr(at);
+        if (rest.starts_with("<!--") || rest.starts_with("<?")) {
+            at = std::min(head.find(rest.starts_with("<?") ? "?>" : "-->", at), head.size());
+            continue;
+        }
+        const std::size_t end = head.find_first_of(" \t\r\n/>"sv, at + 1);
+        const std::string_view name = head.substr(at + 1, end == std::string_view::npos ? end : end - at - 1);
+        if (!name.empty() && name.front() != '!') {
+            return lowerCase(name);
+        }
+    }
+    return {};
+}
 
 Diagnostics foreignFile(std::string_view bytes) {
     const ForeignKind kind = kindOf(bytes.substr(0, kHead));

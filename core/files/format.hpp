@@ -30,10 +30,12 @@ struct Format {
     Result<Raster> (*readRaster)(const SourceText &) = nullptr;     ///< values of any sign
     Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const MeshView &, TextWriter &) = nullptr;
-    /// Writes a mesh, in place of writeMesh, for formats that tell open boundaries from land; else null.
+    /// Writes a mesh, in place of writeMesh, for formats that tell open boundaries from land or tags apart; else null.
     void (*writeWith)(const MeshView &, const ExportOptions &, TextWriter &) = nullptr;
     /// Returns notes on changes that the format makes to the mesh, such as to names; null: it makes none.
     Diagnostics (*noteChanges)(const MeshView &) = nullptr;
+    /// Returns the notes where ExportOptions::keepTags is set, for formats that tell tags apart.
+    Diagnostics (*noteKeptChanges)(const MeshView &) = nullptr;
     /// Writes a mesh for formats of several files, which become complete with the set; else null.
     Status (*writeFiles)(FileSet &, const std::filesystem::path &, const MeshView &, const ExportOptions &,
                          const Progress &) = nullptr;

@@ -56,6 +56,9 @@ struct FileFormat {
     bool acceptsInnerEdges = true;
     /// Its files tell open boundaries from land, as ExportOptions::openBoundaries has them.
     bool hasOpenBoundaries = false;
+    /// Its files have different numbers and names for boundary parts, regions and points, unless
+    /// ExportOptions::keepTags is set.
+    bool tellsTagsApart = false;
     /// Its readers expect the nodes of the input first, so that files keep the order of creation.
     bool keepsCreation = false;
     /// It holds prisms and hexahedra, which ExportOptions::extrusion makes of elements of first order.
@@ -68,6 +71,8 @@ struct FileFormat {
     bool oneElementKind = false;
     /// Extensions of the files that a mesh is written to, for formats of several files; empty: one file.
     std::span<const char *const> files = {};
+    /// The component that reading and writing it needs, such as "gdal"; empty: none.
+    const char *component = "";
     /// Paths of the files below the folder that a mesh is written to; empty: no folder.
     std::span<const char *const> folder = {};
     /// A program that usually reads it, such as "FreeFem++"; empty: it is not the preferred format of any.

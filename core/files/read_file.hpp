@@ -5,6 +5,7 @@
 #include "core/files/named_faults.hpp"
 
 #include <new>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -37,7 +38,9 @@ Result<T> readFile(const FormatList &list, const std::filesystem::path &path, co
                 error("compressed", "the file is compressed", "unpack it first, for example with gunzip -c FILE >NEW"),
                 path);
         }
-        if (options.formatId.empty()) {
+        // What a component reads is told from other files by its content alone.
+        const Format *const shown = list.recognised(path, std::string_view(bytes).substr(0, kHeadBytes));
+        if (options.formatId.empty() && (shown == nullptr || *shown->about.component == '\0')) {
             if (Diagnostics foreign = foreignFile(bytes); !foreign.empty()) {
                 return named(std::move(foreign), path);
             }

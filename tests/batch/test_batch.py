@@ -876,7 +876,8 @@ class Imports(Case):
         self.call("film", "lake.geojson", "-o", "a.svg", "--projection", "local")
         self.call("adapt", "c.msh", "--expression", "x", "--error", "0.5", "--domain", "lake.geojson", "--projection",
                   "local", "-o", "d.msh")
-        self.assertIn("only GeoJSON and TopoJSON files have longitudes and latitudes",
+        self.assertIn("only GeoJSON, TopoJSON, ESRI shapefile, GeoPackage, KML and FlatGeobuf files have longitudes and "
+                      "latitudes",
                       self.call("mesh", "plate.poly", "-o", "a.msh", "--projection", "local", code=2).stderr)
 
     def test_options_without_effect_are_refused(self):
@@ -917,7 +918,7 @@ class Imports(Case):
         self.assertEqual(self.call("mesh", "atlas.json", "-o", "c.msh", "--layer", "states", code=1).stderr,
                          "atlas.json:2:24: error: unknown layer 'states' [unknown-layer]; expected one of 'counties', "
                          "'nation'\n")
-        self.assertIn("--layer: only TopoJSON and DXF drawing files have layers",
+        self.assertIn("--layer: only TopoJSON, GeoPackage, KML and DXF drawing files have layers",
                       self.call("mesh", "plate.poly", "-o", "c.msh", "--layer", "a", code=2).stderr)
 
     def test_names_of_a_map_can_come_from_any_property(self):
@@ -935,7 +936,8 @@ class Imports(Case):
         self.assertEqual(self.call("mesh", "map.geojson", "-o", "a.msh", "--name-property", "nom", code=1).stderr,
                          "map.geojson:1:1: error: no feature has a property 'nom' with text or a number "
                          "[unknown-property]; expected one of 'NAME_0', 'NAME_1', 'id'\n")
-        self.assertIn("--name-property: only the features of GeoJSON and TopoJSON files have properties",
+        self.assertIn("--name-property: only the features of GeoJSON, TopoJSON, ESRI shapefile, GeoPackage, KML and FlatGeobuf files "
+                      "have properties",
                       self.call("mesh", "plate.poly", "-o", "a.msh", "--name-property", "id", code=2).stderr)
 
     def test_a_drawing_ends_at_its_page_unless_asked_otherwise(self):
@@ -1484,7 +1486,7 @@ class Refusing(Case):
                       ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
             line = self.call(*words, code=2).stderr.splitlines()[0]
             self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
-                             ".dxf, .msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .foam, .2dm, .14, .gr3, .slf, .nc, .tsh, "
+                             ".dxf, .msh, .vtu, .vtk, .xdmf, .mesh, .inp, .su2, .unv, .bdf, .foam, .2dm, .14, .gr3, .slf, .nc, .tsh, "
                              ".node, .obj, .ply, .stl, .off")
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
@@ -1493,13 +1495,13 @@ class Refusing(Case):
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
         self.assertIn("4 no window", self.call("--help").stdout)
-        meshes = ".msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .node, .ele, .vol, .obj"
+        meshes = ".msh, .vtu, .vtk, .xdmf, .xmf, .mesh, .inp, .su2, .unv, .bdf, .nas, .2dm, .node, .ele, .vol, .obj"
         for command in ("check", "convert", "adapt"):
             self.assertIn("mesh file: " + meshes, " ".join(self.call(command, "--help").stdout.split()))
         text = " ".join(self.call("mesh", "--help").stdout.split())
-        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .wkt, .poly, .fem, .fee, .feh, .fec, "
-                      ".csv, .xy, .dat, .svg, .dxf, " + meshes, text)
-        self.assertIn("a background mesh (.msh), a grid of sizes (.asc) or a picture (.png)", text)
+        self.assertIn("project (.json, .forefront) or domain (.geojson, .json, .topojson, .wkt, .shp, .gpkg, .kml, "
+                      ".fgb, .poly, .fem, .fee, .feh, .fec, .csv, .xy, .dat, .svg, .dxf, " + meshes, text)
+        self.assertIn("a background mesh (.msh), a grid of sizes (.asc, .tif, .tiff) or a picture (.png)", text)
 
 
 class Films(Case):
@@ -1932,6 +1934,21 @@ class Convert(Case):
                                capture_output=True, text=True, timeout=300)
         self.assertEqual(piped.returncode, 0, piped.stderr)
         self.assertEqual(piped.stdout, self.read("again.msh"))
+
+    def test_numbers_and_names_of_groups_are_told_apart_or_kept(self):
+        self.write("same.msh", self.CELLS.replace('2 3 "plate"', '2 5 "in let"').replace("2 2 2 3 3 2", "2 2 2 5 5 2"))
+        for name, words, number, label in (("apart", [], 1005, "in let_region"), ("keep", ["--tags", "keep"], 5, "in let")):
+            for form in ("msh2", "msh41"):
+                told = self.call("convert", "same.msh", "-o", f"{name}.msh", "--format", form, *words).stderr
+                text = self.read(f"{name}.msh")
+                self.assertIn(f'2 {number} "{label}"\n', text)
+                self.assertIn('1 5 "in let"\n', text)
+                self.assertEqual("changed-names" in told, name == "apart")
+                self.assertEqual("$Comments" in text, name == "apart")
+                self.assertEqual(self.call("check", f"{name}.msh").stdout, self.call("check", "same.msh").stdout)
+        for words, error in ((["-o", "a.vtu"], "no output numbers tags apart"),
+                             (["-o", "a.msh", "--extrude", "1"], "extruded meshes have faces and volumes")):
+            self.assertIn(error, self.call("convert", "same.msh", "--tags", "keep", *words, code=2).stderr)
 
     def test_what_a_format_cannot_hold_is_refused_before_anything_is_written(self):
         for name, words in (("a.su2", "SU2 files hold no"), ("a.obj", "files hold no"), ("a.node", "files hold no")):

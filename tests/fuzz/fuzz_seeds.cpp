@@ -188,6 +188,15 @@ const char *const kVtuAscii =
     "0</DataArray></Points><Cells><DataArray type=\"Int64\" Name=\"connectivity\">0 1 2</DataArray><DataArray "
     "type=\"Int64\" Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\" format=\"binary\">"
     "AQAAAAU=</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>";
+const char *const kXdmf =
+    "<Xdmf Version=\"3.0\"><Domain><Information Name=\"region 4\" Value=\"sea\"/><Grid Name=\"mesh\"><Topology "
+    "TopologyType=\"Mixed\"><DataItem Dimensions=\"13\">4 0 1 2 5 0 2 3 4 2 2 0 1</DataItem></Topology><Geometry "
+    "GeometryType=\"XY\"><DataItem Dimensions=\"5 2\">0 0 2 0 2 1 1 2 0 1</DataItem></Geometry><Attribute "
+    "Name=\"region\" Center=\"Cell\"><DataItem Dimensions=\"3\">4 5 0</DataItem></Attribute></Grid><Grid "
+    "Name=\"boundary\"><Topology TopologyType=\"Polyline\"><DataItem Dimensions=\"2 2\">1 2 2 3</DataItem></Topology>"
+    "<Attribute Name=\"boundary\" Center=\"Cell\"><DataItem Dimensions=\"2\">7 8</DataItem></Attribute></Grid><Grid "
+    "Name=\"u\"><Attribute Name=\"u\"><DataItem Dimensions=\"5\">1 2 3 4 5.5</DataItem></Attribute></Grid>"
+    "</Domain></Xdmf>";
 const char *const kNetgen =
     "mesh3d\ndimension\n2\ngeomtype\n0\n\n# surfnr bcnr domin domout np p1 p2 p3\nsurfaceelements\n2\n 2 1 0 0 3 1 2 "
     "3\n"
@@ -324,6 +333,7 @@ std::vector<std::string> handMade(std::string_view id) {
         {"2dm", {kTwoDm}},
         {"mfem", {kMfem}},
         {"vtu", {kVtuAscii}},
+        {"xdmf", {kXdmf}},
         {"esri", {kEsriGrid}},
     };
     const auto found = kTexts.find(id);

@@ -314,6 +314,11 @@ void runScript(std::string_view bytes) {
     checkDocument(player.document());
 }
 
+/// Returns true for formats that another library parses, of which only its result reaches our readers.
+bool parsedElsewhere(const FileFormat &format) {
+    return *format.component != '\0' && format.kind != FileKind::Mesh;
+}
+
 /// Lists one target for each format that has its own readers. Triangle's files share one input, since the reader
 /// looks for the others only beside the file that it reads.
 std::vector<Target> listTargets() {
@@ -321,7 +326,7 @@ std::vector<Target> listTargets() {
     for (const Format &format : allFormats().formats()) {
         const auto same = [&](const Target &target) { return sameReaders(*target.format, format); };
         const bool reads = format.canReadDomain() || format.readSpacing != nullptr;
-        if (reads && std::none_of(list.begin(), list.end(), same)) {
+        if (reads && !parsedElsewhere(format.about) && std::none_of(list.begin(), list.end(), same)) {
             list.push_back({format.about.id, &format});
         }
     }

@@ -2,11 +2,13 @@
 
     check_openfoam.py EXPORT_SAMPLE RESULT      (needs the Debian package openfoam)
 
-EXPORT_SAMPLE is the helper that writes the files. The outcome is printed and written to RESULT.
+EXPORT_SAMPLE is the helper that writes the files. The outcome is printed and written to RESULT. Exit status 77: OpenFOAM is
+missing.
 """
 import datetime
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -54,6 +56,9 @@ def check_heat(sample, layers, program):
 
 
 def main():
+    if not shutil.which("checkMesh"):
+        print("OpenFOAM is missing")
+        sys.exit(77)
     program, result = sys.argv[1:]
     samples = Samples(program)
     checks = [("checkMesh: Mesh OK, patches and cell zones", lambda: check_parts(samples["sample"])),

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 LISTS = ("core/files/engine_formats.cpp", "core/drawing_files/drawing_formats.cpp")
-ID = re.compile(r'\.id = "([\w-]+)"|\bgmsh\("([\w-]+)"')
+ID = re.compile(r'\.id = "([\w-]+)"|\b(?:gmsh|gdalMap)\("([\w-]+)"')
 # Words that mean something else where a file of one format is read.
 READERS = re.compile(r"core/(files|drawing_files)/\w+/")
 

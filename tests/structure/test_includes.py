@@ -7,11 +7,11 @@ from pathlib import Path
 # Rooms from the lowest up; "." is the folder itself. A file may include the rooms before its own; rooms in one string
 # are equals and must not include each other. "*" stands for all rooms that are not named.
 ORDERS = {
-    "core": ["engine", "files", "c", "drawing", "drawing_files", "teaching", "."],
+    "core": ["engine", "files", "components", "c", "drawing", "drawing_files", "teaching", "."],
     "core/engine": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "layers",
                     "mesher", "quads", "refine", "pipeline", "adapt session"],
     "core/engine/spacing": ["spec", "sites", "parts", "."],
-    "core/files": ["source", "text", "common", "json", "*", "."],
+    "core/files": ["source", "text", "common", "json", "components", "*", "."],
     "core/drawing": ["arrangement", "sketch", "document", "shapes", "colour_outline", "names", "constraints", "formulas", "domain", "picking", "commands recovery"],
     "core/drawing/arrangement": [".", "snapping", "curves", "repeated_lines", "cover", "assembly repair"],
     "core/drawing_files": ["common", "*", "clipboard script", "."],

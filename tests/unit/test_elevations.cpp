@@ -102,7 +102,7 @@ TEST_CASE("Elevations: the formats hold them, read them back, or note that they 
             }
         }
     }
-    CHECK(readers == 5); // MSH in three forms, VTU, 2DM
+    CHECK(readers == 6); // MSH in three forms, VTU, XDMF, 2DM
     const TriMesh square = samples::square(1, 1);
     MeshView squareView(square);
     const std::vector<double> slope = *elevationsOf(square, "0.5 - x");

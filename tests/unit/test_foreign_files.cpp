@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <fstream>
 #include <string>
 
@@ -17,8 +18,7 @@ TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to con
     const struct {
         std::string bytes, name, advice;
     } cases[] = {
-        {"\0\0\x27\x0a\0\0\0\0"s, "shapefile", "ogr2ogr"},
-        {"SQLite format 3\0"s, "GeoPackage", "ogr2ogr"},
+        {"SQLite format 3\0"s, "database", "ogr2ogr"},
         {"PK\x03\x04\x14", "ZIP", "unzip"},
         {"%PDF-1.7\n", "PDF", "pdftocairo"},
         {"%!PS-Adobe-3.0 EPSF-3.0\n", "PostScript", "SVG"},
@@ -34,7 +34,6 @@ TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to con
         {"4\0 \0002\0 \0000\0 \0000\0\n\0"s, "UTF-16", "UTF-8"},
         {"\0004\0 \0002\0 \0000\0 \0000\0\n"s, "UTF-16", "UTF-8"},
         {"<!DOCTYPE html>\n<HTML lang=\"en\"><body><svg/></body></HTML>", "web page", "map itself"},
-        {"<?xml version=\"1.0\"?>\n<!-- <svg> -->\n<kml xmlns=\"x\"><Document/></kml>", "KML", "ogr2ogr"},
         {"<gpx version=\"1.1\"/>", "GPX", "ogr2ogr"},
         {"\xef\xbb\xbf<gml:FeatureCollection>", "GML", "ogr2ogr"},
     };
@@ -50,6 +49,25 @@ TEST_CASE("Foreign files: kinds that cannot be read are named, with a way to con
             CHECK(domain.faults()[0].file == (folder / file).string());
         }
     }
+}
+
+TEST_CASE("Foreign files: maps that only the drawing library reads are foreign to the engine") {
+    const std::string kml = "<?xml version=\"1.0\"?>\n<!-- <svg> -->\n<kml xmlns=\"x\"><Document/></kml>";
+    const TemporaryFolder folder;
+    for (const auto &[bytes, name, id] :
+         {std::array{"\0\0\x27\x0a\0\0\0\0"s, "shapefile"s, "shapefile"s}, std::array{kml, "KML"s, "kml"s}}) {
+        CAPTURE(name);
+        std::ofstream(folder / "a.other", std::ios::binary) << bytes;
+        const auto domain = readDomain(folder / "a.other");
+        REQUIRE(hasCode(domain.faults(), "foreign-format"));
+        CHECK(domain.faults()[0].message.find(name) != std::string::npos);
+        REQUIRE(allFormats().detect(folder / "a.other") != nullptr);
+        CHECK(allFormats().detect(folder / "a.other")->id == id);
+    }
+    const std::string geoPackage = "SQLite format 3\0"s + std::string(52, '\0') + "GPKG";
+    REQUIRE(allFormats().detect("a", geoPackage) != nullptr);
+    CHECK(allFormats().detect("a", geoPackage)->id == "gpkg"s);
+    CHECK(allFormats().detect("a", "<!-- <kml> --><svg/>")->id == "svg"s);
 }
 
 TEST_CASE("Foreign files: all that can be read, and fragments of what cannot, are left to the readers") {

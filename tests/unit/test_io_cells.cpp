@@ -43,6 +43,9 @@ const std::map<std::string, std::set<CellKind>> kHeldCells = {
     {"vtk",
      {CellKind::Triangle3, CellKind::Triangle6, CellKind::Quadrilateral4, CellKind::Quadrilateral8,
       CellKind::Quadrilateral9}},
+    {"xdmf",
+     {CellKind::Triangle3, CellKind::Triangle6, CellKind::Quadrilateral4, CellKind::Quadrilateral8,
+      CellKind::Quadrilateral9}},
     {"medit", {CellKind::Triangle3, CellKind::Triangle6, CellKind::Quadrilateral4, CellKind::Quadrilateral9}},
     {"inp", {CellKind::Triangle3, CellKind::Triangle6, CellKind::Quadrilateral4, CellKind::Quadrilateral8}},
     {"su2", {CellKind::Triangle3, CellKind::Quadrilateral4}},
@@ -161,20 +164,20 @@ TEST_CASE("Cells of files: the fault names all that is lacking, and formats that
     REQUIRE(fault.size() == 1);
     CHECK(fault.front().message ==
           "SU2 files hold no edges of 3 nodes (17 of them) and no quadrilaterals of 8 nodes (12 of them)");
-    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .inp, .unv, .bdf or .2dm instead");
+    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .xdmf, .inp, .unv, .bdf or .2dm instead");
     fault = writeMesh(folder / "a.inp", samples::sampleMesh(CellKind::Quadrilateral9));
     REQUIRE(fault.size() == 1);
     CHECK(fault.front().message == "Abaqus and CalculiX files hold no quadrilaterals of 9 nodes (12 of them)");
-    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .mesh or .2dm instead");
+    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .xdmf, .mesh or .2dm instead");
     fault = writeMesh(folder / "a.obj", samples::allKindsSample());
     REQUIRE(fault.size() == 1);
     CHECK(hasPart(fault.front().message, " of them), no triangles of 6 nodes ("));
     CHECK(hasPart(fault.front().message, " of them) and no quadrilaterals of 9 nodes ("));
-    CHECK(fault.front().advice == "write .msh, .vtu, .vtk or .2dm instead");
+    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .xdmf or .2dm instead");
     fault = writeMesh(folder / "a.node", samples::mixedSample(), "triangle");
     REQUIRE(fault.size() == 1);
     CHECK(hasPart(fault.front().message, "files hold no quadrilaterals ("));
-    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .mesh, .inp, .su2, .unv, .bdf, .2dm or .obj instead");
+    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .xdmf, .mesh, .inp, .su2, .unv, .bdf, .2dm or .obj instead");
     CHECK(folder.fileCount() == 0);
 }
 
@@ -185,7 +188,7 @@ TEST_CASE("Cells of files: Triangle's files hold triangles of 3 or of 6 nodes, b
     REQUIRE(hasCode(fault, "unsupported-elements"));
     CHECK(fault.front().message == "Triangle .node/.ele/.edge files hold elements of one kind, but the mesh has "
                                    "triangles (1 of them) and triangles of 6 nodes (1 of them)");
-    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .mesh, .inp, .unv, .bdf or .2dm instead");
+    CHECK(fault.front().advice == "write .msh, .vtu, .vtk, .xdmf, .mesh, .inp, .unv, .bdf or .2dm instead");
     CHECK(folder.fileCount() == 0);
 }
 

@@ -53,6 +53,10 @@ void setImportOptions(ImportOptions &options, const py::dict &given) {
             options.layer = value.cast<std::string>();
         } else if (name == "names") {
             options.nameProperty = value.cast<std::string>();
+        } else if (name == "sizes") {
+            options.sizeProperty = value.cast<std::string>();
+        } else if (name == "projection") {
+            options.projection = value.cast<std::string>();
         } else if (name == "strict") {
             options.strict = value.cast<bool>();
         } else if (name == "beyond_page") {

@@ -2,6 +2,7 @@
 
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/files/common/domain_file.hpp"
 #include "core/files/source/source.hpp"
 
 #include <string_view>
@@ -14,6 +15,8 @@ namespace forefront {
 /// name (see ImportOptions::nameProperty) of a feature apply to its boundary and region. The features may also be
 /// separate texts, one a line or as a GeoJSON text sequence (RFC 8142).
 Result<Domain> readGeoJson(const SourceText &source);
+/// Reads it with the sizes of its areas and points, see ImportOptions::sizeProperty.
+Result<DomainFile> readGeoJsonFile(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is GeoJSON; a project may begin with the same words.
 bool looksLikeGeoJson(std::string_view head);
 

@@ -16,7 +16,7 @@ class GeoJsonReader {
     explicit GeoJsonReader(const SourceText &source) : map_(source), check_(map_.check()) {}
 
     /// `texts`: an array of GeoJSON texts, usually one.
-    Result<Domain> read(const JsonValue &texts) {
+    Result<DomainFile> read(const JsonValue &texts) {
         for (const JsonValue text : texts) {
             survey(text);
         }
@@ -161,12 +161,17 @@ bool looksLikeGeoJson(std::string_view head) {
                                     outline.has("coordinates"));
 }
 
-Result<Domain> readGeoJson(const SourceText &source) {
+Result<DomainFile> readGeoJsonFile(const SourceText &source) {
     const auto json = JsonDocument::parseSequence(source);
     if (!json) {
         return json.faults();
     }
     return GeoJsonReader(source).read(json->root());
+}
+
+Result<Domain> readGeoJson(const SourceText &source) {
+    Result<DomainFile> file = readGeoJsonFile(source);
+    return file ? Result<Domain>(std::move(file->domain)) : file.faults();
 }
 
 } // namespace forefront

@@ -155,13 +155,18 @@ MapLabel MapReader::label(const JsonValue &feature) {
     if (tag && !label.tag) {
         source_.note("bad-tag", "tags that are not integers of at least 1 are ignored", tag->offset());
     }
+    label.size = sizeIn(*properties);
     for (auto member = properties->begin(); member != properties->end(); ++member) {
         const std::string key = member.key();
-        if (key != "tag" && !names_.uses(key)) {
+        if (!isKnown(key)) {
             properties_.add(key, member.keyValue().offset());
         }
     }
     return label;
+}
+
+bool MapReader::isKnown(std::string_view property) const {
+    return property == "tag" || names_.uses(property) || source_.options.sizeProperty == property;
 }
 
 void MapReader::noteMembers(const JsonValue &object, std::initializer_list<std::string_view> known) {
@@ -219,6 +224,8 @@ void MapReader::addPolygon(std::vector<MapPath> rings, const MapLabel &label) {
     polygon.regionTag = tagOf(regions_, label);
     polygon.feature = label.feature > 0 ? label.feature : nextFeature();
     polygon.name = label.name;
+    polygon.size = label.size;
+    hasSizes_ = hasSizes_ || label.size;
     polygons_.push_back(std::move(polygon));
 }
 
@@ -240,11 +247,14 @@ void MapReader::noteOuterHoles(Polygon &polygon) {
 }
 
 void MapReader::addLine(MapPath line, const MapLabel &label) {
+    if (label.size) {
+        source_.note("line-size", "sizes of lines are ignored: only areas and points have sizes", line.offset);
+    }
     lines_.push_back({std::move(line), tagOf(boundaries_, label)});
 }
 
 void MapReader::addPoint(Vec2 place, std::size_t offset, const MapLabel &label) {
-    points_.push_back({place, offset, tagOf(boundaries_, label)});
+    points_.push_back({place, offset, tagOf(boundaries_, label), label.size});
 }
 
 /// Reports rings that jump from one side of the map to the other: they cross the antimeridian without being cut there,
@@ -373,7 +383,7 @@ void MapReader::project(const JsonValue &whole, const Box2 &box) {
     source_.note("projected", message, whole.offset());
 }
 
-Result<Domain> MapReader::finish(const JsonValue &whole) {
+Result<DomainFile> MapReader::finish(const JsonValue &whole) {
     contents_.properties = names_.keys();
     if (check_.faults().empty() && !names_.found()) {
         constexpr std::size_t kShown = 12;
@@ -382,6 +392,7 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
                      contents_.properties.empty() ? "the features have no properties to take names from"
                                                   : "expected one of " + listed(contents_.properties, kShown));
     }
+    requireSizes(whole);
     if (check_.faults().empty() && polygons_.empty() && lines_.empty()) {
         check_.fault(whole, "empty-domain",
                      points_.empty() ? "the file holds no polygon and no line that could bound a domain"
@@ -415,11 +426,14 @@ Result<Domain> MapReader::finish(const JsonValue &whole) {
     }
     noteUnused();
     Result<Domain> domain = builder_.finish();
-    if (domain) {
-        domain->boundaryNames = boundaries_.names();
-        domain->regionNames = regions_.names();
+    if (!domain) {
+        return domain.faults();
     }
-    return domain;
+    domain->boundaryNames = boundaries_.names();
+    domain->regionNames = regions_.names();
+    DomainFile file{std::move(*domain), {}};
+    file.spacing.placed = sizesFor(file.domain);
+    return file;
 }
 
 /// Reports members that are not used, once for the whole file.
@@ -462,7 +476,8 @@ void MapReader::buildPolygons() {
             builder_.addRing(contour, polygon.rings[k].nodes, polygon.boundaryTag);
         }
     }
-    if (polygons_.size() > 1 || !regions_.names().empty() || (!polygons_.empty() && polygons_.front().regionTag != 1)) {
+    if (polygons_.size() > 1 || hasSizes_ || !regions_.names().empty() ||
+        (!polygons_.empty() && polygons_.front().regionTag != 1)) {
         builder_.markRegions();
     }
 }

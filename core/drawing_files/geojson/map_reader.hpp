@@ -2,6 +2,7 @@
 
 #include "core/drawing_files/common/drawing_builder.hpp"
 #include "core/drawing_files/geojson/feature_names.hpp"
+#include "core/files/common/domain_file.hpp"
 #include "core/files/common/tag_allocator.hpp"
 #include "core/files/json/json_check.hpp"
 
@@ -26,7 +27,8 @@ struct MapPath {
 struct MapLabel {
     std::string name;
     std::optional<std::int32_t> tag;
-    std::size_t feature = 0; ///< its number; 0: none
+    std::optional<double> size = {}; ///< of elements, > 0
+    std::size_t feature = 0;         ///< its number; 0: none
 };
 
 /// Collects the features of a map in JSON and arranges them; the common part of the GeoJSON and TopoJSON readers.
@@ -63,7 +65,7 @@ class MapReader {
     void addPoint(Vec2 place, std::size_t offset, const MapLabel &label);
 
     /// Reports unused content and arranges the rest. `whole`: for a fault that concerns all.
-    Result<Domain> finish(const JsonValue &whole);
+    Result<DomainFile> finish(const JsonValue &whole);
 
   private:
     struct Polygon {
@@ -72,6 +74,7 @@ class MapReader {
         std::int32_t regionTag = 1;
         std::size_t feature = 0;
         std::string name;
+        std::optional<double> size = {};
         bool evenOdd = false; ///< the rings are parts of the area and holes in any order
     };
     struct Line {
@@ -82,6 +85,7 @@ class MapReader {
         Vec2 place;
         std::size_t offset = 0;
         std::int32_t tag = 1;
+        std::optional<double> size = {};
     };
     struct Unused {
         std::set<std::string> keys;
@@ -89,6 +93,10 @@ class MapReader {
         void add(const std::string &key, std::size_t offset);
     };
 
+    void requireSizes(const JsonValue &whole);
+    std::optional<double> sizeIn(const JsonValue &properties);
+    bool isKnown(std::string_view property) const;
+    PlacedSizes sizesFor(const Domain &domain) const;
     Box2 bounds() const;
     void settleDegrees(const JsonValue &whole);
     void project(const JsonValue &whole, const Box2 &box);
@@ -101,8 +109,10 @@ class MapReader {
     const SourceText &source_;
     JsonCheck check_;
     FeatureNames names_;
-    bool named_ = false;  ///< a feature has a name
-    bool planar_ = false; ///< the coordinates are not in degrees
+    bool named_ = false;    ///< a feature has a name
+    bool sized_ = false;    ///< a feature has the property with its size
+    bool hasSizes_ = false; ///< an area has a size
+    bool planar_ = false;   ///< the coordinates are not in degrees
     TagAllocator boundaries_, regions_;
     std::vector<Polygon> polygons_;
     std::vector<Line> lines_;

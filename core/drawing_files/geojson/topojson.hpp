@@ -2,6 +2,7 @@
 
 #include "core/engine/base/result.hpp"
 #include "core/engine/domain/domain.hpp"
+#include "core/files/common/domain_file.hpp"
 #include "core/files/source/source.hpp"
 
 #include <string_view>
@@ -13,6 +14,8 @@ namespace forefront {
 /// only one is read: ImportOptions::layer, or else the first one with polygons, or else the first; a note then names
 /// the others.
 Result<Domain> readTopoJson(const SourceText &source);
+/// Reads it with the sizes of its areas and points, see ImportOptions::sizeProperty.
+Result<DomainFile> readTopoJsonFile(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is TopoJSON.
 bool looksLikeTopoJson(std::string_view head);
 

@@ -19,7 +19,7 @@ class TopoJsonReader {
   public:
     explicit TopoJsonReader(const SourceText &source) : source_(source), map_(source), check_(map_.check()) {}
 
-    Result<Domain> read(const JsonValue &topology) {
+    Result<DomainFile> read(const JsonValue &topology) {
         const auto type = check_.member(topology, "type", "the topology");
         if (type && type->string() != "Topology") {
             check_.fault(*type, "bad-field", "expected the type \"Topology\"");
@@ -275,12 +275,17 @@ bool looksLikeTopoJson(std::string_view head) {
            (outline.has("arcs") || (outline.has("objects") && head.find("\"arcs\"") != std::string_view::npos));
 }
 
-Result<Domain> readTopoJson(const SourceText &source) {
+Result<DomainFile> readTopoJsonFile(const SourceText &source) {
     const auto json = JsonDocument::parse(source);
     if (!json) {
         return json.faults();
     }
     return TopoJsonReader(source).read(json->root());
+}
+
+Result<Domain> readTopoJson(const SourceText &source) {
+    Result<DomainFile> file = readTopoJsonFile(source);
+    return file ? Result<Domain>(std::move(file->domain)) : file.faults();
 }
 
 } // namespace forefront

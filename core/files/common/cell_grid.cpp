@@ -78,6 +78,23 @@ Result<SpacingSpec> spacingOfGrid(const CellGrid &grid, const SourceText &source
     return spec;
 }
 
+void CellMeans::finish() {
+    coarse_.values.reserve(cells_.size());
+    for (const Cell &cell : cells_) {
+        const bool none = cell.known == 0 || cell.known < cell.missing;
+        coarse_.values.push_back(none ? 0.0 : cell.sum / static_cast<double>(cell.known));
+    }
+}
+
+void noteAveraged(const CellGrid &grid, std::size_t columns, std::size_t rows, const SourceText &source) {
+    if (grid.columns < columns || grid.rows < rows) {
+        source.note("grid-averaged",
+                    "the grid has " + std::to_string(columns) + " x " + std::to_string(rows) + " values; averaged to " +
+                        std::to_string(grid.columns) + " x " + std::to_string(grid.rows),
+                    0);
+    }
+}
+
 GridCounts averagedCounts(std::size_t columns, std::size_t rows, std::size_t most) {
     const auto divided = [](std::size_t count, std::size_t by) { return (count + by - 1) / by; };
     std::size_t by = 1;

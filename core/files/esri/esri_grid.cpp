@@ -38,41 +38,12 @@ bool isNan(std::string_view word) {
     return value && std::isnan(*value);
 }
 
-/// Averages the values of a grid over the rectangles of a coarser one, as pictures are averaged.
-class CellMeans {
-  public:
-    CellMeans(std::size_t columns, std::size_t rows, CellGrid &coarse)
-        : columns_(columns), rows_(rows), coarse_(coarse), cells_(coarse.columns * coarse.rows) {}
-
-    void add(std::size_t k, std::optional<double> value) {
-        const std::size_t row = k / columns_ * coarse_.rows / rows_;
-        Cell &cell = cells_[row * coarse_.columns + k % columns_ * coarse_.columns / columns_];
-        cell.sum += value.value_or(0.0);
-        ++(value ? cell.known : cell.missing);
-    }
-    void finish() {
-        coarse_.values.reserve(cells_.size());
-        for (const Cell &cell : cells_) {
-            const bool none = cell.known == 0 || cell.known < cell.missing;
-            coarse_.values.push_back(none ? 0.0 : cell.sum / static_cast<double>(cell.known));
-        }
-    }
-
-  private:
-    struct Cell {
-        double sum = 0.0;
-        std::uint32_t known = 0, missing = 0;
-    };
-    std::size_t columns_, rows_;
-    CellGrid &coarse_;
-    std::vector<Cell> cells_;
-};
-
 class EsriReader {
   public:
     explicit EsriReader(const SourceText &source) : source_(source), scanner_(source) {}
 
     Result<SpacingSpec> read() {
+        noteProjection();
         if (!header() || !layOut(kMaxGridValues) || !values()) {
             return scanner_.faults();
         }
@@ -81,6 +52,7 @@ class EsriReader {
 
     Result<Raster> readRaster() {
         Raster raster;
+        noteProjection();
         if (!header() || !layOut(std::numeric_limits<std::size_t>::max())) {
             return scanner_.faults();
         }
@@ -109,6 +81,14 @@ class EsriReader {
     }
 
   private:
+    void noteProjection() const {
+        if (!source_.options.projection.empty()) {
+            source_.note(
+                "no-crs",
+                "the grid names no coordinate reference system; it is taken to be in " + source_.options.projection, 0);
+        }
+    }
+
     bool header() {
         while (const auto key = keyOf(scanner_.peek())) {
             const std::size_t place = scanner_.offset();
@@ -221,13 +201,7 @@ class EsriReader {
             return false;
         }
         means.finish();
-        if (grid_.columns < columns_ || grid_.rows < rows_) {
-            source_.note("grid-averaged",
-                         "the grid has " + std::to_string(columns_) + " x " + std::to_string(rows_) +
-                             " values; averaged to " + std::to_string(grid_.columns) + " x " +
-                             std::to_string(grid_.rows),
-                         0);
-        }
+        noteAveraged(grid_, columns_, rows_, source_);
         return true;
     }
 

@@ -4,6 +4,7 @@
 #include "core/engine/mesh/mesh_view.hpp"
 #include "core/engine/spacing/spec/spacing_spec.hpp"
 #include "core/files/common/mesh_field.hpp"
+#include "core/files/source/export_options.hpp"
 #include "core/files/source/source.hpp"
 #include "core/files/text/text_writer.hpp"
 
@@ -28,8 +29,12 @@ void writeMsh2(const MeshView &mesh, TextWriter &out);
 void writeMsh4(const MeshView &mesh, TextWriter &out);
 /// Writes MSH 4.1, binary.
 void writeMsh4Binary(const MeshView &mesh, TextWriter &out);
-/// Returns notes on the names and numbers of the mesh that the format changes.
-Diagnostics noteMshChanges(const MeshView &mesh);
+/// Write the same with ExportOptions::keepTags.
+void writeMsh2With(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
+void writeMsh4With(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
+void writeMsh4BinaryWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out);
+/// Returns notes on the names of the mesh that the format changes.
+Diagnostics noteMshChanges(const MeshView &mesh, bool keepsTags);
 
 /// Writes prisms and hexahedra as MSH 2.2, ASCII.
 void writeMsh2Solid(const SolidMesh &mesh, TextWriter &out);

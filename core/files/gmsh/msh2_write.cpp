@@ -6,8 +6,8 @@ namespace forefront {
 
 /// Writes MSH 2.2, ASCII: each element line is "number type 2 group entity nodes", where both tags are the number of
 /// the group.
-void writeMsh2(const MeshView &mesh, TextWriter &out) {
-    const MshGroups groups(mesh);
+void writeMsh2With(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
+    const MshGroups groups(mesh, options.keepTags);
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     groups.writeNames(out);
     out << "$Nodes\n" << mesh.nodes.size() << '\n';
@@ -37,6 +37,10 @@ void writeMsh2(const MeshView &mesh, TextWriter &out) {
     out << "$EndElements\n";
     writeMshElevations(mesh, out);
     groups.writeOrigins(out);
+}
+
+void writeMsh2(const MeshView &mesh, TextWriter &out) {
+    writeMsh2With(mesh, {}, out);
 }
 
 } // namespace forefront

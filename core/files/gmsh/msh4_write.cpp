@@ -156,8 +156,9 @@ void writeElements(const MeshView &mesh, const MshModel &model, Rows &rows) {
 }
 
 template <class Rows>
-void writeSections(const MeshView &mesh, TextWriter &out, void (*writeValues)(const MeshView &, TextWriter &)) {
-    const MshGroups groups(mesh);
+void writeSections(const MeshView &mesh, const ExportOptions &options, TextWriter &out,
+                   void (*writeValues)(const MeshView &, TextWriter &)) {
+    const MshGroups groups(mesh, options.keepTags);
     const MshModel model(mesh, groups);
     Rows rows(out);
     groups.writeNames(out);
@@ -183,16 +184,24 @@ void writeBinaryElevations(const MeshView &mesh, TextWriter &out) {
 
 } // namespace
 
-void writeMsh4(const MeshView &mesh, TextWriter &out) {
+void writeMsh4With(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
     out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-    writeSections<TextRows>(mesh, out, writeMshElevations);
+    writeSections<TextRows>(mesh, options, out, writeMshElevations);
 }
 
-void writeMsh4Binary(const MeshView &mesh, TextWriter &out) {
+void writeMsh4BinaryWith(const MeshView &mesh, const ExportOptions &options, TextWriter &out) {
     out << "$MeshFormat\n4.1 1 8\n";
     BinaryRows(out).integer(1); // shows the byte order
     out << "\n$EndMeshFormat\n";
-    writeSections<BinaryRows>(mesh, out, writeBinaryElevations);
+    writeSections<BinaryRows>(mesh, options, out, writeBinaryElevations);
+}
+
+void writeMsh4(const MeshView &mesh, TextWriter &out) {
+    writeMsh4With(mesh, {}, out);
+}
+
+void writeMsh4Binary(const MeshView &mesh, TextWriter &out) {
+    writeMsh4BinaryWith(mesh, {}, out);
 }
 
 } // namespace forefront

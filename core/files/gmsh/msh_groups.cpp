@@ -68,9 +68,9 @@ std::string labelOf(const std::string &name, std::string_view ending, std::set<s
 
 } // namespace
 
-MshGroups::MshGroups(const MeshView &mesh) {
+MshGroups::MshGroups(const MeshView &mesh, bool keepsTags) {
     const TagList tags = tagsOf(mesh);
-    const std::int64_t base = baseAbove(tags);
+    const std::int64_t base = keepsTags ? 0 : baseAbove(tags);
     const std::int64_t raiseRegions = meet(tags.regions, tags.edges) || meet(tags.regions, tags.points) ? base : 0;
     const std::int64_t raisePoints = meet(tags.points, tags.edges) ? 2 * base : 0;
     std::set<std::int32_t> used;
@@ -92,7 +92,8 @@ MshGroups::MshGroups(const MeshView &mesh) {
         const std::vector<std::int32_t> numbers = numbersOf(part.names, part.raise, used);
         std::size_t k = 0;
         for (const auto &[tag, name] : part.names) {
-            groups_.push_back({part.dimension, tag, numbers[k], name, labelOf(name, part.ending, taken)});
+            groups_.push_back({part.dimension, tag, numbers[k], name,
+                               keepsTags ? asQuotable(name, kMaximumNameBytes) : labelOf(name, part.ending, taken)});
             used.insert(numbers[k++]);
         }
     }
@@ -139,8 +140,8 @@ void MshGroups::writeOrigins(TextWriter &out) const {
     out << "$EndComments\n";
 }
 
-Diagnostics noteMshChanges(const MeshView &mesh) {
-    const MshGroups groups(mesh);
+Diagnostics noteMshChanges(const MeshView &mesh, bool keepsTags) {
+    const MshGroups groups(mesh, keepsTags);
     FileNames labels;
     for (const MshGroup &group : groups.groups()) {
         (group.dimension == 0   ? labels.points

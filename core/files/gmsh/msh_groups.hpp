@@ -29,9 +29,11 @@ struct MshGroup {
 ///
 /// Edges keep their names. Regions and points whose names are taken get "_region" or "_point" appended, and "_2", "_3",
 /// ... follow where that is not enough.
+///
+/// If tags are kept, numbers and names are those of the mesh, and may be the same in different dimensions.
 class MshGroups {
   public:
-    explicit MshGroups(const MeshView &mesh);
+    explicit MshGroups(const MeshView &mesh, bool keepsTags = false);
 
     /// By dimension, then tag.
     const std::vector<MshGroup> &groups() const { return groups_; }

@@ -27,6 +27,9 @@ struct ExportOptions {
     /// Writes prisms and hexahedra, with faces named as the boundary parts and "back" (z = 0) and "front"; only formats
     /// with FileFormat::holdsSolids. Absent: a plane mesh, but OpenFOAM: usualExtrusion(), one layer.
     std::optional<Extrusion> extrusion = {};
+    /// Writes the numbers and names of tags unchanged, also where a region has the number or name of a boundary part;
+    /// only formats with FileFormat::tellsTagsApart change them otherwise.
+    bool keepTags = false;
 };
 
 } // namespace forefront

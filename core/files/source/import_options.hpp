@@ -48,6 +48,11 @@ struct ImportOptions {
     /// the own ids of the features. Absent: "name", "Name" or "NAME", or if no feature has one, "NAME_n" with the
     /// highest n that all features with such names have.
     std::optional<std::string> nameProperty = {};
+    /// The property of a map's features to take element sizes from: of areas and points. Absent: there are none.
+    std::optional<std::string> sizeProperty = {};
+    /// The coordinate reference system that maps and rasters are converted to, such as "EPSG:3067"; empty: they stay in
+    /// their own. Needs the component forefront-gdal.
+    std::string projection = {};
     bool strict = false;     ///< refuse a drawing or map that would have to be changed
     bool beyondPage = false; ///< keep the parts of filled shapes outside the page (view box) of an SVG drawing
     /// Leave out the lines of a drawing or map that has filled shapes or polygons: paths without a fill, and line

@@ -4,8 +4,8 @@
 #include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
 #include "core/files/common/tagged_cells.hpp"
+#include "core/files/common/vtk_cells.hpp"
 #include "core/files/vtk/vtk.hpp"
-#include "core/files/vtk/vtk_cells.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/files/text/text_writer.hpp"
+#include "core/files/text/xml_text.hpp"
 
 #include <bit>
 #include <cstddef>
@@ -12,30 +13,6 @@
 namespace forefront {
 
 static_assert(std::endian::native == std::endian::little, "VTU files are written in the byte order of the machine");
-
-/// Returns a text for attributes and content of XML.
-inline std::string xmlEscaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
 
 /// Writes the headers of the arrays in the appended data, then the arrays in the same order.
 class AppendedArrays {

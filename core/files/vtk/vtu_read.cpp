@@ -1,8 +1,8 @@
 #include "core/files/common/mesh_field.hpp"
 #include "core/files/common/planar_mesh.hpp"
+#include "core/files/common/vtk_cells.hpp"
 #include "core/files/text/base64.hpp"
 #include "core/files/vtk/vtk.hpp"
-#include "core/files/vtk/vtk_cells.hpp"
 
 #include <pugixml.hpp>
 

@@ -1,7 +1,7 @@
 #include "core/files/common/names.hpp"
 #include "core/files/common/tagged_cells.hpp"
+#include "core/files/common/vtk_cells.hpp"
 #include "core/files/vtk/vtk.hpp"
-#include "core/files/vtk/vtk_cells.hpp"
 #include "core/files/vtk/vtu_arrays.hpp"
 
 #include <span>

@@ -1,4 +1,4 @@
-#include "core/files/vtk/vtk_cells.hpp"
+#include "core/files/common/vtk_cells.hpp"
 
 #include "core/files/common/names.hpp"
 #include "core/files/common/planar_mesh.hpp"
