@@ -11,6 +11,7 @@
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
 #include "app/batch/rules_option.hpp"
+#include "app/batch/several_inputs.hpp"
 #include "core/drawing/arrangement/repair/repair.hpp"
 #include "core/drawing/document/document.hpp"
 #include "core/drawing/domain/document_domain.hpp"
@@ -26,6 +27,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -350,26 +352,34 @@ int runMesh(const MeshArguments &arguments) {
 
 } // namespace
 
-int meshCommand(int argc, const char *const *argv) {
-    const auto parsed = parseMeshArguments(argc, argv);
+int meshCommand(const CommandLine &line) {
+    const auto parsed = parseMeshArguments(line);
     if (const int *code = std::get_if<int>(&parsed)) {
         return *code;
     }
-    const MeshArguments &arguments = std::get<MeshArguments>(parsed);
-    std::vector<Output> files = pairFormats(arguments.outputs, arguments.formats);
-    if (arguments.statistics && !arguments.printsStatistics()) {
-        files.push_back({*arguments.statistics, {}});
+    const MeshArguments &all = std::get<MeshArguments>(parsed);
+    std::vector<MeshArguments> runs;
+    std::vector<Output> files;
+    for (const std::filesystem::path &input : all.inputs) {
+        const MeshArguments &one = runs.emplace_back(all.of(input));
+        const std::vector<Output> outputs = pairFormats(one.outputs, one.formats);
+        files.insert(files.end(), outputs.begin(), outputs.end());
+        if (one.statistics && !one.printsStatistics()) {
+            files.push_back({*one.statistics, {}});
+        }
     }
-    std::vector<std::filesystem::path> inputs{arguments.input};
-    if (arguments.spacingFile) {
-        inputs.emplace_back(*arguments.spacingFile);
+    std::vector<std::filesystem::path> inputs = all.inputs;
+    if (all.spacingFile) {
+        inputs.emplace_back(*all.spacingFile);
     }
-    if (arguments.form.elevation && isElevationFile(*arguments.form.elevation)) {
-        inputs.emplace_back(*arguments.form.elevation);
+    if (all.form.elevation && isElevationFile(*all.form.elevation)) {
+        inputs.emplace_back(*all.form.elevation);
     }
-    const Diagnostics faults = checkOutputs(files, inputs);
-    printFaults(faults);
-    return faults.empty() ? runMesh(arguments) : static_cast<int>(kRefused);
+    if (const Diagnostics faults = checkOutputs(files, inputs); !faults.empty()) {
+        printFaults(faults);
+        return kRefused;
+    }
+    return runEach(all.inputs, all.quiet || all.printsStatistics(), [&](std::size_t k) { return runMesh(runs[k]); });
 }
 
 } // namespace forefront
