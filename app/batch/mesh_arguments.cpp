@@ -43,6 +43,8 @@ Examples:
         a grid of ADCIRC with the depths of a raster
   forefront mesh lake.geojson plate.poly -o "{}.vtu" --stats "{}.json"
         each file with its own outputs: lake.vtu, lake.json, plate.vtu, plate.json
+  forefront mesh lake.geojson --size 0.1 --dry-run
+        how many elements that would be, and about how much memory and time they would take
   forefront mesh lake.geojson --config fine.toml -o lake.vtu
         options of a file with lines such as size = 0.5, verify = true and set = {r = "2*d"}
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
@@ -217,6 +219,9 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     addMaxElementsOption(app, arguments.maxElements);
     app.add_option("--stats", arguments.statistics, "write statistics as JSON; -: print them instead of the summary")
         ->type_name("FILE.json");
+    auto *const dry = app.add_flag("--dry-run", arguments.dryRun,
+                                   "estimate elements, memory and time without meshing; nothing is written");
+    app.add_flag("--json", arguments.json, "print the estimate of --dry-run as JSON")->needs(dry);
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
     addConfigOption(app);
     if (const auto code = parseOptions(app, line)) {
@@ -254,7 +259,7 @@ std::variant<MeshArguments, int> parseMeshArguments(const CommandLine &line) {
     if (wrong.empty()) {
         wrong = checkElevation(arguments.form.elevation, pairFormats(arguments.outputs, arguments.formats));
     }
-    if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
+    if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics && !arguments.dryRun) {
         wrong = "no output; add -o OUT or --stats FILE.json";
     }
     if (!wrong.empty()) {

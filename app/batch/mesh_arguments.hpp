@@ -51,6 +51,8 @@ struct MeshArguments {
     std::optional<unsigned> threads;
     std::optional<double> maxElements;
     std::optional<std::filesystem::path> statistics;
+    bool dryRun = false; ///< estimate the run instead of meshing
+    bool json = false;   ///< print JSON
     bool quiet = false;
 
     /// Returns true if the statistics go to standard output, which then receives nothing else.

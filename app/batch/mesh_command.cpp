@@ -1,6 +1,7 @@
 #include "app/batch/cli_options.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/elevation_option.hpp"
+#include "app/batch/estimate_report.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
@@ -320,13 +321,25 @@ int runMesh(const MeshArguments &arguments) {
         return refuse(faults, interrupt);
     }
 
-    const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
-    if (!outcome) {
-        const Diagnostics wrong = meshingFaults(outcome.faults(), job->domain, input, repaired ? &*repaired : nullptr);
+    const auto refuseRun = [&](const Diagnostics &why) {
+        const Diagnostics wrong = meshingFaults(why, job->domain, input, repaired ? &*repaired : nullptr);
         const Input &owner = files->spacing ? *files->spacing : input;
         const int code = refuse(arguments.expression ? wrong : locateSpacing(wrong, owner), interrupt);
-        const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
+        const bool mistyped = arguments.expression && hasCode(why, "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
+    };
+    if (arguments.dryRun) {
+        const Result<RunEstimate> estimate = bar.during({}, [&] { return estimateRun(*job, progress); });
+        if (!estimate) {
+            return refuseRun(estimate.faults());
+        }
+        const Status printed = printText(arguments.json ? estimateJson(*estimate, arguments.input.string())
+                                                        : estimateText(*estimate, job->options));
+        return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
+    }
+    const Result<MeshingOutcome> outcome = bar.during({}, [&] { return meshDomain(*job, progress); });
+    if (!outcome) {
+        return refuseRun(outcome.faults());
     }
     if (!arguments.quiet) {
         printFaults(outcome->spacing->notes());
@@ -334,7 +347,8 @@ int runMesh(const MeshArguments &arguments) {
     }
     printFaults(violatedLimits(outcome->mesh, read->limits, outcome->spacing.get()));
     printFaults(largeElements(outcome->mesh, job->domain, job->spacing.placed.regions));
-    const RunReport report = reportOf(*outcome, job->options);
+    RunReport report = reportOf(*outcome, job->options);
+    report.input = arguments.input.string();
     faults = bar.during({}, [&] { return writeResults(arguments, outcome->mesh, report, progress); });
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);
@@ -379,7 +393,8 @@ int meshCommand(const CommandLine &line) {
         printFaults(faults);
         return kRefused;
     }
-    return runEach(all.inputs, all.quiet || all.printsStatistics(), [&](std::size_t k) { return runMesh(runs[k]); });
+    return runEach(all.inputs, all.quiet || all.json || all.printsStatistics(),
+                   [&](std::size_t k) { return runMesh(runs[k]); });
 }
 
 } // namespace forefront

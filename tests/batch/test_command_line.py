@@ -116,6 +116,45 @@ class ConfigFiles(Case):
         self.assertNotIn("a.vtu", self.names())
 
 
+class DryRuns(Case):
+    def test_estimates_are_near_the_meshes(self):
+        for sample in (SAMPLES / f"{name}.json" for name in ("spiral", "wing", "flap", "lake", "snowflake", "bracket")):
+            with self.subTest(sample.stem):
+                told = json.loads(self.call("mesh", sample, "--dry-run", "--json", "-q").stdout)
+                made = json.loads(self.call("mesh", sample, "--stats", "-", "-q").stdout)
+                self.assertLess(abs(told["elements"] / made["elements"] - 1), 0.15)
+                self.assertLess(abs(told["nodes"] / made["nodes"] - 1), 0.15)
+
+    def test_nothing_is_written_and_faults_are_told(self):
+        before = self.names()
+        done = self.call("mesh", "a.poly", "b.poly", "-o", "{}.vtu", "--size", "0.1", "--dry-run")
+        self.assertRegex(done.stdout, r"^a.poly:\nabout \S+ elements, \S+ nodes, 140 boundary edges\nabout \S+ MB of memory, ")
+        self.assertIn("[too-many-elements]", self.call("mesh", "a.poly", "--dry-run", "--size", "1e-6", code=1).stderr)
+        self.call("mesh", "a.poly", "--json", "-o", "a.vtu", code=2)
+        self.assertEqual(self.names(), before)
+
+
+class Telling(Case):
+    def test_statistics_name_program_input_and_bounds(self):
+        made = json.loads(self.call("mesh", "a.poly", "-o", "a.msh", "--stats", "-", "--size", "1").stdout)
+        self.assertEqual((made["input"], made["bounds"]), ("a.poly", [0, 0, 4, 3]))
+        checked = json.loads(self.call("check", "a.msh", "--stats", "-").stdout)
+        for key in ("version", "bounds", "boundaries", "regions", "area"):
+            self.assertEqual(made[key], checked[key])
+
+    def test_mistyped_names_get_a_suggestion(self):
+        for words, code, expected in (
+                (("mesh", "a.poly", "-o", "a.msh", "--format", "msh3"), 2, "did you mean msh2?"),
+                (("mesh", "a.poly", "-o", "a.vut"), 2, "did you mean .vtu?"),
+                (("mesh", "a.poly", "-o", "a.vtu", "--input-format", "ploy"), 2, "did you mean poly?"),
+                (("mesh", "a.poly", "-o", "a.vtu", "--grid", "unifrom"), 2, "did you mean uniform?"),
+                (("mesh", "a.poly", "-o", "a.vtu", "--layers", "boundary1:first=0.1,count=2"), 1,
+                 "did you mean boundary_1?"),
+                (("mesh", "a.poly", "-o", "a.vtu", "--layers", "boundary_1:frist=0.1"), 2, "did you mean first?"),
+                (("mesh", "a.poly", "-o", "a.14", "--open", "bundary_1"), 1, "did you mean boundary_1?")):
+            self.assertIn(expected, self.call(*words, code=code).stderr)
+
+
 class Shells(Case):
     def completed(self, *words):
         """The words that bash offers for the last one."""
